@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// An array that is not initialized: each of its pages is first touched by the
+// thread that fills it.
+template <class T>
+class Host_buffer {
+  static_assert(std::is_trivially_destructible<T>::value, "buffers hold plain data");
+
+public:
+  Host_buffer() = default;
+  explicit Host_buffer(std::size_t size) : data_(new T[size]), size_(size) {}
+
+  // Discards the contents.
+  void reset(std::size_t size)
+  {
+    data_.reset();
+    data_.reset(new T[size]);
+    size_ = size;
+  }
+
+  void release()
+  {
+    data_.reset();
+    size_ = 0;
+  }
+
+  T* data() { return data_.get(); }
+  const T* data() const { return data_.get(); }
+  std::size_t size() const { return size_; }
+  T& operator[](std::size_t i) { return data_[i]; }
+  const T& operator[](std::size_t i) const { return data_[i]; }
+  T* begin() { return data_.get(); }
+  T* end() { return data_.get() + size_; }
+  const T* begin() const { return data_.get(); }
+  const T* end() const { return data_.get() + size_; }
+
+private:
+  std::unique_ptr<T[]> data_;
+  std::size_t size_ = 0;
+};
+
+// What the sort along the curve moves.
+struct Keyed_index {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H

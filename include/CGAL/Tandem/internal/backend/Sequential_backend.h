@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Backend concept, and its sequential model. A back end owns memory and runs
+// functors and bodies; it knows nothing of planes.
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
+
+#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/backend/Serial_block.h>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+class Sequential_backend {
+public:
+  template <class T>
+  using Buffer = Host_buffer<T>;
+
+  static const char* name() { return "sequential"; }
+
+  // f(i) for i in [0, n), in any order.
+  template <class F>
+  void for_each(std::size_t n, F f)
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      f(i);
+  }
+
+  // f(first, last) for consecutive pieces of [0, n) of at most `grain` items.
+  template <class F>
+  void for_each_piece(std::size_t n, std::size_t grain, F f)
+  {
+    for(std::size_t first = 0; first < n; first += grain)
+      f(first, (std::min)(first + grain, n));
+  }
+
+  // body(block, scratch, c) for c in [0, cells), in any order. A Scratch serves
+  // one body at a time and holds garbage at its start.
+  template <class Scratch, class Body>
+  void for_each_cell(std::size_t cells, Body body)
+  {
+    auto scratch = std::make_unique<Scratch>();
+    Serial_block block;
+    for(std::size_t c = 0; c < cells; ++c)
+      body(block, *scratch, std::uint32_t(c));
+  }
+
+  // Ascending by key; the order of equal keys is not defined.
+  void sort_by_key(Keyed_index* first, Keyed_index* last)
+  {
+    boost::sort::spreadsort::integer_sort(
+      first, last, [](const Keyed_index& e, unsigned shift) { return e.key >> shift; },
+      [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
+  }
+
+  // In each of the ranges given by range(c), ascending by `less`, a total order.
+  template <class T, class Get_range, class Less>
+  void sort_ranges(std::size_t ranges, T* data, Get_range range, Less less)
+  {
+    for(std::size_t c = 0; c < ranges; ++c) {
+      const Range r = range(c);
+      std::sort(data + r.first, data + r.last, less);
+    }
+  }
+
+  // target += value, from functors that run at the same time. Integers only.
+  template <class T>
+  static void atomic_add(T& target, T value)
+  {
+    target += value;
+  }
+
+  template <class T>
+  static void atomic_min(T& target, T value)
+  {
+    if(value < target)
+      target = value;
+  }
+
+  template <class T>
+  static void atomic_max(T& target, T value)
+  {
+    if(target < value)
+      target = value;
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H

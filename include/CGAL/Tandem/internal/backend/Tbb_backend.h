@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parallel model of Backend: the bodies of the sequential one, many at a time.
+// It runs in the caller's task arena, so a tbb::global_control or an arena of the
+// caller limits its threads.
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
+
+#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/backend/Serial_block.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+class Tbb_backend {
+public:
+  template <class T>
+  using Buffer = Host_buffer<T>;
+
+  static const char* name() { return "parallel"; }
+
+  template <class F>
+  void for_each(std::size_t n, F f)
+  {
+    for_each_piece(n, 4096, [&](std::size_t first, std::size_t last) {
+      for(std::size_t i = first; i < last; ++i)
+        f(i);
+    });
+  }
+
+  template <class F>
+  void for_each_piece(std::size_t n, std::size_t grain, F f)
+  {
+    tbb::parallel_for(std::size_t(0), (n + grain - 1) / grain,
+                      [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
+  }
+
+  template <class Scratch, class Body>
+  void for_each_cell(std::size_t cells, Body body)
+  {
+    tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratches([] { return std::make_unique<Scratch>(); });
+    tbb::parallel_for(std::size_t(0), cells, [&](std::size_t c) {
+      Serial_block block;
+      body(block, *scratches.local(), std::uint32_t(c));
+    });
+  }
+
+  void sort_by_key(Keyed_index* first, Keyed_index* last)
+  {
+    tbb::parallel_sort(first, last, [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
+  }
+
+  template <class T, class Get_range, class Less>
+  void sort_ranges(std::size_t ranges, T* data, Get_range range, Less less)
+  {
+    tbb::parallel_for(std::size_t(0), ranges, [&](std::size_t c) {
+      const Range r = range(c);
+      std::sort(data + r.first, data + r.last, less);
+    });
+  }
+
+  template <class T>
+  static void atomic_add(T& target, T value)
+  {
+    __atomic_fetch_add(&target, value, __ATOMIC_RELAXED);
+  }
+
+  template <class T>
+  static void atomic_min(T& target, T value)
+  {
+    T old = __atomic_load_n(&target, __ATOMIC_RELAXED);
+    while(value < old && !__atomic_compare_exchange_n(&target, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+  }
+
+  template <class T>
+  static void atomic_max(T& target, T value)
+  {
+    T old = __atomic_load_n(&target, __ATOMIC_RELAXED);
+    while(old < value && !__atomic_compare_exchange_n(&target, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The plain data of the engine: points on an integer grid, planes with integer
+// coefficients, and the predicate that decides everything, fits().
+
+#ifndef CGAL_TANDEM_INTERNAL_TYPES_H
+#define CGAL_TANDEM_INTERNAL_TYPES_H
+
+#include <cstddef>
+#include <cstdint>
+
+#ifdef __CUDACC__
+#define CGAL_TANDEM_HD __host__ __device__
+#else
+#define CGAL_TANDEM_HD
+#endif
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The length of the normal of an integer plane.
+constexpr int normal_bits = 28;
+constexpr double normal_scale = double(std::int64_t(1) << normal_bits);
+
+// Coordinates stay within +-2^29, so that n.p + d fits int64 (28 + 29 + log2(3) + 1 < 63).
+constexpr int coordinate_bits = 29;
+
+// A leaf is at most 2^24 steps wide: 8192 products of two cell-relative
+// coordinates then sum to less than 2^61.
+constexpr int cell_extent_bits = 24;
+
+constexpr std::uint32_t no_index = 0xffffffffu;
+
+struct Grid_point {
+  std::int32_t x, y, z;    // steps of the grid, relative to its origin
+  std::uint32_t normal;    // octahedral, 2 x 16 bits; no_normal if there is none
+};
+
+// Positions [first, last) in the sorted cloud.
+struct Range {
+  std::uint32_t first, last;
+  CGAL_TANDEM_HD std::uint32_t size() const { return last - first; }
+};
+
+struct Int_vector {
+  std::int32_t x, y, z;
+};
+
+constexpr std::uint32_t no_normal = 0x80008000u;
+
+// Octahedral normals: the vector has an L1 norm of 32767 and is not unit. The
+// code no_normal decodes to the null vector.
+CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
+{
+  if(code == no_normal)
+    return {0, 0, 0};
+  std::int32_t u = std::int16_t(code & 0xffffu);
+  std::int32_t v = std::int16_t(code >> 16);
+  const std::int32_t au = u < 0 ? -u : u;
+  const std::int32_t av = v < 0 ? -v : v;
+  const std::int32_t w = 32767 - au - av;
+  if(w < 0) {
+    u = u < 0 ? av - 32767 : 32767 - av;
+    v = v < 0 ? au - 32767 : 32767 - au;
+  }
+  return {u, v, w};
+}
+
+// nx x + ny y + nz z + d = 0, with |(nx, ny, nz)| = 2^28 up to rounding.
+struct Plane {
+  std::int32_t nx, ny, nz;
+  std::int64_t d;
+};
+
+// distance: epsilon in grid steps times 2^28. squared_cosine: cos^2(alpha) times 2^32.
+struct Tolerance {
+  std::int64_t distance;
+  std::int64_t squared_cosine;
+};
+
+// The signed distance to the plane, in 2^-28 grid steps.
+CGAL_TANDEM_HD inline std::int64_t signed_distance(const Plane& s, const Grid_point& p)
+{
+  return std::int64_t(s.nx) * p.x + std::int64_t(s.ny) * p.y + std::int64_t(s.nz) * p.z + s.d;
+}
+
+CGAL_TANDEM_HD inline bool is_near(const Plane& s, const Grid_point& p, std::int64_t distance)
+{
+  const std::int64_t e = signed_distance(s, p);
+  return (e < 0 ? -e : e) <= distance;
+}
+
+// Unoriented: |cos| between the normals against alpha, squared.
+CGAL_TANDEM_HD inline bool is_aligned(const Plane& s, const Grid_point& p, std::int64_t squared_cosine)
+{
+  const Int_vector m = decode_normal(p.normal);
+  const std::int64_t product = std::int64_t(s.nx) * m.x + std::int64_t(s.ny) * m.y + std::int64_t(s.nz) * m.z;
+  const std::int64_t dot = (product < 0 ? -product : product) >> 12; // < 2^31
+  const std::int64_t length2 = std::int64_t(m.x) * m.x + std::int64_t(m.y) * m.y + std::int64_t(m.z) * m.z;
+  return dot > 0 && dot * dot >= length2 * squared_cosine; // both < 2^62
+}
+
+CGAL_TANDEM_HD inline bool fits(const Plane& s, const Grid_point& p, const Tolerance& t)
+{
+  return is_near(s, p, t.distance) && is_aligned(s, p, t.squared_cosine);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_TYPES_H
