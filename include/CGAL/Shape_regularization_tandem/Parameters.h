@@ -6,6 +6,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Tandem {
@@ -38,6 +43,60 @@ struct Parameters {
 
 /// progress in [0, 1]; returning `false` cancels.
 using Callback = std::function<bool(double)>;
+
+namespace internal {
+
+// The same text whatever the locale of the program is.
+template <class T>
+std::string to_text(const T& value)
+{
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << value;
+  return out.str();
+}
+
+template <class T>
+[[noreturn]] void refuse(const char* name, const T& value, const std::string& range)
+{
+  throw std::invalid_argument(std::string(name) + " is " + to_text(value) + ", allowed is " + range);
+}
+
+// Written so that NaN is refused. A length below 1e-270 has no grid of normalized doubles.
+inline void check_length(const char* name, double value, double smallest)
+{
+  if(!(value >= smallest) || value > 1e270)
+    refuse(name, value, smallest > 0 ? "(0, infinity), and [1e-270, 1e270] in practice" : "[0, infinity), and at most 1e270 in practice");
+}
+
+inline void check_count(const char* name, std::size_t value, std::size_t smallest, std::size_t largest)
+{
+  if(value < smallest || value > largest)
+    refuse(name, value, "[" + to_text(smallest) + ", " + to_text(largest) + "]");
+}
+
+constexpr std::size_t maximum_number_of_points = std::size_t(1) << 31;
+
+} // namespace internal
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+throws `std::invalid_argument`, which names the parameter, its value and the allowed range, if one of
+the parameters is outside of it. Estimated parameters must be resolved before.
+*/
+inline void check_parameters(const Parameters& p)
+{
+  internal::check_length("maximum_distance", p.maximum_distance, 1e-270);
+  if(!(p.maximum_angle > 0 && p.maximum_angle < 90))
+    internal::refuse("maximum_angle", p.maximum_angle, "(0, 90) degrees");
+  if(!(p.angle_tolerance >= 0 && p.angle_tolerance < 45))
+    internal::refuse("angle_tolerance", p.angle_tolerance, "[0, 45) degrees");
+  internal::check_length("maximum_offset", p.maximum_offset, 0);
+  internal::check_count("minimum_region_size", p.minimum_region_size, 3, internal::maximum_number_of_points);
+  internal::check_count("k_neighbors", p.k_neighbors, 3, 64);
+  internal::check_count("cell_size", p.cell_size, 64, 65536);
+}
 
 } // namespace Tandem
 } // namespace CGAL

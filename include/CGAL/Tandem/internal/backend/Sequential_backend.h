@@ -71,11 +71,14 @@ public:
     }
   }
 
-  // target += value, from functors that run at the same time. Integers only.
+  // target += value, from functors that run at the same time; returns the old
+  // target. Integers only.
   template <class T>
-  static void atomic_add(T& target, T value)
+  static T atomic_add(T& target, T value)
   {
-    target += value;
+    const T old = target;
+    target = T(target + value);
+    return old;
   }
 
   template <class T>
@@ -90,6 +93,22 @@ public:
   {
     if(target < value)
       target = value;
+  }
+
+  template <class T>
+  static T atomic_load(const T& target)
+  {
+    return target;
+  }
+
+  // If target == expected, target = value; returns the old target.
+  template <class T>
+  static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    const T old = target;
+    if(old == expected)
+      target = value;
+    return old;
   }
 };
 

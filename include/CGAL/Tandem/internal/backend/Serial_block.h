@@ -11,7 +11,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 
-#include <CGAL/Tandem/internal/types.h>
+#include <CGAL/Tandem/internal/Shapes.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -27,13 +27,13 @@ struct Serial_block {
   }
 
   // f(s, q) for each source s in [0, n) and each entry q of its row of k
-  // neighbors; row(s) is the address of the row.
+  // neighbors; row(s) is the address of the row, or null to skip the source.
   template <class Row, class F>
   void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
   {
     for(std::uint32_t s = 0; s < n; ++s) {
       const std::uint32_t* neighbors = row(s);
-      for(int j = 0; j < k; ++j)
+      for(int j = 0; neighbors != nullptr && j < k; ++j)
         f(s, neighbors[j]);
     }
   }
@@ -46,6 +46,18 @@ struct Serial_block {
       if(f(i))
         return i;
     return n;
+  }
+
+  // The smallest f(i) for i in [0, n), or no_index.
+  template <class F>
+  std::uint32_t min(std::uint32_t n, F f)
+  {
+    std::uint32_t least = no_index;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t value = f(i);
+      least = value < least ? value : least;
+    }
+    return least;
   }
 
   // f() once.
@@ -67,12 +79,34 @@ struct Serial_block {
   // A position of its own for each caller. The order of positions is arbitrary.
   std::uint32_t append(std::uint32_t& size) { return size++; }
 
-  // Sums that lanes of this block share. Integers only.
-  template <class T, class U>
-  void add(T& target, U value)
+  // If target == expected, target = value; returns the old target.
+  std::uint32_t exchange_if(std::uint32_t& target, std::uint32_t expected, std::uint32_t value)
   {
-    target += value;
+    const std::uint32_t old = target;
+    if(old == expected)
+      target = value;
+    return old;
   }
+
+  // Counts `value` in a slot that belongs to the first value that came, or to none
+  // while its value is ~0. False if the slot belongs to another value.
+  bool count_pair(std::uint64_t& slot, std::uint32_t& count, std::uint64_t value)
+  {
+    if(slot == ~std::uint64_t(0))
+      slot = value;
+    if(slot != value)
+      return false;
+    ++count;
+    return true;
+  }
+
+  // Sums and bounds that the lanes of this block share.
+  void add_moments(Cell_moments& target, std::int64_t x, std::int64_t y, std::int64_t z, int sign)
+  {
+    target.add(x, y, z, sign);
+  }
+
+  void add_box(Box& target, const Grid_point& p) { target.add(p); }
 };
 
 } // namespace internal

@@ -71,9 +71,9 @@ public:
   }
 
   template <class T>
-  static void atomic_add(T& target, T value)
+  static T atomic_add(T& target, T value)
   {
-    __atomic_fetch_add(&target, value, __ATOMIC_RELAXED);
+    return __atomic_fetch_add(&target, value, __ATOMIC_RELAXED);
   }
 
   template <class T>
@@ -90,6 +90,19 @@ public:
     T old = __atomic_load_n(&target, __ATOMIC_RELAXED);
     while(old < value && !__atomic_compare_exchange_n(&target, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
     }
+  }
+
+  template <class T>
+  static T atomic_load(const T& target)
+  {
+    return __atomic_load_n(&target, __ATOMIC_RELAXED);
+  }
+
+  template <class T>
+  static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    __atomic_compare_exchange_n(&target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+    return expected;
   }
 };
 

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_H
+
+/*!
+\file
+The whole package.
+*/
+
+#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
+#include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
+#include <CGAL/Shape_regularization_tandem/adapters.h>
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+#include <CGAL/Shape_regularization_tandem/named_parameters.h>
+#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
+#include <CGAL/Shape_regularization_tandem/tags.h>
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_H

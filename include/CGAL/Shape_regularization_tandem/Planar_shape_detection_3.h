@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPE_DETECTION_3_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPE_DETECTION_3_H
+
+#include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
+#include <CGAL/Tandem/internal/Engine.h>
+
+#include <chrono>
+#include <memory>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+class Stop_watch {
+public:
+  // Seconds since the construction or the last call.
+  double lap()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - start_;
+    start_ = now;
+    return passed.count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief detects and regularizes planar shapes in tandem, step by step.
+
+The constructor reads the range once, through its maps; the range is not needed afterwards.
+
+\tparam Traits a model of `TandemTraits_3`
+*/
+template <class Traits>
+class Planar_shape_detection_3 {
+public:
+  using Geom_traits = typename Traits::Geom_traits;
+  using Point_range = typename Traits::Point_range;
+  using Shapes = Planar_shapes_3<Geom_traits>;
+
+  /*!
+  reads the points, estimates the parameters that are not given, and finds the neighbors of the points.
+  \param points a range of points
+  \param np the named parameters of `detect_planes()`
+  \param traits the traits
+  \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+  \throw std::length_error more than 2^31 points
+  \throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`
+  */
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters(),
+                                    const Traits& traits = Traits())
+    : traits_(traits), backend_(traits_.backend()), parameters_(internal::read_parameters(np)),
+      callback_(internal::parameter<internal_np::callback_t>(np, Callback()))
+  {
+    internal::check_given_parameters(parameters_);
+    internal::Stop_watch watch;
+    in_ = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
+                                        internal::normal_map_of<Traits>(points, np), traits_);
+    internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
+    internal::place_on_grid(in_, parameters_.maximum_distance);
+    import_time_ = watch.lap();
+    if(in_.size() >= parameters_.minimum_region_size && go_on(0))
+      engine_ = std::make_unique<internal::Engine<Backend>>(backend_, in_, parameters_);
+  }
+
+  // The engine refers to members.
+  Planar_shape_detection_3(const Planar_shape_detection_3&) = delete;
+  Planar_shape_detection_3& operator=(const Planar_shape_detection_3&) = delete;
+
+  /// iterates until nothing grows any more, and finishes. Returns `false` if the callback has cancelled.
+  bool detect()
+  {
+    while(iterate()) {
+    }
+    finish();
+    return !is_cancelled_;
+  }
+
+  /// one round of growth and regularization. Returns `false` when nothing grows any more, or after a cancellation.
+  bool iterate()
+  {
+    if(!engine_ || is_finished_ || is_cancelled_ || !engine_->iterate())
+      return false;
+    return go_on(engine_->progress());
+  }
+
+  /// cleans up, and verifies each point against the final plane of its shape; also after a cancellation, with the
+  /// shapes found until then. All that the package guarantees holds from here on.
+  void finish()
+  {
+    if(engine_ && !is_finished_)
+      engine_->finish();
+    is_finished_ = true;
+    if(callback_ && !is_cancelled_)
+      callback_(1);
+  }
+
+  /// the shapes: of the last round, not yet verified, or the final ones after `finish()`
+  Shapes shapes() const
+  {
+    internal::Stop_watch watch;
+    internal::Shapes_data data = engine_ ? internal::export_shapes(in_, parameters_, engine_->result())
+                                         : internal::export_nothing(in_, parameters_);
+    Statistics& statistics = data.statistics;
+    statistics.is_cancelled = is_cancelled_;
+    statistics.backend = Backend::name();
+    const double export_time = watch.lap();
+    statistics.times.sort += import_time_;
+    statistics.times.finish += export_time;
+    statistics.times.total += import_time_ + export_time;
+    return Shapes(std::move(data), traits_.geom_traits());
+  }
+
+  /// the parameters in use, with what was estimated
+  const Parameters& parameters() const { return parameters_; }
+
+  /// whether the callback has cancelled
+  bool is_cancelled() const { return is_cancelled_; }
+
+private:
+  using Backend = typename Traits::Backend;
+
+  bool go_on(double progress)
+  {
+    if(callback_ && !callback_(progress))
+      is_cancelled_ = true;
+    return !is_cancelled_;
+  }
+
+  Traits traits_;
+  Backend backend_;
+  Parameters parameters_;
+  Callback callback_;
+  internal::Import in_;
+  double import_time_ = 0;
+  bool is_finished_ = false;
+  bool is_cancelled_ = false;
+  std::unique_ptr<internal::Engine<Backend>> engine_;
+};
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPE_DETECTION_3_H

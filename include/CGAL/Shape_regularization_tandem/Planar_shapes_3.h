@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
+
+#include <CGAL/Tandem/internal/export_shapes.h>
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief The planar shapes of a point cloud, the points of each of them, and how they are related.
+
+Shapes, parallel groups and coplanar groups are numbered from 0. A *parallel group* holds the shapes of one
+direction, a *coplanar group* those of one plane; a shape that is related to no other is alone in its groups. For a
+finished detection
+- each point is in at most one shape, within `maximum_distance` of its plane and `maximum_angle` of its normal;
+- the planes of a parallel group have the same normal, those of a coplanar group are the same plane, bit for bit;
+- the unit normals of two orthogonal parallel groups have a dot product of at most 1e-15, in absolute value;
+- a shape is connected and has at least `minimum_region_size` points.
+
+\tparam GeomTraits a model of `Kernel`
+*/
+template <class GeomTraits>
+class Planar_shapes_3 {
+public:
+  using Geom_traits = GeomTraits;
+  using Point_3 = typename GeomTraits::Point_3;
+  using Vector_3 = typename GeomTraits::Vector_3;
+  using Plane_3 = typename GeomTraits::Plane_3;
+  using Coefficients = internal::Coefficients;
+  using Data = internal::Shapes_data;
+
+  /// A range of positions in the caller's range, ascending.
+  class Positions {
+  public:
+    using value_type = std::uint32_t;
+    using const_iterator = const std::uint32_t*;
+    using iterator = const_iterator;
+    Positions(const_iterator first, const_iterator last) : first_(first), last_(last) {}
+    const_iterator begin() const { return first_; }
+    const_iterator end() const { return last_; }
+    std::size_t size() const { return std::size_t(last_ - first_); }
+    bool empty() const { return first_ == last_; }
+    std::size_t operator[](std::size_t i) const { return first_[i]; }
+
+  private:
+    const_iterator first_, last_;
+  };
+
+  explicit Planar_shapes_3(Data data = Data(), const GeomTraits& geom_traits = GeomTraits())
+    : data_(std::move(data))
+  {
+    const auto construct = geom_traits.construct_plane_3_object();
+    using RT = typename GeomTraits::RT;
+    for(const Coefficients& c : data_.coefficients)
+      planes_.push_back(construct(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
+    sort_points();
+  }
+
+  /// \name Shapes
+  /// @{
+  std::size_t number_of_shapes() const { return planes_.size(); }
+
+  /// the plane of shape `s`, of unit normal. All shapes of a parallel group have the same normal.
+  const Plane_3& plane(std::size_t s) const { return planes_[s]; }
+
+  /// the planes of all shapes
+  const std::vector<Plane_3>& planes() const { return planes_; }
+
+  /// the plane as (a, b, c, d) with a x + b y + c z + d = 0 and a unit normal: in double also where the kernel has less
+  const Coefficients& coefficients(std::size_t s) const { return data_.coefficients[s]; }
+
+  /// whether most of the given normals of the points of shape `s` are opposite to the normal of `plane(s)`
+  bool is_flipped(std::size_t s) const { return data_.is_flipped[s] != 0; }
+
+  /// the plane of shape `s`, oriented as the majority of the normals of its points. If the normals are estimated,
+  /// they have no orientation, and this is `plane(s)`.
+  Plane_3 oriented_plane(std::size_t s) const { return is_flipped(s) ? planes_[s].opposite() : planes_[s]; }
+
+  /// the positions of the points of shape `s` in the caller's range, ascending
+  Positions points(std::size_t s) const
+  {
+    return Positions(positions_.data() + first_[s], positions_.data() + first_[s + 1]);
+  }
+  /// @}
+
+  /// \name Points
+  /// @{
+  std::size_t number_of_points() const { return data_.shape_of.size(); }
+
+  /// the shape of the point at position `i` of the caller's range, -1 if it has none
+  int shape_index(std::size_t i) const { return data_.shape_of[i]; }
+
+  /// the same for all points
+  const std::vector<std::int32_t>& shape_indices() const { return data_.shape_of; }
+
+  /// whether the normals were estimated
+  bool has_estimated_normals() const { return data_.statistics.has_estimated_normals; }
+
+  /// the estimated unit normal of the point at position `i`; null if it has none. \pre `has_estimated_normals()`
+  Vector_3 estimated_normal(std::size_t i) const
+  {
+    using FT = typename GeomTraits::FT;
+    const std::array<double, 3> n = internal::unpacked_normal(data_.normal[i]);
+    return Vector_3(FT(n[0]), FT(n[1]), FT(n[2]));
+  }
+  /// @}
+
+  /// \name Relations
+  /// @{
+  std::size_t number_of_parallel_groups() const { return data_.statistics.number_of_directions; }
+  std::size_t number_of_coplanar_groups() const { return data_.statistics.number_of_planes; }
+  std::size_t parallel_group(std::size_t s) const { return std::size_t(data_.parallel_group[s]); }
+  std::size_t coplanar_group(std::size_t s) const { return std::size_t(data_.coplanar_group[s]); }
+
+  /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
+  const std::vector<std::pair<int, int>>& orthogonal_groups() const { return data_.orthogonal_groups; }
+
+  bool are_parallel(std::size_t s, std::size_t t) const { return parallel_group(s) == parallel_group(t); }
+  bool are_coplanar(std::size_t s, std::size_t t) const { return coplanar_group(s) == coplanar_group(t); }
+  bool are_orthogonal(std::size_t s, std::size_t t) const
+  {
+    const std::pair<int, int> groups = std::minmax({data_.parallel_group[s], data_.parallel_group[t]});
+    return std::binary_search(data_.orthogonal_groups.begin(), data_.orthogonal_groups.end(), groups);
+  }
+
+  /// one shape of each coplanar group: a list of the distinct planes
+  std::vector<std::size_t> distinct_planes() const
+  {
+    const std::vector<int> first = internal::representatives(data_.coplanar_group);
+    return std::vector<std::size_t>(first.begin(), first.end());
+  }
+  /// @}
+
+  /// \name The detection
+  /// @{
+  const Statistics& statistics() const { return data_.statistics; }
+
+  /// the parameters that were used, with what was estimated
+  const Parameters& parameters() const { return data_.parameters; }
+
+  /// whether the callback ended the detection early. The shapes found until then are complete and verified.
+  bool is_cancelled() const { return data_.statistics.is_cancelled; }
+
+  /// equal for equal results: a 64-bit hash of the shape indices, in the order of the range, and of the coefficients
+  std::uint64_t hash() const { return hash(data_.shape_of, data_.coefficients); }
+
+  /// the same for shape indices in another order
+  static std::uint64_t hash(const std::vector<std::int32_t>& shape_indices, const std::vector<Coefficients>& planes)
+  {
+    std::uint64_t h = 14695981039346656037u;
+    auto add = [&h](std::uint64_t word) {
+      h = (h ^ word) * 1099511628211u;
+      h ^= h >> 29;
+    };
+    for(std::int32_t s : shape_indices)
+      add(std::uint32_t(s));
+    for(const Coefficients& c : planes)
+      for(double x : c) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        add(bits);
+      }
+    return h;
+  }
+  /// @}
+
+  /// \cond SKIP_IN_MANUAL
+  const Data& data() const { return data_; }
+  /// \endcond
+
+private:
+  // Labels outside of the shapes are left out; is_valid_result() reports them.
+  void sort_points()
+  {
+    const std::int32_t shapes = std::int32_t(number_of_shapes());
+    first_.assign(number_of_shapes() + 1, 0);
+    for(std::int32_t s : data_.shape_of)
+      if(s >= 0 && s < shapes)
+        ++first_[s + 1];
+    for(std::size_t s = 1; s < first_.size(); ++s)
+      first_[s] += first_[s - 1];
+    positions_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for(std::size_t i = 0; i < data_.shape_of.size(); ++i) {
+      const std::int32_t s = data_.shape_of[i];
+      if(s >= 0 && s < shapes)
+        positions_[next[s]++] = std::uint32_t(i);
+    }
+  }
+
+  Data data_;
+  std::vector<Plane_3> planes_;
+  std::vector<std::size_t> first_;        // of each shape, in positions_
+  std::vector<std::uint32_t> positions_;
+};
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_STATISTICS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_STATISTICS_H
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+Seconds spent in each stage of a detection.
+*/
+struct Stage_times {
+  double normals = 0;    ///< estimation of normals, 0 if they are given
+  double sort = 0;       ///< import, and order along the curve
+  double neighbors = 0;  ///< nearest neighbors
+  double growth = 0;     ///< growth of the shapes
+  double regularity = 0; ///< links, clustering, constrained fits, verification, merging
+  double finish = 0;     ///< end game, exact check, export
+  double total = 0;      ///< everything between the caller's range and the result
+};
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+What a detection did, in numbers.
+*/
+struct Statistics {
+  std::size_t number_of_points = 0;             ///< items of the input range
+  std::size_t number_of_ignored_coordinates = 0;///< points with a coordinate that is not finite
+  std::size_t number_of_ignored_normals = 0;    ///< points whose given normal is null or not finite
+  std::size_t number_of_assigned_points = 0;
+  std::size_t number_of_shapes = 0;
+  std::size_t number_of_directions = 0;         ///< parallel groups
+  std::size_t number_of_planes = 0;             ///< coplanar groups
+  std::size_t number_of_orthogonal_pairs = 0;   ///< pairs of parallel groups
+
+  /// assigned points / points
+  double coverage = 0;
+  /// mean distance of the assigned points to their planes, in units of the input
+  double mean_distance = 0;
+  /// degrees of freedom of the planes: 2 for a direction, less 1 for each direction it is orthogonal to and that is
+  /// counted before it (so 3 for an orthogonal frame), never less than 0; and 1 for the offset of each plane
+  std::size_t degrees_of_freedom = 0;
+  /// the paper's complexity: degrees of freedom / (3 x shapes); 0 if there are no shapes
+  double complexity = 0;
+
+  std::size_t number_of_rounds = 0;
+  Stage_times times;
+  std::size_t peak_bytes = 0;                   ///< most memory that the engine held at once
+  double grid_step = 0;                         ///< in units of the input
+  bool is_grid_coarse = false;                  ///< the step exceeds `maximum_distance` / 1024, because of the extent
+  bool has_estimated_normals = false;
+  bool is_cancelled = false;
+  std::string backend;                          ///< what executed: "sequential", "parallel", ...
+
+  std::size_t number_of_ignored_points() const { return number_of_ignored_coordinates + number_of_ignored_normals; }
+};
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_STATISTICS_H

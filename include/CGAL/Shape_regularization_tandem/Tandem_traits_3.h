@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TANDEM_TRAITS_3_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TANDEM_TRAITS_3_H
+
+#include <CGAL/Shape_regularization_tandem/tags.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/number_utils.h>
+
+#include <iterator>
+#include <type_traits>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemTraits
+
+\brief The kernel, the range with its maps, and what executes.
+
+\tparam GeomTraits a model of `Kernel`
+\tparam PointRange a model of `ConstRange` whose iterators are random access
+\tparam PointMap a model of `ReadablePropertyMap` from the value type of `PointRange` to `GeomTraits::Point_3`
+\tparam NormalMap a model of `ReadablePropertyMap` from the value type of `PointRange` to `GeomTraits::Vector_3`,
+or `CGAL::Default` if the normals are to be estimated
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, `CGAL::Parallel_if_available_tag`, `Cuda_tag` or
+`Cuda_if_available_tag`
+
+\cgalModels `TandemTraits_3`
+*/
+template <class GeomTraits, class PointRange, class PointMap, class NormalMap = CGAL::Default,
+          class ConcurrencyTag = CGAL::Parallel_if_available_tag>
+class Tandem_traits_3 {
+public:
+  using Geom_traits = GeomTraits;
+  using Point_range = PointRange;
+  using Point_map = PointMap;
+  using Normal_map = NormalMap;
+  using Concurrency_tag = ConcurrencyTag;
+
+  using FT = typename GeomTraits::FT;
+  using Point_3 = typename GeomTraits::Point_3;
+  using Vector_3 = typename GeomTraits::Vector_3;
+  using Plane_3 = typename GeomTraits::Plane_3;
+
+  using Compute_x_3 = typename GeomTraits::Compute_x_3;
+  using Compute_y_3 = typename GeomTraits::Compute_y_3;
+  using Compute_z_3 = typename GeomTraits::Compute_z_3;
+  using Construct_plane_3 = typename GeomTraits::Construct_plane_3;
+
+  /// executes the bodies of the method
+  using Backend = typename internal::Backend_of<ConcurrencyTag>::type;
+
+  /// whether normals are given
+  static constexpr bool has_normal_map = !std::is_same<NormalMap, CGAL::Default>::value;
+
+  static_assert(std::is_convertible<typename std::iterator_traits<typename PointRange::const_iterator>::iterator_category,
+                                    std::random_access_iterator_tag>::value,
+                "The range of points needs random access iterators.");
+
+  explicit Tandem_traits_3(const GeomTraits& geom_traits = GeomTraits()) : geom_traits_(geom_traits) {}
+
+  Compute_x_3 compute_x_3_object() const { return geom_traits_.compute_x_3_object(); }
+  Compute_y_3 compute_y_3_object() const { return geom_traits_.compute_y_3_object(); }
+  Compute_z_3 compute_z_3_object() const { return geom_traits_.compute_z_3_object(); }
+  Construct_plane_3 construct_plane_3_object() const { return geom_traits_.construct_plane_3_object(); }
+  const GeomTraits& geom_traits() const { return geom_traits_; }
+
+  Backend backend() const { return Backend(); }
+
+private:
+  GeomTraits geom_traits_;
+};
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TANDEM_TRAITS_3_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_DETECT_PLANES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_DETECT_PLANES_H
+
+#include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief detects planar shapes and makes those that are nearly parallel, orthogonal or coplanar exactly so.
+
+The range is neither changed nor reordered, and each of its points is read once. The result is the same for every
+concurrency tag, number of threads and order of the points. Points with a coordinate that is not finite, or with a
+given normal that is null or not finite, belong to no shape and are counted in the statistics of the result.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, `CGAL::Parallel_if_available_tag` (the default),
+`Cuda_tag` or `Cuda_if_available_tag`
+\tparam PointRange a model of `ConstRange` whose iterators are random access; also `CGAL::Point_set_3`, whose maps are the
+defaults then
+
+\param points the points
+\param np a sequence of named parameters, of `CGAL::Tandem::parameters` or of `CGAL::parameters`; see
+`parameters::combine()` for a mixture of both
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map from the value type of the range to `Point_3`}
+    \cgalParamDefault{`CGAL::Identity_property_map`}
+  \cgalParamNEnd
+  \cgalParamNBegin{normal_map}
+    \cgalParamDescription{a property map from the value type of the range to `Vector_3`; the length does not matter, nor
+    does the orientation. `CGAL::Default()` asks for estimated normals where the range has its own.}
+    \cgalParamDefault{normals are estimated from the neighbors of each point}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_distance}
+    \cgalParamDescription{the largest distance of a point to the plane of its shape, in units of the points}
+    \cgalParamDefault{as `estimate_parameters()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_angle}
+    \cgalParamDescription{the largest angle between the normal of a point and that of its shape, in degrees, in (0, 90)}
+    \cgalParamDefault{25}
+  \cgalParamNEnd
+  \cgalParamNBegin{angle_tolerance}
+    \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45)}
+    \cgalParamDefault{8}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_offset}
+    \cgalParamDescription{the largest distance between parallel planes that are made coplanar, in units of the points}
+    \cgalParamDefault{`maximum_distance`}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_region_size}
+    \cgalParamDescription{the smallest number of points of a shape, at least 3}
+    \cgalParamDefault{as `estimate_parameters()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{k_neighbors}
+    \cgalParamDescription{the number of nearest neighbors that are connected to a point, in [3, 64]}
+    \cgalParamDefault{12}
+  \cgalParamNEnd
+  \cgalParamNBegin{cell_size}
+    \cgalParamDescription{the largest number of points of an octree leaf, in [64, 65536]}
+    \cgalParamDefault{8192}
+  \cgalParamNEnd
+  \cgalParamNBegin{regularize_parallelism, regularize_orthogonality, regularize_coplanarity}
+    \cgalParamDescription{which relations are made exact}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{settings}
+    \cgalParamDescription{a `Parameters` with values for all that is not given by its own name; a length or a size of 0 is
+    estimated}
+    \cgalParamDefault{`Parameters()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread, and cancels
+    by returning `false`. The shapes found until then are finished and verified; `Planar_shapes_3::is_cancelled()` tells.}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{a model of `Kernel`}
+    \cgalParamDefault{the kernel of the points}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the shapes as a `Planar_shapes_3`
+
+\throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+\throw std::length_error more than 2^31 points
+\throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`
+*/
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+auto detect_planes(const PointRange& points, const NamedParameters& np = NamedParameters())
+{
+  return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
+    using Traits = typename std::decay<decltype(traits)>::type;
+    Planar_shape_detection_3<Traits> detection(points, np, traits);
+    detection.detect();
+    return detection.shapes();
+  });
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_DETECT_PLANES_H

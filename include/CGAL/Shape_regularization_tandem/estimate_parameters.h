@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H
+
+#include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
+#include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
+#include <CGAL/Tandem/internal/measure_cloud.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// 7/3 of the noise or 3/4 of the spacing, a little less: the factors come within
+// a factor of 2 of what experts chose on nine clouds of all kinds of scanners.
+template <class Backend>
+double estimate_maximum_distance(Backend& backend, const std::vector<double>& coordinates)
+{
+  const Cloud_measure measure = measure_cloud(backend, coordinates);
+  const Coordinate_box box = bounding_box(coordinates);
+  const double estimate = (std::max)(7. / 3 * measure.noise, .74 * measure.spacing);
+  const double smallest = std::ldexp(box.extent(), -22); // so that the grid can hold the cloud
+  if((std::max)(estimate, smallest) > 0)
+    return (std::max)(estimate, smallest);
+  double largest = 0; // all points are equal: any positive length
+  for(int c = 0; c < 3; ++c)
+    largest = (std::max)(largest, std::fabs(box.low[c]));
+  return largest > 1e-200 ? 1e-6 * largest : 1;
+}
+
+inline std::size_t estimate_minimum_region_size(std::size_t points)
+{
+  return (std::max)(std::size_t(20), std::size_t(.3 * std::sqrt(double(points)) + .5));
+}
+
+// Fills in what is 0, and checks the whole.
+template <class Backend>
+void complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p)
+{
+  if(p.maximum_distance == 0)
+    p.maximum_distance = in.size() > 0 ? estimate_maximum_distance(backend, in.coordinates) : 1;
+  if(!has_offset)
+    p.maximum_offset = p.maximum_distance;
+  if(p.minimum_region_size == 0)
+    p.minimum_region_size = estimate_minimum_region_size(in.size());
+  check_parameters(p);
+}
+
+// The parameters as far as the caller gave them, checked before any work is done.
+inline void check_given_parameters(Parameters p)
+{
+  if(p.maximum_distance == 0)
+    p.maximum_distance = 1;
+  if(p.minimum_region_size == 0)
+    p.minimum_region_size = 3;
+  check_parameters(p);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief estimates the parameters of a detection from the points.
+
+- `maximum_distance` is the larger of 7/3 of the noise and 0.74 of the spacing of the points. The noise is the upper
+  quartile, over the points, of the root mean square distance of a point and its 20 nearest neighbors to their plane; the spacing is
+  the median of the mean distance of a point to its 6 nearest neighbors. In large clouds, octree leaves which hold
+  about 130,000 points together are looked at. It is at least 2^-22 of the extent of the cloud.
+- `maximum_offset` is `maximum_distance`.
+- `minimum_region_size` is 0.3 times the square root of the number of points, and at least 20.
+
+Points with coordinates that are not finite, and points whose given normal is null or not finite, do not count. The
+estimate does not depend on the order of the points. All lengths are in the units of the points.
+
+\param points a range of points
+\param np as those of `detect_planes()`. Parameters that are given are kept, and checked.
+
+\throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+*/
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Parameters estimate_parameters(const PointRange& points, const NamedParameters& np = NamedParameters())
+{
+  Parameters p = internal::read_parameters(np);
+  internal::check_given_parameters(p);
+  internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
+    using Traits = typename std::decay<decltype(traits)>::type;
+    const internal::Import in = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
+                                                              internal::normal_map_of<Traits>(points, np), traits);
+    auto backend = traits.backend();
+    internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
+    return 0;
+  });
+  return p;
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H

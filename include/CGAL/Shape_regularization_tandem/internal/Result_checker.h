@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The guarantees, checked from the outputs alone: with its own arithmetic and its
+// own connected components.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
+
+#include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Tandem/internal/cells.h>
+#include <CGAL/Tandem/internal/neighbors.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class GeomTraits>
+class Result_checker {
+public:
+  using Shapes = Planar_shapes_3<GeomTraits>;
+
+  Result_checker(const Import& in, const Shapes& shapes) : in_(in), shapes_(shapes), data_(shapes.data()) {}
+
+  // The first check that fails says why; later ones rely on the earlier ones.
+  template <class Backend>
+  bool check(Backend& backend)
+  {
+    return check_tables() && check_labels() && check_planes() && check_groups() && check_orthogonality() &&
+           check_points() && check_sizes() && check_statistics() && check_connectivity(backend);
+  }
+
+  const std::string& violation() const { return violation_; }
+
+private:
+  bool fail(const std::string& what)
+  {
+    violation_ = what;
+    return false;
+  }
+
+  static std::string at(const char* what, std::size_t index) { return std::string(what) + " " + to_text(index); }
+
+  bool check_tables()
+  {
+    const std::size_t n = data_.coefficients.size();
+    if(data_.parallel_group.size() != n || data_.coplanar_group.size() != n || data_.is_flipped.size() != n)
+      return fail("the tables of the shapes differ in size");
+    if(data_.shape_of.size() != in_.number_of_items)
+      return fail("there are " + to_text(data_.shape_of.size()) + " shape indices for " + to_text(in_.number_of_items) + " points");
+    if(!in_.has_normals && data_.normal.size() != in_.number_of_items)
+      return fail("there are " + to_text(data_.normal.size()) + " normals for " + to_text(in_.number_of_items) + " points");
+    for(std::size_t s = 0; s < n; ++s)
+      if(data_.parallel_group[s] < 0 || data_.coplanar_group[s] < 0)
+        return fail(at("no group for shape", s));
+    return true;
+  }
+
+  // G1, and that points without position or normal are free.
+  bool check_labels()
+  {
+    for(std::size_t i = 0; i < data_.shape_of.size(); ++i)
+      if(data_.shape_of[i] < -1 || data_.shape_of[i] >= std::int32_t(data_.coefficients.size()))
+        return fail(at("the shape index is out of range at point", i) + ": " + to_text(data_.shape_of[i]));
+    std::vector<char> is_known(in_.number_of_items, 0);
+    for(std::size_t i = 0; i < in_.size(); ++i)
+      is_known[in_.item_of(i)] = 1;
+    for(std::size_t i = 0; i < is_known.size(); ++i)
+      if(!is_known[i] && data_.shape_of[i] >= 0)
+        return fail(at("a shape has the invalid point", i));
+    return true;
+  }
+
+  bool check_planes()
+  {
+    for(std::size_t s = 0; s < data_.coefficients.size(); ++s) {
+      const Coefficients& c = data_.coefficients[s];
+      const double length = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
+      if(!(std::fabs(length - 1) <= 1e-15) || !std::isfinite(c[3]))
+        return fail(at("no unit normal in shape", s) + ": length - 1 is " + to_text(length - 1));
+    }
+    return true;
+  }
+
+  // G3: the planes of a group have the same bits, as doubles and in the kernel.
+  bool check_groups()
+  {
+    const std::vector<int> direction = representatives(data_.parallel_group);
+    const std::vector<int> plane = representatives(data_.coplanar_group);
+    for(const std::vector<int>* first : {&direction, &plane})
+      for(std::size_t g = 0; g < first->size(); ++g)
+        if((*first)[g] < 0)
+          return fail(at("no shape in group", g));
+    for(std::size_t s = 0; s < data_.coefficients.size(); ++s) {
+      const std::size_t r = std::size_t(direction[data_.parallel_group[s]]);
+      const std::size_t p = std::size_t(plane[data_.coplanar_group[s]]);
+      if(!has_same_bits(s, r, 3) || shapes_.plane(s).orthogonal_vector() != shapes_.plane(r).orthogonal_vector())
+        return fail(at("not exactly parallel are shape", s) + at(" and", r));
+      if(!has_same_bits(s, p, 4) || shapes_.plane(s) != shapes_.plane(p) || data_.parallel_group[s] != data_.parallel_group[p])
+        return fail(at("not exactly coplanar are shape", s) + at(" and", p));
+    }
+    return true;
+  }
+
+  bool has_same_bits(std::size_t s, std::size_t t, int coefficients) const
+  {
+    return std::memcmp(data_.coefficients[s].data(), data_.coefficients[t].data(), std::size_t(coefficients) * sizeof(double)) == 0;
+  }
+
+  bool check_orthogonality()
+  {
+    const std::vector<int> first = representatives(data_.parallel_group);
+    for(const auto& pair : data_.orthogonal_groups) {
+      if(pair.first < 0 || pair.first >= pair.second || std::size_t(pair.second) >= first.size())
+        return fail("no such pair of orthogonal groups: " + to_text(pair.first) + ", " + to_text(pair.second));
+      const Coefficients &a = data_.coefficients[first[pair.first]], &b = data_.coefficients[first[pair.second]];
+      const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      if(!(std::fabs(product) <= 1e-15))
+        return fail("not orthogonal are groups " + to_text(pair.first) + " and " + to_text(pair.second) + ": the dot product is " +
+                    to_text(product));
+    }
+    if(!std::is_sorted(data_.orthogonal_groups.begin(), data_.orthogonal_groups.end()))
+      return fail("the orthogonal groups are not sorted");
+    return true;
+  }
+
+  // G2
+  bool check_points()
+  {
+    const double cosine = std::cos(data_.parameters.maximum_angle * (3.14159265358979323846 / 180));
+    for(std::size_t i = 0; i < in_.size(); ++i) {
+      const std::size_t item = in_.item_of(i);
+      if(data_.shape_of[item] < 0)
+        continue;
+      const Coefficients& c = data_.coefficients[data_.shape_of[item]];
+      const double* p = in_.coordinates.data() + 3 * i;
+      const double x = c[0] * p[0], y = c[1] * p[1], z = c[2] * p[2];
+      const double distance = std::fabs(x + y + z + c[3]);
+      const double largest = (std::max)({std::fabs(x), std::fabs(y), std::fabs(z), std::fabs(c[3])});
+      if(!(distance <= data_.parameters.maximum_distance + 8 * 2.3e-16 * largest))
+        return fail(at("too far from its plane is point", item) + ": " + to_text(distance) + " from the plane of " +
+                    at("shape", std::size_t(data_.shape_of[item])));
+      const std::array<double, 3> n = normal(i);
+      const double aligned = std::fabs(c[0] * n[0] + c[1] * n[1] + c[2] * n[2]);
+      if(!(aligned >= cosine * std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) - 1e-14) || aligned == 0)
+        return fail(at("too oblique is the normal of point", item) + ": the cosine is " + to_text(aligned) + " with that of " +
+                    at("shape", std::size_t(data_.shape_of[item])));
+    }
+    return true;
+  }
+
+  std::array<double, 3> normal(std::size_t i) const
+  {
+    if(!in_.has_normals)
+      return unpacked_normal(data_.normal[in_.item_of(i)]);
+    return {in_.normals[3 * i], in_.normals[3 * i + 1], in_.normals[3 * i + 2]};
+  }
+
+  // G4
+  bool check_sizes()
+  {
+    for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s)
+      if(shapes_.points(s).size() < data_.parameters.minimum_region_size)
+        return fail(at("too small is shape", s) + ": " + to_text(shapes_.points(s).size()) + " points");
+    return true;
+  }
+
+  bool check_statistics()
+  {
+    const Statistics& t = data_.statistics;
+    std::size_t assigned = 0;
+    for(std::int32_t s : data_.shape_of)
+      assigned += s >= 0;
+    const bool has_counts = t.number_of_points == data_.shape_of.size() && t.number_of_assigned_points == assigned &&
+                            t.number_of_ignored_coordinates == in_.number_of_ignored_coordinates &&
+                            t.number_of_ignored_normals == in_.number_of_ignored_normals;
+    if(!has_counts)
+      return fail("the statistics count other points: " + to_text(t.number_of_assigned_points) + " instead of " +
+                  to_text(assigned) + " assigned ones");
+    const bool has_relations = t.number_of_shapes == data_.coefficients.size() &&
+                               t.number_of_directions == representatives(data_.parallel_group).size() &&
+                               t.number_of_planes == representatives(data_.coplanar_group).size() &&
+                               t.number_of_orthogonal_pairs == data_.orthogonal_groups.size();
+    if(!has_relations)
+      return fail("the statistics count other shapes, directions, planes or orthogonal pairs");
+    if(!(t.coverage >= 0 && t.coverage <= 1 && t.complexity >= 0 && t.complexity <= 1))
+      return fail("coverage or complexity is not in [0, 1]");
+    if(!(t.mean_distance >= 0 && t.mean_distance <= data_.parameters.maximum_distance * 1.000001))
+      return fail("the mean distance is " + to_text(t.mean_distance));
+    return true;
+  }
+
+  // G5: two points of a shape are adjacent if one is a neighbor of the other, or both are of some point.
+  template <class Backend>
+  bool check_connectivity(Backend& backend)
+  {
+    const std::size_t n = in_.size();
+    const std::size_t k = data_.parameters.k_neighbors;
+    const auto order = sort_along_curve(backend, in_.point.data(), n, make_code_frame(in_.point.data(), n));
+    std::vector<Grid_point> point(n);
+    std::vector<std::int32_t> label(n);
+    for(std::size_t i = 0; i < n; ++i) {
+      point[i] = in_.point[order[i].index];
+      label[i] = data_.shape_of[in_.item_of(order[i].index)];
+    }
+    std::vector<std::uint32_t> neighbor(n * k);
+    find_neighbors(backend, point.data(), std::uint32_t(n), int(k), neighbor.data());
+    std::vector<std::uint32_t> parent(n);
+    for(std::size_t i = 0; i < n; ++i)
+      parent[i] = std::uint32_t(i);
+    for(std::size_t i = 0; i < n; ++i)
+      unite_around(i, neighbor.data() + i * k, k, label, parent);
+    return check_one_component(label, parent);
+  }
+
+  static std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i)
+  {
+    while(parent[i] != i)
+      i = parent[i] = parent[parent[i]];
+    return i;
+  }
+
+  // Of the point and its neighbors, those of equal shape are connected.
+  static void unite_around(std::size_t i, const std::uint32_t* row, std::size_t k, const std::vector<std::int32_t>& label,
+                           std::vector<std::uint32_t>& parent)
+  {
+    auto unite = [&](std::uint32_t a, std::uint32_t b) {
+      if(label[a] >= 0 && label[a] == label[b])
+        parent[root(parent, a)] = root(parent, b);
+    };
+    for(std::size_t j = 0; j < k && row[j] != no_index; ++j) {
+      unite(std::uint32_t(i), row[j]);
+      for(std::size_t l = 0; l < j; ++l)
+        unite(row[l], row[j]);
+    }
+  }
+
+  bool check_one_component(const std::vector<std::int32_t>& label, std::vector<std::uint32_t>& parent)
+  {
+    std::vector<std::uint32_t> component(data_.coefficients.size(), no_index);
+    for(std::uint32_t i = 0; i < label.size(); ++i) {
+      if(label[i] < 0)
+        continue;
+      std::uint32_t& first = component[label[i]];
+      if(first == no_index)
+        first = root(parent, i);
+      else if(first != root(parent, i))
+        return fail(at("not connected is shape", std::size_t(label[i])));
+    }
+    return true;
+  }
+
+  const Import& in_;
+  const Shapes& shapes_;
+  const Shapes_data& data_;
+  std::string violation_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The property maps of a range: those of the named parameters, otherwise those
+// that the range brings along.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H
+
+#include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
+#include <CGAL/Shape_regularization_tandem/named_parameters.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/property_map.h>
+
+#include <iterator>
+
+namespace CGAL {
+
+template <typename Point, typename Vector>
+class Point_set_3;
+
+namespace Tandem {
+namespace internal {
+
+// A plain range: its values are the points, and there are no normals.
+template <class PointRange>
+struct Own_maps {
+  using Value = typename std::iterator_traits<typename PointRange::const_iterator>::value_type;
+  using Point_map = CGAL::Identity_property_map<Value>;
+  using Normal_map = CGAL::Default;
+  static constexpr bool may_have_normals = false;
+
+  static Point_map point_map(const PointRange&) { return Point_map(); }
+  static Normal_map normal_map(const PointRange&) { return Normal_map(); }
+  static bool has_normals(const PointRange&) { return false; }
+};
+
+// A point set knows only at run time whether it has normals.
+template <class Point, class Vector>
+struct Own_maps<CGAL::Point_set_3<Point, Vector>> {
+  using Point_set = CGAL::Point_set_3<Point, Vector>;
+  using Point_map = typename Point_set::Point_map;
+  using Normal_map = typename Point_set::Vector_map;
+  static constexpr bool may_have_normals = true;
+
+  static Point_map point_map(const Point_set& points) { return points.point_map(); }
+  static Normal_map normal_map(const Point_set& points) { return points.normal_map(); }
+  static bool has_normals(const Point_set& points) { return points.has_normal_map(); }
+};
+
+// The traits for a range and named parameters. Where use_own_normals is false,
+// only a normal map of the named parameters counts.
+template <class ConcurrencyTag, class PointRange, class NP, bool use_own_normals>
+struct Traits_for {
+  using Own = Own_maps<PointRange>;
+  using Point_map = Parameter_type<internal_np::point_t, NP, typename Own::Point_map>;
+  using Own_normal_map = typename std::conditional<use_own_normals, typename Own::Normal_map, CGAL::Default>::type;
+  using Normal_map = Parameter_type<internal_np::normal_t, NP, Own_normal_map>;
+  using Point_3 = typename boost::property_traits<Point_map>::value_type;
+  using Kernel = Parameter_type<internal_np::geom_traits_t, NP, typename CGAL::Kernel_traits<Point_3>::Kernel>;
+  using type = Tandem_traits_3<Kernel, PointRange, Point_map, Normal_map, ConcurrencyTag>;
+};
+
+template <class Traits, class NP>
+typename Traits::Point_map point_map_of(const typename Traits::Point_range& points, const NP& np)
+{
+  if constexpr(Is_given<internal_np::point_t, NP>::value)
+    return parameter<internal_np::point_t>(np, 0);
+  else
+    return Own_maps<typename Traits::Point_range>::point_map(points);
+}
+
+template <class Traits, class NP>
+typename Traits::Normal_map normal_map_of(const typename Traits::Point_range& points, const NP& np)
+{
+  if constexpr(Is_given<internal_np::normal_t, NP>::value)
+    return parameter<internal_np::normal_t>(np, 0);
+  else if constexpr(Traits::has_normal_map)
+    return Own_maps<typename Traits::Point_range>::normal_map(points);
+  else
+    return CGAL::Default();
+}
+
+// f(traits) with the traits that fit the range as it is at run time.
+template <class ConcurrencyTag, class PointRange, class NP, class F>
+auto with_traits(const PointRange& points, const NP& np, F f)
+{
+  using Kernel = typename Traits_for<ConcurrencyTag, PointRange, NP, false>::Kernel;
+  const Kernel kernel = parameter<internal_np::geom_traits_t>(np, Kernel());
+  using Own = Own_maps<PointRange>;
+  if constexpr(Own::may_have_normals && !Is_given<internal_np::normal_t, NP>::value)
+    if(Own::has_normals(points))
+      return f(typename Traits_for<ConcurrencyTag, PointRange, NP, true>::type(kernel));
+  return f(typename Traits_for<ConcurrencyTag, PointRange, NP, false>::type(kernel));
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From named parameters to the struct Parameters. What is 0 in the end is to be
+// estimated.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESOLVE_PARAMETERS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESOLVE_PARAMETERS_H
+
+#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Shape_regularization_tandem/named_parameters.h>
+
+#include <CGAL/number_utils.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class Tag, class NP>
+void read_real(const NP& np, double& value)
+{
+  if constexpr(Is_given<Tag, NP>::value)
+    value = CGAL::to_double(parameter<Tag>(np, 0));
+}
+
+// A negative number must not wrap around.
+template <class Tag, class NP>
+void read_count(const NP& np, const char* name, std::size_t& value)
+{
+  if constexpr(Is_given<Tag, NP>::value) {
+    const auto given = parameter<Tag>(np, 0);
+    if(given < decltype(given)(1))
+      refuse(name, given, "a positive number");
+    value = std::size_t(given);
+  }
+}
+
+template <class Tag, class NP>
+void read_switch(const NP& np, bool& value)
+{
+  if constexpr(Is_given<Tag, NP>::value)
+    value = parameter<Tag>(np, true);
+}
+
+// Lengths are checked here, since 0 would be taken for "to be estimated" later.
+template <class NP>
+Parameters read_parameters(const NP& np)
+{
+  Parameters p = parameter<internal_np::settings_t>(np, Parameters());
+  read_real<internal_np::maximum_distance_t>(np, p.maximum_distance);
+  if(Is_given<internal_np::maximum_distance_t, NP>::value || p.maximum_distance != 0)
+    check_length("maximum_distance", p.maximum_distance, 1e-270);
+  read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
+  read_real<internal_np::angle_tolerance_t>(np, p.angle_tolerance);
+  read_real<internal_np::maximum_offset_t>(np, p.maximum_offset);
+  read_count<internal_np::minimum_region_size_t>(np, "minimum_region_size", p.minimum_region_size);
+  read_count<internal_np::k_neighbors_t>(np, "k_neighbors", p.k_neighbors);
+  read_count<internal_np::cell_size_t>(np, "cell_size", p.cell_size);
+  read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);
+  read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
+  read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);
+  return p;
+}
+
+// Whether maximum_offset follows maximum_distance.
+template <class NP>
+bool has_own_offset(const NP& np)
+{
+  return Is_given<internal_np::maximum_offset_t, NP>::value ||
+         parameter<internal_np::settings_t>(np, Parameters()).maximum_offset != 0;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESOLVE_PARAMETERS_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_IS_VALID_RESULT_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_IS_VALID_RESULT_H
+
+#include <CGAL/Shape_regularization_tandem/internal/Result_checker.h>
+#include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief checks a result against the points: all that `Planar_shapes_3` promises for a finished detection, and the
+consistency of its statistics.
+
+Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time
+of a detection. Distances and angles are evaluated in double; beyond `maximum_distance` a point may be only by
+the rounding of that evaluation, 8 units in the last place of its largest term.
+
+\param points the range that the shapes were detected in
+\param shapes the shapes
+\param np the named parameters of the detection, of which only `point_map`, `normal_map` and `geom_traits` are read
+\param why if it is not null, gets the first violation that was found: what, and for which point or shape
+*/
+template <class PointRange, class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>& shapes,
+                     const NamedParameters& np = NamedParameters(), std::string* why = nullptr)
+{
+  return internal::with_traits<CGAL::Parallel_if_available_tag>(points, np, [&](const auto& traits) {
+    using Traits = typename std::decay<decltype(traits)>::type;
+    internal::Import in = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
+                                                        internal::normal_map_of<Traits>(points, np), traits);
+    internal::place_on_grid(in, shapes.parameters().maximum_distance);
+    auto backend = traits.backend();
+    internal::Result_checker<GeomTraits> checker(in, shapes);
+    const bool is_valid = checker.check(backend);
+    if(why)
+      *why = checker.violation();
+    return is_valid;
+  });
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_IS_VALID_RESULT_H

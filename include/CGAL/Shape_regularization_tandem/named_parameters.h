@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Named parameters that chain in any order, in the spelling of CGAL's. Those that
+// CGAL has are CGAL's own, so np of `CGAL::parameters` are accepted wherever ours
+// are; the others have tags of this package. Nothing is added to CGAL.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_NAMED_PARAMETERS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/version.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal_np {
+
+using CGAL::internal_np::callback_t;
+using CGAL::internal_np::geom_traits_t;
+using CGAL::internal_np::maximum_angle_t;
+using CGAL::internal_np::maximum_offset_t;
+using CGAL::internal_np::normal_t;
+using CGAL::internal_np::plane_index_t;
+using CGAL::internal_np::plane_t;
+using CGAL::internal_np::point_t;
+using CGAL::internal_np::regularize_coplanarity_t;
+using CGAL::internal_np::regularize_orthogonality_t;
+using CGAL::internal_np::regularize_parallelism_t;
+
+// CGAL has these from 5.6 on ...
+#if CGAL_VERSION_NR >= 1050600900
+using CGAL::internal_np::k_neighbors_t;
+using CGAL::internal_np::maximum_distance_t;
+using CGAL::internal_np::minimum_region_size_t;
+#else
+enum k_neighbors_t { k_neighbors };
+enum maximum_distance_t { maximum_distance };
+enum minimum_region_size_t { minimum_region_size };
+#endif
+
+// ... and this from 6.0 on.
+#if CGAL_VERSION_NR >= 1060000900
+using CGAL::internal_np::angle_tolerance_t;
+#else
+enum angle_tolerance_t { angle_tolerance };
+#endif
+
+enum cell_size_t { cell_size };
+enum settings_t { settings };
+
+} // namespace internal_np
+
+// X(name of the parameter, tag)
+#define CGAL_TANDEM_NAMED_PARAMETERS(X)                      \
+  X(point_map, point_t)                                      \
+  X(normal_map, normal_t)                                    \
+  X(plane_map, plane_t)                                      \
+  X(plane_index_map, plane_index_t)                          \
+  X(geom_traits, geom_traits_t)                              \
+  X(callback, callback_t)                                    \
+  X(maximum_distance, maximum_distance_t)                    \
+  X(maximum_angle, maximum_angle_t)                          \
+  X(angle_tolerance, angle_tolerance_t)                      \
+  X(maximum_offset, maximum_offset_t)                        \
+  X(minimum_region_size, minimum_region_size_t)              \
+  X(k_neighbors, k_neighbors_t)                              \
+  X(cell_size, cell_size_t)                                  \
+  X(settings, settings_t)                                    \
+  X(regularize_parallelism, regularize_parallelism_t)        \
+  X(regularize_orthogonality, regularize_orthogonality_t)    \
+  X(regularize_coplanarity, regularize_coplanarity_t)
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+A list of named parameters which grows by its members, in any order:
+`CGAL::Tandem::parameters::maximum_distance(.05).point_map(pm).cell_size(4096)`.
+*/
+template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  using Cgal_parameters = CGAL::Named_function_parameters<T, Tag, Base>;
+  using Cgal_parameters::Cgal_parameters;
+
+#define CGAL_TANDEM_MEMBER(name, tag)                                                          \
+  template <typename V>                                                                        \
+  Named_parameters<V, internal_np::tag, Cgal_parameters> name(const V& value) const            \
+  {                                                                                            \
+    return Named_parameters<V, internal_np::tag, Cgal_parameters>(value, *this);               \
+  }
+  CGAL_TANDEM_NAMED_PARAMETERS(CGAL_TANDEM_MEMBER)
+#undef CGAL_TANDEM_MEMBER
+};
+
+namespace parameters {
+
+#define CGAL_TANDEM_FUNCTION(name, tag)                        \
+  template <typename V>                                        \
+  Named_parameters<V, internal_np::tag> name(const V& value)   \
+  {                                                            \
+    return Named_parameters<V, internal_np::tag>(value);       \
+  }
+CGAL_TANDEM_NAMED_PARAMETERS(CGAL_TANDEM_FUNCTION)
+#undef CGAL_TANDEM_FUNCTION
+
+inline CGAL::parameters::Default_named_parameters default_values()
+{
+  return CGAL::parameters::Default_named_parameters();
+}
+
+} // namespace parameters
+
+#undef CGAL_TANDEM_NAMED_PARAMETERS
+
+namespace internal {
+
+// A list of ours has several bases of CGAL's type (each list is a base of the
+// next), so the one to read from has to be picked by hand.
+template <typename T, typename Tag, typename Base>
+const CGAL::Named_function_parameters<T, Tag, Base>& cgal_parameters(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return np;
+}
+
+template <typename T, typename Tag, typename Base>
+const CGAL::Named_function_parameters<T, Tag, Base>& cgal_parameters(const Named_parameters<T, Tag, Base>& np)
+{
+  return np;
+}
+
+// The type of a parameter, or Default_type where it is not given.
+template <typename Tag, typename NP, typename Default_type>
+using Parameter_type = typename CGAL::internal_np::Lookup_named_param_def<Tag, NP, Default_type>::type;
+
+template <typename Tag, typename NP>
+using Is_given = std::integral_constant<
+  bool, !std::is_same<Parameter_type<Tag, NP, CGAL::internal_np::Param_not_found>, CGAL::internal_np::Param_not_found>::value>;
+
+// The value of a parameter, or `otherwise`.
+template <typename Tag, typename NP, typename D>
+Parameter_type<Tag, NP, D> parameter(const NP& np, const D& otherwise)
+{
+  if constexpr(Is_given<Tag, NP>::value)
+    return CGAL::parameters::get_parameter(cgal_parameters(np), Tag());
+  else
+    return otherwise;
+}
+
+} // namespace internal
+
+namespace parameters {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+Adds to a list of CGAL the parameters of other lists:
+`combine(CGAL::parameters::point_map(pm).normal_map(nm), maximum_distance(.05), cell_size(4096))`.
+Each of the others holds a single parameter.
+*/
+template <typename NP>
+const NP& combine(const NP& np)
+{
+  return np;
+}
+
+template <typename NP, typename T, typename Tag, typename... Others>
+auto combine(const NP& np, const CGAL::Named_function_parameters<T, Tag>& one, const Others&... others)
+{
+  const auto& list = internal::cgal_parameters(np);
+  using List = typename std::decay<decltype(list)>::type;
+  return combine(Named_parameters<T, Tag, List>(one.v, list), others...);
+}
+
+} // namespace parameters
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_NAMED_PARAMETERS_H

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Algorithm 1 of the paper: detection and regularization in tandem.
+
+#ifndef CGAL_TANDEM_INTERNAL_ENGINE_H
+#define CGAL_TANDEM_INTERNAL_ENGINE_H
+
+#include <CGAL/Tandem/internal/end_game.h>
+#include <CGAL/Tandem/internal/extract_shapes.h>
+#include <CGAL/Tandem/internal/grow_shapes.h>
+#include <CGAL/Tandem/internal/import_cloud.h>
+#include <CGAL/Tandem/internal/prepare.h>
+#include <CGAL/Tandem/internal/regularize_shapes.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class Backend>
+class Engine {
+public:
+  Engine(Backend& backend, const Import& in, const Parameters& parameters)
+    : in_(in), state_(backend)
+  {
+    prepare(state_, in, parameters, order_, points_, neighbors_, times_);
+  }
+
+  // One round; false when nothing grows any more.
+  bool iterate()
+  {
+    if(state_.cloud.size == 0)
+      return false;
+    Stage_timer growth(times_.growth);
+    const std::size_t gained = grow_shapes(state_);
+    growth.stop();
+
+    Stage_timer regularity(times_.regularity);
+    refit_shapes(state_);
+    std::vector<Link> links = collect_links(state_, least_links);
+    merge_fragments(state_, links, misfit_share);
+    relations_ = regularize_shapes(state_, false);
+    std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);
+    give_up_fragments(target);
+    merge_shapes(state_, target);
+    apply_planes(state_, target);
+    ++state_.round;
+    return is_going_on(gained);
+  }
+
+  // The end game. Afterwards result() is final and keeps the guarantees.
+  void finish()
+  {
+    Stage_timer timer(times_.finish);
+    if(state_.cloud.size > 0)
+      relations_ = end_game(state_);
+    final_ = extract_shapes(state_, relations_, in_, order_.data());
+    is_finished_ = true;
+  }
+
+  double progress() const { return is_finished_ ? 1 : 1 - 8. / (8 + state_.round); }
+
+  // Between rounds: what has been found so far, not regularized to the end and not
+  // checked exactly.
+  Engine_result result()
+  {
+    Engine_result r = is_finished_ ? final_ : extract_shapes(state_, relations_, in_, order_.data());
+    r.rounds = std::size_t(state_.round);
+    r.is_coarse = in_.grid.is_coarse;
+    r.times = times_;
+    r.peak_bytes = state_.peak_bytes;
+    return r;
+  }
+
+private:
+  // In a joint-fit merge.
+  static constexpr double misfit_share = 0.05;
+  // The bounds of the loop: rounds, and rounds in a row with next to no gain.
+  static constexpr int most_rounds = 300;
+  static constexpr int most_idle_rounds = 5;
+
+  // Shapes that stopped growing while they are small, after two rounds.
+  void give_up_fragments(std::vector<std::uint32_t>& target) const
+  {
+    for(std::uint32_t id : state_.live) {
+      const Shape& shape = state_.shapes[id];
+      if(!shape.is_active && shape.age > 2 && shape.moments.count < state_.options.minimum_fragment_size && target[id] == id)
+        target[id] = is_free;
+    }
+  }
+
+  bool is_going_on(std::size_t gained)
+  {
+    const std::size_t best_before = std::exchange(most_assigned_, (std::max)(most_assigned_, state_.assigned));
+    const bool is_idle = (most_assigned_ - best_before) * 10000 <= state_.cloud.size;
+    idle_rounds_ = is_idle ? idle_rounds_ + 1 : 0;
+    bool is_alive = gained > 0;
+    for(std::uint32_t id : state_.live)
+      is_alive = is_alive || state_.is_restarted[id];
+    for(std::size_t c = 0; c < state_.cells.size(); ++c)
+      is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
+    return is_alive && idle_rounds_ < most_idle_rounds && state_.round < most_rounds;
+  }
+
+  const Import& in_;
+  Tandem_state<Backend> state_;
+  typename Backend::template Buffer<std::uint32_t> order_; // imported point of each sorted one
+  typename Backend::template Buffer<Grid_point> points_;
+  typename Backend::template Buffer<std::uint32_t> neighbors_;
+  Shape_relations relations_;
+  Stage_times times_;
+  Engine_result final_;
+  std::size_t most_assigned_ = 0;
+  int idle_rounds_ = 0;
+  bool is_finished_ = false;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ENGINE_H

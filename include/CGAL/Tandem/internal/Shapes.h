@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The table of shapes, and the labels and states of the points.
+
+#ifndef CGAL_TANDEM_INTERNAL_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_SHAPES_H
+
+#include <CGAL/Tandem/internal/relations.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A label below first_mark is the shape of the point. The other values mean that
+// the point is free, now or for good.
+constexpr std::uint32_t first_mark = 0x80000000u;
+constexpr std::uint32_t is_free = 0xffffffffu;
+constexpr std::uint32_t is_locked = 0xfffffffeu; // free, but detached too often to be grown over again
+
+// Bits of the state of a point.
+constexpr std::uint8_t on_frontier = 1;   // its neighbors are still to be visited
+constexpr std::uint8_t no_seed = 2;       // a shape that started here has failed
+constexpr std::uint8_t detached_once = 4;
+constexpr std::uint8_t is_interior = 8;   // all of its neighbors have had its label
+
+// Integer bounds of a set of points; grows only.
+struct Box {
+  std::int32_t low[3] = {(std::numeric_limits<std::int32_t>::max)(), (std::numeric_limits<std::int32_t>::max)(),
+                         (std::numeric_limits<std::int32_t>::max)()};
+  std::int32_t high[3] = {(std::numeric_limits<std::int32_t>::min)(), (std::numeric_limits<std::int32_t>::min)(),
+                          (std::numeric_limits<std::int32_t>::min)()};
+
+  CGAL_TANDEM_HD void add(const Grid_point& p)
+  {
+    const std::int32_t c[3] = {p.x, p.y, p.z};
+    for(int a = 0; a < 3; ++a) {
+      low[a] = c[a] < low[a] ? c[a] : low[a];
+      high[a] = c[a] > high[a] ? c[a] : high[a];
+    }
+  }
+
+  void add(const Box& b)
+  {
+    for(int a = 0; a < 3; ++a) {
+      low[a] = (std::min)(low[a], b.low[a]);
+      high[a] = (std::max)(high[a], b.high[a]);
+    }
+  }
+};
+
+inline Plane rounded(const Regular_plane& p)
+{
+  return make_plane(p.normal, p.offset * p.normal);
+}
+
+// An upper bound, for all points of the box, on the change of the distance to the
+// plane when it moves from a to b.
+inline double bound_motion(const Box& box, const Regular_plane& a, const Regular_plane& b)
+{
+  const double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;
+  const Vector v = add_scaled(a.normal, -sign, b.normal);
+  const double d = std::fma(sign, b.offset, -a.offset);
+  const double low = std::fma(v.x, v.x > 0 ? box.low[0] : box.high[0],
+                              std::fma(v.y, v.y > 0 ? box.low[1] : box.high[1], v.z * (v.z > 0 ? box.low[2] : box.high[2])));
+  const double high = std::fma(v.x, v.x > 0 ? box.high[0] : box.low[0],
+                               std::fma(v.y, v.y > 0 ? box.high[1] : box.low[1], v.z * (v.z > 0 ? box.high[2] : box.low[2])));
+  return (std::max)(std::fabs(low + d), std::fabs(high + d));
+}
+
+struct Shape {
+  Moments moments;
+  Box box;
+  Scatter scatter;             // of moments, with ...
+  Fit fit;                     // ... its local plane
+  Regular_plane local = {};    // the local plane again
+  Regular_plane plane = {};    // local or regular
+  Regular_plane checked = {};  // the plane when the points were last checked against it
+  Regular_plane restarted = {}; // the plane when the whole shape was last put on the frontier
+  std::int64_t gained = 0;     // points that the last round added
+  int age = 0;                 // rounds since it began
+  int rollbacks = 0;
+  int retry_round = 0;         // not regularized before this round ...
+  std::int64_t retry_count = 0; // ... or before it has this many points
+  bool is_active = false;
+  bool is_dirty = true;        // its points have changed since it was fitted
+};
+
+// A merge of shapes, by union-find over their ids. The root is the shape with
+// most points, then the one with the smallest id.
+class Unions {
+public:
+  explicit Unions(std::size_t n = 0) { grow(n); }
+
+  void grow(std::size_t n)
+  {
+    for(std::uint32_t i = std::uint32_t(parent_.size()); i < n; ++i)
+      parent_.push_back(i);
+  }
+
+  std::uint32_t root(std::uint32_t i)
+  {
+    while(parent_[i] != i)
+      i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  void set_parent(std::uint32_t child, std::uint32_t parent) { parent_[child] = parent; }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SHAPES_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the steps of the loop work on: the cloud, its leaves, the labels, and the
+// table of shapes. Tables of the size of the cloud belong to the back end; those
+// of the size of the shapes are used by the host.
+
+#ifndef CGAL_TANDEM_INTERNAL_TANDEM_STATE_H
+#define CGAL_TANDEM_INTERNAL_TANDEM_STATE_H
+
+#include <CGAL/Tandem/internal/exact_check.h>
+#include <CGAL/Tandem/internal/grow_cell.h>
+#include <CGAL/Tandem/internal/relations.h>
+#include <CGAL/Tandem/internal/seeds.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// In grid steps and integers; see design section 5 and the constants beside.
+struct Options {
+  Growth_options growth;
+  Regularity_options regularity;
+  double maximum_distance;             // epsilon
+  double squared_cosine;               // of alpha
+  std::int64_t minimum_region_size;
+  std::int64_t minimum_regular_size;   // smaller shapes keep their local plane
+  std::int64_t minimum_fragment_size;  // smaller shapes are given up when they stop growing
+  Tolerance certain;                   // bounds within which the exact check is not needed
+  Exact_bounds exact;                  // in the caller's units
+};
+
+template <class Backend>
+struct Tandem_state {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+  explicit Tandem_state(Backend& backend) : backend(backend) {}
+
+  Labels_view labels() { return {label.data(), state.data()}; }
+
+  Shapes_view shapes_view() { return {plane.data(), rounds.data(), is_restarted.data(), gain.data()}; }
+
+  Backend& backend;
+  Options options;
+
+  Cloud_view cloud;
+  std::vector<Range> cells;
+  std::vector<Range> cell_border;         // per leaf, its range of `border`
+  std::vector<std::uint32_t> border;      // points with a neighbor in another leaf
+  std::vector<std::uint32_t> proposal;    // parallel to border
+  Seeds<Backend> seeds;
+  std::vector<std::uint32_t> seed_cursor; // per leaf
+
+  Buffer<std::uint32_t> label;
+  Buffer<std::uint8_t> state;
+
+  std::vector<Shape> shapes;              // by id; those not in `live` hold nothing
+  std::vector<std::uint32_t> live;        // ascending
+  std::vector<Plane> plane;               // these four: the points' view of the shapes
+  std::vector<std::uint16_t> rounds;
+  std::vector<std::uint8_t> is_restarted;
+  std::vector<Shared_moments> gain;
+
+  int round = 0;
+  std::size_t assigned = 0;               // points that have a shape
+  std::size_t peak_bytes = 0;             // of the tables of the size of the cloud
+};
+
+// The ids that no shape uses, ascending, as many as asked for.
+template <class State>
+std::vector<std::uint32_t> spare_ids(State& t, std::size_t count)
+{
+  std::vector<std::uint32_t> ids;
+  std::size_t next_live = 0;
+  for(std::uint32_t id = 0; ids.size() < count; ++id) {
+    if(next_live < t.live.size() && t.live[next_live] == id)
+      ++next_live;
+    else
+      ids.push_back(id);
+  }
+  const std::size_t size = (std::max)(ids.empty() ? 0 : std::size_t(ids.back()) + 1, t.shapes.size());
+  t.shapes.resize(size);
+  t.plane.resize(size);
+  t.rounds.resize(size);
+  t.is_restarted.resize(size);
+  t.gain.resize(size);
+  for(std::uint32_t id : ids) {
+    t.shapes[id] = Shape();
+    t.is_restarted[id] = 0;
+    t.gain[id] = Shared_moments();
+  }
+  return ids;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_TANDEM_STATE_H

@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Passes of the end game in which points change their shape while planes are fixed:
+// free points are absorbed, assigned points go to larger neighbors.
+
+#ifndef CGAL_TANDEM_INTERNAL_ABSORB_H
+#define CGAL_TANDEM_INTERNAL_ABSORB_H
+
+#include <CGAL/Tandem/internal/update_shapes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+constexpr std::uint64_t no_offer = ~std::uint64_t(0);
+
+// Offers of shapes to free points, from both ends of a neighbor relation. The
+// smallest (distance, shape) wins.
+template <class Backend>
+struct Offer {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  const std::uint8_t* state;
+  const Plane* plane;
+  std::uint64_t* offer;
+  Tolerance tolerance;
+  bool is_first; // later rounds: only from points that were absorbed in the last one
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const std::uint32_t i = std::uint32_t(at);
+    const bool is_labeled = label[i] < first_mark;
+    if(is_labeled && (is_first ? (state[i] & is_interior) != 0 : (state[i] & on_frontier) == 0))
+      return;
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t q = row[j];
+      if((label[q] < first_mark) == is_labeled)
+        continue;
+      if(is_labeled)
+        make(label[i], q);
+      else if(is_first || (state[q] & on_frontier))
+        make(label[q], i);
+    }
+  }
+
+private:
+  CGAL_TANDEM_HD void make(std::uint32_t s, std::uint32_t i) const
+  {
+    if(!fits(plane[s], cloud.point[i], tolerance))
+      return;
+    const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
+    const std::uint64_t distance = std::uint64_t(e < 0 ? -e : e) >> 16; // 2^-12 steps; < 2^32 while epsilon < 2^19
+    Backend::atomic_min(offer[i], distance << 32 | s);
+  }
+};
+
+template <class Backend>
+struct Accept_offers {
+  std::uint32_t* label;
+  std::uint8_t* state;
+  std::uint64_t* offer;
+  std::uint64_t* accepted;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    state[i] &= std::uint8_t(~on_frontier);
+    if(offer[i] == no_offer)
+      return;
+    label[i] = std::uint32_t(offer[i]);
+    state[i] = std::uint8_t((state[i] | on_frontier) & ~is_interior);
+    offer[i] = no_offer;
+    Backend::atomic_add(*accepted, std::uint64_t(1));
+  }
+};
+
+// Free points join the shapes that they fit, until next to none does.
+template <class Backend>
+void absorb(Tandem_state<Backend>& t)
+{
+  constexpr int most_rounds = 64;
+  const std::size_t n = t.cloud.size;
+  typename Backend::template Buffer<std::uint64_t> offer(n);
+  std::uint64_t* offers = offer.data();
+  t.backend.for_each(n, [=](std::size_t i) { offers[i] = no_offer; });
+  for(int round = 0; round < most_rounds; ++round) {
+    std::uint64_t accepted = 0;
+    t.backend.for_each(n, Offer<Backend>{t.cloud, t.label.data(), t.state.data(), t.plane.data(), offers,
+                                         t.options.growth.tolerance, round == 0});
+    t.backend.for_each(n, Accept_offers<Backend>{t.label.data(), t.state.data(), offers, &accepted});
+    if(accepted * 100000 <= n)
+      break;
+  }
+}
+
+// A point of a shape that may give points away goes to the largest shape among its
+// neighbors' that it fits, if that is larger than its own.
+struct Choose_largest {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  const std::uint8_t* state;
+  const Plane* plane;
+  const std::int64_t* size;       // by shape, as are these
+  const std::uint8_t* may_lose;
+  const std::uint8_t* may_gain;
+  std::uint32_t* chosen;
+  Tolerance tolerance;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t s = label[i];
+    chosen[i] = s;
+    if(s >= first_mark || !may_lose[s] || (state[i] & is_interior))
+      return;
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]], best = chosen[i];
+      if(t >= first_mark || t == best || !may_gain[t])
+        continue;
+      const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best);
+      if(is_larger && fits(plane[t], cloud.point[i], tolerance))
+        chosen[i] = t;
+    }
+  }
+};
+
+struct Take_chosen {
+  const std::uint32_t* chosen;
+  std::uint32_t* label;
+  std::uint8_t* state;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(label[i] != chosen[i])
+      state[i] &= std::uint8_t(~is_interior);
+    label[i] = chosen[i];
+  }
+};
+
+// One Jacobi round of reassignment.
+template <class Backend>
+void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose, const std::vector<std::uint8_t>& may_gain)
+{
+  std::vector<std::int64_t> size(t.shapes.size(), 0);
+  for(std::uint32_t id : t.live)
+    size[id] = t.shapes[id].moments.count;
+  typename Backend::template Buffer<std::uint32_t> chosen(t.cloud.size);
+  t.backend.for_each(t.cloud.size,
+                     Choose_largest{t.cloud, t.label.data(), t.state.data(), t.plane.data(), size.data(), may_lose.data(),
+                                    may_gain.data(), chosen.data(), t.options.growth.tolerance});
+  t.backend.for_each(t.cloud.size, Take_chosen{chosen.data(), t.label.data(), t.state.data()});
+}
+
+template <class Backend>
+struct Sum_moments {
+  Cloud_view cloud;
+  const Range* cells;
+  const std::uint32_t* label;
+  Shared_moments* sum;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    const Grid_point& base = cloud.point[cell.first];
+    table.clear(block);
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at;
+      if(label[i] < first_mark)
+        table.template add<Backend>(block, label[i], cloud.point[i], base, 1, sum);
+    });
+    table.template flush<Backend>(block, base, sum);
+  }
+};
+
+// Moments and bounds of all shapes, anew from the labels.
+template <class Backend>
+void recount(Tandem_state<Backend>& t)
+{
+  t.backend.template for_each_cell<Moment_table>(
+    t.cells.size(), Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), t.gain.data()});
+  std::size_t kept = 0;
+  t.assigned = 0;
+  for(std::uint32_t id : t.live) {
+    Shape& shape = t.shapes[id];
+    shape.moments = t.gain[id].moments();
+    shape.box = t.gain[id].box;
+    shape.is_dirty = true;
+    t.gain[id] = Shared_moments();
+    t.assigned += std::size_t(shape.moments.count);
+    if(shape.moments.count > 0)
+      t.live[kept++] = id;
+  }
+  t.live.resize(kept);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ABSORB_H

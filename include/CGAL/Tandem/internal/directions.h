@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Gauss map of unoriented normals: distances are sines, so that opposite
+// normals coincide, and groups of normals are found by mean shift.
+
+#ifndef CGAL_TANDEM_INTERNAL_DIRECTIONS_H
+#define CGAL_TANDEM_INTERNAL_DIRECTIONS_H
+
+#include <CGAL/Tandem/internal/linear_algebra.h>
+#include <CGAL/Tandem/internal/mean_shift.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The one of n and -n whose last nonzero coordinate is positive; no negative zeros.
+inline Vector canonical(const Vector& n)
+{
+  const bool is_opposite = n.z < 0 || (n.z == 0 && (n.y < 0 || (n.y == 0 && n.x < 0)));
+  const Vector m = is_opposite ? -n : n;
+  return {m.x + 0.0, m.y + 0.0, m.z + 0.0};
+}
+
+// Unit normals in a dense grid of cubes. Those near the equator are entered with
+// both signs, so that a query looks at one place only.
+class Direction_index {
+public:
+  using Position = Vector;
+
+  // The weighted mean of normals turned to the side of the first one.
+  class Mean {
+  public:
+    explicit Mean(const Vector& side) : side(side) {}
+    void add(const Vector& n, double w) { sum = add_scaled(sum, dot(side, n) < 0 ? -w : w, n); }
+    Vector value() const { return dot(sum, sum) > 0 ? canonical(unit(sum)) : side; }
+
+  private:
+    Vector side, sum = {0, 0, 0};
+  };
+
+  static double squared_distance(const Vector& a, const Vector& b)
+  {
+    const Vector c = cross(a, b);
+    return dot(c, c);
+  }
+
+  // radius: the sine of the largest angle that a query reaches.
+  Direction_index(const std::vector<Vector>& normals, double radius)
+    : squared_radius(radius * radius), chord(chord_of(squared_radius))
+  {
+    choose_size(normals.size());
+    std::vector<Entry> entries;
+    for(std::size_t i = 0; i < normals.size(); ++i) {
+      const Vector n = canonical(normals[i]);
+      entries.push_back({n, i});
+      if(n.z <= chord)
+        entries.push_back({-n, i});
+    }
+    sort_into_cubes(entries);
+  }
+
+  template <class Function>
+  void near(const Vector& normal, Function f) const
+  {
+    const Vector n = canonical(normal);
+    const int x = slot(n.x), y = slot(n.y), z0 = (std::max)(slot(n.z) - 1, 0), z1 = (std::min)(slot(n.z) + 1, size - 1);
+    for(int cx = (std::max)(x - 1, 0); cx <= (std::min)(x + 1, size - 1); ++cx)
+      for(int cy = (std::max)(y - 1, 0); cy <= (std::min)(y + 1, size - 1); ++cy) {
+        const std::size_t row = (std::size_t(cx) * size + cy) * size;
+        visit(n, first[row + z0], first[row + z1 + 1], f);
+      }
+  }
+
+private:
+  struct Entry {
+    Vector normal;
+    std::size_t index;
+  };
+
+  // |a - b|^2 of two unit vectors whose angle has this squared sine.
+  static double chord_of(double q)
+  {
+    return q < 1 ? std::sqrt(2 * q / (1 + std::sqrt(1 - q))) : std::sqrt(2.0);
+  }
+
+  // As fine as the radius, but at most four cubes a normal.
+  void choose_size(std::size_t n)
+  {
+    int most = 4;
+    while(most < 256 && std::size_t(most) * most * most < 4 * n)
+      ++most;
+    size = chord * most > 2 ? (std::max)(1, int(2 / chord)) : most;
+  }
+
+  int slot(double c) const { return (std::min)((std::max)(int((c + 1) * 0.5 * size), 0), size - 1); }
+
+  std::size_t cube(const Vector& n) const { return (std::size_t(slot(n.x)) * size + slot(n.y)) * size + slot(n.z); }
+
+  void sort_into_cubes(const std::vector<Entry>& entries)
+  {
+    first.assign(std::size_t(size) * size * size + 1, 0);
+    for(const Entry& e : entries)
+      ++first[cube(e.normal) + 1];
+    for(std::size_t c = 1; c < first.size(); ++c)
+      first[c] += first[c - 1];
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    sorted.resize(entries.size());
+    for(const Entry& e : entries)
+      sorted[next[cube(e.normal)]++] = e;
+  }
+
+  template <class Function>
+  void visit(const Vector& n, std::uint32_t begin, std::uint32_t end, Function& f) const
+  {
+    for(std::uint32_t i = begin; i < end; ++i) {
+      const double c = dot(n, sorted[i].normal);
+      const double q = (std::max)(std::fma(-c, c, 1.0), 0.0);
+      if(c > 0 && q <= squared_radius)
+        f(sorted[i].index, q);
+    }
+  }
+
+  double squared_radius, chord;
+  int size;
+  std::vector<std::uint32_t> first;
+  std::vector<Entry> sorted;
+};
+
+// Normals and weights gathered in small cubes, so that the cost of the mean shift
+// depends on the number of different directions. Integer sums: the bins do not
+// depend on the order of the shapes.
+struct Direction_bins {
+  std::vector<Vector> normal;
+  std::vector<double> weight;
+};
+
+inline Direction_bins make_direction_bins(const std::vector<Vector>& normals, const std::vector<double>& weights,
+                                          double width)
+{
+  struct Item {
+    std::int64_t cube[3];
+    std::size_t index;
+  };
+  std::vector<Item> items(normals.size());
+  for(std::size_t i = 0; i < items.size(); ++i) {
+    const Vector n = canonical(normals[i]);
+    items[i] = {{llrint(n.x / width), llrint(n.y / width), llrint(n.z / width)}, i};
+  }
+  auto is_before = [](const Item& a, const Item& b) {
+    return std::lexicographical_compare(a.cube, a.cube + 3, b.cube, b.cube + 3);
+  };
+  std::sort(items.begin(), items.end(), is_before);
+  Direction_bins bins;
+  const double scale = double(1 << 26); // times at most 2^32 points fits int64
+  for(std::size_t i = 0, j; i < items.size(); i = j) {
+    std::int64_t sum[4] = {0, 0, 0, 0};
+    for(j = i; j < items.size() && !is_before(items[i], items[j]); ++j) {
+      const Vector n = canonical(normals[items[j].index]);
+      const std::int64_t w = llrint(weights[items[j].index]);
+      const std::int64_t c[3] = {llrint(n.x * scale), llrint(n.y * scale), llrint(n.z * scale)};
+      for(int k = 0; k < 3; ++k)
+        sum[k] += w * c[k];
+      sum[3] += w;
+    }
+    bins.normal.push_back(canonical(unit({double(sum[0]), double(sum[1]), double(sum[2])})));
+    bins.weight.push_back(double(sum[3]));
+  }
+  return bins;
+}
+
+// Groups of normals within the radius (a sine) of a mode, as lists of positions.
+// What no mode reaches is clustered again, and forms a group of its own at last.
+inline std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& normals,
+                                                        const std::vector<double>& weights, double radius)
+{
+  std::vector<std::vector<int>> groups;
+  std::vector<int> rest(normals.size());
+  for(std::size_t i = 0; i < rest.size(); ++i)
+    rest[i] = int(i);
+  for(int pass = 0; pass < 8 && !rest.empty(); ++pass) {
+    std::vector<Vector> n;
+    std::vector<double> w;
+    for(int i : rest) {
+      n.push_back(normals[i]);
+      w.push_back(weights[i]);
+    }
+    const Direction_bins bins = make_direction_bins(n, w, radius / 8);
+    const std::vector<Vector> modes = Mean_shift<Direction_index>(bins.normal, bins.weight, radius).modes();
+    const Direction_index index(modes, radius);
+    const std::size_t start = groups.size();
+    groups.resize(start + modes.size());
+    std::vector<int> left;
+    for(int i : rest) {
+      std::pair<double, std::size_t> nearest(2.0, 0);
+      index.near(normals[i], [&](std::size_t m, double q) { nearest = (std::min)(nearest, {q, m}); });
+      (nearest.first <= 1 ? groups[start + nearest.second] : left).push_back(i);
+    }
+    rest.swap(left);
+  }
+  for(int i : rest)
+    groups.push_back({i});
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const std::vector<int>& g) { return g.empty(); }),
+               groups.end());
+  return groups;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_DIRECTIONS_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// After the last round: fragments are consolidated, the relations are taken once
+// more over what is left, and free points are absorbed.
+
+#ifndef CGAL_TANDEM_INTERNAL_END_GAME_H
+#define CGAL_TANDEM_INTERNAL_END_GAME_H
+
+#include <CGAL/Tandem/internal/absorb.h>
+#include <CGAL/Tandem/internal/regularize_shapes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+constexpr int consolidation_rounds = 10;
+constexpr double consolidation_misfit_share = 0.15;
+constexpr int reassignment_rounds = 4;
+
+template <class Backend>
+std::vector<std::uint8_t> shapes_below(const Tandem_state<Backend>& t, std::int64_t size)
+{
+  std::vector<std::uint8_t> is_below(t.shapes.size(), 0);
+  for(std::uint32_t id : t.live)
+    is_below[id] = t.shapes[id].moments.count < size;
+  return is_below;
+}
+
+// Checks all points against the planes of their shapes.
+template <class Backend>
+void detach_misfits(Tandem_state<Backend>& t)
+{
+  for(std::uint32_t id : t.live) {
+    t.plane[id] = rounded(t.shapes[id].plane);
+    t.shapes[id].checked = t.shapes[id].plane;
+  }
+  update_points(t, identity_targets(t), std::vector<std::uint8_t>(t.shapes.size(), 1));
+}
+
+template <class Backend>
+void drop_small(Tandem_state<Backend>& t)
+{
+  std::vector<std::uint32_t> target = identity_targets(t);
+  for(std::uint32_t id : t.live)
+    if(t.shapes[id].moments.count < t.options.minimum_region_size)
+      target[id] = is_free;
+  merge_shapes(t, target);
+  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+}
+
+// Fragments below the minimum size are not lost at once: they may be parts of one
+// shape, or of their neighbors.
+template <class Backend>
+void consolidate(Tandem_state<Backend>& t)
+{
+  for(int round = 0; round < consolidation_rounds; ++round) {
+    const std::vector<std::uint8_t> is_fragment = shapes_below(t, t.options.minimum_region_size);
+    const std::size_t shapes_before = t.live.size(), assigned_before = t.assigned;
+    refit_shapes(t);
+    for(std::uint32_t id : t.live)
+      if(is_fragment[id])
+        t.shapes[id].plane = t.shapes[id].local;
+    detach_misfits(t);
+    refit_shapes(t);
+    std::vector<Link> links = collect_links(t, least_links);
+    links.erase(std::remove_if(links.begin(), links.end(),
+                               [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
+                links.end());
+    if(merge_fragments(t, links, consolidation_misfit_share))
+      for(std::uint32_t id : t.live)
+        if(is_fragment[id])
+          t.shapes[id].plane = t.shapes[id].local;
+    detach_misfits(t);
+    absorb(t);
+    recount(t);
+    reassign(t, shapes_below(t, t.options.minimum_region_size), std::vector<std::uint8_t>(t.shapes.size(), 1));
+    recount(t);
+    if(t.live.size() == shapes_before && t.assigned * 10000 < assigned_before * 10001)
+      break;
+  }
+}
+
+// A last regularity step over all shapes; returns the relations, by shape.
+template <class Backend>
+Shape_relations settle(Tandem_state<Backend>& t)
+{
+  recount(t);
+  refit_shapes(t);
+  const Shape_relations relations = regularize_shapes(t, true);
+  const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links));
+  merge_shapes(t, target);
+  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+  detach_misfits(t);
+  absorb(t);
+  recount(t);
+  drop_small(t);
+  return relations;
+}
+
+template <class Backend>
+void reassign_to_larger(Tandem_state<Backend>& t)
+{
+  for(int round = 0; round < reassignment_rounds; ++round) {
+    std::vector<std::uint8_t> may_lose(t.shapes.size(), 1);
+    for(std::uint32_t id : t.live)
+      may_lose[id] = 2 * t.shapes[id].moments.count >= 3 * t.options.minimum_region_size;
+    collect_links(t, least_links); // marks interior points, which cannot change
+    reassign(t, may_lose, std::vector<std::uint8_t>(t.shapes.size(), 1));
+    recount(t);
+  }
+  drop_small(t);
+}
+
+// Planes are final afterwards.
+template <class Backend>
+Shape_relations end_game(Tandem_state<Backend>& t)
+{
+  consolidate(t);
+  drop_small(t);
+  settle(t);
+  const Shape_relations relations = settle(t);
+  reassign_to_larger(t);
+  return relations;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_END_GAME_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Mean shift with a Gaussian kernel, for directions and for offsets. An index
+// type supplies the geometry:
+//   Index(positions, radius), near(position, f) calling f(i, squared distance)
+//   for all positions within the radius, Index::Mean with add() and value().
+
+#ifndef CGAL_TANDEM_INTERNAL_MEAN_SHIFT_H
+#define CGAL_TANDEM_INTERNAL_MEAN_SHIFT_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// exp(-t) for t >= 0, cut off at three standard deviations (t = 4.5). A fixed
+// polynomial (relative error below 1e-8), since exp() differs between machines.
+inline double gaussian(double t)
+{
+  if(!(t <= 4.5))
+    return 0;
+  const double u = t * 0.0625; // exp(-t) = exp(-u)^16
+  double e = 1.0 / 40320;
+  e = std::fma(e, -u, 1.0 / 5040);
+  e = std::fma(e, -u, 1.0 / 720);
+  e = std::fma(e, -u, 1.0 / 120);
+  e = std::fma(e, -u, 1.0 / 24);
+  e = std::fma(e, -u, 1.0 / 6);
+  e = std::fma(e, -u, 0.5);
+  e = std::fma(e, -u, 1.0);
+  e = std::fma(e, -u, 1.0);
+  e *= e;
+  e *= e;
+  e *= e;
+  return e * e;
+}
+
+// Finds the modes of a weighted set: sigma is half the radius, and of two modes
+// within the radius of each other only the denser one counts.
+template <class Index>
+class Mean_shift {
+public:
+  using Position = typename Index::Position;
+
+  Mean_shift(const std::vector<Position>& positions, const std::vector<double>& weights, double radius)
+    : position(positions), weight(weights), radius(radius), index(positions, 1.5 * radius)
+  {}
+
+  // By falling density; ties are broken by position in the input.
+  std::vector<Position> modes() const
+  {
+    std::vector<Mode> found;
+    for(std::size_t i : starts())
+      found.push_back(climb(i));
+    std::stable_sort(found.begin(), found.end(), [](const Mode& a, const Mode& b) { return a.density > b.density; });
+    return without_weaker(found);
+  }
+
+  double density(const Position& x) const
+  {
+    double sum = 0;
+    index.near(x, [&](std::size_t i, double q) { sum = std::fma(weight[i], kernel(q), sum); });
+    return sum;
+  }
+
+private:
+  struct Mode {
+    Position position;
+    double density;
+  };
+
+  double kernel(double q) const { return gaussian(2 * q / (radius * radius)); }
+
+  // Local maxima among the positions: every mode is reached from one of them.
+  std::vector<std::size_t> starts() const
+  {
+    std::vector<double> d(position.size());
+    for(std::size_t i = 0; i < position.size(); ++i)
+      d[i] = density(position[i]);
+    std::vector<std::size_t> result;
+    const double squared_sigma = 0.25 * radius * radius;
+    for(std::size_t i = 0; i < position.size(); ++i) {
+      bool is_maximum = true;
+      index.near(position[i], [&](std::size_t j, double q) {
+        if(q <= squared_sigma && (d[j] > d[i] || (d[j] == d[i] && j < i)))
+          is_maximum = false;
+      });
+      if(is_maximum)
+        result.push_back(i);
+    }
+    return result;
+  }
+
+  Mode climb(std::size_t start) const
+  {
+    Position x = position[start];
+    const double small = 1e-8 * radius * radius;
+    for(int step = 0; step < 30; ++step) {
+      typename Index::Mean mean(x);
+      index.near(x, [&](std::size_t i, double q) { mean.add(position[i], weight[i] * kernel(q)); });
+      const Position next = mean.value();
+      const double moved = Index::squared_distance(x, next);
+      x = next;
+      if(moved <= small)
+        break;
+    }
+    return {x, density(x)};
+  }
+
+  std::vector<Position> without_weaker(const std::vector<Mode>& sorted) const
+  {
+    std::vector<Position> all, kept;
+    for(const Mode& m : sorted)
+      all.push_back(m.position);
+    const Index modes(all, radius);
+    std::vector<char> is_dropped(all.size(), 0);
+    for(std::size_t i = 0; i < all.size(); ++i) {
+      if(is_dropped[i])
+        continue;
+      kept.push_back(all[i]);
+      modes.near(all[i], [&](std::size_t j, double) { is_dropped[j] = 1; });
+    }
+    return kept;
+  }
+
+  const std::vector<Position>& position;
+  const std::vector<double>& weight;
+  double radius;
+  Index index;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MEAN_SHIFT_H

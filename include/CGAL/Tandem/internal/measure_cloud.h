@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spacing and noise of a cloud, from a sample of its octree leaves. The sample
+// does not depend on the order of the points.
+
+#ifndef CGAL_TANDEM_INTERNAL_MEASURE_CLOUD_H
+#define CGAL_TANDEM_INTERNAL_MEASURE_CLOUD_H
+
+#include <CGAL/Tandem/internal/Moments.h>
+#include <CGAL/Tandem/internal/cells.h>
+#include <CGAL/Tandem/internal/import_cloud.h>
+#include <CGAL/Tandem/internal/neighbors.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+struct Cloud_measure {
+  double spacing = 0; // median, over the points, of the mean distance to the 6 nearest neighbors
+  double noise = 0;   // upper quartile of the rms distance of 20 neighbors to their plane
+};
+
+constexpr int measured_neighbors = 20;
+constexpr int spacing_neighbors = 6;
+constexpr std::size_t measured_points = 1 << 17; // about as many are looked at in a large cloud
+constexpr std::size_t measured_leaf = 2048;
+
+// About measured_points points in whole leaves, in the order of the curve.
+template <class Backend>
+std::vector<Grid_point> sample_leaves(Backend& backend, const std::vector<Grid_point>& point)
+{
+  const Code_frame frame = make_code_frame(point.data(), point.size());
+  const auto order = sort_along_curve(backend, point.data(), point.size(), frame);
+  const std::vector<Range> leaves = split_leaves(order.data(), point.size(), frame, measured_leaf);
+  const std::size_t stride = (point.size() + measured_points - 1) / measured_points;
+  std::vector<Grid_point> sample;
+  for(std::size_t l = 0; l < leaves.size(); l += stride)
+    for(std::uint32_t i = leaves[l].first; i < leaves[l].last; ++i)
+      sample.push_back(point[order[i].index]);
+  return sample;
+}
+
+inline double grid_distance(const Grid_point& a, const Grid_point& b)
+{
+  const std::int64_t x = std::int64_t(a.x) - b.x, y = std::int64_t(a.y) - b.y, z = std::int64_t(a.z) - b.z;
+  return std::sqrt(double(std::uint64_t(x * x) + std::uint64_t(y * y) + std::uint64_t(z * z)));
+}
+
+// Of one point, in steps of the grid.
+inline Cloud_measure measure_neighborhood(const Grid_point* point, std::uint32_t i, const std::uint32_t* row)
+{
+  Moments moments;
+  moments.add(point[i]);
+  double sum = 0;
+  int spaced = 0;
+  for(int j = 0; j < measured_neighbors && row[j] != no_index; ++j) {
+    moments.add(point[row[j]]);
+    if(j < spacing_neighbors) {
+      sum += grid_distance(point[i], point[row[j]]);
+      ++spaced;
+    }
+  }
+  const Fit fit = fit_plane(make_scatter(moments));
+  return {spaced > 0 ? sum / spaced : 0, std::sqrt(fit.smallest / double(moments.count))};
+}
+
+inline double quantile(std::vector<double>& values, double q)
+{
+  const auto nth = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+// In the units of the coordinates. Not of an empty cloud.
+template <class Backend>
+Cloud_measure measure_cloud(Backend& backend, const std::vector<double>& coordinates)
+{
+  const Coordinate_box box = bounding_box(coordinates);
+  if(!(box.extent() > 0))
+    return Cloud_measure();
+  const Grid grid = make_grid(box, std::ldexp(box.extent(), -16)); // 2^27 steps
+  std::vector<Grid_point> point(coordinates.size() / 3);
+  for(std::size_t i = 0; i < point.size(); ++i)
+    point[i] = to_grid(grid, 1 / grid.step, coordinates.data() + 3 * i, no_normal);
+  const std::vector<Grid_point> sample = sample_leaves(backend, point);
+  std::vector<std::uint32_t> neighbor(sample.size() * measured_neighbors);
+  find_neighbors(backend, sample.data(), std::uint32_t(sample.size()), measured_neighbors, neighbor.data());
+  std::vector<double> spacing(sample.size()), noise(sample.size());
+  backend.for_each(sample.size(), [&](std::size_t i) {
+    const Cloud_measure m = measure_neighborhood(sample.data(), std::uint32_t(i), neighbor.data() + i * measured_neighbors);
+    spacing[i] = m.spacing;
+    noise[i] = m.noise;
+  });
+  return {quantile(spacing, .5) * grid.step, quantile(noise, .75) * grid.step};
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MEASURE_CLOUD_H

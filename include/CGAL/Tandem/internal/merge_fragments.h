@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joint-fit merge: touching shapes that one plane fits as well as their own planes
+// become one shape. Without it slanted surfaces are cut into terraces.
+
+#ifndef CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
+#define CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
+
+#include <CGAL/Tandem/internal/update_shapes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Fewest neighbor relations between two shapes that touch.
+constexpr std::uint32_t least_links = 2;
+// Below this size the normal of a shape says little.
+constexpr std::int64_t reliable_normal_size = 30;
+// How much worse, in epsilons (rms), another plane may be than the local one (R2).
+constexpr double tolerated_rms = 0.5;
+
+// How much the sum of squared distances grows when the shape gives up its local plane.
+inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
+{
+  const double e = dot(plane.normal, scatter.centroid) - plane.offset;
+  return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
+}
+
+// Asks the points: how many of each listed shape fit its local plane, but not the
+// candidate. Planes that hardly move need no answer from the points.
+template <class Backend>
+class Misfit_counter {
+public:
+  explicit Misfit_counter(Tandem_state<Backend>& t) : t_(t) {}
+
+  void operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates,
+                  std::vector<std::int64_t>& counts)
+  {
+    const std::size_t size = t_.shapes.size();
+    std::vector<std::uint8_t> is_asked(size, 0);
+    std::vector<Plane> before(size), after(size);
+    std::vector<std::uint32_t> count(size, 0);
+    bool is_any = false;
+    for(std::size_t i = 0; i < ids.size(); ++i) {
+      const Shape& shape = t_.shapes[ids[i]];
+      if(bound_motion(shape.box, shape.local, candidates[i]) <= negligible_motion * t_.options.maximum_distance)
+        continue;
+      is_asked[ids[i]] = 1;
+      is_any = true;
+      before[ids[i]] = rounded(shape.local);
+      after[ids[i]] = rounded(candidates[i]);
+    }
+    if(is_any)
+      t_.backend.template for_each_cell<Count_scratch>(
+        t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), is_asked.data(), before.data(),
+                                                after.data(), count.data(), t_.options.growth.tolerance});
+    counts.resize(ids.size());
+    for(std::size_t i = 0; i < ids.size(); ++i)
+      counts[i] = count[ids[i]];
+  }
+
+private:
+  Tandem_state<Backend>& t_;
+};
+
+// Unions of shapes with the moments of the whole.
+class Clusters {
+public:
+  explicit Clusters(const std::vector<Shape>& shapes) : unions_(shapes.size()), shapes_(shapes), whole_(shapes.size(), -1) {}
+
+  std::uint32_t root(std::uint32_t id) { return unions_.root(id); }
+
+  const Shape& whole(std::uint32_t root) const { return whole_[root] < 0 ? shapes_[root] : merged_[std::size_t(whole_[root])]; }
+
+  // The larger one, then the one with the smaller id, stays the root.
+  void unite(std::uint32_t a, std::uint32_t b, Shape&& joint)
+  {
+    const std::int64_t na = whole(a).moments.count, nb = whole(b).moments.count;
+    if(na < nb || (na == nb && b < a))
+      std::swap(a, b);
+    unions_.set_parent(b, a);
+    whole_[a] = int(merged_.size());
+    merged_.push_back(std::move(joint));
+  }
+
+private:
+  Unions unions_;
+  const std::vector<Shape>& shapes_;
+  std::vector<int> whole_; // index into merged_, by root
+  std::vector<Shape> merged_;
+};
+
+struct Joint_fit_test {
+  double squared_cosine;
+  double maximum_distance;
+
+  // Moments only: no point is looked at.
+  bool operator()(const Shape& a, const Shape& b, Shape& joint) const
+  {
+    const double cosine = dot(a.fit.normal, b.fit.normal);
+    if((std::min)(a.moments.count, b.moments.count) > reliable_normal_size && cosine * cosine < squared_cosine)
+      return false;
+    joint.moments = a.moments;
+    joint.moments += b.moments;
+    joint.scatter = make_scatter(joint.moments);
+    joint.fit = fit_plane(joint.scatter);
+    joint.local = plane_through(joint.fit.normal, joint.scatter.centroid);
+    return is_tolerable(a, joint.local) && is_tolerable(b, joint.local);
+  }
+
+  bool is_tolerable(const Shape& s, const Regular_plane& plane) const
+  {
+    const double most = tolerated_rms * maximum_distance;
+    return excess(s.scatter, s.fit, plane) <= most * most * s.scatter.count;
+  }
+};
+
+// The targets of a joint-fit merge along the links. Of each union, shapes of which
+// more than the given share of points does not fit the joint plane are left out.
+template <class Backend>
+std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std::vector<Link>& links, double misfit_share)
+{
+  Clusters clusters(t.shapes);
+  const Joint_fit_test test = {t.options.squared_cosine, t.options.maximum_distance};
+  for(const Link& link : links) {
+    const std::uint32_t a = clusters.root(link.first()), b = clusters.root(link.second());
+    Shape joint;
+    if(a != b && test(clusters.whole(a), clusters.whole(b), joint))
+      clusters.unite(a, b, std::move(joint));
+  }
+  std::vector<std::uint32_t> ids;
+  std::vector<std::int64_t> counts;
+  std::vector<Regular_plane> planes;
+  for(std::uint32_t id : t.live) {
+    const Shape& whole = clusters.whole(clusters.root(id));
+    if(whole.moments.count == t.shapes[id].moments.count)
+      continue;
+    ids.push_back(id);
+    planes.push_back(whole.local);
+  }
+  std::vector<std::uint32_t> target = identity_targets(t);
+  if(ids.empty())
+    return target;
+  Misfit_counter<Backend>{t}(ids, planes, counts);
+  std::vector<std::uint32_t> first(t.shapes.size(), no_index); // per root: the member that stays
+  for(std::size_t i = 0; i < ids.size(); ++i) {
+    if(double(counts[i]) > misfit_share * double(t.shapes[ids[i]].moments.count))
+      continue;
+    std::uint32_t& stays = first[clusters.root(ids[i])];
+    if(stays == no_index || t.shapes[stays].moments.count < t.shapes[ids[i]].moments.count)
+      stays = ids[i];
+  }
+  for(std::size_t i = 0; i < ids.size(); ++i)
+    if(double(counts[i]) <= misfit_share * double(t.shapes[ids[i]].moments.count))
+      target[ids[i]] = first[clusters.root(ids[i])];
+  return target;
+}
+
+// Joint-fit merge of all touching shapes; the links follow. Returns whether there was any.
+template <class Backend>
+bool merge_fragments(Tandem_state<Backend>& t, std::vector<Link>& links, double misfit_share)
+{
+  const std::vector<std::uint32_t> target = joint_fit_targets(t, links, misfit_share);
+  bool is_any = false;
+  for(std::uint32_t id : t.live)
+    is_any = is_any || target[id] != id;
+  if(!is_any)
+    return false;
+  merge_shapes(t, target);
+  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+  refit_shapes(t);
+  for(Link& link : links) {
+    const std::uint32_t a = target[link.first()], b = target[link.second()];
+    link.pair = a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;
+  }
+  return true;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H

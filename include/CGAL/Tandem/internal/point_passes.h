@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Passes over the labeled points between two growth passes: which shapes touch,
+// which points a plane would lose, and the points that shapes give up.
+
+#ifndef CGAL_TANDEM_INTERNAL_POINT_PASSES_H
+#define CGAL_TANDEM_INTERNAL_POINT_PASSES_H
+
+#include <CGAL/Tandem/internal/Tandem_state.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A pair of shapes and the number of neighbor relations between their points.
+struct Link {
+  std::uint64_t pair; // smaller id << 32 | larger id
+  std::uint32_t count;
+
+  std::uint32_t first() const { return std::uint32_t(pair >> 32); }
+  std::uint32_t second() const { return std::uint32_t(pair); }
+};
+
+// Where leaves append in any order. Goes on counting when it is full.
+struct Link_sink {
+  Link* link;
+  std::uint32_t* size;
+  std::uint32_t capacity;
+};
+
+struct Link_scratch {
+  static constexpr std::uint32_t slots = 256;
+  Link link[slots];
+};
+
+template <class Backend>
+struct Collect_links {
+  Cloud_view cloud;
+  const Range* cells;
+  Labels_view labels;
+  Link_sink sink;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Link_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(Link_scratch::slots, [&](std::uint32_t i) { scratch.link[i] = {~std::uint64_t(0), 0}; });
+    block.for_each(cell.size(), [&](std::uint32_t at) { visit(block, scratch, cell.first + at); });
+    block.for_each(Link_scratch::slots, [&](std::uint32_t i) {
+      if(scratch.link[i].count > 0)
+        append(scratch.link[i]);
+    });
+  }
+
+private:
+  CGAL_TANDEM_HD void append(const Link& link) const
+  {
+    const std::uint32_t place = Backend::atomic_add(*sink.size, 1u);
+    if(place < sink.capacity)
+      sink.link[place] = link;
+  }
+
+  template <class Block>
+  CGAL_TANDEM_HD void visit(Block& block, Link_scratch& scratch, std::uint32_t i) const
+  {
+    const std::uint32_t s = labels.label[i];
+    if(s >= first_mark || (labels.state[i] & is_interior))
+      return;
+    const std::uint32_t* row = cloud.row(i);
+    bool all_same = true;
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = labels.label[row[j]];
+      all_same = all_same && t == s;
+      if(t >= first_mark || t == s)
+        continue;
+      const std::uint64_t pair = s < t ? std::uint64_t(s) << 32 | t : std::uint64_t(t) << 32 | s;
+      const std::uint32_t slot = std::uint32_t((pair * 0x9e3779b97f4a7c15u) >> 56);
+      if(!block.count_pair(scratch.link[slot].pair, scratch.link[slot].count, pair))
+        append({pair, 1});
+    }
+    if(all_same)
+      labels.state[i] |= is_interior;
+  }
+};
+
+// The links between live shapes with at least `least` relations, by falling
+// number of relations, then by ids.
+template <class Backend>
+std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least)
+{
+  std::vector<Link> links(4 * t.live.size() + 64 * t.cells.size());
+  std::uint32_t size = 0;
+  for(;;) {
+    size = 0;
+    t.backend.template for_each_cell<Link_scratch>(
+      t.cells.size(),
+      Collect_links<Backend>{t.cloud, t.cells.data(), t.labels(), {links.data(), &size, std::uint32_t(links.size())}});
+    if(size <= links.size())
+      break;
+    links.resize(2 * std::size_t(size));
+  }
+  links.resize(size);
+  std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
+  std::size_t kept = 0;
+  for(std::size_t i = 0; i < links.size();) {
+    Link sum = {links[i].pair, 0};
+    for(; i < links.size() && links[i].pair == sum.pair; ++i)
+      sum.count += links[i].count;
+    if(sum.count >= least)
+      links[kept++] = sum;
+  }
+  links.resize(kept);
+  std::sort(links.begin(), links.end(),
+            [](const Link& a, const Link& b) { return a.count != b.count ? a.count > b.count : a.pair < b.pair; });
+  return links;
+}
+
+struct Count_scratch {
+  static constexpr std::uint32_t slots = 64;
+  std::uint32_t shape[slots];
+  std::uint32_t count[slots];
+};
+
+// Counts the points that fit the first plane of their shape but not the second.
+template <class Backend>
+struct Count_misfits {
+  Cloud_view cloud;
+  const Range* cells;
+  const std::uint32_t* label;
+  const std::uint8_t* is_asked; // these four by shape
+  const Plane* before;
+  const Plane* after;
+  std::uint32_t* count;
+  Tolerance tolerance;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
+      scratch.shape[i] = no_index;
+      scratch.count[i] = 0;
+    });
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t s = label[cell.first + at];
+      if(s >= first_mark || !is_asked[s])
+        return;
+      const Grid_point& p = cloud.point[cell.first + at];
+      if(fits(after[s], p, tolerance) || !fits(before[s], p, tolerance))
+        return;
+      const std::uint32_t slot = s % Count_scratch::slots;
+      const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, s);
+      if(owner == no_index || owner == s)
+        block.append(scratch.count[slot]);
+      else
+        Backend::atomic_add(count[s], 1u);
+    });
+    block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
+      if(scratch.count[i] > 0)
+        Backend::atomic_add(count[scratch.shape[i]], scratch.count[i]);
+    });
+  }
+};
+
+// Gives each point the label `target` of its shape. Where that is a mark the shape
+// is given up; where the shape is checked, points that do not fit are detached.
+template <class Backend>
+struct Update_points {
+  Cloud_view cloud;
+  const Range* cells;
+  Labels_view labels;
+  const std::uint32_t* target;   // these two by old label
+  const std::uint8_t* is_checked;
+  const Plane* plane;            // these two by new label
+  Shared_moments* loss;
+  Tolerance tolerance;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    const Grid_point& base = cloud.point[cell.first];
+    table.clear(block);
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at;
+      const std::uint32_t old = labels.label[i];
+      if(old >= first_mark)
+        return;
+      const std::uint32_t s = target[old];
+      if(s >= first_mark) {
+        labels.label[i] = s;
+        labels.state[i] = std::uint8_t((labels.state[i] | no_seed) & ~(on_frontier | is_interior));
+      } else if(is_checked[old] && !fits(plane[s], cloud.point[i], tolerance)) {
+        labels.label[i] = labels.state[i] & detached_once ? is_locked : is_free;
+        labels.state[i] = std::uint8_t((labels.state[i] | detached_once) & ~(on_frontier | is_interior));
+        table.template add<Backend>(block, s, cloud.point[i], base, -1, loss);
+      } else {
+        labels.label[i] = s;
+      }
+    });
+    table.template flush<Backend>(block, base, loss);
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_POINT_PASSES_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The regularity step of a round: the shapes that are large enough get the planes
+// of their relations, the others keep their local fits.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARIZE_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_REGULARIZE_SHAPES_H
+
+#include <CGAL/Tandem/internal/merge_fragments.h>
+#include <CGAL/Tandem/internal/regularize.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The relations of some shapes: those of id[i] are the entries i.
+struct Shape_relations {
+  std::vector<std::uint32_t> id;
+  Relations relations;
+};
+
+// A shape that was rolled back tries again when it has grown, or after 2, 4, 8 ... rounds.
+inline void schedule_retry(Shape& shape, int round)
+{
+  shape.rollbacks = (std::min)(shape.rollbacks + 1, 5);
+  shape.retry_round = round + (1 << shape.rollbacks);
+  shape.retry_count = shape.moments.count + shape.moments.count / 4;
+}
+
+template <class Backend>
+Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
+{
+  Shape_relations r;
+  std::vector<Shape_fit> fits;
+  std::vector<char> is_excluded;
+  for(std::uint32_t id : t.live) {
+    Shape& shape = t.shapes[id];
+    shape.plane = shape.local;
+    if(shape.moments.count < t.options.minimum_regular_size)
+      continue;
+    r.id.push_back(id);
+    fits.push_back({shape.scatter, shape.fit});
+    is_excluded.push_back(!retry_all && t.round < shape.retry_round && shape.moments.count < shape.retry_count);
+  }
+  Misfit_counter<Backend> count(t);
+  auto verify = [&](const std::vector<int>& indices, const std::vector<Regular_plane>& candidates, std::vector<std::int64_t>& counts) {
+    std::vector<std::uint32_t> ids(indices.size());
+    for(std::size_t i = 0; i < ids.size(); ++i)
+      ids[i] = r.id[std::size_t(indices[i])];
+    count(ids, candidates, counts);
+  };
+  r.relations = regularize(fits, is_excluded, t.options.regularity, verify);
+  for(std::size_t i = 0; i < r.id.size(); ++i) {
+    Shape& shape = t.shapes[r.id[i]];
+    shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
+    if(r.relations.is_rolled_back[i])
+      schedule_retry(shape, t.round);
+  }
+  return r;
+}
+
+// Touching shapes of one plane become one shape, as do those that are given up.
+template <class Backend>
+std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shape_relations& r, const std::vector<Link>& links)
+{
+  std::vector<int> plane_of(t.shapes.size(), -1);
+  for(std::size_t i = 0; i < r.id.size(); ++i)
+    plane_of[r.id[i]] = r.relations.plane_of[i];
+  Unions unions(t.shapes.size());
+  for(const Link& link : links) {
+    std::uint32_t a = unions.root(link.first()), b = unions.root(link.second());
+    if(a == b || plane_of[a] < 0 || plane_of[a] != plane_of[b])
+      continue;
+    const std::int64_t na = t.shapes[a].moments.count, nb = t.shapes[b].moments.count;
+    if(na < nb || (na == nb && b < a))
+      std::swap(a, b);
+    unions.set_parent(b, a);
+  }
+  std::vector<std::uint32_t> target = identity_targets(t);
+  for(std::uint32_t id : t.live)
+    target[id] = unions.root(id);
+  return target;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARIZE_SHAPES_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where shapes begin: the most planar points of a leaf first, then those nearest
+// to its center (section 3 of the paper).
+
+#ifndef CGAL_TANDEM_INTERNAL_SEEDS_H
+#define CGAL_TANDEM_INTERNAL_SEEDS_H
+
+#include <CGAL/Tandem/internal/Cloud.h>
+#include <CGAL/Tandem/internal/Shapes.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
+{
+  const Int_vector m = decode_normal(p.normal);
+  return make_plane(unit({double(m.x), double(m.y), double(m.z)}), {double(p.x), double(p.y), double(p.z)});
+}
+
+// How many neighbors fit the plane of the point itself.
+CGAL_TANDEM_HD inline int planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance)
+{
+  if(cloud.point[i].normal == no_normal)
+    return 0;
+  const Plane plane = own_plane(cloud.point[i]);
+  const std::uint32_t* row = cloud.row(i);
+  int score = 0;
+  for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+    score += fits(plane, cloud.point[row[j]], tolerance);
+  return score;
+}
+
+// The candidates of a leaf are seed[leaf.first] ... seed[leaf.first + count[c] - 1].
+template <class Backend>
+struct Seeds {
+  typename Backend::template Buffer<std::uint32_t> seed;
+  std::vector<std::uint32_t> count;
+};
+
+template <class Backend>
+Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const std::vector<Range>& cells, const Tolerance& tolerance)
+{
+  constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
+  typename Backend::template Buffer<std::uint64_t> key(cloud.size);
+  Seeds<Backend> seeds;
+  seeds.seed.reset(cloud.size);
+  seeds.count.resize(cells.size());
+  backend.for_each_piece(cells.size(), 1, [&](std::size_t c, std::size_t) {
+    const Range cell = cells[c];
+    Box box;
+    for(std::uint32_t i = cell.first; i < cell.last; ++i)
+      box.add(cloud.point[i]);
+    for(std::uint32_t i = cell.first; i < cell.last; ++i) {
+      const Grid_point& p = cloud.point[i];
+      const int score = planarity(cloud, i, tolerance);
+      const std::int64_t x = p.x - (std::int64_t(box.low[0]) + box.high[0]) / 2;
+      const std::int64_t y = p.y - (std::int64_t(box.low[1]) + box.high[1]) / 2;
+      const std::int64_t z = p.z - (std::int64_t(box.low[2]) + box.high[2]) / 2;
+      const std::uint64_t distance = std::uint64_t(x * x + y * y + z * z) >> 10; // < 2^41
+      key[i] = 2 * score < cloud.k ? not_a_seed : std::uint64_t(cloud.k - score) << 57 | distance << 16 | (i - cell.first);
+    }
+    std::sort(key.begin() + cell.first, key.begin() + cell.last);
+    std::uint32_t count = 0;
+    for(; count < cell.size() && key[cell.first + count] != not_a_seed; ++count)
+      seeds.seed[cell.first + count] = cell.first + std::uint32_t(key[cell.first + count] & 0xffffu);
+    seeds.count[c] = count;
+  });
+  return seeds;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SEEDS_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What follows from changed planes and merges: local fits, new labels, detached
+// points, shapes that are put on the frontier again.
+
+#ifndef CGAL_TANDEM_INTERNAL_UPDATE_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_UPDATE_SHAPES_H
+
+#include <CGAL/Tandem/internal/point_passes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Planes that move by less, in epsilons, need no new check of the points ...
+constexpr double negligible_motion = 0.02;
+// ... and those that move by more let the shape grow again from all of its points.
+constexpr double restart_motion = 0.1;
+
+inline Regular_plane plane_through(const Vector& normal, const Vector& point) { return {normal, dot(normal, point)}; }
+
+template <class Backend>
+void refit_shapes(Tandem_state<Backend>& t)
+{
+  t.backend.for_each(t.live.size(), [&](std::size_t l) {
+    Shape& shape = t.shapes[t.live[l]];
+    if(!shape.is_dirty)
+      return;
+    shape.scatter = make_scatter(shape.moments);
+    shape.fit = fit_plane(shape.scatter);
+    shape.local = plane_through(shape.fit.normal, shape.scatter.centroid);
+    shape.is_dirty = false;
+  });
+}
+
+// Which shape each shape becomes: itself, another one, or is_free.
+template <class Backend>
+std::vector<std::uint32_t> identity_targets(const Tandem_state<Backend>& t)
+{
+  std::vector<std::uint32_t> target(t.shapes.size());
+  for(std::size_t id = 0; id < target.size(); ++id)
+    target[id] = std::uint32_t(id);
+  return target;
+}
+
+// Adds the shapes to their targets and gives up those without one. The points
+// follow in update_points().
+template <class Backend>
+void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target)
+{
+  std::size_t kept = 0;
+  for(std::uint32_t id : t.live) {
+    Shape& shape = t.shapes[id];
+    if(target[id] == id) {
+      t.live[kept++] = id;
+      continue;
+    }
+    if(target[id] < first_mark) {
+      Shape& root = t.shapes[target[id]];
+      root.moments += shape.moments;
+      root.box.add(shape.box);
+      root.age = (std::max)(root.age, shape.age);
+      root.is_active = root.is_active || shape.is_active;
+      root.is_dirty = true;
+    } else {
+      t.assigned -= std::size_t(shape.moments.count);
+    }
+    shape = Shape();
+  }
+  t.live.resize(kept);
+}
+
+// Relabels the points and takes out those that do not fit the plane of a shape that
+// is checked (by old id).
+template <class Backend>
+void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target, const std::vector<std::uint8_t>& is_checked)
+{
+  t.backend.template for_each_cell<Moment_table>(
+    t.cells.size(), Update_points<Backend>{t.cloud, t.cells.data(), t.labels(), target.data(), is_checked.data(), t.plane.data(),
+                                           t.gain.data(), t.options.growth.tolerance});
+  std::size_t kept = 0;
+  for(std::uint32_t id : t.live) {
+    Shape& shape = t.shapes[id];
+    Shared_moments& loss = t.gain[id];
+    if(loss.count != 0) {
+      shape.moments += loss.moments();
+      shape.is_dirty = true;
+      t.assigned -= std::size_t(-loss.count);
+      loss = Shared_moments();
+    }
+    if(shape.moments.count > 0)
+      t.live[kept++] = id;
+  }
+  t.live.resize(kept);
+}
+
+// Hands the planes over to the points, checks the points of the shapes whose plane
+// has moved or which are new unions, and restarts shapes that have moved far.
+template <class Backend>
+void apply_planes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target)
+{
+  const double epsilon = t.options.maximum_distance;
+  std::vector<std::uint8_t> is_moved(t.shapes.size(), 0), is_checked(t.shapes.size(), 0);
+  bool is_any = false;
+  for(std::uint32_t id : t.live) {
+    Shape& shape = t.shapes[id];
+    t.plane[id] = rounded(shape.plane);
+    is_moved[id] = bound_motion(shape.box, shape.checked, shape.plane) > negligible_motion * epsilon;
+    if(bound_motion(shape.box, shape.restarted, shape.plane) > restart_motion * epsilon) {
+      t.is_restarted[id] = shape.age > 1; // a new shape is on the frontier as a whole
+      shape.is_active = true;
+      shape.restarted = shape.plane;
+    }
+    if(is_moved[id])
+      shape.checked = shape.plane;
+  }
+  for(std::size_t id = 0; id < target.size(); ++id) {
+    is_checked[id] = target[id] < first_mark && (target[id] != id || is_moved[target[id]]);
+    is_any = is_any || is_checked[id] || target[id] != id;
+  }
+  if(is_any)
+    update_points(t, target, is_checked);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_UPDATE_SHAPES_H
