@@ -68,7 +68,7 @@ public:
     in_ = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
                                         internal::normal_map_of<Traits>(points, np), traits_);
     internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
-    internal::place_on_grid(in_, parameters_.maximum_distance);
+    internal::place_on_grid(backend_, in_, parameters_.maximum_distance);
     import_time_ = watch.lap();
     if(in_.size() >= parameters_.minimum_region_size && go_on(0))
       engine_ = std::make_unique<internal::Engine<Backend>>(backend_, in_, parameters_);
@@ -115,10 +115,10 @@ public:
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled_;
     statistics.backend = Backend::name();
-    const double export_time = watch.lap();
-    statistics.times.sort += import_time_;
-    statistics.times.finish += export_time;
-    statistics.times.total += import_time_ + export_time;
+    Stage_times& times = statistics.times;
+    times.sort += import_time_;
+    times.finish += watch.lap();
+    times.total = times.normals + times.sort + times.neighbors + times.growth + times.regularity + times.finish;
     return Shapes(std::move(data), traits_.geom_traits());
   }
 

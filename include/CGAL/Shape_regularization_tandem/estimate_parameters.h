@@ -15,10 +15,10 @@ namespace internal {
 // 7/3 of the noise or 3/4 of the spacing, a little less: the factors come within
 // a factor of 2 of what experts chose on nine clouds of all kinds of scanners.
 template <class Backend>
-double estimate_maximum_distance(Backend& backend, const std::vector<double>& coordinates)
+double estimate_maximum_distance(Backend& backend, const Import& in)
 {
-  const Cloud_measure measure = measure_cloud(backend, coordinates);
-  const Coordinate_box box = bounding_box(coordinates);
+  const Cloud_measure measure = measure_cloud(backend, in);
+  const Coordinate_box box = bounding_box(in);
   const double estimate = (std::max)(7. / 3 * measure.noise, .74 * measure.spacing);
   const double smallest = std::ldexp(box.extent(), -22); // so that the grid can hold the cloud
   if((std::max)(estimate, smallest) > 0)
@@ -39,7 +39,7 @@ template <class Backend>
 void complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p)
 {
   if(p.maximum_distance == 0)
-    p.maximum_distance = in.size() > 0 ? estimate_maximum_distance(backend, in.coordinates) : 1;
+    p.maximum_distance = in.size() > 0 ? estimate_maximum_distance(backend, in) : 1;
   if(!has_offset)
     p.maximum_offset = p.maximum_distance;
   if(p.minimum_region_size == 0)

@@ -43,6 +43,8 @@ private:
 
   static std::string at(const char* what, std::size_t index) { return std::string(what) + " " + to_text(index); }
 
+  static bool is_index(int i, std::size_t size) { return i >= 0 && std::size_t(i) < size; }
+
   bool check_tables()
   {
     const std::size_t n = data_.coefficients.size();
@@ -53,7 +55,7 @@ private:
     if(!in_.has_normals && data_.normal.size() != in_.number_of_items)
       return fail("there are " + to_text(data_.normal.size()) + " normals for " + to_text(in_.number_of_items) + " points");
     for(std::size_t s = 0; s < n; ++s)
-      if(data_.parallel_group[s] < 0 || data_.coplanar_group[s] < 0)
+      if(!is_index(data_.parallel_group[s], n) || !is_index(data_.coplanar_group[s], n))
         return fail(at("no group for shape", s));
     return true;
   }
@@ -135,7 +137,7 @@ private:
       if(data_.shape_of[item] < 0)
         continue;
       const Coefficients& c = data_.coefficients[data_.shape_of[item]];
-      const double* p = in_.coordinates.data() + 3 * i;
+      const double* p = in_.position(i);
       const double x = c[0] * p[0], y = c[1] * p[1], z = c[2] * p[2];
       const double distance = std::fabs(x + y + z + c[3]);
       const double largest = (std::max)({std::fabs(x), std::fabs(y), std::fabs(z), std::fabs(c[3])});
@@ -155,7 +157,8 @@ private:
   {
     if(!in_.has_normals)
       return unpacked_normal(data_.normal[in_.item_of(i)]);
-    return {in_.normals[3 * i], in_.normals[3 * i + 1], in_.normals[3 * i + 2]};
+    const double* n = in_.normal(i);
+    return {n[0], n[1], n[2]};
   }
 
   // G4

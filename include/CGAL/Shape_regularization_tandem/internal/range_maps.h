@@ -62,13 +62,23 @@ struct Traits_for {
   using type = Tandem_traits_3<Kernel, PointRange, Point_map, Normal_map, ConcurrencyTag>;
 };
 
+// The map of the range where it is of the type that the traits name, otherwise a default-constructed one.
+template <class Map, class Own_map>
+Map map_or_default(const Own_map& map)
+{
+  if constexpr(std::is_convertible<Own_map, Map>::value)
+    return map;
+  else
+    return Map();
+}
+
 template <class Traits, class NP>
 typename Traits::Point_map point_map_of(const typename Traits::Point_range& points, const NP& np)
 {
   if constexpr(Is_given<internal_np::point_t, NP>::value)
     return parameter<internal_np::point_t>(np, 0);
   else
-    return Own_maps<typename Traits::Point_range>::point_map(points);
+    return map_or_default<typename Traits::Point_map>(Own_maps<typename Traits::Point_range>::point_map(points));
 }
 
 template <class Traits, class NP>
@@ -77,7 +87,7 @@ typename Traits::Normal_map normal_map_of(const typename Traits::Point_range& po
   if constexpr(Is_given<internal_np::normal_t, NP>::value)
     return parameter<internal_np::normal_t>(np, 0);
   else if constexpr(Traits::has_normal_map)
-    return Own_maps<typename Traits::Point_range>::normal_map(points);
+    return map_or_default<typename Traits::Normal_map>(Own_maps<typename Traits::Point_range>::normal_map(points));
   else
     return CGAL::Default();
 }

@@ -93,8 +93,12 @@ private:
 
   bool is_going_on(std::size_t gained)
   {
-    const std::size_t best_before = std::exchange(most_assigned_, (std::max)(most_assigned_, state_.assigned));
-    const bool is_idle = (most_assigned_ - best_before) * 10000 <= state_.cloud.size;
+    std::size_t settled = 0; // points of shapes that are large enough; fragments come and go for ever
+    for(std::uint32_t id : state_.live)
+      if(state_.shapes[id].moments.count >= state_.options.minimum_region_size)
+        settled += std::size_t(state_.shapes[id].moments.count);
+    const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
+    const bool is_idle = (most_settled_ - best_before) * 10000 <= state_.cloud.size;
     idle_rounds_ = is_idle ? idle_rounds_ + 1 : 0;
     bool is_alive = gained > 0;
     for(std::uint32_t id : state_.live)
@@ -112,7 +116,7 @@ private:
   Shape_relations relations_;
   Stage_times times_;
   Engine_result final_;
-  std::size_t most_assigned_ = 0;
+  std::size_t most_settled_ = 0;
   int idle_rounds_ = 0;
   bool is_finished_ = false;
 };

@@ -25,24 +25,28 @@ struct Offer {
   const Plane* plane;
   std::uint64_t* offer;
   Tolerance tolerance;
-  bool is_first; // later rounds: only from points that were absorbed in the last one
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at);
-    const bool is_labeled = label[i] < first_mark;
-    if(is_labeled && (is_first ? (state[i] & is_interior) != 0 : (state[i] & on_frontier) == 0))
+    if(label[i] < first_mark) {
+      if(!(state[i] & is_interior))
+        from(i);
       return;
-    const std::uint32_t* row = cloud.row(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
-      const std::uint32_t q = row[j];
-      if((label[q] < first_mark) == is_labeled)
-        continue;
-      if(is_labeled)
-        make(label[i], q);
-      else if(is_first || (state[q] & on_frontier))
-        make(label[q], i);
     }
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+      if(label[row[j]] < first_mark)
+        make(label[row[j]], i);
+  }
+
+  // To the free neighbors of an assigned point.
+  CGAL_TANDEM_HD void from(std::uint32_t i) const
+  {
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+      if(label[row[j]] >= first_mark)
+        make(label[i], row[j]);
   }
 
 private:
@@ -56,22 +60,31 @@ private:
   }
 };
 
+// Later rounds: only the points that were absorbed in the last one have news.
+template <class Backend>
+struct Offer_again {
+  Offer<Backend> offer;
+  const std::uint32_t* absorbed;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { offer.from(absorbed[i]); }
+};
+
 template <class Backend>
 struct Accept_offers {
   std::uint32_t* label;
   std::uint8_t* state;
   std::uint64_t* offer;
-  std::uint64_t* accepted;
+  std::uint32_t* absorbed; // in any order
+  std::uint32_t* size;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    state[i] &= std::uint8_t(~on_frontier);
     if(offer[i] == no_offer)
       return;
     label[i] = std::uint32_t(offer[i]);
-    state[i] = std::uint8_t((state[i] | on_frontier) & ~is_interior);
+    state[i] &= std::uint8_t(~is_interior);
     offer[i] = no_offer;
-    Backend::atomic_add(*accepted, std::uint64_t(1));
+    absorbed[Backend::atomic_add(*size, 1u)] = std::uint32_t(i);
   }
 };
 
@@ -79,18 +92,20 @@ struct Accept_offers {
 template <class Backend>
 void absorb(Tandem_state<Backend>& t)
 {
-  constexpr int most_rounds = 64;
+  constexpr int most_rounds = 16;
   const std::size_t n = t.cloud.size;
   typename Backend::template Buffer<std::uint64_t> offer(n);
+  typename Backend::template Buffer<std::uint32_t> absorbed(n);
   std::uint64_t* offers = offer.data();
   t.backend.for_each(n, [=](std::size_t i) { offers[i] = no_offer; });
+  const Offer<Backend> first = {t.cloud, t.label.data(), t.state.data(), t.plane.data(), offers, t.options.growth.tolerance};
+  t.backend.for_each(n, first);
   for(int round = 0; round < most_rounds; ++round) {
-    std::uint64_t accepted = 0;
-    t.backend.for_each(n, Offer<Backend>{t.cloud, t.label.data(), t.state.data(), t.plane.data(), offers,
-                                         t.options.growth.tolerance, round == 0});
-    t.backend.for_each(n, Accept_offers<Backend>{t.label.data(), t.state.data(), offers, &accepted});
-    if(accepted * 100000 <= n)
+    std::uint32_t size = 0;
+    t.backend.for_each(n, Accept_offers<Backend>{t.label.data(), t.state.data(), offers, absorbed.data(), &size});
+    if(std::size_t(size) * 100000 <= n)
       break;
+    t.backend.for_each(size, Offer_again<Backend>{first, absorbed.data()});
   }
 }
 

@@ -25,6 +25,8 @@ inline Vector canonical(const Vector& n)
   return {m.x + 0.0, m.y + 0.0, m.z + 0.0};
 }
 
+inline bool operator==(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
 // Unit normals in a dense grid of cubes. Those near the equator are entered with
 // both signs, so that a query looks at one place only.
 class Direction_index {

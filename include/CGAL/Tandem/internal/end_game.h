@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-constexpr int consolidation_rounds = 10;
+constexpr int consolidation_rounds = 5;
 constexpr double consolidation_misfit_share = 0.15;
 constexpr int reassignment_rounds = 4;
 
@@ -76,7 +76,7 @@ void consolidate(Tandem_state<Backend>& t)
     recount(t);
     reassign(t, shapes_below(t, t.options.minimum_region_size), std::vector<std::uint8_t>(t.shapes.size(), 1));
     recount(t);
-    if(t.live.size() == shapes_before && t.assigned * 10000 < assigned_before * 10001)
+    if(t.live.size() * 50 >= shapes_before * 49 && t.assigned * 1000 < assigned_before * 1001)
       break;
   }
 }

@@ -20,15 +20,6 @@ namespace Tandem {
 namespace internal {
 namespace normals {
 
-#ifndef H2_RATIO
-#define H2_RATIO 0.8f
-#endif
-#ifndef H2_F
-#define H2_F 0.5f
-#endif
-#ifndef H2_LIM
-#define H2_LIM 1.0f
-#endif
 #ifndef H2_SKIP
 #define H2_SKIP 1.0
 #endif
@@ -141,10 +132,7 @@ CGAL_TANDEM_HD inline Candidate make_candidate(const Workspace& w, const Neighbo
   const Neighborhood_plane s = fit_plane(h);
   Candidate c = {h.mean, s.smallest, s.middle, no_plane, no_normal};
   if(s.middle > 0) {
-#ifdef H2_BIAS
-    c.smallest *= points / (points - H2_BIAS);
-#endif
-    c.error2 = (c.smallest > w.floor2 ? c.smallest : w.floor2) / s.middle / points;
+    c.error2 = (s.smallest > w.floor2 ? s.smallest : w.floor2) / s.middle / points;
     c.normal = encode_normal({s.normal.x, s.normal.y, s.normal.z});
   }
   return c;
@@ -187,14 +175,7 @@ struct Commit {
     if(!is_evaluated(scale))
       return;
     const Candidate c = make_candidate(w, w.current[i], effective_points(w, scale));
-    const Candidate& o = w.candidate[i];
-#if H2_ACC==1
-    const float co = o.smallest > w.floor2 ? o.smallest : w.floor2;
-    const float cn = c.smallest > w.floor2 ? c.smallest : w.floor2;
-    if(c.error2 < o.error2 && (o.error2==no_plane || cn * o.middle < H2_RATIO * co * c.middle))
-#else
-    if(c.error2 < o.error2)
-#endif
+    if(c.error2 < w.candidate[i].error2)
       w.candidate[i] = c;
   }
 };
@@ -232,34 +213,13 @@ struct Adopt {
     if(!(least > excellent_error2))
       return;
     least *= 0.49f;
-#if H2_E==1
-    float least_s = H2_F * std::max(w.floor2,w.candidate[source[i]].smallest);
-    const float lim=std::max(good_error2,H2_LIM*w.candidate[source[i]].error2);
-#endif
-#if H2_E==2
-    auto flat=[](float fl,const Candidate&c){return c.error2==no_plane?no_plane:std::max(fl,c.smallest)/c.middle;};
-    float least_s = H2_F * flat(w.floor2,w.candidate[source[i]]);
-#endif
-
     const Grid_point p = w.cloud.point[i];
     const std::uint32_t* row = w.cloud.row(std::uint32_t(i));
     for(int j = 0; j < w.cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t s = source[row[j]];
-#if H2_E==1
-      if(std::max(w.floor2,w.candidate[s].smallest) < least_s && w.candidate[s].error2 <lim && is_adoptable(p, s)) {
-#elif H2_E==2
-      if(flat(w.floor2,w.candidate[s]) < least_s && is_adoptable(p, s)) {
-#else
       if(w.candidate[s].error2 < least && is_adoptable(p, s)) {
-#endif
         next[i] = s;
         least = w.candidate[s].error2;
-#if H2_E==2
-        least_s=flat(w.floor2,w.candidate[s]);
-#endif
-#if H2_E==1
-        least_s=std::max(w.floor2,w.candidate[s].smallest);
-#endif
       }
     }
   }
@@ -277,7 +237,7 @@ struct Finish {
     const float limit2 = H2_C2 * (c.smallest > w.floor2 ? c.smallest : w.floor2);
     std::uint32_t n = c.normal;
     if(n != no_normal && !is_within(c, d, limit2))
-      n = make_candidate(w, nearest_neighborhood(w, std::uint32_t(i)), 13).normal;
+      n = make_candidate(w, nearest_neighborhood(w, std::uint32_t(i)), 1).normal;
     point[i].normal = n;
   }
 };

@@ -9,6 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_EXPORT_SHAPES_H
 
 #include <CGAL/Shape_regularization_tandem/Statistics.h>
+#include <CGAL/Tandem/internal/exact_check.h>
 #include <CGAL/Tandem/internal/import_cloud.h>
 
 #include <array>
@@ -18,8 +19,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-using Coefficients = std::array<double, 4>; // a x + b y + c z + d = 0, of unit normal
 
 // What Planar_shapes_3 is made of. Tests corrupt it.
 struct Shapes_data {
@@ -33,15 +32,6 @@ struct Shapes_data {
   Parameters parameters;
   Statistics statistics;
 };
-
-// The vector that a packed normal stands for: of unit length, rounded to float,
-// so that it can be written to a file as it was used. Null if there is none.
-inline std::array<double, 3> unpacked_normal(std::uint32_t code)
-{
-  const Int_vector m = decode_normal(code);
-  const Vector n = unit({double(m.x), double(m.y), double(m.z)});
-  return {double(float(n.x)), double(float(n.y)), double(float(n.z))};
-}
 
 inline double plane_distance(const Coefficients& p, const double* q)
 {
@@ -130,9 +120,9 @@ inline void measure_points(const Import& in, const std::vector<std::int32_t>& sh
     if(s < 0)
       continue;
     ++assigned;
-    sum += std::int64_t(plane_distance(data.coefficients[s], in.coordinates.data() + 3 * i) / unit_distance + .5);
+    sum += std::int64_t(plane_distance(data.coefficients[s], in.position(i)) / unit_distance + .5);
     if(in.has_normals)
-      votes[s] += normal_dot(data.coefficients[s], in.normals.data() + 3 * i) < 0 ? -1 : 1;
+      votes[s] += normal_dot(data.coefficients[s], in.normal(i)) < 0 ? -1 : 1;
   }
   for(std::size_t s = 0; s < votes.size(); ++s)
     data.is_flipped.push_back(votes[s] < 0);
@@ -195,8 +185,7 @@ Shapes_data export_shapes(const Import& in, const Parameters& parameters, const 
   statistics.number_of_rounds = result.rounds;
   statistics.is_cancelled = result.is_cancelled;
   statistics.peak_bytes = result.peak_bytes;
-  statistics.times = {result.times.normals,    result.times.sort,   result.times.neighbors, result.times.growth,
-                      result.times.regularity, result.times.finish, result.times.total};
+  statistics.times = result.times;
   return data;
 }
 

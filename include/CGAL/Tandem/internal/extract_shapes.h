@@ -60,8 +60,8 @@ public:
     check_exactly();
     drop_clutter();
     Engine_result result;
-    result.shape_of.assign(in_.point.size(), -1);
-    result.normal.resize(in_.has_normals ? 0 : in_.point.size());
+    result.shape_of.assign(in_.size(), -1);
+    result.normal.resize(in_.has_normals ? 0 : in_.size());
     name_shapes(result);
     for(std::size_t i = 0; i < result.normal.size(); ++i)
       result.normal[order_[i]] = t_.cloud.point[i].normal;

@@ -30,6 +30,7 @@ struct Direction_group {
   Eigen_system eigen;      // of the matrix
   Vector fitted;           // least squares, unconstrained
   Vector direction;        // the result
+  bool is_frozen;          // keeps its direction, others may be tied to it
 
   // Sum of squared distances that a direction adds to the best one.
   double cost(const Vector& n) const { return quadratic_form(matrix, n) - quadratic_form(matrix, fitted); }
@@ -52,6 +53,9 @@ public:
 
   void tie()
   {
+    for(int g : by_weight())
+      if(groups[g].is_frozen)
+        placed.push_back({groups[g].direction, groups[g].sine});
     for(const Star& star : make_stars())
       place(star);
   }
@@ -96,7 +100,9 @@ private:
   std::vector<Star> make_stars() const
   {
     std::vector<Star> stars;
-    for(std::vector<int> pool = by_weight(), rest; !pool.empty(); pool.swap(rest)) {
+    std::vector<int> pool = by_weight(), rest;
+    pool.erase(std::remove_if(pool.begin(), pool.end(), [&](int g) { return groups[g].is_frozen; }), pool.end());
+    for(; !pool.empty(); pool.swap(rest)) {
       const Direction_group& m = groups[pool.front()];
       Star star = {pool.front(), {}, m.matrix, m.weight};
       rest.clear();

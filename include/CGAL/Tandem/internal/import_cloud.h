@@ -9,6 +9,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Parameters.h>
 #include <CGAL/Tandem/internal/Cloud.h>
+#include <CGAL/Tandem/internal/backend/Host_buffer.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
@@ -23,9 +24,10 @@ namespace internal {
 
 struct Import {
   Grid grid;
-  std::vector<Grid_point> point;   // valid points only, in the caller's order
-  std::vector<double> coordinates; // 3 a point, as the caller gave them
-  std::vector<double> normals;     // 3 a point, of unit length; empty if they are to be estimated
+  std::size_t count = 0;           // valid points: those below, in the caller's order
+  Host_buffer<Grid_point> point;
+  Host_buffer<double> coordinates; // 3 a point, as the caller gave them
+  Host_buffer<double> normals;     // 3 a point, of unit length; empty if they are to be estimated
   std::vector<std::uint32_t> item; // position in the caller's range; empty means identity
   bool has_normals = false;
 
@@ -33,18 +35,23 @@ struct Import {
   std::size_t number_of_ignored_coordinates = 0;
   std::size_t number_of_ignored_normals = 0;
 
-  std::size_t size() const { return coordinates.size() / 3; }
+  std::size_t size() const { return count; }
+  const double* position(std::size_t i) const { return coordinates.data() + 3 * i; }
+  const double* normal(std::size_t i) const { return normals.data() + 3 * i; }
   std::size_t item_of(std::size_t i) const { return item.empty() ? i : item[i]; }
 };
 
 inline bool is_finite(const double* v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
-// To unit length, also where the squares overflow or vanish. False for null and infinite vectors.
-inline bool normalize(double* v)
+inline double largest_component(const double* v)
 {
-  const double largest = (std::max)((std::max)(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
-  if(!(largest > 0) || !is_finite(v))
-    return false;
+  return (std::max)((std::max)(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
+}
+
+// To unit length, also where the squares overflow or vanish.
+inline void normalize(double* v)
+{
+  const double largest = largest_component(v);
   if(largest < 1e-100 || largest > 1e100)
     for(int c = 0; c < 3; ++c)
       v[c] /= largest;
@@ -52,7 +59,6 @@ inline bool normalize(double* v)
   v[0] = n.x;
   v[1] = n.y;
   v[2] = n.z;
-  return true;
 }
 
 // Reads one item at a time through the maps of the traits.
@@ -101,9 +107,9 @@ inline void start_import(Import& in, std::size_t size, bool has_normals)
                             " (2^31) can be handled");
   in.number_of_items = size;
   in.has_normals = has_normals;
-  in.coordinates.resize(3 * size);
+  in.coordinates.reset(3 * size);
   if(has_normals)
-    in.normals.resize(3 * size);
+    in.normals.reset(3 * size);
 }
 
 // From the first item that is left out, positions have to be kept.
@@ -116,7 +122,7 @@ inline void skip_item(Import& in, std::size_t read, std::size_t kept)
     in.item.push_back(std::uint32_t(i));
 }
 
-// The caller's range as doubles, without the points that cannot be used: a
+// The caller's range as doubles, the normals of any length, without the points that cannot be used: a
 // coordinate is not finite, or the normal is null or not finite.
 template <class Traits>
 Import read_points(const typename Traits::Point_range& points, typename Traits::Point_map point_map,
@@ -135,7 +141,7 @@ Import read_points(const typename Traits::Point_range& points, typename Traits::
     if constexpr(Traits::has_normal_map) {
       double* n = in.normals.data() + 3 * kept;
       reader.read_normal(item, n);
-      is_valid = has_position && normalize(n);
+      is_valid = has_position && is_finite(n) && largest_component(n) > 0;
     }
     if(is_valid) {
       if(kept != read)
@@ -146,8 +152,7 @@ Import read_points(const typename Traits::Point_range& points, typename Traits::
       ++(has_position ? in.number_of_ignored_normals : in.number_of_ignored_coordinates);
     }
   }
-  in.coordinates.resize(3 * kept);
-  in.normals.resize(in.has_normals ? 3 * kept : 0);
+  in.count = kept;
   return in;
 }
 
@@ -160,15 +165,15 @@ struct Coordinate_box {
 };
 
 // Of at least one point.
-inline Coordinate_box bounding_box(const std::vector<double>& coordinates)
+inline Coordinate_box bounding_box(const Import& in)
 {
   Coordinate_box box;
   for(int c = 0; c < 3; ++c)
-    box.low[c] = box.high[c] = coordinates[c];
-  for(std::size_t i = 0; i < coordinates.size(); i += 3)
+    box.low[c] = box.high[c] = in.coordinates[c];
+  for(std::size_t i = 0; i < in.size(); ++i)
     for(int c = 0; c < 3; ++c) {
-      box.low[c] = (std::min)(box.low[c], coordinates[i + c]);
-      box.high[c] = (std::max)(box.high[c], coordinates[i + c]);
+      box.low[c] = (std::min)(box.low[c], in.position(i)[c]);
+      box.high[c] = (std::max)(box.high[c], in.position(i)[c]);
     }
   return box;
 }
@@ -204,8 +209,7 @@ inline Grid make_grid(const Coordinate_box& box, double epsilon)
     }
   }
   throw std::range_error("maximum_distance is " + to_text(epsilon) + " while the extent of the points is " +
-                         to_text(box.extent()) + ": allowed is an extent of up to 2^24 times maximum_distance; "
-                         "remove far outliers or increase maximum_distance");
+                         to_text(box.extent()) + ": allowed is an extent of up to 2^24 times maximum_distance");
 }
 
 // v rounded to the nearest integer, |v| < 2^31. Adding 1.5 x 2^52 leaves no place for fractions.
@@ -222,20 +226,24 @@ inline Grid_point to_grid(const Grid& grid, double inverse_step, const double* p
           nearest_integer((p[2] - grid.origin.z) * inverse_step), normal};
 }
 
-// Fills in.grid and in.point.
-inline void place_on_grid(Import& in, double epsilon)
+// Fills in.grid and in.point, and normalizes in.normals.
+template <class Backend>
+void place_on_grid(Backend& backend, Import& in, double epsilon)
 {
-  const std::size_t n = in.size();
-  in.point.resize(n);
-  if(n == 0)
+  in.point.reset(in.size());
+  if(in.size() == 0)
     return;
-  in.grid = make_grid(bounding_box(in.coordinates), epsilon);
+  in.grid = make_grid(bounding_box(in), epsilon);
   const double inverse_step = 1 / in.grid.step;
-  for(std::size_t i = 0; i < n; ++i) {
-    const double* m = in.normals.data() + 3 * i;
-    const std::uint32_t normal = in.has_normals ? encode_normal({m[0], m[1], m[2]}) : no_normal;
-    in.point[i] = to_grid(in.grid, inverse_step, in.coordinates.data() + 3 * i, normal);
-  }
+  backend.for_each(in.size(), [&in, inverse_step](std::size_t i) {
+    std::uint32_t code = no_normal;
+    if(in.has_normals) {
+      double* m = in.normals.data() + 3 * i;
+      normalize(m);
+      code = encode_normal({m[0], m[1], m[2]});
+    }
+    in.point[i] = to_grid(in.grid, inverse_step, in.position(i), code);
+  });
 }
 
 } // namespace internal

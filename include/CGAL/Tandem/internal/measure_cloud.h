@@ -28,7 +28,7 @@ constexpr std::size_t measured_leaf = 2048;
 
 // About measured_points points in whole leaves, in the order of the curve.
 template <class Backend>
-std::vector<Grid_point> sample_leaves(Backend& backend, const std::vector<Grid_point>& point)
+std::vector<Grid_point> sample_leaves(Backend& backend, const Host_buffer<Grid_point>& point)
 {
   const Code_frame frame = make_code_frame(point.data(), point.size());
   const auto order = sort_along_curve(backend, point.data(), point.size(), frame);
@@ -74,15 +74,15 @@ inline double quantile(std::vector<double>& values, double q)
 
 // In the units of the coordinates. Not of an empty cloud.
 template <class Backend>
-Cloud_measure measure_cloud(Backend& backend, const std::vector<double>& coordinates)
+Cloud_measure measure_cloud(Backend& backend, const Import& in)
 {
-  const Coordinate_box box = bounding_box(coordinates);
+  const Coordinate_box box = bounding_box(in);
   if(!(box.extent() > 0))
     return Cloud_measure();
   const Grid grid = make_grid(box, std::ldexp(box.extent(), -16)); // 2^27 steps
-  std::vector<Grid_point> point(coordinates.size() / 3);
-  for(std::size_t i = 0; i < point.size(); ++i)
-    point[i] = to_grid(grid, 1 / grid.step, coordinates.data() + 3 * i, no_normal);
+  const double inverse_step = 1 / grid.step;
+  Host_buffer<Grid_point> point(in.size());
+  backend.for_each(in.size(), [&](std::size_t i) { point[i] = to_grid(grid, inverse_step, in.position(i), no_normal); });
   const std::vector<Grid_point> sample = sample_leaves(backend, point);
   std::vector<std::uint32_t> neighbor(sample.size() * measured_neighbors);
   find_neighbors(backend, sample.data(), std::uint32_t(sample.size()), measured_neighbors, neighbor.data());

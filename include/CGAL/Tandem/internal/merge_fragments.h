@@ -27,6 +27,10 @@ inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane
   return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
 }
 
+// Of a shape with more points than this only a sample is asked whether a plane is
+// tolerable. (Whether a point stays is always asked of each one.)
+constexpr std::int64_t sample_size = 1024;
+
 // Asks the points: how many of each listed shape fit its local plane, but not the
 // candidate. Planes that hardly move need no answer from the points.
 template <class Backend>
@@ -38,7 +42,7 @@ public:
                   std::vector<std::int64_t>& counts)
   {
     const std::size_t size = t_.shapes.size();
-    std::vector<std::uint8_t> is_asked(size, 0);
+    std::vector<std::uint32_t> mask(size, nobody);
     std::vector<Plane> before(size), after(size);
     std::vector<std::uint32_t> count(size, 0);
     bool is_any = false;
@@ -46,21 +50,29 @@ public:
       const Shape& shape = t_.shapes[ids[i]];
       if(bound_motion(shape.box, shape.local, candidates[i]) <= negligible_motion * t_.options.maximum_distance)
         continue;
-      is_asked[ids[i]] = 1;
+      mask[ids[i]] = sample_mask(shape);
       is_any = true;
       before[ids[i]] = rounded(shape.local);
       after[ids[i]] = rounded(candidates[i]);
     }
     if(is_any)
       t_.backend.template for_each_cell<Count_scratch>(
-        t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), is_asked.data(), before.data(),
-                                                after.data(), count.data(), t_.options.growth.tolerance});
+        t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), mask.data(), before.data(), after.data(),
+                                                count.data(), t_.options.growth.tolerance});
     counts.resize(ids.size());
     for(std::size_t i = 0; i < ids.size(); ++i)
-      counts[i] = count[ids[i]];
+      counts[i] = std::int64_t(count[ids[i]]) * (std::int64_t(mask[ids[i]]) + 1);
   }
 
 private:
+  static std::uint32_t sample_mask(const Shape& shape)
+  {
+    std::uint32_t mask = 0;
+    while(shape.moments.count / (2 * (std::int64_t(mask) + 1)) >= sample_size)
+      mask = 2 * mask + 1;
+    return mask;
+  }
+
   Tandem_state<Backend>& t_;
 };
 

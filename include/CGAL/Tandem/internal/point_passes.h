@@ -124,13 +124,17 @@ struct Count_scratch {
   std::uint32_t count[slots];
 };
 
+// Which points of a shape are asked: those whose position has no bit of the mask,
+// so all, every second one, every fourth one ...
+constexpr std::uint32_t nobody = 0xffffffffu;
+
 // Counts the points that fit the first plane of their shape but not the second.
 template <class Backend>
 struct Count_misfits {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* label;
-  const std::uint8_t* is_asked; // these four by shape
+  const std::uint32_t* mask; // these four by shape
   const Plane* before;
   const Plane* after;
   std::uint32_t* count;
@@ -145,10 +149,11 @@ struct Count_misfits {
       scratch.count[i] = 0;
     });
     block.for_each(cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t s = label[cell.first + at];
-      if(s >= first_mark || !is_asked[s])
+      const std::uint32_t i = cell.first + at;
+      const std::uint32_t s = label[i];
+      if(s >= first_mark || (i & mask[s]) != 0)
         return;
-      const Grid_point& p = cloud.point[cell.first + at];
+      const Grid_point& p = cloud.point[i];
       if(fits(after[s], p, tolerance) || !fits(before[s], p, tolerance))
         return;
       const std::uint32_t slot = s % Count_scratch::slots;

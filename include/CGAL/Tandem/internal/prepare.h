@@ -112,7 +112,7 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
              typename Backend::template Buffer<std::uint32_t>& order, typename Backend::template Buffer<Grid_point>& points,
              typename Backend::template Buffer<std::uint32_t>& neighbors, Stage_times& times)
 {
-  const std::size_t n = in.point.size();
+  const std::size_t n = in.size();
   const int k = int(parameters.k_neighbors);
   t.options = make_options(in, parameters);
   t.cloud = {nullptr, nullptr, std::uint32_t(n), k};

@@ -25,9 +25,16 @@ namespace regularity {
 constexpr double misfit_share = 0.2; // of its points, newly misfitting: the shape is refused
 constexpr double rms_share = 0.5;    // of epsilon, added in quadrature to the distance of the points: refused
 constexpr double still_share = 0.02; // of epsilon: a plane that moved less needs no verification
-constexpr int levels = 3;            // what was refused is clustered again with half the tolerance
+
+// What was refused is clustered again with half the tolerance. A shape large enough
+// to be refused has a precise normal: only true right angles are left to it, and at last none.
+constexpr int levels = 5;
+constexpr double parallel_share[levels] = {1, 0.5, 0.25, 0.125, 0.125};
+constexpr double right_share[levels] = {1, 0.25, 0.0625, 0.0625, 0};
 
 } // namespace regularity
+
+inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
 
 // The shapes with the plane that their points accepted last: the local fit at first.
 template <class Verify>
@@ -39,10 +46,6 @@ public:
     for(const Shape_fit& s : shapes)
       accepted.push_back(through_centroid(s, canonical(s.fit.normal)));
   }
-
-  const Regular_plane& plane(int shape) const { return accepted[shape]; }
-
-  static Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
 
   // Whether the direction adds too much to the distance of the points (from the moments alone).
   bool is_too_far(int shape, const Vector& n) const
@@ -110,27 +113,52 @@ public:
     : shapes(shapes), options(options), verified(verified)
   {}
 
-  // Returns the shapes that were refused at every level.
-  std::vector<int> fit(std::vector<int> pending)
+  // Groups the given shapes; those refused at every level are in no group.
+  void fit(std::vector<int> pending)
   {
-    double tolerance = options.angle_tolerance_deg;
-    for(int level = 0; level < regularity::levels && !pending.empty(); ++level, tolerance *= 0.5) {
-      const double sine = sine_deg(tolerance);
-      refit();
+    was_refused.assign(shapes.size(), 0);
+    for(int level = 0; level < regularity::levels && !pending.empty(); ++level) {
+      const double parallel_sine = sine_deg(options.angle_tolerance_deg * regularity::parallel_share[level]);
+      const double right_sine = sine_deg(options.angle_tolerance_deg * regularity::right_share[level]);
+      freeze(right_sine);
       if(options.parallelism && level > 0)
-        rejoin(pending, sine);
-      add_groups(pending, sine);
+        rejoin(pending, parallel_sine);
+      add_groups(pending, parallel_sine, right_sine);
       pending = settle();
-      const std::vector<int> refused = ask_points();
-      pending.insert(pending.end(), refused.begin(), refused.end());
+      for(int i : ask_points()) {
+        pending.push_back(i);
+        was_refused[i] = 1;
+      }
       std::sort(pending.begin(), pending.end());
     }
-    return pending;
   }
 
   const std::vector<Direction_group>& result() const { return groups; }
 
+  // Shapes that share no direction and keep their local fit, since the points refused something else.
+  std::vector<char> rolled_back() const
+  {
+    std::vector<char> result = was_refused;
+    for(const Direction_group& g : groups)
+      for(int i : g.members)
+        if(g.members.size() > 1 || !(g.direction == canonical(shapes[i].fit.normal)))
+          result[i] = 0;
+    return result;
+  }
+
 private:
+  // Groups that lost members are fitted again and tied within the smaller angle. At the last level what was
+  // accepted stays as it is.
+  void freeze(double right_sine)
+  {
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      groups[g].is_frozen = right_sine == 0 && !is_dirty[g];
+      if(is_dirty[g])
+        groups[g].sine = right_sine;
+    }
+    refit();
+  }
+
   // A refused shape joins a group that, without the other refused shapes, has come much closer to it.
   void rejoin(std::vector<int>& pending, double sine)
   {
@@ -142,7 +170,8 @@ private:
     for(int i : pending) {
       std::pair<double, std::size_t> best(0.25 * refused_cost[i], groups.size());
       index.near(shapes[i].fit.normal, [&](std::size_t g, double) {
-        best = (std::min)(best, {verified.added(i, fitted[g]), g});
+        if(!groups[g].is_frozen)
+          best = (std::min)(best, {verified.added(i, fitted[g]), g});
       });
       if(best.second == groups.size() || verified.is_too_far(i, fitted[best.second])) {
         rest.push_back(i);
@@ -155,17 +184,17 @@ private:
     pending.swap(rest);
   }
 
-  void add_groups(const std::vector<int>& pending, double sine)
+  void add_groups(const std::vector<int>& pending, double parallel_sine, double right_sine)
   {
     std::vector<std::vector<int>> clusters;
-    if(options.parallelism && sine > 1e-9) {
+    if(options.parallelism && parallel_sine > 1e-9) {
       std::vector<Vector> normal;
       std::vector<double> weight;
       for(int i : pending) {
         normal.push_back(shapes[i].fit.normal);
         weight.push_back(shapes[i].scatter.count);
       }
-      clusters = cluster_directions(normal, weight, sine);
+      clusters = cluster_directions(normal, weight, parallel_sine);
     } else {
       for(std::size_t k = 0; k < pending.size(); ++k)
         clusters.push_back({int(k)});
@@ -173,7 +202,7 @@ private:
     for(std::vector<int>& cluster : clusters) {
       for(int& k : cluster)
         k = pending[k];
-      groups.push_back({cluster, sine, {}, 0, {}, {}, {}});
+      groups.push_back({cluster, right_sine, {}, 0, {}, {}, {}, false});
       is_dirty.push_back(1);
     }
   }
@@ -221,7 +250,8 @@ private:
       Frames(groups, rms * rms).tie();
     } else {
       for(Direction_group& g : groups)
-        g.direction = g.fitted;
+        if(!g.is_frozen)
+          g.direction = g.fitted;
     }
   }
 
@@ -232,7 +262,7 @@ private:
     for(const Direction_group& g : groups)
       for(int i : g.members) {
         candidates.push_back(i);
-        planes.push_back(Verified_planes<Verify>::through_centroid(shapes[i], g.direction));
+        planes.push_back(through_centroid(shapes[i], g.direction));
       }
     const std::vector<char> is_refused = verified.test(candidates, planes);
     std::vector<int> refused;
@@ -279,6 +309,7 @@ private:
   Verified_planes<Verify>& verified;
   std::vector<Direction_group> groups;
   std::vector<char> is_dirty;       // per group: its members changed
+  std::vector<char> was_refused;    // per shape: by the points
   std::vector<double> refused_cost; // per shape: what the refused direction added
 };
 
@@ -333,30 +364,26 @@ template <class Verify>
 Relations regularize(const std::vector<Shape_fit>& shapes, const std::vector<char>& is_excluded,
                      const Regularity_options& options, Verify& verify)
 {
-  Relations r;
-  r.is_rolled_back.assign(shapes.size(), 0);
   std::vector<int> active;
   for(std::size_t i = 0; i < shapes.size(); ++i)
     if(!is_excluded[i] && shapes[i].scatter.count > 0 && dot(shapes[i].fit.normal, shapes[i].fit.normal) > 0.5)
       active.push_back(int(i));
   Verified_planes<Verify> verified(shapes, options.maximum_distance, verify);
   Direction_fitter<Verify> fitter(shapes, options, verified);
-  for(int i : fitter.fit(active))
-    r.is_rolled_back[i] = 1;
+  fitter.fit(active);
   std::vector<Regular_plane> plane;
-  for(std::size_t i = 0; i < shapes.size(); ++i)
-    plane.push_back(verified.plane(int(i)));
+  for(const Shape_fit& s : shapes)
+    plane.push_back(through_centroid(s, canonical(s.fit.normal)));
   for(const Direction_group& g : fitter.result())
     for(int i : g.members)
-      plane[i] = Verified_planes<Verify>::through_centroid(shapes[i], g.direction);
-  for(std::size_t i = 0; i < shapes.size(); ++i)
-    if(r.is_rolled_back[i])
-      plane[i] = Verified_planes<Verify>::through_centroid(shapes[i], canonical(shapes[i].fit.normal));
+      plane[i] = through_centroid(shapes[i], g.direction);
   const std::vector<int> direction = shared_directions(fitter.result(), shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);
   if(options.coplanarity && options.maximum_offset > 0)
     Coplanar_classes(shapes, direction, options.maximum_offset).fit(verified, plane, coplanar);
+  Relations r;
   number_relations(plane, direction, coplanar, r);
+  r.is_rolled_back = fitter.rolled_back();
   return r;
 }
 

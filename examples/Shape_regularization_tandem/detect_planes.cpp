@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Detects the planes of a point cloud file. detect_planes --help explains the options.
+// Exit code 0: success; 1: the data or the machine; 2: the command line.
+
+#include "Output_file.h"
+#include "program_options.h"
+#include "progress.h"
+#include "read_cloud.h"
+#include "report.h"
+#include "write_results.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/pca_estimate_normals.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <deque>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <new>
+
+namespace program {
+
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted, nothing was written") {}
+};
+
+// What was given, checked. A length or size that is to be estimated is 0.
+CGAL::Tandem::Parameters parameters_of(const Options& o)
+{
+  CGAL::Tandem::Parameters p;
+  p.maximum_angle = o.maximum_angle.value_or(p.maximum_angle);
+  p.angle_tolerance = o.angle_tolerance.value_or(p.angle_tolerance);
+  p.k_neighbors = std::size_t(o.k_neighbors.value_or(p.k_neighbors));
+  p.cell_size = std::size_t(o.cell_size.value_or(p.cell_size));
+  p.regularize_parallelism = o.regularize_parallelism;
+  p.regularize_orthogonality = o.regularize_orthogonality;
+  p.regularize_coplanarity = o.regularize_coplanarity;
+  CGAL::Tandem::Parameters checked = p;
+  checked.maximum_distance = o.maximum_distance.value_or(1);
+  checked.maximum_offset = o.maximum_offset.value_or(1);
+  checked.minimum_region_size = std::size_t(o.minimum_region_size.value_or(3));
+  try {
+    CGAL::Tandem::check_parameters(checked);
+  } catch(const std::invalid_argument& e) {
+    throw Usage_error(e.what());
+  }
+  p.maximum_distance = o.maximum_distance.value_or(0);
+  p.minimum_region_size = std::size_t(o.minimum_region_size.value_or(0));
+  return p;
+}
+
+void check_backend(const Options& o)
+{
+  if(o.backend == "cuda")
+    throw std::runtime_error("no CUDA device can be used: this program was built without the CUDA back end");
+#ifndef CGAL_LINKED_WITH_TBB
+  if(o.backend == "parallel")
+    throw std::runtime_error("the parallel back end needs oneTBB: this program was built without it");
+#endif
+}
+
+// The plain PCA of K neighbors, for comparisons. Points at infinity have no place in a kd-tree.
+void estimate_normals_by_pca(Point_set& points, unsigned int k)
+{
+  using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+  std::vector<Item> finite;
+  for(Point_set::Index i : points)
+    if(is_finite(points.point(i)))
+      finite.emplace_back(points.point(i), CGAL::NULL_VECTOR);
+  CGAL::pca_estimate_normals<CGAL::Parallel_if_available_tag>(
+    finite, k,
+    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Item>())
+      .normal_map(CGAL::Second_of_pair_property_map<Item>()));
+  points.add_normal_map();
+  auto next = finite.begin();
+  for(Point_set::Index i : points)
+    points.normal(i) = is_finite(points.point(i)) ? (next++)->second : Kernel::Vector_3(CGAL::NULL_VECTOR);
+}
+
+void prepare_normals(Point_set& points, const Options& o, Run& run)
+{
+  run.normals = points.has_normal_map() ? "given" : "estimated";
+  if(!o.estimate_normals)
+    return;
+  points.remove_normal_map();
+  run.normals = "estimated";
+  if(*o.estimate_normals == by_library)
+    return;
+  CGAL::Real_timer timer;
+  timer.start();
+  estimate_normals_by_pca(points, unsigned(*o.estimate_normals));
+  run.normals = "by PCA of " + std::to_string(*o.estimate_normals) + " neighbors";
+  run.normal_seconds = timer.time();
+}
+
+template <class Tag>
+Shapes detect(const Point_set& points, const Options& o, Progress_bar& progress)
+{
+  namespace np = CGAL::Tandem::parameters;
+  const std::function<bool(double)> callback = [&](double share) { return progress.show(share) && !is_interrupted(); };
+  const auto all = np::settings(parameters_of(o)).callback(callback);
+  if(o.maximum_offset)
+    return CGAL::Tandem::detect_planes<Tag>(points, all.maximum_offset(*o.maximum_offset));
+  return CGAL::Tandem::detect_planes<Tag>(points, all);
+}
+
+Shapes detect_on_backend(const Point_set& points, const Options& o, Run& run)
+{
+  Progress_bar progress(!o.is_quiet);
+#ifdef CGAL_LINKED_WITH_TBB
+  if(o.backend != "sequential") {
+    run.threads = tbb::this_task_arena::max_concurrency();
+    if(o.threads)
+      run.threads = (std::min)(run.threads, int(*o.threads));
+    return detect<CGAL::Parallel_tag>(points, o, progress);
+  }
+#endif
+  run.threads = 1;
+  return detect<CGAL::Sequential_tag>(points, o, progress);
+}
+
+// The files that are asked for, opened before the work starts, so that a bad name costs no time.
+class Output_files {
+public:
+  explicit Output_files(const Options& o)
+  {
+    open(o.output, [](std::ostream& out, const Results& r) { write_ply(out, r.points, r.shapes); });
+    open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
+    open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
+    open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
+  }
+
+  // All of them or, if one cannot be written, none.
+  void write(const Point_set& points, const Shapes& shapes, const Run& run)
+  {
+    for(std::size_t i = 0; i < files.size(); ++i) {
+      writers[i](files[i].stream(), Results{points, shapes, run});
+      files[i].close();
+    }
+    for(Output_file& file : files)
+      file.commit();
+  }
+
+private:
+  struct Results {
+    const Point_set& points;
+    const Shapes& shapes;
+    const Run& run;
+  };
+  using Writer = void (*)(std::ostream&, const Results&);
+
+  void open(const std::string& path, Writer writer)
+  {
+    if(path.empty())
+      return;
+    files.emplace_back(path);
+    writers.push_back(writer);
+  }
+
+  std::deque<Output_file> files; // a file does not move
+  std::vector<Writer> writers;
+};
+
+void run(const Options& o)
+{
+  parameters_of(o); // bad values must not wait for a large file
+  check_backend(o);
+#ifdef CGAL_LINKED_WITH_TBB
+  std::unique_ptr<tbb::global_control> limit;
+  if(o.threads)
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(*o.threads));
+#endif
+  Run run;
+  run.input = o.input;
+  CGAL::Real_timer timer;
+  timer.start();
+  Point_set points;
+  read_cloud(o.input, points);
+  run.read_seconds = timer.time();
+  Output_files files(o);
+  prepare_normals(points, o, run);
+
+  const Shapes shapes = detect_on_backend(points, o, run);
+  if(shapes.is_cancelled() || is_interrupted())
+    throw Interrupted();
+  files.write(points, shapes, run);
+  if(!o.is_quiet)
+    print_summary(std::cout, shapes, run);
+  if(!std::cout.flush())
+    throw std::runtime_error("standard output cannot be written");
+}
+
+// One line, whatever a library put into its message.
+int fail(int code, std::string message)
+{
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << "detect_planes: " << message << std::endl;
+  return code;
+}
+
+} // namespace program
+
+int main(int argc, char* argv[])
+{
+  program::catch_interrupts();
+  try {
+    const program::Command_line command_line = program::parse(argc, argv);
+    if(command_line.options.wants_help)
+      std::cout << command_line.help << std::flush;
+    else
+      program::run(command_line.options);
+    return 0;
+  } catch(const program::Usage_error& e) {
+    return program::fail(2, std::string(e.what()) + " (detect_planes --help lists the options)");
+  } catch(const std::bad_alloc&) {
+    return program::fail(1, "not enough memory");
+  } catch(const std::exception& e) {
+    return program::fail(1, e.what());
+  }
+}

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads a cloud with CGAL's readers, and says in one line what is wrong with a file
+// that they cannot read, or would misread without a word.
+
+#ifndef DETECT_PLANES_READ_CLOUD_H
+#define DETECT_PLANES_READ_CLOUD_H
+
+#include "ply_header.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Point_set_3/IO.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace program {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
+
+// CGAL's readers report on std::cerr; what they say becomes part of our one line.
+class Captured_messages {
+public:
+  Captured_messages() : previous(std::cerr.rdbuf(text.rdbuf())) {}
+  ~Captured_messages() { std::cerr.rdbuf(previous); }
+  Captured_messages(const Captured_messages&) = delete;
+  Captured_messages& operator=(const Captured_messages&) = delete;
+
+  std::string first_line() const { return text.str().substr(0, text.str().find('\n')); }
+
+private:
+  std::ostringstream text;
+  std::streambuf* previous;
+};
+
+inline std::string lower_case_extension(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+inline void check_file(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if(status.type() == fs::file_type::not_found)
+    throw std::runtime_error(path + ": no such file");
+  if(status.type() == fs::file_type::directory)
+    throw std::runtime_error(path + ": is a directory");
+  if(status.type() != fs::file_type::regular)
+    throw std::runtime_error(path + ": is not a regular file" + (error ? " (" + error.message() + ")" : ""));
+  if(fs::file_size(path, error) == 0)
+    throw std::runtime_error(path + ": is empty");
+  errno = 0;
+  if(!std::ifstream(path, std::ios::binary))
+    throw std::runtime_error(path + ": cannot be opened (" + std::strerror(errno) + ")");
+
+  const std::string extension = lower_case_extension(path);
+#ifdef CGAL_LINKED_WITH_LASLIB
+  const bool is_las = extension == ".las";
+#else
+  const bool is_las = false;
+#endif
+  if(extension != ".ply" && extension != ".xyz" && extension != ".pwn" && extension != ".off" && !is_las)
+    throw std::runtime_error(path + ": unknown format '" + extension + "', expected .ply, .xyz, .pwn, .off" +
+                             (extension == ".las" ? " (this program was built without LASlib)" : ""));
+}
+
+// The number of points that a text file announces, 0 if it does not: after the word
+// OFF or NOFF, or alone on the first line of an .xyz file.
+inline std::size_t announced_points(const std::string& path, const std::string& extension)
+{
+  if(extension != ".off" && extension != ".xyz" && extension != ".pwn")
+    return 0;
+  std::ifstream in(path);
+  std::string line;
+  do {
+    if(!std::getline(in, line))
+      return 0;
+  } while(line.empty() || line[0] == '#' || line.find("OFF") != std::string::npos);
+  std::istringstream words(line);
+  std::size_t n = 0;
+  std::string second;
+  const bool is_count = bool(words >> n) && (extension == ".off" || !(words >> second));
+  return is_count && line.find('.') == std::string::npos ? n : 0;
+}
+
+inline bool is_finite(const Kernel::Point_3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+inline bool is_usable_normal(const Kernel::Vector_3& v)
+{
+  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()) && v != CGAL::NULL_VECTOR;
+}
+
+inline void check_points(const std::string& path, Point_set& points)
+{
+  if(points.empty())
+    throw std::runtime_error(path + ": has no points");
+  if(std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_finite(points.point(i)); }))
+    throw std::runtime_error(path + ": none of its " + std::to_string(points.size()) + " points has finite coordinates");
+  // Some writers fill the fields of normals that they do not have with zeros.
+  if(points.has_normal_map() && std::none_of(points.begin(), points.end(), [&](Point_set::Index i) {
+       return is_usable_normal(points.normal(i));
+     }))
+    points.remove_normal_map();
+}
+
+inline void read_cloud(const std::string& path, Point_set& points)
+{
+  check_file(path);
+  const std::string extension = lower_case_extension(path);
+  const std::size_t expected = extension == ".ply" ? check_ply(path) : announced_points(path, extension);
+  bool is_read = false;
+  std::string reason;
+  {
+    const Captured_messages messages;
+    try {
+      is_read = CGAL::IO::read_point_set(path, points);
+      reason = messages.first_line();
+    } catch(const std::exception& e) {
+      reason = e.what();
+    }
+  }
+  if(!is_read || points.size() < expected)
+    throw std::runtime_error(path + ": unreadable after point " + std::to_string(points.size()) +
+                             (expected > 0 ? " of " + std::to_string(expected) : "") +
+                             (reason.empty() ? "" : " (" + reason + ")"));
+  check_points(path, points);
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_READ_CLOUD_H

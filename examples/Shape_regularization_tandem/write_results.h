@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The colored cloud, the labels and the planes. Everything is written exactly, so
+// that the guarantees can be checked from the files.
+
+#ifndef DETECT_PLANES_WRITE_RESULTS_H
+#define DETECT_PLANES_WRITE_RESULTS_H
+
+#include "read_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <iomanip>
+#include <ostream>
+#include <string>
+
+namespace program {
+
+using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
+
+inline bool is_little_endian()
+{
+  const std::uint16_t one = 1;
+  unsigned char first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+// Binary numbers, little-endian on every machine.
+class Binary_writer {
+public:
+  explicit Binary_writer(std::ostream& out) : out(out), is_swapped(!is_little_endian()) {}
+
+  template <class T>
+  void write(T value)
+  {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    if(is_swapped)
+      std::reverse(bytes, bytes + sizeof(T));
+    out.write(bytes, sizeof(T));
+  }
+
+  void write_real(double value, bool is_double)
+  {
+    if(is_double)
+      write(value);
+    else
+      write(float(value));
+  }
+
+private:
+  std::ostream& out;
+  bool is_swapped;
+};
+
+using Color = std::array<std::uint8_t, 3>;
+
+// Steps of the golden ratio around the color wheel keep shapes of close indices apart.
+inline Color color_of_shape(int shape)
+{
+  if(shape < 0)
+    return {110, 110, 110};
+  const double hue = 6 * std::fmod(0.13 + 0.61803398874989485 * shape, 1.0);
+  const double saturation = shape % 3 == 1 ? 0.55 : 0.8;
+  const double value = shape % 2 == 1 ? 0.8 : 1.0;
+  const auto channel = [&](double shift) {
+    const double x = std::fmod(shift + hue, 6.0);
+    const double share = (std::max)(0.0, (std::min)({x, 4 - x, 1.0}));
+    return std::uint8_t(std::lround(255 * value * (1 - saturation * share)));
+  };
+  return {channel(5), channel(3), channel(1)};
+}
+
+inline Kernel::Vector_3 normal_used(const Point_set& points, const Shapes& shapes, Point_set::Index i)
+{
+  return shapes.has_estimated_normals() ? shapes.estimated_normal(i) : points.normal(i);
+}
+
+inline bool fits_float(double x) { return !std::isfinite(x) || double(float(x)) == x; }
+
+template <class Get_vector>
+bool needs_double(const Point_set& points, Get_vector get_vector)
+{
+  return std::any_of(points.begin(), points.end(), [&](Point_set::Index i) {
+    const auto& v = get_vector(i);
+    return !fits_float(v.x()) || !fits_float(v.y()) || !fits_float(v.z());
+  });
+}
+
+inline void write_ply(std::ostream& out, const Point_set& points, const Shapes& shapes)
+{
+  const auto normal = [&](Point_set::Index i) { return normal_used(points, shapes, i); };
+  // One type for coordinates and normals: some readers want them to agree.
+  const bool is_double =
+    needs_double(points, [&](Point_set::Index i) { return points.point(i); }) || needs_double(points, normal);
+  const char* type = is_double ? "double" : "float";
+  out << "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex " << points.size();
+  for(const char* name : {"x", "y", "z", "nx", "ny", "nz"})
+    out << "\nproperty " << type << ' ' << name;
+  out << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty int shape\nend_header\n";
+
+  Binary_writer binary(out);
+  for(Point_set::Index i : points) {
+    const Kernel::Point_3& p = points.point(i);
+    const Kernel::Vector_3 n = normal(i);
+    for(double x : {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()})
+      binary.write_real(x, is_double);
+    const int shape = shapes.shape_index(i);
+    for(std::uint8_t channel : color_of_shape(shape))
+      binary.write(channel);
+    binary.write(std::int32_t(shape));
+  }
+}
+
+inline void write_labels(std::ostream& out, const Shapes& shapes)
+{
+  Binary_writer binary(out);
+  for(std::int32_t shape : shapes.shape_indices())
+    binary.write(shape);
+}
+
+inline void write_planes(std::ostream& out, const Shapes& shapes)
+{
+  out << std::setprecision(17);
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+    const auto& c = shapes.coefficients(s);
+    out << c[0] << ' ' << c[1] << ' ' << c[2] << ' ' << c[3] << '\n';
+  }
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_WRITE_RESULTS_H

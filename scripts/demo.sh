@@ -1,0 +1,65 @@
+#!/bin/sh
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds the program detect_planes and runs it on the
+# building of CGAL's Debian package libcgal-demo.
+#   TANDEM_BUILD_DIR  where to build (default: build/release of this repository)
+#   TANDEM_WITH_TBB   OFF builds the sequential back end only
+#   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
+
+set -eu
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=${TANDEM_BUILD_DIR:-$root/build/release}
+result=$build/demo
+cloud=$result/building.ply
+
+fail() { echo "demo.sh: $*" >&2; exit 1; }
+
+install_packages()
+{
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] && return
+  "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev
+  [ "${TANDEM_WITH_TBB:-ON}" = OFF ] || "$root/scripts/install_dependencies.sh" libtbb-dev ||
+    echo "demo.sh: going on without oneTBB"
+}
+
+# Minimal containers drop /usr/share/doc when a package is installed: then the
+# package itself is fetched and opened.
+find_data()
+{
+  data=/usr/share/doc/libcgal-dev/data.tar.gz
+  [ -f "$data" ] && return
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libcgal-demo
+  [ -f "$data" ] && return
+  (cd "$result" && apt-get download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb package) ||
+    fail "cannot get the package libcgal-demo, which has the sample cloud"
+  data=$result/package/usr/share/doc/libcgal-dev/data.tar.gz
+  [ -f "$data" ] || fail "the package libcgal-demo has no data.tar.gz"
+}
+
+mkdir -p "$result"
+install_packages
+if [ ! -s "$cloud" ]; then
+  find_data
+  tar -xzOf "$data" data/points_3/building.ply > "$cloud.part" || fail "no building.ply in $data"
+  mv "$cloud.part" "$cloud"
+fi
+
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON \
+  -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" > "$result/cmake.log" 2>&1 ||
+  { cat "$result/cmake.log" >&2; fail "cmake failed"; }
+echo "Building detect_planes (a minute or so) ..."
+cmake --build "$build" --target detect_planes > "$result/build.log" 2>&1 ||
+  { cat "$result/build.log" >&2; fail "the build failed"; }
+program=$build/examples/Shape_regularization_tandem/detect_planes
+
+"$program" "$cloud" --maximum-distance 0.15 --output "$result/building_shapes.ply" \
+  --planes "$result/building_planes.txt" --labels "$result/building_labels.bin" --report "$result/building_report.json"
+
+echo
+echo "Colored points: $result/building_shapes.ply"
+echo "Planes:         $result/building_planes.txt"
+echo "Report:         $result/building_report.json"
+echo "Your own cloud: $program CLOUD.ply --output shapes.ply    (--help lists the options)"

@@ -1,0 +1,67 @@
+#!/bin/sh
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds and runs all tests: the release build with TBB, then
+# a choice of them without TBB, under ASan + UBSan, and under TSan.
+#   test.sh [release] [sequential] [asan] [tsan]    only these (default: all four)
+#   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
+#   TANDEM_JOBS       compilers at a time (default: number of processors)
+#   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
+
+set -eu
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=${TANDEM_BUILD_DIR:-$root/build}
+jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
+
+# The tests that the other configurations build as well: they reach every part of the
+# engine and are small, and compiling is what takes the time.
+small='test_(bodies|curve|neighbors|growth|regular|bad_input|detect|engine|thread_backend)'
+
+fail() { echo "test.sh: $*" >&2; exit 1; }
+
+# configuration NAME CTEST_LABEL CMAKE_OPTIONS...
+configuration()
+{
+  name=$1; label=$2; shift 2
+  echo "== $name"
+  cmake -S "$root" -B "$build/$name" -DTANDEM_BUILD_TESTS=ON -DTANDEM_BUILD_EXAMPLES=ON "$@" > /dev/null ||
+    fail "cmake failed for $name"
+  cmake --build "$build/$name" -j "$jobs" > "$build/$name/build.log" 2>&1 ||
+    { cat "$build/$name/build.log" >&2; fail "the build $name failed"; }
+  (cd "$build/$name" && ctest --output-on-failure --no-tests=error -L "$label") || fail "tests of $name failed"
+}
+
+sanitizer_flags='-O1 -g1 -fno-omit-frame-pointer'
+
+run_release() { configuration release . -DCMAKE_BUILD_TYPE=Release; }
+
+run_sequential()
+{
+  configuration sequential 'small|program' -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_TBB=OFF "-DTANDEM_TESTS=$small"
+}
+
+run_asan()
+{
+  configuration asan small -DCMAKE_BUILD_TYPE=Debug "-DTANDEM_TESTS=$small" \
+    "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=address,undefined -fno-sanitize-recover=all"
+}
+
+# The library of TBB is not instrumented, so TSan would call its hand-over of tasks a
+# race. The tests labeled "threads" run the same bodies on threads of their own.
+run_tsan()
+{
+  configuration tsan threads -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF -DTANDEM_BUILD_EXAMPLES=OFF \
+    -DTANDEM_TESTS=test_thread_backend "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
+}
+
+[ $# -gt 0 ] || set -- release sequential asan tsan
+[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh"
+for part in "$@"; do
+  case $part in
+    release | sequential | asan | tsan) "run_$part" ;;
+    *) fail "unknown configuration $part; choose of release sequential asan tsan" ;;
+  esac
+done
+echo "test.sh: all tests passed ($*)"

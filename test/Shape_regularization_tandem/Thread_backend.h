@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A model of Backend on std::thread. ThreadSanitizer sees all of it, while the
+// library of TBB is not instrumented, and it deals out small pieces, so that a body
+// meets its neighbors more often. It also shows that Backend is a concept.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H
+
+#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/backend/Serial_block.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+class Thread_backend {
+public:
+  template <class T>
+  using Buffer = Host_buffer<T>;
+
+  explicit Thread_backend(unsigned threads = 3) : threads_(threads) {}
+
+  static const char* name() { return "threads"; }
+
+  template <class F>
+  void for_each(std::size_t n, F f)
+  {
+    for_each_piece(n, 256, [&](std::size_t first, std::size_t last) {
+      for(std::size_t i = first; i < last; ++i)
+        f(i);
+    });
+  }
+
+  template <class F>
+  void for_each_piece(std::size_t n, std::size_t grain, F f)
+  {
+    run((n + grain - 1) / grain, [&](std::atomic<std::size_t>& next, std::size_t pieces) {
+      for(std::size_t piece; (piece = next++) < pieces;)
+        f(piece * grain, (std::min)((piece + 1) * grain, n));
+    });
+  }
+
+  template <class Scratch, class Body>
+  void for_each_cell(std::size_t cells, Body body)
+  {
+    run(cells, [&](std::atomic<std::size_t>& next, std::size_t end) {
+      auto scratch = std::make_unique<Scratch>();
+      Serial_block block;
+      for(std::size_t c; (c = next++) < end;)
+        body(block, *scratch, std::uint32_t(c));
+    });
+  }
+
+  // Equal keys come in an order of their own, as they may.
+  void sort_by_key(Keyed_index* first, Keyed_index* last)
+  {
+    std::reverse(first, last);
+    std::sort(first, last, [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
+  }
+
+  template <class T, class Get_range, class Less>
+  void sort_ranges(std::size_t ranges, T* data, Get_range range, Less less)
+  {
+    for_each_piece(ranges, 1, [&](std::size_t c, std::size_t) {
+      const Range r = range(c);
+      std::sort(data + r.first, data + r.last, less);
+    });
+  }
+
+  template <class T>
+  static T atomic_add(T& target, T value)
+  {
+    return __atomic_fetch_add(&target, value, __ATOMIC_RELAXED);
+  }
+
+  template <class T>
+  static void atomic_min(T& target, T value)
+  {
+    for(T old = atomic_load(target); value < old;)
+      old = exchange_or_load(target, old, value);
+  }
+
+  template <class T>
+  static void atomic_max(T& target, T value)
+  {
+    for(T old = atomic_load(target); old < value;)
+      old = exchange_or_load(target, old, value);
+  }
+
+  template <class T>
+  static T atomic_load(const T& target)
+  {
+    return __atomic_load_n(&target, __ATOMIC_RELAXED);
+  }
+
+  template <class T>
+  static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    __atomic_compare_exchange_n(&target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+    return expected;
+  }
+
+private:
+  // The value that target has afterwards.
+  template <class T>
+  static T exchange_or_load(T& target, T old, T value)
+  {
+    return __atomic_compare_exchange_n(&target, &old, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED) ? value : old;
+  }
+
+  // work(next, end) on each thread, which takes the items below end from next.
+  template <class Work>
+  void run(std::size_t end, Work work)
+  {
+    std::atomic<std::size_t> next(0);
+    std::vector<std::thread> others;
+    for(unsigned t = 1; t < threads_ && t < end; ++t)
+      others.emplace_back([&] { work(next, end); });
+    work(next, end);
+    for(std::thread& t : others)
+      t.join();
+  }
+
+  unsigned threads_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H

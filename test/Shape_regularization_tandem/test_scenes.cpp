@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The generated scenes are what they claim to be: points on their faces, known
+// numbers of directions and planes, no two labels for one connected plane.
+
+#undef NDEBUG
+
+#define BOOST_TEST_MODULE scenes
+#include <boost/test/included/unit_test.hpp>
+
+#include "../../benchmark/Shape_regularization_tandem/plane_relations.h"
+#include "scenes.h"
+
+#include <cstring>
+#include <set>
+#include <tuple>
+
+namespace scenes = CGAL::Tandem::scenes;
+using CGAL::Tandem::benchmark::Plane;
+using CGAL::Tandem::benchmark::Plane_relations;
+using CGAL::Tandem::benchmark::relaxed_relations;
+using scenes::Options;
+using scenes::Scene;
+using scenes::Vec;
+
+namespace {
+
+Plane_relations relations(const Scene& scene)
+{
+  std::vector<Plane> planes;
+  for(const scenes::Truth_face& f : scene.faces)
+    planes.push_back({f.normal, f.offset});
+  return Plane_relations(planes, relaxed_relations(scene.diagonal, {0, 0, 0}));
+}
+
+Options options(std::size_t points)
+{
+  Options o;
+  o.points = points;
+  return o;
+}
+
+std::uint64_t hash(const Scene& scene)
+{
+  std::uint64_t h = 0xcbf29ce484222325u;
+  auto add = [&](double value) {
+    std::uint64_t bits;
+    static_assert(sizeof(bits) == sizeof(value), "double has 64 bits");
+    std::memcpy(&bits, &value, sizeof(bits));
+    h = (h ^ bits) * 0x100000001b3u;
+  };
+  for(std::size_t i = 0; i < scene.points.size(); ++i)
+    for(const Vec& v : {scene.points[i], scene.normals[i]})
+      for(double c : {v.x, v.y, v.z, double(scene.label[i])})
+        add(c);
+  return h;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(clean_points_lie_on_their_faces)
+{
+  for(const std::string& name : scenes::scene_names()) {
+    Scene scene = scenes::make_scene(name, options(20000));
+    BOOST_REQUIRE_EQUAL(scene.points.size(), 20000u);
+    for(std::size_t i = 0; i < scene.points.size(); ++i) {
+      std::int32_t f = scene.label[i];
+      BOOST_REQUIRE_MESSAGE(f >= -1 && f < std::int32_t(scene.faces.size()), name << ": label " << f << " of " << i);
+      BOOST_REQUIRE_MESSAGE(std::abs(length(scene.normals[i]) - 1) < 1e-12, name << ": normal " << i);
+      if(f < 0)
+        continue;
+      double d = dot(scene.faces[std::size_t(f)].normal, scene.points[i]) + scene.faces[std::size_t(f)].offset;
+      BOOST_REQUIRE_MESSAGE(std::abs(d) < 1e-11 * scene.diagonal, name << ": point " << i << " is " << d << " off");
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(directions_and_planes_are_as_counted_by_hand)
+{
+  struct Expected {
+    const char* name;
+    std::size_t faces, directions, planes, degrees_of_freedom;
+  };
+  // The vertical has two degrees of freedom, and one for each frame around it.
+  const Expected expected[] = {{"cube", 6, 3, 6, 3},      {"tilted_cube", 6, 6, 6, 12}, {"staircase", 16, 2, 16, 3},
+                               {"squares_gap", 2, 1, 1, 2}, {"squares_touching", 1, 1, 1, 2}, {"slope", 3, 2, 2, 4},
+                               {"chained", 3, 3, 3, 6},   {"two_leaves", 3, 3, 3, 4},   {"offset_pair", 2, 1, 2, 2},
+                               {"sphere", 0, 0, 0, 0},    {"noise", 0, 0, 0, 0}};
+  for(const Expected& e : expected) {
+    Scene scene = scenes::make_scene(e.name, options(100));
+    Plane_relations r = relations(scene);
+    BOOST_TEST_CONTEXT(e.name) {
+      BOOST_TEST(scene.faces.size() == e.faces);
+      BOOST_TEST(r.directions() == e.directions);
+      BOOST_TEST(r.planes() == e.planes);
+      BOOST_TEST(r.degrees_of_freedom() == e.degrees_of_freedom);
+    }
+  }
+  BOOST_TEST(relations(scenes::make_scene("village", options(100))).directions() == 65u);
+}
+
+// Faces in one plane whose points share or neighbor a voxel would be one shape
+// with two labels, and the truth would be wrong.
+BOOST_AUTO_TEST_CASE(coplanar_faces_do_not_touch)
+{
+  using Voxel = std::tuple<long, long, long>;
+  for(const char* name : {"house", "village", "indoor", "part", "squares_gap"}) {
+    Scene scene = scenes::make_scene(name, options(300000));
+    Plane_relations r = relations(scene);
+    double size = 6e-4 * scene.diagonal;
+    std::vector<std::set<Voxel>> voxels(scene.faces.size());
+    for(std::size_t i = 0; i < scene.points.size(); ++i)
+      if(scene.label[i] >= 0) {
+        Vec p = (1 / size) * scene.points[i];
+        voxels[std::size_t(scene.label[i])].emplace(std::lround(p.x), std::lround(p.y), std::lround(p.z));
+      }
+    for(std::size_t f = 0; f < voxels.size(); ++f)
+      for(std::size_t g = 0; g < f; ++g)
+        if(r.are_coplanar(f, g))
+          for(const Voxel& v : voxels[f])
+            BOOST_REQUIRE_MESSAGE(voxels[g].count(v) == 0, name << ": faces " << f << " and " << g << " touch");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_face_is_seen)
+{
+  for(const char* name : {"house", "village", "indoor", "part"}) {
+    Scene scene = scenes::make_scene(name, options(300000));
+    std::vector<std::size_t> count(scene.faces.size(), 0);
+    for(std::int32_t f : scene.label)
+      if(f >= 0)
+        ++count[std::size_t(f)];
+    for(std::size_t f = 0; f < count.size(); ++f)
+      BOOST_TEST(count[f] > 0u, name << ": face " << f << " has no point");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(same_seed_same_bits)
+{
+  Options o = options(5000);
+  o.noise = 0.002;
+  o.outliers = 0.2;
+  o.varies_density = true;
+  o.normals = scenes::Normals::perturbed;
+  std::uint64_t first = hash(scenes::make_scene("house", o));
+  BOOST_TEST(first == hash(scenes::make_scene("house", o)));
+  // The same for all compilers and flags.
+  BOOST_TEST(first == 0x0u);
+  o.seed = 2;
+  BOOST_TEST(first != hash(scenes::make_scene("house", o)));
+}
+
+BOOST_AUTO_TEST_CASE(noise_and_outliers_have_the_size_asked_for)
+{
+  Options o = options(50000);
+  o.noise = 0.01;
+  o.outliers = 0.2;
+  o.normals = scenes::Normals::perturbed;
+  o.normal_noise_deg = 3;
+  Scene scene = scenes::make_scene("cube", o);
+  double outliers = 0, squares = 0, tilts = 0, count = 0;
+  for(std::size_t i = 0; i < scene.points.size(); ++i) {
+    if(scene.label[i] < 0) {
+      ++outliers;
+      continue;
+    }
+    const scenes::Truth_face& f = scene.faces[std::size_t(scene.label[i])];
+    double d = dot(f.normal, scene.points[i]) + f.offset, tilt = length(cross(f.normal, scene.normals[i]));
+    squares += d * d;
+    tilts += tilt * tilt / 2;    // two axes
+    ++count;
+  }
+  BOOST_TEST(outliers / 50000 == 0.2, boost::test_tools::tolerance(0.05));
+  BOOST_TEST(std::sqrt(squares / count) == 0.01 * std::sqrt(3.0), boost::test_tools::tolerance(0.03));
+  BOOST_TEST(std::sqrt(tilts / count) * 57.29577951308232 == 3.0, boost::test_tools::tolerance(0.03));
+}
+
+BOOST_AUTO_TEST_CASE(density_falls_off_where_asked)
+{
+  Options o = options(20000);
+  auto mean_distance = [&](const char* name) {
+    scenes::Model model = scenes::make_model(name);
+    Scene scene = scenes::make_scene(model, o);
+    double sum = 0;
+    for(const Vec& p : scene.points) {
+      double nearest = 1e300;
+      for(const Vec& s : model.scanners)
+        nearest = (std::min)(nearest, length(p - s));
+      sum += nearest;
+    }
+    return sum / double(scene.points.size());
+  };
+  for(const char* name : {"house", "village", "indoor", "part"}) {
+    o.varies_density = false;
+    double even = mean_distance(name);
+    o.varies_density = true;
+    BOOST_TEST(mean_distance(name) < 0.98 * even, name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_seen_inside_a_solid)
+{
+  for(const char* name : {"house", "village", "indoor", "part"}) {
+    scenes::Model model = scenes::make_model(name);
+    Scene scene = scenes::make_scene(model, options(20000));
+    for(std::size_t i = 0; i < scene.points.size(); ++i)
+      BOOST_REQUIRE_MESSAGE(scene.label[i] < 0 || !model.is_hidden(scene.points[i], 1e-6), name << ": point " << i);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(scenes_without_normals_and_unknown_scenes)
+{
+  Options o = options(100);
+  o.normals = scenes::Normals::none;
+  BOOST_TEST(scenes::make_scene("cube", o).normals.empty());
+  BOOST_CHECK_THROW(scenes::make_scene("castle", o), std::invalid_argument);
+  BOOST_TEST(scenes::make_scene("cube", options(0)).points.empty());
+}

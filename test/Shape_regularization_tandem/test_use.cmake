@@ -1,0 +1,53 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Another project uses Tandem, through find_package after an installation or through
+# add_subdirectory: configured, built and run in WORK_DIR, a folder of its own.
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN} ended with ${status}:\n${text}")
+  endif()
+endfunction()
+
+set(common -DCMAKE_CXX_COMPILER=${CXX} -DTANDEM_WITH_TBB=${WITH_TBB})
+file(REMOVE_RECURSE "${WORK_DIR}")
+file(MAKE_DIRECTORY "${WORK_DIR}/user")
+
+if(USE STREQUAL "find_package")
+  run(${CMAKE_COMMAND} -S ${TANDEM_DIR} -B ${WORK_DIR}/tandem ${common} -DTANDEM_BUILD_EXAMPLES=OFF
+      -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
+  run(${CMAKE_COMMAND} --build ${WORK_DIR}/tandem --target install)
+  set(get_tandem "find_package(Tandem 0.1 REQUIRED)")
+else()
+  set(get_tandem "add_subdirectory(\"${TANDEM_DIR}\" tandem)")
+endif()
+
+file(WRITE "${WORK_DIR}/user/CMakeLists.txt" "
+cmake_minimum_required(VERSION 3.16)
+project(user LANGUAGES CXX)
+${get_tandem}
+add_executable(user user.cpp)
+target_link_libraries(user PRIVATE Tandem::tandem)
+")
+file(WRITE "${WORK_DIR}/user/user.cpp" "
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Shape_regularization_tandem.h>
+int main()
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> points;
+  for(int i = 0; i < 400; ++i)
+    points.emplace_back(Kernel::Point_3(i % 20, i / 20, 0), Kernel::Vector_3(0, 0, 1));
+  using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
+  using Normals = CGAL::Second_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
+  const auto shapes = CGAL::Tandem::detect_planes<CGAL::Parallel_if_available_tag>(
+    points, CGAL::parameters::point_map(Map()).normal_map(Normals()));
+  return shapes.number_of_shapes() == 1 ? 0 : 1;
+}
+")
+run(${CMAKE_COMMAND} -S ${WORK_DIR}/user -B ${WORK_DIR}/build ${common} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix
+    -DCMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
+run(${WORK_DIR}/build/user)
