@@ -39,7 +39,7 @@ public:
 
     Stage_timer regularity(times_.regularity);
     refit_shapes(state_);
-    std::vector<Link> links = collect_links(state_, least_links);
+    std::vector<Link> links = collect_links(state_, least_links, Links::changed);
     merge_fragments(state_, links, misfit_share);
     relations_ = regularize_shapes(state_, false);
     std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);

@@ -87,6 +87,7 @@ struct Shape {
   int retry_round = 0;         // not regularized before this round ...
   std::int64_t retry_count = 0; // ... or before it has this many points
   bool is_active = false;
+  bool is_changed = true;      // its points or its plane have changed since its links were collected
   bool is_dirty = true;        // its points have changed since it was fitted
 };
 

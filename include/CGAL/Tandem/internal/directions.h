@@ -27,17 +27,36 @@ inline Vector canonical(const Vector& n)
 
 inline bool operator==(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-// Unit normals in a dense grid of cubes. Those near the equator are entered with
-// both signs, so that a query looks at one place only.
+// On a grid of 2^-24 (less than 4e-6 degrees) differences, squares and weighted
+// sums of normals are exact, so that they need no fma, which costs a call on plain x86-64.
+inline Vector rounded_normal(const Vector& n)
+{
+  const double scale = double(1 << 24);
+  return {double(llrint(n.x * scale)) / scale, double(llrint(n.y * scale)) / scale, double(llrint(n.z * scale)) / scale};
+}
+
+inline double rounded_dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// Rounded unit normals in a dense grid of cubes. Those near the equator are entered
+// with both signs, so that a query looks at one place only.
 class Direction_index {
 public:
   using Position = Vector;
 
-  // The weighted mean of normals turned to the side of the first one.
+  // The weighted mean of rounded normals turned to the side of the first one.
   class Mean {
   public:
     explicit Mean(const Vector& side) : side(side) {}
-    void add(const Vector& n, double w) { sum = add_scaled(sum, dot(side, n) < 0 ? -w : w, n); }
+
+    void add(const Vector& n, double weight)
+    {
+      // the sign is certain, as n is near; 24 bits of weight make the products exact
+      const double w = rounded_dot(side, n) < 0 ? -float(weight) : float(weight);
+      sum.x += w * n.x;
+      sum.y += w * n.y;
+      sum.z += w * n.z;
+    }
+
     Vector value() const { return dot(sum, sum) > 0 ? canonical(unit(sum)) : side; }
 
   private:
@@ -52,12 +71,12 @@ public:
 
   // radius: the sine of the largest angle that a query reaches.
   Direction_index(const std::vector<Vector>& normals, double radius)
-    : squared_radius(radius * radius), chord(chord_of(squared_radius))
+    : chord(chord_of(radius * radius)), squared_chord(chord * chord)
   {
     choose_size(normals.size());
     std::vector<Entry> entries;
     for(std::size_t i = 0; i < normals.size(); ++i) {
-      const Vector n = canonical(normals[i]);
+      const Vector n = rounded_normal(canonical(normals[i]));
       entries.push_back({n, i});
       if(n.z <= chord)
         entries.push_back({-n, i});
@@ -68,7 +87,7 @@ public:
   template <class Function>
   void near(const Vector& normal, Function f) const
   {
-    const Vector n = canonical(normal);
+    const Vector n = rounded_normal(canonical(normal));
     const int x = slot(n.x), y = slot(n.y), z0 = (std::max)(slot(n.z) - 1, 0), z1 = (std::min)(slot(n.z) + 1, size - 1);
     for(int cx = (std::max)(x - 1, 0); cx <= (std::min)(x + 1, size - 1); ++cx)
       for(int cy = (std::max)(y - 1, 0); cy <= (std::min)(y + 1, size - 1); ++cy) {
@@ -119,14 +138,14 @@ private:
   void visit(const Vector& n, std::uint32_t begin, std::uint32_t end, Function& f) const
   {
     for(std::uint32_t i = begin; i < end; ++i) {
-      const double c = dot(n, sorted[i].normal);
-      const double q = (std::max)(std::fma(-c, c, 1.0), 0.0);
-      if(c > 0 && q <= squared_radius)
-        f(sorted[i].index, q);
+      const Vector d = n - sorted[i].normal;
+      const double q = rounded_dot(d, d);
+      if(q <= squared_chord)
+        f(sorted[i].index, q * (1 - 0.25 * q)); // the squared sine
     }
   }
 
-  double squared_radius, chord;
+  double chord, squared_chord;
   int size;
   std::vector<std::uint32_t> first;
   std::vector<Entry> sorted;
@@ -168,7 +187,7 @@ inline Direction_bins make_direction_bins(const std::vector<Vector>& normals, co
         sum[k] += w * c[k];
       sum[3] += w;
     }
-    bins.normal.push_back(canonical(unit({double(sum[0]), double(sum[1]), double(sum[2])})));
+    bins.normal.push_back(rounded_normal(canonical(unit({double(sum[0]), double(sum[1]), double(sum[2])}))));
     bins.weight.push_back(double(sum[3]));
   }
   return bins;

@@ -63,7 +63,7 @@ void consolidate(Tandem_state<Backend>& t)
         t.shapes[id].plane = t.shapes[id].local;
     detach_misfits(t);
     refit_shapes(t);
-    std::vector<Link> links = collect_links(t, least_links);
+    std::vector<Link> links = collect_links(t, least_links, Links::all);
     links.erase(std::remove_if(links.begin(), links.end(),
                                [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
                 links.end());
@@ -88,7 +88,7 @@ Shape_relations settle(Tandem_state<Backend>& t)
   recount(t);
   refit_shapes(t);
   const Shape_relations relations = regularize_shapes(t, true);
-  const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links));
+  const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links, Links::all));
   merge_shapes(t, target);
   update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
   detach_misfits(t);
@@ -105,7 +105,7 @@ void reassign_to_larger(Tandem_state<Backend>& t)
     std::vector<std::uint8_t> may_lose(t.shapes.size(), 1);
     for(std::uint32_t id : t.live)
       may_lose[id] = 2 * t.shapes[id].moments.count >= 3 * t.options.minimum_region_size;
-    collect_links(t, least_links); // marks interior points, which cannot change
+    collect_links(t, least_links, Links::all); // marks interior points, which cannot change
     reassign(t, may_lose, std::vector<std::uint8_t>(t.shapes.size(), 1));
     recount(t);
   }

@@ -14,6 +14,7 @@
 #include <CGAL/Tandem/internal/constrained_fit.h>
 #include <CGAL/Tandem/internal/directions.h>
 
+#include <map>
 #include <numeric>
 
 namespace CGAL {
@@ -29,11 +30,13 @@ struct Direction_group {
   double weight;           // points
   Eigen_system eigen;      // of the matrix
   Vector fitted;           // least squares, unconstrained
+  Vector rounded;          // the same on the grid of the Gauss map
+  double least;            // sum of squared distances of the fit
   Vector direction;        // the result
   bool is_frozen;          // keeps its direction, others may be tied to it
 
   // Sum of squared distances that a direction adds to the best one.
-  double cost(const Vector& n) const { return quadratic_form(matrix, n) - quadratic_form(matrix, fitted); }
+  double cost(const Vector& n) const { return quadratic_form(matrix, n) - least; }
 };
 
 // The least cost of turning the normal of a scatter orthogonal to x, to first order.
@@ -55,7 +58,7 @@ public:
   {
     for(int g : by_weight())
       if(groups[g].is_frozen)
-        placed.push_back({groups[g].direction, groups[g].sine});
+        add_placed(groups[g].direction, groups[g].sine);
     for(const Star& star : make_stars())
       place(star);
   }
@@ -69,8 +72,15 @@ private:
   };
 
   struct Placed {
-    Vector direction;
+    Vector direction, rounded;
     double sine;
+
+    Placed(const Vector& direction, double sine) : direction(direction), rounded(rounded_normal(direction)), sine(sine) {}
+
+    bool is_near_right_angle(const Vector& rounded_fit, double fit_sine) const
+    {
+      return std::fabs(rounded_dot(rounded, rounded_fit)) < (std::min)(sine, fit_sine);
+    }
   };
 
   // Chaining spends a quarter of what is allowed: the star has been fitted already.
@@ -91,7 +101,7 @@ private:
   // A right angle that costs both sides too much would only be refused later.
   bool is_leaf(const Direction_group& m, const Direction_group& j) const
   {
-    if(!(std::fabs(dot(m.fitted, j.fitted)) < (std::min)(m.sine, j.sine)))
+    if(!(std::fabs(rounded_dot(m.rounded, j.rounded)) < (std::min)(m.sine, j.sine)))
       return false;
     return cost_of_right_angle(j.eigen, m.fitted) <= squared_rms * j.weight ||
            cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
@@ -138,10 +148,11 @@ private:
     const Eigen_system e = is_alone ? m.eigen : eigen_system(star.matrix);
     const Vector best = is_alone ? m.fitted : e.vector[0];
     const double bound = chain_bound(star.weight) + quadratic_form(star.matrix, best);
+    const Vector rounded = rounded_normal(best);
     double least = chain_bound(star.weight);
     std::size_t p = known;
     for(std::size_t i = 0; i < known; ++i) {
-      if(!(std::fabs(dot(placed[i].direction, best)) < (std::min)(placed[i].sine, m.sine)))
+      if(!placed[i].is_near_right_angle(rounded, m.sine))
         continue;
       const double c = cost_of_right_angle(e, placed[i].direction);
       if(c < least) {
@@ -160,12 +171,12 @@ private:
 
   std::size_t second_constraint(const Star& star, const Vector& p, const Vector& n, double bound) const
   {
+    const Vector rounded = rounded_normal(n);
     std::size_t q = placed.size();
     for(std::size_t i = 0; i < placed.size(); ++i) {
-      const Vector& d = placed[i].direction;
-      if(!(std::fabs(dot(d, n)) < (std::min)(placed[i].sine, groups[star.master].sine)))
+      if(!placed[i].is_near_right_angle(rounded, groups[star.master].sine))
         continue;
-      const Vector c = cross(p, d);
+      const Vector c = cross(p, placed[i].direction);
       if(!(dot(c, c) > 0.04))
         continue;
       const double f = quadratic_form(star.matrix, unit(c));
@@ -183,10 +194,9 @@ private:
     double least = chain_bound(leaf.weight);
     std::size_t p = known;
     for(std::size_t i = 0; i < known; ++i) {
-      const Vector& d = placed[i].direction;
-      if(!(std::fabs(dot(d, leaf.fitted)) < (std::min)(placed[i].sine, leaf.sine)))
+      if(!placed[i].is_near_right_angle(leaf.rounded, leaf.sine))
         continue;
-      const Vector c = cross(n, d);
+      const Vector c = cross(n, placed[i].direction);
       if(!(dot(c, c) > 0.04))
         continue;
       const double f = leaf.cost(unit(c));
@@ -283,23 +293,31 @@ private:
 
   // Gives a group its direction; one that equals a placed direction up to rounding
   // becomes the same bits, if it stays orthogonal to its master.
-  const Vector& settle(int group, const Vector& n, const Vector& master)
+  Vector settle(int group, const Vector& n, const Vector& master)
   {
+    const Vector direction = canonical(n);
+    const double reach = 1e-9;
     Vector& result = groups[group].direction;
-    result = canonical(n);
-    for(const Placed& p : placed) {
-      if(std::fabs(dot(p.direction, result)) > 1 - 1e-12 &&
-         Direction_index::squared_distance(p.direction, result) < 1e-18 &&
-         std::fabs(dot(p.direction, master)) <= 5e-16)
-        return result = p.direction;
-    }
-    placed.push_back({result, groups[group].sine});
-    return result;
+    for(double x : {direction.x, -direction.x}) // the sign is arbitrary on the equator
+      for(auto i = placed_at.lower_bound(x - reach); i != placed_at.end() && i->first <= x + reach; ++i) {
+        const Vector& d = placed[i->second].direction;
+        if(Direction_index::squared_distance(d, direction) < reach * reach && std::fabs(dot(d, master)) <= 5e-16)
+          return result = d;
+      }
+    add_placed(direction, groups[group].sine);
+    return result = direction;
+  }
+
+  void add_placed(const Vector& direction, double sine)
+  {
+    placed_at.insert({direction.x, placed.size()});
+    placed.push_back(Placed(direction, sine));
   }
 
   std::vector<Direction_group>& groups;
   double squared_rms;
   std::vector<Placed> placed;
+  std::multimap<double, std::size_t> placed_at; // by x
 };
 
 } // namespace internal

@@ -94,6 +94,7 @@ void take_gain(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_i
     if(gain.count != 0) {
       shape.moments += gain.moments();
       shape.box.add(gain.box);
+      shape.is_dirty = shape.is_changed = true;
       t.assigned += std::size_t(gain.count);
       gain = Shared_moments();
     }

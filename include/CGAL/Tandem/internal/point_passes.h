@@ -41,6 +41,7 @@ struct Collect_links {
   Cloud_view cloud;
   const Range* cells;
   Labels_view labels;
+  const std::uint8_t* is_asked; // by shape
   Link_sink sink;
 
   template <class Block>
@@ -67,7 +68,7 @@ private:
   CGAL_TANDEM_HD void visit(Block& block, Link_scratch& scratch, std::uint32_t i) const
   {
     const std::uint32_t s = labels.label[i];
-    if(s >= first_mark || (labels.state[i] & is_interior))
+    if(s >= first_mark || !is_asked[s] || (labels.state[i] & is_interior))
       return;
     const std::uint32_t* row = cloud.row(i);
     bool all_same = true;
@@ -86,18 +87,27 @@ private:
   }
 };
 
+// All touching shapes, or only those of which one has changed since they were last asked for.
+enum class Links { all, changed };
+
 // The links between live shapes with at least `least` relations, by falling
 // number of relations, then by ids.
 template <class Backend>
-std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least)
+std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, Links which)
 {
+  std::vector<std::uint8_t> is_asked(t.shapes.size(), 0);
+  for(std::uint32_t id : t.live) {
+    is_asked[id] = which == Links::all || t.shapes[id].is_changed;
+    t.shapes[id].is_changed = false;
+  }
   std::vector<Link> links(4 * t.live.size() + 64 * t.cells.size());
   std::uint32_t size = 0;
   for(;;) {
     size = 0;
     t.backend.template for_each_cell<Link_scratch>(
       t.cells.size(),
-      Collect_links<Backend>{t.cloud, t.cells.data(), t.labels(), {links.data(), &size, std::uint32_t(links.size())}});
+      Collect_links<Backend>{t.cloud, t.cells.data(), t.labels(), is_asked.data(),
+                             {links.data(), &size, std::uint32_t(links.size())}});
     if(size <= links.size())
       break;
     links.resize(2 * std::size_t(size));

@@ -202,23 +202,26 @@ private:
     for(std::vector<int>& cluster : clusters) {
       for(int& k : cluster)
         k = pending[k];
-      groups.push_back({cluster, right_sine, {}, 0, {}, {}, {}, false});
+      groups.push_back({cluster, right_sine, {}, 0, {}, {}, {}, 0, {}, false});
       is_dirty.push_back(1);
     }
   }
 
-  // Fits and ties the groups; members that their moments refuse are taken out, and the rest fitted again.
+  // Fits and ties the groups. Members that their moments refuse are taken out: before the ties, so that the
+  // rest is fitted without them, and after.
   std::vector<int> settle()
   {
     std::vector<int> refused;
     for(int step = 0; step < 3; ++step) {
       refit();
-      tie();
       const std::size_t before = refused.size();
-      remove_members([&](int i, std::size_t g) { return verified.is_too_far(i, groups[g].direction); }, refused);
+      remove_members([&](int i, std::size_t g) { return verified.is_too_far(i, groups[g].fitted); }, refused);
       if(refused.size() == before)
         break;
     }
+    refit();
+    tie();
+    remove_members([&](int i, std::size_t g) { return verified.is_too_far(i, groups[g].direction); }, refused);
     return refused;
   }
 
@@ -241,6 +244,8 @@ private:
     g.eigen = eigen_system(g.matrix);
     const bool is_alone = g.members.size() == 1; // keeps the bits of its own fit
     g.fitted = canonical(is_alone ? shapes[g.members.front()].fit.normal : g.eigen.vector[0]);
+    g.rounded = rounded_normal(g.fitted);
+    g.least = quadratic_form(g.matrix, g.fitted);
   }
 
   void tie()
@@ -281,7 +286,7 @@ private:
         const bool is_out = is_refused(i, g);
         (is_out ? refused : kept).push_back(i);
         if(is_out)
-          refused_cost[i] = verified.added(i, groups[g].direction);
+          refused_cost[i] = verified.added(i, groups[g].fitted);
       }
       if(kept.size() < groups[g].members.size()) {
         groups[g].members.swap(kept);
@@ -297,7 +302,7 @@ private:
     for(std::size_t g = 0; g < groups.size(); ++g)
       if(!groups[g].members.empty()) {
         if(kept != g)
-          groups[kept] = groups[g];
+          groups[kept] = std::move(groups[g]);
         is_dirty[kept++] = is_dirty[g];
       }
     groups.resize(kept);
@@ -310,7 +315,7 @@ private:
   std::vector<Direction_group> groups;
   std::vector<char> is_dirty;       // per group: its members changed
   std::vector<char> was_refused;    // per shape: by the points
-  std::vector<double> refused_cost; // per shape: what the refused direction added
+  std::vector<double> refused_cost; // per shape: what the fit of the refused group added
 };
 
 // Numbers the groups that share a direction alike: -1 for shapes without a group.

@@ -62,7 +62,7 @@ void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
       root.box.add(shape.box);
       root.age = (std::max)(root.age, shape.age);
       root.is_active = root.is_active || shape.is_active;
-      root.is_dirty = true;
+      root.is_dirty = root.is_changed = true;
     } else {
       t.assigned -= std::size_t(shape.moments.count);
     }
@@ -112,8 +112,10 @@ void apply_planes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
       shape.is_active = true;
       shape.restarted = shape.plane;
     }
-    if(is_moved[id])
+    if(is_moved[id]) {
       shape.checked = shape.plane;
+      shape.is_changed = true;
+    }
   }
   for(std::size_t id = 0; id < target.size(); ++id) {
     is_checked[id] = target[id] < first_mark && (target[id] != id || is_moved[target[id]]);
