@@ -85,8 +85,8 @@ inline std::vector<std::size_t> shape_sizes(const Detection& detection)
   for(std::size_t i = 0; i < detection.label.size(); ++i) {
     std::int32_t s = detection.label[i];
     if(s < -1 || s >= std::int32_t(size.size()))
-      throw std::runtime_error("point " + std::to_string(i) + " has the label " + std::to_string(s) + ", but there are " +
-                               std::to_string(size.size()) + " planes");
+      throw std::runtime_error("point " + std::to_string(i) + " has the label " + std::to_string(s) +
+                               ", but there are " + std::to_string(size.size()) + " planes");
     if(s >= 0)
       ++size[std::size_t(s)];
   }

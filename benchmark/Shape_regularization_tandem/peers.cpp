@@ -39,7 +39,7 @@ using Point_map = CGAL::First_of_pair_property_map<Point_with_normal>;
 using Normal_map = CGAL::Second_of_pair_property_map<Point_with_normal>;
 
 struct Request {
-  std::string method, cloud, labels, planes;
+  std::string method, cloud, labels, planes, plain_labels, plain_planes;
   double epsilon, alpha_deg, beta_deg, cluster_epsilon;
   std::size_t minimum;
   unsigned k;
@@ -87,12 +87,14 @@ private:
 template <class Neighbor_query>
 std::vector<std::vector<std::size_t>> grow(const Range& range, Neighbor_query& neighbors, const Request& r)
 {
-  using Region = CGAL::Shape_detection::Point_set::Least_squares_plane_fit_region<Kernel, Range, Point_map, Normal_map>;
-  using Sorting = CGAL::Shape_detection::Point_set::Least_squares_plane_fit_sorting<Kernel, Range, Neighbor_query, Point_map>;
+  namespace on_points = CGAL::Shape_detection::Point_set;
+  using Region = on_points::Least_squares_plane_fit_region<Kernel, Range, Point_map, Normal_map>;
+  using Sorting = on_points::Least_squares_plane_fit_sorting<Kernel, Range, Neighbor_query, Point_map>;
   Sorting sorting(range, neighbors);
   sorting.sort();
   Region region(range, r.epsilon, r.alpha_deg, r.minimum);
-  using Region_growing = CGAL::Shape_detection::Region_growing<Range, Neighbor_query, Region, typename Sorting::Seed_map>;
+  using Seeds = typename Sorting::Seed_map;
+  using Region_growing = CGAL::Shape_detection::Region_growing<Range, Neighbor_query, Region, Seeds>;
   Region_growing growing(range, neighbors, region, sorting.seed_map());
   std::vector<std::vector<std::size_t>> regions;
   growing.detect(std::back_inserter(regions));
@@ -198,10 +200,26 @@ void clean(const Ply_cloud& cloud, const Request& r, Detection& detection)
   detection.planes = kept;
 }
 
+// The detection in the caller's coordinates, cleaned if asked for.
+Detection finished(const Ply_cloud& cloud, const Vec& center, const Request& r, Detection detection)
+{
+  for(Plane& plane : detection.planes)
+    plane.offset -= dot(plane.normal, center);
+  if(r.is_cleaned)
+    clean(cloud, r, detection);
+  return detection;
+}
+
+void write(const Detection& detection, const std::string& labels, const std::string& planes)
+{
+  write_labels(labels, detection.label);
+  write_planes(planes, detection.planes);
+}
+
 Request parse(int argc, char** argv)
 {
   Request r;
-  po::options_description visible("peers METHOD CLOUD.ply --maximum-distance D [options]; METHOD: rg, rg-cached, ransac"), all;
+  po::options_description visible("peers rg|rg-cached|ransac CLOUD.ply --maximum-distance D [options]"), all;
   visible.add_options()
       ("help", "this text")
       ("labels", po::value(&r.labels)->required(), "output: one int32 per point")
@@ -213,6 +231,8 @@ Request parse(int argc, char** argv)
       ("k-neighbors", po::value(&r.k)->default_value(20), "for region growing")
       ("cluster-epsilon", po::value(&r.cluster_epsilon)->default_value(0), "for RANSAC; 0: epsilon")
       ("regularize", po::bool_switch(&r.regularizes), "regularize_planes afterwards")
+      ("plain-labels", po::value(&r.plain_labels), "with --regularize: also the labels without it")
+      ("plain-planes", po::value(&r.plain_planes), "and the planes")
       ("symmetry", po::bool_switch(&r.uses_symmetry), "with its axis symmetry")
       ("cleaned", po::bool_switch(&r.is_cleaned), "drop violating points, then small regions");
   all.add(visible).add_options()("method", po::value(&r.method)->required())("cloud", po::value(&r.cloud)->required());
@@ -247,17 +267,15 @@ void run(const Request& r)
   Stopwatch detecting;
   Detection detection = r.method == "ransac" ? ransac(range, r) : region_growing(range, points, r);
   std::cout << r.method << " wall " << detecting.wall() << " cpu " << detecting.cpu();
+  if(!r.plain_labels.empty() && !r.plain_planes.empty())
+    write(finished(cloud, center, r, detection), r.plain_labels, r.plain_planes);
   if(r.regularizes) {
     Stopwatch regularizing;
     regularize(range, r, detection);
     std::cout << " regularize " << regularizing.wall();
   }
-  for(Plane& plane : detection.planes)
-    plane.offset -= dot(plane.normal, center);
-  if(r.is_cleaned)
-    clean(cloud, r, detection);
-  write_labels(r.labels, detection.label);
-  write_planes(r.planes, detection.planes);
+  detection = finished(cloud, center, r, detection);
+  write(detection, r.labels, r.planes);
   std::cout << " shapes " << detection.planes.size() << "\n";
 }
 

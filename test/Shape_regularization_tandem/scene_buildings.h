@@ -176,7 +176,8 @@ inline Model make_indoor()
   add_room(model, f.at({6.2, 0, 0}), 4.5, 5, 2.7);
   add_room(model, f.at({0, 5.2, 0}), 10.7, 3.5, 2.9);
   // Doors go through walls of 0.2; their voids cut both faces of the wall.
-  for(Frame door : {f.at({6, 1, 0}).with_axes({0, 1, 0}, {0, 0, 1}), f.at({3, 5.2, 0}).with_axes({1, 0, 0}, {0, 0, 1})}) {
+  for(const Frame& door : {f.at({6, 1, 0}).with_axes({0, 1, 0}, {0, 0, 1}),
+                           f.at({3, 5.2, 0}).with_axes({1, 0, 0}, {0, 0, 1})}) {
     model.add_box_faces(door, {0, 0, 0}, {0.9, 2.1, 0.2}, side_left | side_right | side_back, true);
     model.voids.push_back(Model::box(door, {0, 0, -0.1}, {0.9, 2.1, 0.3}));
   }
@@ -201,7 +202,8 @@ inline Model make_indoor()
 // A boss or a bore; what it hides is cut by a prism of sixteen sides.
 inline void add_cylinder(Model& model, const Frame& f, double radius, double height, bool is_hole)
 {
-  Convex prism = {Model::half_space(f, {0, 0, -1}, 0.1), Model::half_space(f, {0, 0, 1}, height + (is_hole ? 0.1 : -1e-6))};
+  double top = height + (is_hole ? 0.1 : -1e-6);
+  Convex prism = {Model::half_space(f, {0, 0, -1}, 0.1), Model::half_space(f, {0, 0, 1}, top)};
   Frame turned = f;
   for(int i = 0; i < 16; ++i, turned = turned.turned({0, 0, 1}, 0.198912367379658))
     prism.push_back(Model::half_space(turned, {1, 0, 0}, radius));

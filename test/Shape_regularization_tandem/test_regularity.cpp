@@ -455,26 +455,43 @@ std::uint64_t hash(const Relations& r)
 }
 
 // Inputs of exact integers, so that the hash is the same with all compilers and flags.
-void print_hash()
+std::vector<Shape_fit> integer_scene(int n)
 {
   std::mt19937 random(23);
+  auto below = [&](int m) { return std::int32_t(random() % std::uint32_t(m)); };
   std::vector<Shape_fit> shapes;
-  for(int i = 0; i < 400; ++i) {
-    const std::int32_t n[3] = {i % 3 == 0 ? 1000 : 0, i % 3 == 1 ? 1000 : 0, i % 3 == 2 ? 1000 : i % 7 == 0 ? 300 : 0};
+  for(int i = 0; i < n; ++i) {
+    const int turn = 50 * (i % 16), size = 50 + below(500);
+    std::int32_t u[3] = {1000 - turn / 3, turn, 0}, v[3] = {0, 0, 1000}; // walls, floors, roofs, anything
+    for(int k = 0; k < 3; ++k) {
+      if(i % 4 == 1)
+        v[k] = k == 0 ? -turn : k == 1 ? 1000 - turn / 3 : 0;
+      else if(i % 4 == 2)
+        v[k] = k == 0 ? -turn / 2 : k == 1 ? 500 : 400;
+      u[k] += below(i % 4 == 3 && i % 3 == 0 ? 2000 : 30);
+      v[k] += below(30);
+    }
+    const std::int32_t base[3] = {below(1 << 24), below(1 << 24), 3000 * below(30)};
     Moments m;
-    const std::int32_t tilt = std::int32_t(random() % 80), base = std::int32_t(random() % 2000000);
     for(int k = 0; k < 60; ++k) {
-      const std::int32_t a = random() % 20000, b = random() % 20000, c = random() % 300;
-      const std::int32_t o[3] = {n[0] ? c + a * tilt / 1000 : a, n[0] ? a : n[1] ? c + b * tilt / 1000 : b, n[2] == 1000 ? c + a * tilt / 1000 : b};
-      m.add({base + o[0], o[1] - base, o[2], 0});
+      const std::int32_t a = below(2 * size) - size, b = below(2 * size) - size;
+      m.add({base[0] + (a * u[0] + b * v[0]) / 20 + below(400), base[1] + (a * u[1] + b * v[1]) / 20 + below(400),
+             base[2] + (a * u[2] + b * v[2]) / 20 + below(400), 0});
     }
     const Scatter s = make_scatter(m);
     shapes.push_back({s, fit_plane(s)});
   }
-  const Relations r = run(shapes, 0.04, 600);
-  std::printf("hash %016llx: %zu shapes, %zu directions, %zu planes\n", (unsigned long long)hash(r), shapes.size(),
-              r.directions.size(), r.planes.size());
-  check_equal(double(hash(run(shapes, 0.04, 600)) == hash(r)), 1, "same bits twice");
+  return shapes;
+}
+
+void print_hash()
+{
+  const std::vector<Shape_fit> shapes = integer_scene(600);
+  const Relations r = run(shapes, 0.02, 600);
+  check_tables(r, shapes.size(), "integer scene");
+  std::printf("hash %016llx: %zu shapes, %zu directions, %zu right angles, %zu planes\n", (unsigned long long)hash(r),
+              shapes.size(), r.directions.size(), orthogonal_pairs(r.directions).size(), r.planes.size());
+  check_equal(double(hash(run(shapes, 0.02, 600)) == hash(r)), 1, "same bits twice");
 }
 
 } // namespace

@@ -39,7 +39,7 @@ CGAL_TANDEM_HD inline double exact_dot(const Float_vector& a, const Float_vector
   return exact_product(a.x, b.x) + exact_product(a.y, b.y) + exact_product(a.z, b.z);
 }
 
-// From p to q, rounded to float where they are more than 2^24 steps apart.
+// From p to q, rounded where they are more than 2^24 steps apart.
 CGAL_TANDEM_HD inline Float_vector difference(const Grid_point& q, const Grid_point& p)
 {
   return {float(q.x - p.x), float(q.y - p.y), float(q.z - p.z)};
@@ -51,16 +51,64 @@ struct Neighborhood {
   float xx, xy, xz, yy, yz, zz;
 };
 
-// The plane of least squares of a neighborhood; `normal` is unit up to rounding,
-// null where the points are equal or collinear.
-struct Neighborhood_plane {
-  Float_vector normal;
-  float smallest, middle; // eigenvalues of the covariance, in steps^2
+// The union of equally weighted points and neighborhoods. The order of the calls
+// matters for the last bits.
+struct Neighborhood_sum {
+  double x = 0, y = 0, z = 0;
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  int size = 0;
+
+  CGAL_TANDEM_HD void add(const Float_vector& m)
+  {
+    x += m.x;
+    y += m.y;
+    z += m.z;
+    xx += exact_product(m.x, m.x);
+    xy += exact_product(m.x, m.y);
+    xz += exact_product(m.x, m.z);
+    yy += exact_product(m.y, m.y);
+    yz += exact_product(m.y, m.z);
+    zz += exact_product(m.z, m.z);
+    ++size;
+  }
+
+  CGAL_TANDEM_HD void add(const Float_vector& offset, const Neighborhood& h)
+  {
+    add(offset + h.mean);
+    xx += h.xx;
+    xy += h.xy;
+    xz += h.xz;
+    yy += h.yy;
+    yz += h.yz;
+    zz += h.zz;
+  }
+
+  // Of at least one part. What float loses of the mean is 1e-7 of its length:
+  // it counts only where a point is a hundred times farther away than its
+  // neighbors are from each other.
+  CGAL_TANDEM_HD Neighborhood mean() const
+  {
+    const double weight = 1.0 / size;
+    const Float_vector s = {float(x), float(y), float(z)};
+    const Float_vector m = {float(x * weight), float(y * weight), float(z * weight)};
+    return {m,
+            float((xx - exact_product(s.x, m.x)) * weight),
+            float((xy - exact_product(s.x, m.y)) * weight),
+            float((xz - exact_product(s.x, m.z)) * weight),
+            float((yy - exact_product(s.y, m.y)) * weight),
+            float((yz - exact_product(s.y, m.z)) * weight),
+            float((zz - exact_product(s.z, m.z)) * weight)};
+  }
 };
 
-namespace neighborhood_solver {
+// The two lower eigenvalues of the covariance, in steps^2: the variance across
+// the plane and the least one along it, which is 0 where there is no plane.
+struct Thickness {
+  float smallest, middle;
+};
 
-// Symmetric with trace 1; the cofactors are those of matrix - value.
+namespace covariance {
+
 struct Matrix {
   float xx, xy, xz, yy, yz, zz;
 };
@@ -76,60 +124,61 @@ CGAL_TANDEM_HD inline Matrix cofactors(const Matrix& m)
           minor_of(m.xx, m.zz, m.xz, m.xz), minor_of(m.xy, m.xz, m.xx, m.yz), minor_of(m.xx, m.yy, m.xy, m.xy)};
 }
 
-// The smallest root of r^3 - r^2 + q r - d, all of whose roots are real and not
-// negative: Newton from 0 climbs to it without passing it.
-CGAL_TANDEM_HD inline float smallest_root(double q, double d)
+// The smallest root of r^3 - t r^2 + q r - d, all of whose roots are real and not
+// negative: the first terms of its series in d, then Newton, both from below. It
+// ends when what is missing is below 1e-5 of the distance to the next root.
+CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
 {
-  float r = 0;
-  for(int i = 0; i < 12; ++i) {
-    const float quadratic = float(exact_product(r, r - 1) + q);
-    const double value = exact_product(quadratic, r) - d;
-    const double slope = exact_product(r, float(3 * double(r) - 2)) + q;
-    if(!(slope > 0) || !(value < -1e-9 * slope))
+  if(!(q > 0) || !(d > 0))
+    return 0;
+  const float start = float(d / q);
+  float r = float(start + exact_product(start, float(exact_product(t, start) / q)));
+  for(int i = 0; i < 8; ++i) {
+    const float r2 = float(exact_product(r, r));
+    const double value = d - exact_product(r, q) - exact_product(r2, float(double(r) - t));
+    const double slope = 3 * double(r2) - 2 * exact_product(r, t) + q;
+    if(!(slope > 0) || !(value > 0))
       break;
-    r = float(r - value / slope);
+    const float step = float(value / slope);
+    r += step;
+    if(exact_product(step, t) < 2e-3 * slope)
+      break;
   }
   return r;
 }
 
-// The longest column of the adjugate of matrix - smallest root is the normal.
-CGAL_TANDEM_HD inline Float_vector longest_column(const Matrix& c)
-{
-  if(c.xx >= c.yy && c.xx >= c.zz)
-    return {c.xx, c.xy, c.xz};
-  return c.yy >= c.zz ? Float_vector{c.xy, c.yy, c.yz} : Float_vector{c.xz, c.yz, c.zz};
-}
+} // namespace covariance
 
-CGAL_TANDEM_HD inline Float_vector unit(const Float_vector& v)
+CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
 {
-  const double length = std::sqrt(exact_dot(v, v));
-  return length > 0 ? Float_vector{float(v.x / length), float(v.y / length), float(v.z / length)} : Float_vector{0, 0, 0};
-}
-
-} // namespace neighborhood_solver
-
-CGAL_TANDEM_HD inline Neighborhood_plane fit_plane(const Neighborhood& h)
-{
-  using namespace neighborhood_solver;
   // Below this the second direction is rounding: of the grid (1/12 step^2), or of floats.
   const float least_width = 0.25f;
   const float least_ratio = 1e-6f;
-  const float trace = h.xx + h.yy + h.zz;
-  if(!(trace > least_width))
-    return {{0, 0, 0}, 0, 0};
-  const Matrix m = {h.xx / trace, h.xy / trace, h.xz / trace, h.yy / trace, h.yz / trace, h.zz / trace};
-  const Matrix c = cofactors(m);
-  const double q = double(c.xx) + double(c.yy) + double(c.zz);
+  const float t = h.xx + h.yy + h.zz;
+  if(!(t > least_width))
+    return {0, 0};
+  const covariance::Matrix m = {h.xx, h.xy, h.xz, h.yy, h.yz, h.zz};
+  const covariance::Matrix c = covariance::cofactors(m);
+  const float q = c.xx + c.yy + c.zz;
   const double d = exact_product(m.xx, c.xx) + exact_product(m.xy, c.xy) + exact_product(m.xz, c.xz);
-  const float r = smallest_root(q, d);
-  const float rest = 1 - r; // the sum of the other two roots
-  const double product = q - exact_product(r, rest);
-  const double root = exact_product(rest, rest) - 4 * product;
-  const float middle = float(2 * product / (rest + (root > 0 ? std::sqrt(root) : 0.0)));
-  if(!(middle > least_ratio) || !(middle * trace > least_width))
-    return {{0, 0, 0}, r * trace, 0};
-  const Matrix shifted = {m.xx - r, m.xy, m.xz, m.yy - r, m.yz, m.zz - r};
-  return {unit(longest_column(cofactors(shifted))), r * trace, middle * trace};
+  const float r = covariance::smallest_root(t, q, d);
+  const float sum = float(double(t) - r); // of the other two roots
+  const double product = q - exact_product(r, sum);
+  const double discriminant = exact_product(sum, sum) - 4 * product;
+  const float middle = float(2 * product / (sum + (discriminant > 0 ? std::sqrt(discriminant) : 0.0)));
+  return {r, middle > least_width && middle > least_ratio * t ? middle : 0};
+}
+
+// The direction of the smallest eigenvalue, not unit: the longest column of the
+// adjugate of the covariance less that eigenvalue.
+CGAL_TANDEM_HD inline Float_vector plane_normal(const Neighborhood& h, float smallest)
+{
+  const covariance::Matrix m = {float(double(h.xx) - smallest), h.xy, h.xz, float(double(h.yy) - smallest), h.yz,
+                                float(double(h.zz) - smallest)};
+  const covariance::Matrix c = covariance::cofactors(m);
+  if(c.xx >= c.yy && c.xx >= c.zz)
+    return {c.xx, c.xy, c.xz};
+  return c.yy >= c.zz ? Float_vector{c.xy, c.yy, c.yz} : Float_vector{c.xz, c.yz, c.zz};
 }
 
 } // namespace internal

@@ -72,6 +72,14 @@ inline double bound_motion(const Box& box, const Regular_plane& a, const Regular
   return (std::max)(std::fabs(low + d), std::fabs(high + d));
 }
 
+// What the points of a shape said when they were asked last: the share of them that
+// fits the local plane, but not the candidate.
+struct Answer {
+  Regular_plane local, candidate;
+  std::int64_t points = 0;
+  double misfit_share = 0;
+};
+
 struct Shape {
   Moments moments;
   Box box;
@@ -86,6 +94,8 @@ struct Shape {
   int rollbacks = 0;
   int retry_round = 0;         // not regularized before this round ...
   std::int64_t retry_count = 0; // ... or before it has this many points
+  Answer answers[4];           // the latest ones, in turn
+  int next_answer = 0;
   bool is_active = false;
   bool is_changed = true;      // its points or its plane have changed since its links were collected
   bool is_dirty = true;        // its points have changed since it was fitted

@@ -18,19 +18,17 @@ namespace internal {
 // step removes what the rounding of the first one left.
 inline Vector made_orthogonal(const Vector& v, const Vector& x)
 {
-  Vector r = unit(v);
-  for(int step = 0; step < 3; ++step)
-    r = unit(add_scaled(r, -dot(r, x), x));
-  return r;
+  const Vector r = unit(add_scaled(v, -dot(v, x), x));
+  return unit(add_scaled(r, -dot(r, x), x));
 }
 
-// The same for two directions, which may be a little off a right angle.
+// The same for two unit vectors, which may be far from a right angle to each other.
 inline Vector orthogonal_to_both(const Vector& a, const Vector& b)
 {
-  Vector r = unit(cross(a, b));
-  for(int step = 0; step < 3; ++step) {
-    r = unit(add_scaled(r, -dot(r, a), a));
-    const Vector t = made_orthogonal(b, a);
+  const Vector t = made_orthogonal(b, a);
+  Vector r = unit(cross(a, t));
+  for(int step = 0; step < 2; ++step) {
+    r = add_scaled(r, -dot(r, a), a);
     r = unit(add_scaled(r, -dot(r, t), t));
   }
   return r;
@@ -45,7 +43,7 @@ struct Plane_basis {
     const double ax = std::fabs(x.x), ay = std::fabs(x.y), az = std::fabs(x.z);
     const Vector axis = ax <= ay && ax <= az ? Vector{1, 0, 0} : ay <= az ? Vector{0, 1, 0} : Vector{0, 0, 1};
     u = made_orthogonal(axis, x);
-    v = orthogonal_to_both(x, u);
+    v = unit(cross(x, u));
   }
 
   Vector lifted(double c, double s) const { return add_scaled(c * u, s, v); }

@@ -71,7 +71,7 @@ public:
 
   // radius: the sine of the largest angle that a query reaches.
   Direction_index(const std::vector<Vector>& normals, double radius)
-    : chord(chord_of(radius * radius)), squared_chord(chord * chord)
+    : chord(chord_of(radius)), squared_chord(chord * chord)
   {
     choose_size(normals.size());
     std::vector<Entry> entries;
@@ -102,10 +102,10 @@ private:
     std::size_t index;
   };
 
-  // |a - b|^2 of two unit vectors whose angle has this squared sine.
-  static double chord_of(double q)
+  // |a - b| of two unit vectors whose angle has this sine; a right angle reaches all of them.
+  static double chord_of(double sine)
   {
-    return q < 1 ? std::sqrt(2 * q / (1 + std::sqrt(1 - q))) : std::sqrt(2.0);
+    return sine < 1 ? sine * std::sqrt(2 / (1 + std::sqrt(std::fma(-sine, sine, 1.0)))) : std::sqrt(2.0);
   }
 
   // As fine as the radius, but at most four cubes a normal.

@@ -6,8 +6,8 @@
 // they lie on two faces. Against noise the neighborhood of a point grows, by
 // averaging with those of its neighbors, until the expected angular error is
 // small. Near edges a point takes over the plane of a neighbor that lies on one
-// face only. A point that is off its plane by more than the noise is clutter and
-// keeps the plane of its nearest neighbors.
+// face only. A point that is off its plane by more than the noise is clutter:
+// it gets the rough plane of its very nearest neighbors.
 
 #ifndef CGAL_TANDEM_INTERNAL_ESTIMATE_NORMALS_H
 #define CGAL_TANDEM_INTERNAL_ESTIMATE_NORMALS_H
@@ -15,40 +15,39 @@
 #include <CGAL/Tandem/internal/Cloud.h>
 #include <CGAL/Tandem/internal/Neighborhood.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 namespace normals {
 
-#ifndef H2_SKIP
-#define H2_SKIP 1.0
-#endif
-#ifndef H2_C2
-#define H2_C2 6.25f
-#endif
-#ifndef H2_FLOOR
-#define H2_FLOOR 0.02f
-#endif
-#ifndef H2_LAST
-#define H2_LAST 8
-#endif
-#ifndef H2_EDGE
-#define H2_EDGE 3
-#endif
-
+// Squared angles are in radians^2.
 constexpr int most_neighbors = 12;
-constexpr int last_scale = H2_LAST;
-constexpr float good_error2 = 0.00274f;       // (3 degrees)^2
-constexpr float excellent_error2 = float(0.0003046*H2_SKIP*H2_SKIP);  // (1 degree)^2: left alone by the edge pass
+constexpr int last_scale = 8;
+constexpr float good_error2 = 0.00274f;       // (3 degrees)^2: the neighborhood need not grow
+constexpr float excellent_error2 = 0.000305f; // (1 degree)^2: no other plane is looked for
 constexpr float no_plane = 1e30f;
+constexpr float noiseless_share = 0.02f;      // of epsilon: thinner is as good as flat
+
+// The weight of being thick, whatever the number of points, against the error
+// from noise, which their number makes small: so a large neighborhood across an
+// edge does not count as precise.
+constexpr float thickness_weight = 0.04f;
+
+constexpr int adoption_passes = 4;
+constexpr float adoption_gain = 0.8f;       // least gain in cost
+constexpr float adoption_thickness2 = 4;    // farthest from the plane: 2 sigma
+constexpr float adoption_width2 = 16;       // farthest from its center: 4 sigma along the plane
+constexpr float clutter_thickness2 = 7.5f;  // beyond 2.7 sigma
 
 // The best plane that a point has found for itself.
 struct Candidate {
-  Float_vector mean;     // of its neighborhood, relative to the point
-  float smallest;        // variance across the plane
-  float middle;          // least variance along it
-  float error2;          // expected squared angular error, no_plane if there is no plane
-  std::uint32_t normal;  // octahedral
+  Float_vector mean;    // of its neighborhood, relative to the point
+  float smallest;       // variance across the plane, at least that of a flat one
+  float middle;         // least variance along it
+  float error2;         // expected squared angular error from noise, or no_plane
+  std::uint32_t normal; // octahedral
 };
 
 struct Workspace {
@@ -56,107 +55,81 @@ struct Workspace {
   Neighborhood* current;
   Neighborhood* next;
   Candidate* candidate;
-  float floor2; // variance that counts as no noise at all
-  int k;
+  int k; // neighbors in use
+  float flat;
 };
 
-// The union of equally weighted parts; each is f(index) relative to point i.
-struct Mixture {
-  Float_vector mean[most_neighbors + 1];
-  double sum[3] = {0, 0, 0};
-  double product[6] = {0, 0, 0, 0, 0, 0};
-  int size = 0;
-
-  CGAL_TANDEM_HD void add(const Float_vector& m)
-  {
-    mean[size++] = m;
-    sum[0] += m.x;
-    sum[1] += m.y;
-    sum[2] += m.z;
-  }
-
-  CGAL_TANDEM_HD void add(const Float_vector& offset, const Neighborhood& h)
-  {
-    add(offset + h.mean);
-    product[0] += h.xx;
-    product[1] += h.xy;
-    product[2] += h.xz;
-    product[3] += h.yy;
-    product[4] += h.yz;
-    product[5] += h.zz;
-  }
-
-  CGAL_TANDEM_HD Neighborhood result()
-  {
-    const double n = size;
-    const Float_vector center = {float(sum[0] / n), float(sum[1] / n), float(sum[2] / n)};
-    for(int j = 0; j < size; ++j) {
-      const Float_vector d = mean[j] - center;
-      product[0] += exact_product(d.x, d.x);
-      product[1] += exact_product(d.x, d.y);
-      product[2] += exact_product(d.x, d.z);
-      product[3] += exact_product(d.y, d.y);
-      product[4] += exact_product(d.y, d.z);
-      product[5] += exact_product(d.z, d.z);
-    }
-    return {center, float(product[0] / n), float(product[1] / n), float(product[2] / n),
-            float(product[3] / n), float(product[4] / n), float(product[5] / n)};
-  }
-};
-
-CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i)
+CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i, int k)
 {
   const Grid_point p = w.cloud.point[i];
   const std::uint32_t* row = w.cloud.row(i);
-  Mixture mixture;
-  mixture.add({0, 0, 0});
-  for(int j = 0; j < w.k && row[j] != no_index; ++j)
-    mixture.add(difference(w.cloud.point[row[j]], p));
-  return mixture.result();
+  Neighborhood_sum sum;
+  sum.add({0, 0, 0});
+  for(int j = 0; j < k && row[j] != no_index; ++j)
+    sum.add(difference(w.cloud.point[row[j]], p));
+  return sum.mean();
 }
 
-// The neighborhood of a point joined with those of the farther half of its neighbors.
+// Joined with the neighborhoods of the farther half of the neighbors.
 CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::uint32_t i)
 {
   const Grid_point p = w.cloud.point[i];
   const std::uint32_t* row = w.cloud.row(i);
-  Mixture mixture;
-  mixture.add({0, 0, 0}, w.current[i]);
+  Neighborhood_sum sum;
+  sum.add({0, 0, 0}, w.current[i]);
   for(int j = w.k / 2; j < w.k && row[j] != no_index; ++j)
-    mixture.add(difference(w.cloud.point[row[j]], p), w.current[row[j]]);
-  return mixture.result();
+    sum.add(difference(w.cloud.point[row[j]], p), w.current[row[j]]);
+  return sum.mean();
 }
 
-CGAL_TANDEM_HD inline Candidate make_candidate(const Workspace& w, const Neighborhood& h, float points)
+// How many independent points a neighborhood is worth that has grown `scale` - 1
+// times; measured, (k + 1) (1 + 1.2 (scale - 1)).
+CGAL_TANDEM_HD inline float effective_points(int k, int scale)
 {
-  const Neighborhood_plane s = fit_plane(h);
-  Candidate c = {h.mean, s.smallest, s.middle, no_plane, no_normal};
-  if(s.middle > 0) {
-    c.error2 = (s.smallest > w.floor2 ? s.smallest : w.floor2) / s.middle / points;
-    c.normal = encode_normal({s.normal.x, s.normal.y, s.normal.z});
-  }
-  return c;
+  return float((k + 1) * (6 * scale - 1)) / 5.0f;
 }
 
-CGAL_TANDEM_HD inline bool is_evaluated(int scale) { return scale != 4 && scale != 6 && scale != 7; }
-
-// The number of independent points that a neighborhood is worth after `scale` - 1 steps.
-CGAL_TANDEM_HD inline float effective_points(const Workspace& w, int scale)
+CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float smallest)
 {
-  return float(w.k + 1) * (1.0f + 1.2f * float(scale - 1));
+  const Float_vector n = plane_normal(h, smallest);
+  return encode_normal({n.x, n.y, n.z});
+}
+
+CGAL_TANDEM_HD inline float cost(const Candidate& c)
+{
+  return float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));
+}
+
+// Keeps the plane of h if it is better than what point i has. `points` > 3: the
+// variance across a plane fitted to them has three degrees of freedom less.
+CGAL_TANDEM_HD inline void offer(const Workspace& w, std::uint32_t i, const Neighborhood& h, float points)
+{
+  const Thickness t = thickness(h);
+  if(!(t.middle > 0))
+    return;
+  const float unbiased = t.smallest * (points / (points - 3));
+  const float smallest = unbiased > w.flat ? unbiased : w.flat;
+  Candidate c = {h.mean, smallest, t.middle, smallest / t.middle / points, no_normal};
+  if(w.candidate[i].error2 < no_plane && !(cost(c) < cost(w.candidate[i])))
+    return;
+  c.normal = encoded_normal(h, t.smallest);
+  w.candidate[i] = c;
 }
 
 struct Start {
   Workspace w;
+
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    w.current[i] = nearest_neighborhood(w, std::uint32_t(i));
-    w.candidate[i] = make_candidate(w, w.current[i], effective_points(w, 1));
+    w.candidate[i] = {{0, 0, 0}, w.flat, 0, no_plane, no_normal};
+    w.current[i] = nearest_neighborhood(w, std::uint32_t(i), w.k);
+    offer(w, std::uint32_t(i), w.current[i], effective_points(w.k, 1));
   }
 };
 
 struct Grow {
   Workspace w;
+
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     if(w.candidate[i].error2 > good_error2)
@@ -167,59 +140,68 @@ struct Grow {
 struct Commit {
   Workspace w;
   int scale;
+
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     if(!(w.candidate[i].error2 > good_error2))
       return;
     w.current[i] = w.next[i];
-    if(!is_evaluated(scale))
-      return;
-    const Candidate c = make_candidate(w, w.current[i], effective_points(w, scale));
-    if(c.error2 < w.candidate[i].error2)
-      w.candidate[i] = c;
+    if((scale & (scale - 1)) == 0) // planes at each scale gain nothing
+      offer(w, std::uint32_t(i), w.current[i], effective_points(w.k, scale));
   }
 };
 
-CGAL_TANDEM_HD inline Float_vector code_vector(std::uint32_t code)
+struct Own {
+  std::uint32_t* source;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { source[i] = std::uint32_t(i); }
+};
+
+// From the center of the plane that point s has found to p.
+CGAL_TANDEM_HD inline Float_vector from_center(const Workspace& w, std::uint32_t s, const Grid_point& p)
 {
-  const Int_vector v = decode_normal(code);
-  return {float(v.x), float(v.y), float(v.z)};
+  return difference(p, w.cloud.point[s]) - w.candidate[s].mean;
 }
 
-// Whether p is off the plane of point s by at most `limit2` (squared).
-CGAL_TANDEM_HD inline bool is_within(const Candidate& c, const Float_vector& from_mean, float limit2)
+CGAL_TANDEM_HD inline bool is_within(const Candidate& c, const Float_vector& d, float thickness2)
 {
-  const Float_vector n = code_vector(c.normal);
-  const float e = float(exact_dot(n, from_mean));
-  return exact_product(e, e) <= double(limit2) * exact_dot(n, n);
+  const Int_vector v = decode_normal(c.normal);
+  const Float_vector n = {float(v.x), float(v.y), float(v.z)};
+  const float e = float(exact_dot(n, d));
+  return exact_product(e, e) <= double(thickness2) * c.smallest * exact_dot(n, n);
 }
 
+// A Jacobi pass: all read what the pass before has written.
 struct Adopt {
   Workspace w;
   const std::uint32_t* source; // whose candidate a point has
   std::uint32_t* next;
-  CGAL_TANDEM_HD bool is_adoptable(const Grid_point& p, std::uint32_t s) const
+
+  CGAL_TANDEM_HD bool is_adoptable(std::uint32_t s, const Grid_point& p) const
   {
     const Candidate& c = w.candidate[s];
-    const Float_vector d = difference(p, w.cloud.point[s]) - c.mean;
-    const float limit2 = 4 * (c.smallest > w.floor2 ? c.smallest : w.floor2);
-    return exact_dot(d, d) <= 16 * double(c.middle) && is_within(c, d, limit2);
+    const Float_vector d = from_center(w, s, p);
+    return exact_dot(d, d) <= double(adoption_width2) * c.middle && is_within(c, d, adoption_thickness2);
   }
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    next[i] = source[i];
-    float least = w.candidate[source[i]].error2;
-    if(!(least > excellent_error2))
+    const std::uint32_t own = source[i];
+    next[i] = own;
+    const Candidate& c = w.candidate[own];
+    if(!(c.error2 > excellent_error2))
       return;
-    least *= 0.49f;
+    float least = c.error2 < no_plane ? adoption_gain * cost(c) : no_plane;
     const Grid_point p = w.cloud.point[i];
     const std::uint32_t* row = w.cloud.row(std::uint32_t(i));
-    for(int j = 0; j < w.cloud.k && row[j] != no_index; ++j) {
+    for(int j = 0; j < w.k && row[j] != no_index; ++j) {
       const std::uint32_t s = source[row[j]];
-      if(w.candidate[s].error2 < least && is_adoptable(p, s)) {
+      if(!(w.candidate[s].error2 < least)) // error2 <= cost, and costs no division
+        continue;
+      const float candidate_cost = cost(w.candidate[s]);
+      if(candidate_cost < least && is_adoptable(s, p)) {
         next[i] = s;
-        least = w.candidate[s].error2;
+        least = candidate_cost;
       }
     }
   }
@@ -229,41 +211,58 @@ struct Finish {
   Workspace w;
   const std::uint32_t* source;
   Grid_point* point;
+
+  // Few points make a normal that clutter does not share with the face beside it.
+  CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
+  {
+    const Neighborhood h = nearest_neighborhood(w, i, w.k < 6 ? 3 : w.k / 2);
+    const Thickness t = thickness(h);
+    return t.middle > 0 ? encoded_normal(h, t.smallest) : no_normal;
+  }
+
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const std::uint32_t s = source[i];
-    const Candidate& c = w.candidate[s];
-    const Float_vector d = difference(w.cloud.point[i], w.cloud.point[s]) - c.mean;
-    const float limit2 = H2_C2 * (c.smallest > w.floor2 ? c.smallest : w.floor2);
-    std::uint32_t n = c.normal;
-    if(n != no_normal && !is_within(c, d, limit2))
-      n = make_candidate(w, nearest_neighborhood(w, std::uint32_t(i)), 1).normal;
-    point[i].normal = n;
+    const Candidate& c = w.candidate[source[i]];
+    const bool has_plane = c.error2 < no_plane;
+    const bool is_clutter = has_plane && !is_within(c, from_center(w, source[i], w.cloud.point[i]), clutter_thickness2);
+    point[i].normal = is_clutter ? rough_normal(std::uint32_t(i)) : c.normal;
   }
 };
 
+CGAL_TANDEM_HD inline float flat_variance(double epsilon_grid)
+{
+  const float flat = float(noiseless_share * epsilon_grid);
+  const float grid = 0.25f; // above the variance of rounding to the grid
+  return float(exact_product(flat, flat) + grid);
+}
+
 } // namespace normals
 
+// Fills point[i].normal, unoriented, no_normal where all neighbors are equal or
+// collinear. `cloud` needs points and neighbors; `point` may be its own array.
+// epsilon_grid: the tolerance in grid steps; it says what counts as noise-free.
+// Temporary memory: 100 bytes a point.
 template <class Backend>
 void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_grid)
 {
   using namespace normals;
   const std::size_t n = cloud.size;
-  typename Backend::template Buffer<Neighborhood> current(n), next(n);
+  const int k = cloud.k < most_neighbors ? cloud.k : most_neighbors;
   typename Backend::template Buffer<Candidate> candidate(n);
-  const double floor = H2_FLOOR * epsilon_grid;
-  const Workspace w = {cloud, current.data(), next.data(), candidate.data(), float(floor * floor) + 0.25f,
-                       cloud.k < most_neighbors ? cloud.k : most_neighbors};
-  backend.for_each(n, Start{w});
-  for(int scale = 2; scale <= last_scale; ++scale) {
-    backend.for_each(n, Grow{w});
-    backend.for_each(n, Commit{w, scale});
+  Workspace w = {cloud, nullptr, nullptr, candidate.data(), k, flat_variance(epsilon_grid)};
+  {
+    typename Backend::template Buffer<Neighborhood> current(n), next(n);
+    w.current = current.data();
+    w.next = next.data();
+    backend.for_each(n, Start{w});
+    for(int scale = 2; scale <= last_scale; ++scale) {
+      backend.for_each(n, Grow{w});
+      backend.for_each(n, Commit{w, scale});
+    }
   }
-  current.release();
-  next.release();
   typename Backend::template Buffer<std::uint32_t> source(n), next_source(n);
-  backend.for_each(n, [s = source.data()](std::size_t i) { s[i] = std::uint32_t(i); });
-  for(int pass = 0; pass < H2_EDGE; ++pass) {
+  backend.for_each(n, Own{source.data()});
+  for(int pass = 0; pass < adoption_passes; ++pass) {
     backend.for_each(n, Adopt{w, source.data(), next_source.data()});
     std::swap(source, next_source);
   }

@@ -147,7 +147,7 @@ private:
     const bool is_alone = star.leaves.empty();
     const Eigen_system e = is_alone ? m.eigen : eigen_system(star.matrix);
     const Vector best = is_alone ? m.fitted : e.vector[0];
-    const double bound = chain_bound(star.weight) + quadratic_form(star.matrix, best);
+    const double bound = std::fma(0.25 * squared_rms, star.weight, quadratic_form(star.matrix, best));
     const Vector rounded = rounded_normal(best);
     double least = chain_bound(star.weight);
     std::size_t p = known;

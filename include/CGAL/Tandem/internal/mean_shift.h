@@ -87,8 +87,8 @@ private:
   Mode climb(std::size_t start) const
   {
     Position x = position[start];
-    const double small = 1e-6 * radius * radius;
-    for(int step = 0; step < 30; ++step) {
+    const double small = 1e-4 * radius * radius;
+    for(int step = 0; step < 16; ++step) {
       typename Index::Mean mean(x);
       index.near(x, [&](std::size_t i, double q) { mean.add(position[i], weight[i] * kernel(q)); });
       const Position next = mean.value();

@@ -27,50 +27,72 @@ inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane
   return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
 }
 
-// Of a shape with more points than this only a sample is asked whether a plane is
-// tolerable. (Whether a point stays is always asked of each one.)
-constexpr std::int64_t sample_size = 1024;
-
-// Asks the points: how many of each listed shape fit its local plane, but not the
-// candidate. Planes that hardly move need no answer from the points.
+// Asks the points: which share of each listed shape fits its local plane, but not
+// the candidate. Planes that hardly move need no answer from the points, and what
+// was asked before, about hardly other planes, is answered from memory.
 template <class Backend>
 class Misfit_counter {
 public:
   explicit Misfit_counter(Tandem_state<Backend>& t) : t_(t) {}
 
-  void operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates,
-                  std::vector<std::int64_t>& counts)
+  std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
   {
     const std::size_t size = t_.shapes.size();
-    std::vector<std::uint32_t> mask(size, nobody);
+    std::vector<double> shares(ids.size(), 0);
+    std::vector<std::size_t> asked;
+    std::vector<std::uint32_t> mask(size, nobody), count(size, 0);
     std::vector<Plane> before(size), after(size);
-    std::vector<std::uint32_t> count(size, 0);
-    bool is_any = false;
     for(std::size_t i = 0; i < ids.size(); ++i) {
       const Shape& shape = t_.shapes[ids[i]];
-      if(bound_motion(shape.box, shape.local, candidates[i]) <= negligible_motion * t_.options.maximum_distance)
+      if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
         continue;
+      asked.push_back(i);
       mask[ids[i]] = sample_mask(shape);
-      is_any = true;
       before[ids[i]] = rounded(shape.local);
       after[ids[i]] = rounded(candidates[i]);
     }
-    if(is_any)
+    if(!asked.empty())
       t_.backend.template for_each_cell<Count_scratch>(
         t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), mask.data(), before.data(), after.data(),
                                                 count.data(), t_.options.growth.tolerance});
-    counts.resize(ids.size());
-    for(std::size_t i = 0; i < ids.size(); ++i)
-      counts[i] = std::int64_t(count[ids[i]]) * (std::int64_t(mask[ids[i]]) + 1);
+    for(std::size_t i : asked) {
+      Shape& shape = t_.shapes[ids[i]];
+      shares[i] = double(count[ids[i]]) * (double(mask[ids[i]]) + 1) / double(shape.moments.count);
+      shape.answers[shape.next_answer] = {shape.local, candidates[i], shape.moments.count, shares[i]};
+      shape.next_answer = (shape.next_answer + 1) % 4;
+    }
+    return shares;
   }
 
 private:
+  // Of a shape with more points than this only a sample is asked whether a plane is
+  // tolerable. (Whether a point stays is asked of each one.)
+  static constexpr std::int64_t sample_size = 512;
+
   static std::uint32_t sample_mask(const Shape& shape)
   {
     std::uint32_t mask = 0;
     while(shape.moments.count / (2 * (std::int64_t(mask) + 1)) >= sample_size)
       mask = 2 * mask + 1;
     return mask;
+  }
+
+  bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
+  {
+    return bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
+  }
+
+  bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
+  {
+    for(const Answer& answer : shape.answers) {
+      const std::int64_t change = shape.moments.count - answer.points;
+      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, shape.local, answer.local) ||
+         !is_still(shape, candidate, answer.candidate))
+        continue;
+      share = answer.misfit_share;
+      return true;
+    }
+    return false;
   }
 
   Tandem_state<Backend>& t_;
@@ -142,7 +164,6 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std
       clusters.unite(a, b, std::move(joint));
   }
   std::vector<std::uint32_t> ids;
-  std::vector<std::int64_t> counts;
   std::vector<Regular_plane> planes;
   for(std::uint32_t id : t.live) {
     const Shape& whole = clusters.whole(clusters.root(id));
@@ -154,17 +175,17 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std
   std::vector<std::uint32_t> target = identity_targets(t);
   if(ids.empty())
     return target;
-  Misfit_counter<Backend>{t}(ids, planes, counts);
+  const std::vector<double> shares = Misfit_counter<Backend>{t}(ids, planes);
   std::vector<std::uint32_t> first(t.shapes.size(), no_index); // per root: the member that stays
   for(std::size_t i = 0; i < ids.size(); ++i) {
-    if(double(counts[i]) > misfit_share * double(t.shapes[ids[i]].moments.count))
+    if(shares[i] > misfit_share)
       continue;
     std::uint32_t& stays = first[clusters.root(ids[i])];
     if(stays == no_index || t.shapes[stays].moments.count < t.shapes[ids[i]].moments.count)
       stays = ids[i];
   }
   for(std::size_t i = 0; i < ids.size(); ++i)
-    if(double(counts[i]) <= misfit_share * double(t.shapes[ids[i]].moments.count))
+    if(shares[i] <= misfit_share)
       target[ids[i]] = first[clusters.root(ids[i])];
   return target;
 }

@@ -48,7 +48,9 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
     std::vector<std::uint32_t> ids(indices.size());
     for(std::size_t i = 0; i < ids.size(); ++i)
       ids[i] = r.id[std::size_t(indices[i])];
-    count(ids, candidates, counts);
+    const std::vector<double> shares = count(ids, candidates);
+    for(std::size_t i = 0; i < ids.size(); ++i)
+      counts[i] = std::int64_t(shares[i] * double(t.shapes[ids[i]].moments.count));
   };
   r.relations = regularize(fits, is_excluded, t.options.regularity, verify);
   for(std::size_t i = 0; i < r.id.size(); ++i) {
