@@ -28,8 +28,8 @@ configuration()
   echo "== $name"
   cmake -S "$root" -B "$build/$name" -DTANDEM_BUILD_TESTS=ON -DTANDEM_BUILD_EXAMPLES=ON "$@" > /dev/null ||
     fail "cmake failed for $name"
-  cmake --build "$build/$name" -j "$jobs" > "$build/$name/build.log" 2>&1 ||
-    { cat "$build/$name/build.log" >&2; fail "the build $name failed"; }
+  cmake --build "$build/$name" -j "$jobs" -- -k > "$build/$name/build.log" 2>&1 ||
+    { grep -v "^\[" "$build/$name/build.log" >&2; fail "the build $name failed"; }
   (cd "$build/$name" && ctest --output-on-failure --no-tests=error -L "$label") || fail "tests of $name failed"
 }
 

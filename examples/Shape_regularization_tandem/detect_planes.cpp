@@ -175,7 +175,8 @@ void run(const Options& o)
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> limit;
   if(o.threads)
-    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(*o.threads));
+    limit =
+      std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(*o.threads));
 #endif
   Run run;
   run.input = o.input;

@@ -65,7 +65,7 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add("maximum-angle", number(o.maximum_angle)->value_name("DEG"),
       "largest angle between the normal of a point and that of its shape, between 0 and 90 (default: 25)");
   add("angle-tolerance", number(o.angle_tolerance)->value_name("DEG"),
-      "angle within below 45 (default shapes are made parallel or orthogonal, below 45 (default: 8)");
+      "angle within which shapes are made parallel or orthogonal, below 45 (default: 8)");
   add("maximum-offset", number(o.maximum_offset)->value_name("D"),
       "distance within which parallel planes are made coplanar (default: the maximum distance)");
   add("minimum-region-size", count(o.minimum_region_size)->value_name("N"),
@@ -86,8 +86,7 @@ inline void add_execution_options(po::options_description& all, Options& o)
   auto add = group.add_options();
   add("backend", po::value<std::string>(&o.backend)->value_name("NAME"),
       "auto, sequential, parallel or cuda; all give the same result (default: auto)");
-  add("threads",
-      po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.threads = n; }),
+  add("threads", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.threads = n; }),
       "largest number of threads (default: all processors)");
   add("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors");
   add("help", po::bool_switch(&o.wants_help), "print this text");

@@ -51,7 +51,8 @@ public:
     if(is_shown && now != percent) {
       percent = now;
       const std::size_t full = std::size_t(now) * width / 100;
-      std::cerr << "\r[" << std::string(full, '#') << std::string(width - full, '.') << "] " << now << " %" << std::flush;
+      std::cerr << "\r[" << std::string(full, '#') << std::string(width - full, '.') << "] " << now << " %"
+                << std::flush;
     }
     return true;
   }

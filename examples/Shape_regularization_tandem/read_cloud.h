@@ -115,11 +115,11 @@ inline void check_points(const std::string& path, Point_set& points)
   if(points.empty())
     throw std::runtime_error(path + ": has no points");
   if(std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_finite(points.point(i)); }))
-    throw std::runtime_error(path + ": none of its " + std::to_string(points.size()) + " points has finite coordinates");
+    throw std::runtime_error(path + ": none of its " + std::to_string(points.size()) +
+                             " points has finite coordinates");
   // Some writers fill the fields of normals that they do not have with zeros.
-  if(points.has_normal_map() && std::none_of(points.begin(), points.end(), [&](Point_set::Index i) {
-       return is_usable_normal(points.normal(i));
-     }))
+  if(points.has_normal_map() &&
+     std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_usable_normal(points.normal(i)); }))
     points.remove_normal_map();
 }
 

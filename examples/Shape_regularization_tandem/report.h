@@ -132,7 +132,7 @@ private:
 inline std::vector<std::vector<std::size_t>> members_of_groups(const Shapes& shapes, bool is_parallel)
 {
   std::vector<std::vector<std::size_t>> groups(is_parallel ? shapes.number_of_parallel_groups()
-                                                            : shapes.number_of_coplanar_groups());
+                                                           : shapes.number_of_coplanar_groups());
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
     groups[is_parallel ? shapes.parallel_group(s) : shapes.coplanar_group(s)].push_back(s);
   return groups;
@@ -226,7 +226,9 @@ inline void print_summary(std::ostream& out, const Shapes& shapes, const Run& ru
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const CGAL::Tandem::Parameters& p = shapes.parameters();
-  const auto row = [&out](const char* name) -> std::ostream& { return out << "  " << std::left << std::setw(12) << name; };
+  const auto row = [&out](const char* name) -> std::ostream& {
+    return out << "  " << std::left << std::setw(12) << name;
+  };
   out << run.input << '\n' << std::setprecision(4);
   row("points") << s.number_of_points << ", normals " << run.normals;
   if(s.number_of_ignored_points() > 0)
@@ -234,8 +236,8 @@ inline void print_summary(std::ostream& out, const Shapes& shapes, const Run& ru
         << " without a normal";
   out << '\n';
   row("parameters") << "maximum distance " << p.maximum_distance << ", angle " << p.maximum_angle
-                    << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset
-                    << ", at least " << p.minimum_region_size << " points\n";
+                    << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset << ", at least "
+                    << p.minimum_region_size << " points\n";
   row("shapes") << s.number_of_shapes << " in " << s.number_of_planes << " planes of " << s.number_of_directions
                 << " directions, " << s.number_of_orthogonal_pairs << " orthogonal pairs of directions\n";
   row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "

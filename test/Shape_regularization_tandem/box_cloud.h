@@ -107,7 +107,8 @@ void check_throws(F f, std::initializer_list<const char*> words, int line)
     check_at(false, "no exception", line);
   } catch(const Exception& e) {
     for(const char* word : words)
-      check_at(std::string(e.what()).find(word) != std::string::npos, word, line, std::string("is not in: ") + e.what());
+      check_at(std::string(e.what()).find(word) != std::string::npos, word, line,
+               std::string("is not in: ") + e.what());
   }
 }
 

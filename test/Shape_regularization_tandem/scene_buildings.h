@@ -13,13 +13,19 @@ namespace CGAL {
 namespace Tandem {
 namespace scenes {
 
+struct Window_row {
+  double first, step;
+  int count;
+  double height;
+};
+
 // Windows in a wall frame (x along the wall, y up, z outward), each with a sill.
-inline void add_windows(Model& model, const Frame& wall, double first, double step, int count, double height)
+inline void add_windows(Model& model, const Frame& wall, const Window_row& row)
 {
-  for(int i = 0; i < count; ++i) {
-    double u = std::fma(i, step, first);
-    model.add_recess(wall, u, height, 1.2, 1.4, 0.22);
-    model.add_box(wall, {u - 0.15, height - 0.3, -0.1}, {u + 1.35, height - 0.05, 0.25});
+  for(int i = 0; i < row.count; ++i) {
+    double u = std::fma(i, row.step, row.first), v = row.height;
+    model.add_recess(wall, {u, v, 1.2, 1.4, 0.22});
+    model.add_box(wall, {u - 0.15, v - 0.3, -0.1}, {u + 1.35, v - 0.05, 0.25});
   }
 }
 
@@ -30,11 +36,17 @@ inline std::array<Frame, 4> wall_frames(const Frame& f, double w, double d)
           f.at({w, d, 0}).with_axes({-1, 0, 0}, {0, 0, 1}), f.at({0, d, 0}).with_axes({0, -1, 0}, {0, 0, 1})};
 }
 
+struct Gabled_block {
+  double width, depth, height;
+  double overhang;    // of the roof; 0: two bare slopes instead of slabs
+};
+
 // Two slabs that lie half in the walls and end in each other at the ridge. Their
 // narrow sides meet there, so that each gable has one face, not two.
-inline void add_roof_slabs(Model& model, const Frame& front, const Frame& back, double width, double slope, double eave)
+inline void add_roof_slabs(Model& model, const Frame& front, const Frame& back, const Gabled_block& block)
 {
-  double half = 0.15, end = std::fma(0.75, half, slope);
+  double width = std::fma(2, block.overhang, block.width), eave = 1.25 * block.overhang;
+  double half = 0.15, end = std::fma(0.625, block.depth, 0.75 * half);
   Vec low{0, -eave, -half}, high{width, end, half};
   model.add_box(front, low, high, side_front | side_bottom | side_top);
   model.add_box(back, low, high, side_front | side_bottom | side_top);
@@ -44,10 +56,10 @@ inline void add_roof_slabs(Model& model, const Frame& front, const Frame& back, 
   model.extend_face(model.add_face(front, right), back, left);
 }
 
-// Walls and a gable roof of slope 3:4 whose ridge runs along x. The roof is two
-// slabs that reach `overhang` beyond the walls; without overhang two bare slopes.
-inline void add_gabled_block(Model& model, const Frame& f, double w, double d, double h, double overhang)
+// Walls and a gable roof of slope 3:4 whose ridge runs along x.
+inline void add_gabled_block(Model& model, const Frame& f, const Gabled_block& block)
 {
+  double w = block.width, d = block.depth, h = block.height, overhang = block.overhang;
   double ridge = std::fma(d / 2, 0.75, h);
   Convex body = Model::box(f, {0, 0, -1}, {w, d, 2 * ridge});
   body.push_back(Model::half_space(f, {0, -0.6, 0.8}, 0.8 * h));
@@ -65,7 +77,7 @@ inline void add_gabled_block(Model& model, const Frame& f, double w, double d, d
   Frame front = f.at({-overhang, 0, h}).with_axes({1, 0, 0}, {0, 0.8, 0.6});
   Frame back = f.at({w + overhang, d, h}).with_axes({-1, 0, 0}, {0, -0.8, 0.6});
   if(overhang > 0)
-    add_roof_slabs(model, front, back, std::fma(2, overhang, w), 0.625 * d, 1.25 * overhang);
+    add_roof_slabs(model, front, back, block);
   else
     for(const Frame& side : {front, back})
       model.add_rectangle(side, w, 0.625 * d);
@@ -74,7 +86,7 @@ inline void add_gabled_block(Model& model, const Frame& f, double w, double d, d
 inline void add_dormer(Model& model, const Frame& f, double x, double width)
 {
   model.add_box(f, {x, 0.9, 6.5}, {x + width, 4.2, 8.9}, side_left | side_right | side_front | side_top);
-  model.add_recess(f.at({x, 0.9, 0}).with_axes({1, 0, 0}, {0, 0, 1}), 0.5, 7.3, width - 1, 1.1, 0.2);
+  model.add_recess(f.at({x, 0.9, 0}).with_axes({1, 0, 0}, {0, 0, 1}), {0.5, 7.3, width - 1, 1.1, 0.2});
 }
 
 // Steps to a door; the sides of all steps are one face.
@@ -100,23 +112,23 @@ inline Model make_house()
 {
   Model model;
   Frame f = Frame().turned({0, 0, 1}, 0.14);
-  add_gabled_block(model, f, 12, 9, 6, 0.6);
+  add_gabled_block(model, f, {12, 9, 6, 0.6});
   auto walls = wall_frames(f, 12, 9);
-  add_windows(model, walls[0], 1, 2.2, 1, 1.3);
-  add_windows(model, walls[0], 8, 2.2, 1, 1.3);
-  add_windows(model, walls[0], 1, 2.9, 4, 4.1);
-  add_windows(model, walls[2], 1, 2.9, 4, 1.3);
-  add_windows(model, walls[2], 1, 2.9, 4, 4.1);
-  add_windows(model, walls[1], 1.4, 2.6, 3, 4.1);
-  add_windows(model, walls[3], 1.4, 2.6, 3, 1.3);
-  add_windows(model, walls[3], 1.4, 2.6, 3, 4.1);
-  model.add_recess(walls[0], 4.5, 0.9, 1.4, 2.2, 0.3);
+  add_windows(model, walls[0], {1, 2.2, 1, 1.3});
+  add_windows(model, walls[0], {8, 2.2, 1, 1.3});
+  add_windows(model, walls[0], {1, 2.9, 4, 4.1});
+  add_windows(model, walls[2], {1, 2.9, 4, 1.3});
+  add_windows(model, walls[2], {1, 2.9, 4, 4.1});
+  add_windows(model, walls[1], {1.4, 2.6, 3, 4.1});
+  add_windows(model, walls[3], {1.4, 2.6, 3, 1.3});
+  add_windows(model, walls[3], {1.4, 2.6, 3, 4.1});
+  model.add_recess(walls[0], {4.5, 0.9, 1.4, 2.2, 0.3});
   add_steps(model, f, 4.1, 2.2, 4);
   add_dormer(model, f, 1.5, 2.6);
   add_dormer(model, f, 7.2, 2.2);
   model.add_box(f, {8.6, 5.4, 5}, {9.8, 6.4, 10.8}, side_walls | side_top);
   model.add_box(f, {11.9, 1.5, -1}, {16.5, 8, 3.1}, side_front | side_right | side_back | side_top);
-  model.add_recess(f.at({12, 1.5, 0}).with_axes({1, 0, 0}, {0, 0, 1}), 0.8, 0.05, 2.9, 2.4, 0.35);
+  model.add_recess(f.at({12, 1.5, 0}).with_axes({1, 0, 0}, {0, 0, 1}), {0.8, 0.05, 2.9, 2.4, 0.35});
   model.add_rectangle(f.at({-4, -5, 0}), 24, 18);
   for(Vec p : {Vec{-4, -5, 1.7}, Vec{18, -4, 1.7}, Vec{17, 12, 1.7}, Vec{-3, 13, 1.7}, Vec{6, -5, 14}})
     model.scanners.push_back(f.point(p));
@@ -131,15 +143,17 @@ inline Model make_village()
   Frame turned;
   for(int i = 0; i < 16; ++i, turned = turned.turned({0, 0, 1}, 0.02531)) {
     Frame f = turned;
-    f.origin = {24.0 * (i % 4), 24.0 * (i / 4), 0};
+    int row = i / 4;
+    f.origin = {24.0 * (i % 4), 24.0 * row, 0};
     Frame block = f.at({-5, -4, 0});
-    add_gabled_block(model, block, 10, 8, 5 + 0.1875 * i, 0);
+    add_gabled_block(model, block, {10, 8, 5 + 0.1875 * i, 0});
     model.add_box(block, {9.9, 1, -1}, {14, 6.5, 3 + 0.0625 * i}, side_front | side_right | side_back | side_top);
     model.add_box(block, {2, -2, -1}, {6, 0.1, 3.5 + 0.0625 * i}, side_left | side_front | side_right | side_top);
   }
   model.add_rectangle(Frame().at({-16, -16, 0}), 104, 104);
-  for(int i = 0; i < 9; ++i)
-    model.scanners.push_back({std::fma(24, i % 3, 12.0), std::fma(24, i / 3, 12.0), 2});
+  for(double x : {12, 36, 60})
+    for(double y : {12, 36, 60})
+      model.scanners.push_back({x, y, 2});
   return model;
 }
 
@@ -158,7 +172,7 @@ inline void add_shelf(Model& model, const Frame& f, double width, double height,
   Frame front = f.with_axes({1, 0, 0}, {0, 0, 1});
   double step = (height - 0.05) / boards;
   for(int i = 0; i < boards; ++i)
-    model.add_recess(front, 0.04, std::fma(i, step, 0.05), width - 0.08, step - 0.05, 0.36);
+    model.add_recess(front, {0.04, std::fma(i, step, 0.05), width - 0.08, step - 0.05, 0.36});
 }
 
 inline void add_room(Model& model, const Frame& f, double width, double depth, double height)
@@ -183,7 +197,7 @@ inline Model make_indoor()
   }
   Frame left_wall = f.at({0, 0, 0}).with_axes({0, 1, 0}, {0, 0, 1});
   for(double u : {0.7, 2.9})
-    model.add_recess(left_wall, u, 0.9, 1.4, 1.3, 0.15);
+    model.add_recess(left_wall, {u, 0.9, 1.4, 1.3, 0.15});
   add_table(model, f.at({2, 1.6, 0}), 1.8, 0.9, 0.75);
   add_table(model, f.at({7.2, 2.0, 0}).turned({0, 0, 1}, 0.13), 1.6, 0.8, 0.72);
   add_table(model, f.at({6, 6.2, 0}), 2.2, 1, 0.76);
@@ -225,8 +239,8 @@ inline Model make_part()
   model.add_box_faces(f, {0, 0, 0}, {8, 6, 3}, side_left | side_top);
   model.add_face(f, {{10, 0, 1.5}, {10, 6, 1.5}, {8, 6, 3}, {8, 0, 3}});
   Frame top = f.at({0, 0, 3});
-  model.add_recess(top, 2, -0.001, 0.8, 6.002, 1, side_left | side_right);
-  model.add_recess(top, 4.2, 3.4, 2.2, 1.8, 1.2);
+  model.add_recess(top, {2, -0.001, 0.8, 6.002, 1, side_left | side_right});
+  model.add_recess(top, {4.2, 3.4, 2.2, 1.8, 1.2});
   for(int i = 0; i < 3; ++i)
     model.add_box(f, {-0.6 * (i + 1), 1 + 0.2 * i, 0}, {0.1 - 0.6 * i, 5 - 0.2 * i, 2.4 - 0.6 * i},
                   side_left | side_front | side_back | side_top);

@@ -93,6 +93,12 @@ struct Curved {
 constexpr unsigned side_left = 1, side_right = 2, side_front = 4, side_back = 8, side_bottom = 16, side_top = 32;
 constexpr unsigned side_walls = 15, side_visible = 47, side_all = 63;
 
+// A rectangular hollow in a wall: its corner and size there.
+struct Recess {
+  double u, v, width, height, depth;
+  unsigned sides = side_walls;
+};
+
 // A point on a face is kept when it lies strictly inside no void, and strictly
 // inside a solid only where it lies on the boundary of a void.
 struct Model {
@@ -151,11 +157,10 @@ struct Model {
   }
 
   // A recess in a wall: `wall` has its z axis outward and its origin in the wall.
-  void add_recess(const Frame& wall, double u, double v, double width, double height, double depth,
-                  unsigned sides = side_left | side_right | side_front | side_back)
+  void add_recess(const Frame& wall, const Recess& r)
   {
-    add_box_faces(wall, {u, v, -depth}, {u + width, v + height, 0}, sides | side_bottom, true);
-    voids.push_back(box(wall, {u, v, -depth}, {u + width, v + height, 0.1 * height}));
+    add_box_faces(wall, {r.u, r.v, -r.depth}, {r.u + r.width, r.v + r.height, 0}, r.sides | side_bottom, true);
+    voids.push_back(box(wall, {r.u, r.v, -r.depth}, {r.u + r.width, r.v + r.height, 0.1 * r.height}));
   }
 
   static Half_space half_space(const Frame& frame, const Vec& normal, double distance)

@@ -135,8 +135,9 @@ std::uint64_t test_indices(const std::vector<Box_point>& cloud)
   for(std::size_t i = 0; i < cloud.size(); ++i)
     indices.push_back(int(i));
   const Counting_map point_map = {&cloud, std::make_shared<std::vector<int>>(cloud.size(), 0)};
-  const auto shapes = detect_planes(
-    indices, np::combine(CGAL::parameters::point_map(point_map).normal_map(Normal_of_index{&cloud}), np::maximum_distance(.006)));
+  const auto shapes =
+    detect_planes(indices, np::combine(CGAL::parameters::point_map(point_map).normal_map(Normal_of_index{&cloud}),
+                                       np::maximum_distance(.006)));
   check_box(shapes, "indices");
   for(std::size_t i = 0; i < cloud.size(); ++i)
     CHECK_AT((*point_map.reads)[i] == 1, "reads of point " + std::to_string(i));

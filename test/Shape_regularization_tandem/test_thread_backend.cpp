@@ -68,7 +68,8 @@ int compare(const char* name, const Range& range, const Parameters& np)
   int failures = expected_shapes < 6;
   for(unsigned threads : {1u, 2u, 3u, 8u})
     if(hash_of(range, np, Thread_traits<Normal_map>(threads), shapes) != expected) {
-      std::cerr << name << ", " << threads << " threads: " << shapes << " shapes, sequential " << expected_shapes << '\n';
+      std::cerr << name << ", " << threads << " threads: " << shapes << " shapes, sequential " << expected_shapes
+                << '\n';
       ++failures;
     }
   std::cout << name << ": " << expected_shapes << " shapes, hash " << std::hex << expected << std::dec << '\n';

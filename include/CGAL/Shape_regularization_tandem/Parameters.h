@@ -66,7 +66,9 @@ template <class T>
 inline void check_length(const char* name, double value, double smallest)
 {
   if(!(value >= smallest) || value > 1e270)
-    refuse(name, value, smallest > 0 ? "(0, infinity), and [1e-270, 1e270] in practice" : "[0, infinity), and at most 1e270 in practice");
+    refuse(name, value,
+           smallest > 0 ? "(0, infinity), and [1e-270, 1e270] in practice"
+                        : "[0, infinity), and at most 1e270 in practice");
 }
 
 inline void check_count(const char* name, std::size_t value, std::size_t smallest, std::size_t largest)

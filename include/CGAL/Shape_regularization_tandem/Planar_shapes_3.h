@@ -55,8 +55,7 @@ public:
     const_iterator first_, last_;
   };
 
-  explicit Planar_shapes_3(Data data = Data(), const GeomTraits& geom_traits = GeomTraits())
-    : data_(std::move(data))
+  explicit Planar_shapes_3(Data data = Data(), const GeomTraits& geom_traits = GeomTraits()) : data_(std::move(data))
   {
     const auto construct = geom_traits.construct_plane_3_object();
     using RT = typename GeomTraits::RT;
@@ -199,7 +198,7 @@ private:
 
   Data data_;
   std::vector<Plane_3> planes_;
-  std::vector<std::size_t> first_;        // of each shape, in positions_
+  std::vector<std::size_t> first_; // of each shape, in positions_
   std::vector<std::uint32_t> positions_;
 };
 

@@ -31,14 +31,14 @@ struct Stage_times {
 What a detection did, in numbers.
 */
 struct Statistics {
-  std::size_t number_of_points = 0;             ///< items of the input range
-  std::size_t number_of_ignored_coordinates = 0;///< points with a coordinate that is not finite
-  std::size_t number_of_ignored_normals = 0;    ///< points whose given normal is null or not finite
+  std::size_t number_of_points = 0;              ///< items of the input range
+  std::size_t number_of_ignored_coordinates = 0; ///< points with a coordinate that is not finite
+  std::size_t number_of_ignored_normals = 0;     ///< points whose given normal is null or not finite
   std::size_t number_of_assigned_points = 0;
   std::size_t number_of_shapes = 0;
-  std::size_t number_of_directions = 0;         ///< parallel groups
-  std::size_t number_of_planes = 0;             ///< coplanar groups
-  std::size_t number_of_orthogonal_pairs = 0;   ///< pairs of parallel groups
+  std::size_t number_of_directions = 0;       ///< parallel groups
+  std::size_t number_of_planes = 0;           ///< coplanar groups
+  std::size_t number_of_orthogonal_pairs = 0; ///< pairs of parallel groups
 
   /// assigned points / points
   double coverage = 0;
@@ -52,12 +52,12 @@ struct Statistics {
 
   std::size_t number_of_rounds = 0;
   Stage_times times;
-  std::size_t peak_bytes = 0;                   ///< most memory that the engine held at once
-  double grid_step = 0;                         ///< in units of the input
-  bool is_grid_coarse = false;                  ///< the step exceeds `maximum_distance` / 1024, because of the extent
+  std::size_t peak_bytes = 0;  ///< most memory that the engine held at once
+  double grid_step = 0;        ///< in units of the input
+  bool is_grid_coarse = false; ///< the step exceeds `maximum_distance` / 1024, because of the extent
   bool has_estimated_normals = false;
   bool is_cancelled = false;
-  std::string backend;                          ///< what executed: "sequential", "parallel", ...
+  std::string backend; ///< what executed: "sequential", "parallel", ...
 
   std::size_t number_of_ignored_points() const { return number_of_ignored_coordinates + number_of_ignored_normals; }
 };

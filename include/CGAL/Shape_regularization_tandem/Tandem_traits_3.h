@@ -56,9 +56,10 @@ public:
   /// whether normals are given
   static constexpr bool has_normal_map = !std::is_same<NormalMap, CGAL::Default>::value;
 
-  static_assert(std::is_convertible<typename std::iterator_traits<typename PointRange::const_iterator>::iterator_category,
-                                    std::random_access_iterator_tag>::value,
-                "The range of points needs random access iterators.");
+  static_assert(
+    std::is_convertible<typename std::iterator_traits<typename PointRange::const_iterator>::iterator_category,
+                        std::random_access_iterator_tag>::value,
+    "The range of points needs random access iterators.");
 
   explicit Tandem_traits_3(const GeomTraits& geom_traits = GeomTraits()) : geom_traits_(geom_traits) {}
 

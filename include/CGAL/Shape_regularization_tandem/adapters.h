@@ -94,18 +94,19 @@ using Point_with_plane = std::tuple<typename GeomTraits::Point_3, typename GeomT
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief the points of the shapes, projected onto their planes, with the oriented normal of the plane and one index for each
-distinct plane.
+\brief the points of the shapes, projected onto their planes, with the oriented normal of the plane and one index for
+each distinct plane.
 
-`CGAL::Polygonal_surface_reconstruction` fits a plane of its own to each group of points. Given the projected points of a
-plane, that fit is the plane.
+`CGAL::Polygonal_surface_reconstruction` fits a plane of its own to each group of points. Given the projected points of
+a plane, that fit is the plane.
 
 \param points the range that the shapes were detected in
 \param shapes the shapes
 \param np an optional sequence of named parameters, of which `point_map` is read
 */
 template <class PointRange, class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
-std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& points, const Planar_shapes_3<GeomTraits>& shapes,
+std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& points,
+                                                           const Planar_shapes_3<GeomTraits>& shapes,
                                                            const NamedParameters& np = NamedParameters())
 {
   using Traits = typename internal::Traits_for<CGAL::Sequential_tag, PointRange, NamedParameters, false>::type;
@@ -115,7 +116,8 @@ std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& poi
     const typename GeomTraits::Plane_3 plane = shapes.oriented_plane(s);
     const typename GeomTraits::Vector_3 normal = plane.orthogonal_vector();
     for(std::size_t i : shapes.points(s))
-      out.emplace_back(plane.projection(get(map, *(points.begin() + std::ptrdiff_t(i)))), normal, int(shapes.coplanar_group(s)));
+      out.emplace_back(plane.projection(get(map, *(points.begin() + std::ptrdiff_t(i)))), normal,
+                       int(shapes.coplanar_group(s)));
   }
   return out;
 }
@@ -163,8 +165,8 @@ OutputIterator output_shapes(const CGAL::Point_set_3<Point, Vector>& points, con
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief writes the shape of each point, -1 for none, into an `int` property of the point set, which is added if it is not there.
-It shows up in files and in CGAL Lab, and is the item-keyed `plane_index_map` of the point set.
+\brief writes the shape of each point, -1 for none, into an `int` property of the point set, which is added if it is not
+there. It shows up in files and in CGAL Lab, and is the item-keyed `plane_index_map` of the point set.
 
 \return the property map
 */

@@ -20,8 +20,8 @@ given normal that is null or not finite, belong to no shape and are counted in t
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, `CGAL::Parallel_if_available_tag` (the default),
 `Cuda_tag` or `Cuda_if_available_tag`
-\tparam PointRange a model of `ConstRange` whose iterators are random access; also `CGAL::Point_set_3`, whose maps are the
-defaults then
+\tparam PointRange a model of `ConstRange` whose iterators are random access; also `CGAL::Point_set_3`, whose maps are
+the defaults then
 
 \param points the points
 \param np a sequence of named parameters, of `CGAL::Tandem::parameters` or of `CGAL::parameters`; see
@@ -70,13 +70,14 @@ defaults then
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{settings}
-    \cgalParamDescription{a `Parameters` with values for all that is not given by its own name; a length or a size of 0 is
-    estimated}
+    \cgalParamDescription{a `Parameters` with values for all that is not given by its own name; a length or a size of 0
+    is estimated}
     \cgalParamDefault{`Parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread, and cancels
-    by returning `false`. The shapes found until then are finished and verified; `Planar_shapes_3::is_cancelled()` tells.}
+    \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread, and
+    cancels by returning `false`. The shapes found until then are finished and verified, so that all guarantees hold;
+    `Planar_shapes_3::is_cancelled()` tells.}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}

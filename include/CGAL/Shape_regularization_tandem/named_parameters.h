@@ -53,23 +53,23 @@ enum settings_t { settings };
 } // namespace internal_np
 
 // X(name of the parameter, tag)
-#define CGAL_TANDEM_NAMED_PARAMETERS(X)                      \
-  X(point_map, point_t)                                      \
-  X(normal_map, normal_t)                                    \
-  X(plane_map, plane_t)                                      \
-  X(plane_index_map, plane_index_t)                          \
-  X(geom_traits, geom_traits_t)                              \
-  X(callback, callback_t)                                    \
-  X(maximum_distance, maximum_distance_t)                    \
-  X(maximum_angle, maximum_angle_t)                          \
-  X(angle_tolerance, angle_tolerance_t)                      \
-  X(maximum_offset, maximum_offset_t)                        \
-  X(minimum_region_size, minimum_region_size_t)              \
-  X(k_neighbors, k_neighbors_t)                              \
-  X(cell_size, cell_size_t)                                  \
-  X(settings, settings_t)                                    \
-  X(regularize_parallelism, regularize_parallelism_t)        \
-  X(regularize_orthogonality, regularize_orthogonality_t)    \
+#define CGAL_TANDEM_NAMED_PARAMETERS(X)                                                                                \
+  X(point_map, point_t)                                                                                                \
+  X(normal_map, normal_t)                                                                                              \
+  X(plane_map, plane_t)                                                                                                \
+  X(plane_index_map, plane_index_t)                                                                                    \
+  X(geom_traits, geom_traits_t)                                                                                        \
+  X(callback, callback_t)                                                                                              \
+  X(maximum_distance, maximum_distance_t)                                                                              \
+  X(maximum_angle, maximum_angle_t)                                                                                    \
+  X(angle_tolerance, angle_tolerance_t)                                                                                \
+  X(maximum_offset, maximum_offset_t)                                                                                  \
+  X(minimum_region_size, minimum_region_size_t)                                                                        \
+  X(k_neighbors, k_neighbors_t)                                                                                        \
+  X(cell_size, cell_size_t)                                                                                            \
+  X(settings, settings_t)                                                                                              \
+  X(regularize_parallelism, regularize_parallelism_t)                                                                  \
+  X(regularize_orthogonality, regularize_orthogonality_t)                                                              \
   X(regularize_coplanarity, regularize_coplanarity_t)
 
 /*!
@@ -79,16 +79,15 @@ A list of named parameters which grows by its members, in any order:
 `CGAL::Tandem::parameters::maximum_distance(.05).point_map(pm).cell_size(4096)`.
 */
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
-struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
-{
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
   using Cgal_parameters = CGAL::Named_function_parameters<T, Tag, Base>;
   using Cgal_parameters::Cgal_parameters;
 
-#define CGAL_TANDEM_MEMBER(name, tag)                                                          \
-  template <typename V>                                                                        \
-  Named_parameters<V, internal_np::tag, Cgal_parameters> name(const V& value) const            \
-  {                                                                                            \
-    return Named_parameters<V, internal_np::tag, Cgal_parameters>(value, *this);               \
+#define CGAL_TANDEM_MEMBER(name, tag)                                                                                  \
+  template <typename V>                                                                                                \
+  Named_parameters<V, internal_np::tag, Cgal_parameters> name(const V& value) const                                    \
+  {                                                                                                                    \
+    return Named_parameters<V, internal_np::tag, Cgal_parameters>(value, *this);                                       \
   }
   CGAL_TANDEM_NAMED_PARAMETERS(CGAL_TANDEM_MEMBER)
 #undef CGAL_TANDEM_MEMBER
@@ -96,11 +95,11 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 
 namespace parameters {
 
-#define CGAL_TANDEM_FUNCTION(name, tag)                        \
-  template <typename V>                                        \
-  Named_parameters<V, internal_np::tag> name(const V& value)   \
-  {                                                            \
-    return Named_parameters<V, internal_np::tag>(value);       \
+#define CGAL_TANDEM_FUNCTION(name, tag)                                                                                \
+  template <typename V>                                                                                                \
+  Named_parameters<V, internal_np::tag> name(const V& value)                                                           \
+  {                                                                                                                    \
+    return Named_parameters<V, internal_np::tag>(value);                                                               \
   }
 CGAL_TANDEM_NAMED_PARAMETERS(CGAL_TANDEM_FUNCTION)
 #undef CGAL_TANDEM_FUNCTION
@@ -119,7 +118,8 @@ namespace internal {
 // A list of ours has several bases of CGAL's type (each list is a base of the
 // next), so the one to read from has to be picked by hand.
 template <typename T, typename Tag, typename Base>
-const CGAL::Named_function_parameters<T, Tag, Base>& cgal_parameters(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+const CGAL::Named_function_parameters<T, Tag, Base>&
+cgal_parameters(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
   return np;
 }
@@ -135,8 +135,8 @@ template <typename Tag, typename NP, typename Default_type>
 using Parameter_type = typename CGAL::internal_np::Lookup_named_param_def<Tag, NP, Default_type>::type;
 
 template <typename Tag, typename NP>
-using Is_given = std::integral_constant<
-  bool, !std::is_same<Parameter_type<Tag, NP, CGAL::internal_np::Param_not_found>, CGAL::internal_np::Param_not_found>::value>;
+using Is_given = std::integral_constant<bool, !std::is_same<Parameter_type<Tag, NP, CGAL::internal_np::Param_not_found>,
+                                                            CGAL::internal_np::Param_not_found>::value>;
 
 // The value of a parameter, or `otherwise`.
 template <typename Tag, typename NP, typename D>

@@ -44,7 +44,8 @@ struct Backend_of {
   static_assert(!std::is_same<Tag, Cuda_tag>::value,
                 "Cuda_tag needs the CUDA back end: link Tandem::tandem_cuda (it defines CGAL_TANDEM_USE_CUDA), "
                 "or use Cuda_if_available_tag.");
-  static_assert(!std::is_convertible<Tag, CGAL::Parallel_tag>::value, "Parallel_tag is enabled but TBB is unavailable.");
+  static_assert(!std::is_convertible<Tag, CGAL::Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
   static_assert(std::is_convertible<Tag, CGAL::Sequential_tag>::value,
                 "The concurrency tag is one of Sequential_tag, Parallel_tag, Parallel_if_available_tag, Cuda_tag, "
                 "Cuda_if_available_tag.");

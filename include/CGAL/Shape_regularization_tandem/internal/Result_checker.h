@@ -51,9 +51,11 @@ private:
     if(data_.parallel_group.size() != n || data_.coplanar_group.size() != n || data_.is_flipped.size() != n)
       return fail("the tables of the shapes differ in size");
     if(data_.shape_of.size() != in_.number_of_items)
-      return fail("there are " + to_text(data_.shape_of.size()) + " shape indices for " + to_text(in_.number_of_items) + " points");
+      return fail("there are " + to_text(data_.shape_of.size()) + " shape indices for " + to_text(in_.number_of_items) +
+                  " points");
     if(!in_.has_normals && data_.normal.size() != in_.number_of_items)
-      return fail("there are " + to_text(data_.normal.size()) + " normals for " + to_text(in_.number_of_items) + " points");
+      return fail("there are " + to_text(data_.normal.size()) + " normals for " + to_text(in_.number_of_items) +
+                  " points");
     for(std::size_t s = 0; s < n; ++s)
       if(!is_index(data_.parallel_group[s], n) || !is_index(data_.coplanar_group[s], n))
         return fail(at("no group for shape", s));
@@ -100,7 +102,8 @@ private:
       const std::size_t p = std::size_t(plane[data_.coplanar_group[s]]);
       if(!has_same_bits(s, r, 3) || shapes_.plane(s).orthogonal_vector() != shapes_.plane(r).orthogonal_vector())
         return fail(at("not exactly parallel are shape", s) + at(" and", r));
-      if(!has_same_bits(s, p, 4) || shapes_.plane(s) != shapes_.plane(p) || data_.parallel_group[s] != data_.parallel_group[p])
+      if(!has_same_bits(s, p, 4) || shapes_.plane(s) != shapes_.plane(p) ||
+         data_.parallel_group[s] != data_.parallel_group[p])
         return fail(at("not exactly coplanar are shape", s) + at(" and", p));
     }
     return true;
@@ -108,7 +111,8 @@ private:
 
   bool has_same_bits(std::size_t s, std::size_t t, int coefficients) const
   {
-    return std::memcmp(data_.coefficients[s].data(), data_.coefficients[t].data(), std::size_t(coefficients) * sizeof(double)) == 0;
+    return std::memcmp(data_.coefficients[s].data(), data_.coefficients[t].data(),
+                       std::size_t(coefficients) * sizeof(double)) == 0;
   }
 
   bool check_orthogonality()
@@ -120,8 +124,8 @@ private:
       const Coefficients &a = data_.coefficients[first[pair.first]], &b = data_.coefficients[first[pair.second]];
       const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
       if(!(std::fabs(product) <= 1e-15))
-        return fail("not orthogonal are groups " + to_text(pair.first) + " and " + to_text(pair.second) + ": the dot product is " +
-                    to_text(product));
+        return fail("not orthogonal are groups " + to_text(pair.first) + " and " + to_text(pair.second) +
+                    ": the dot product is " + to_text(product));
     }
     if(!std::is_sorted(data_.orthogonal_groups.begin(), data_.orthogonal_groups.end()))
       return fail("the orthogonal groups are not sorted");
@@ -147,8 +151,8 @@ private:
       const std::array<double, 3> n = normal(i);
       const double aligned = std::fabs(c[0] * n[0] + c[1] * n[1] + c[2] * n[2]);
       if(!(aligned >= cosine * std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) - 1e-14) || aligned == 0)
-        return fail(at("too oblique is the normal of point", item) + ": the cosine is " + to_text(aligned) + " with that of " +
-                    at("shape", std::size_t(data_.shape_of[item])));
+        return fail(at("too oblique is the normal of point", item) + ": the cosine is " + to_text(aligned) +
+                    " with that of " + at("shape", std::size_t(data_.shape_of[item])));
     }
     return true;
   }
@@ -226,8 +230,8 @@ private:
   }
 
   // Of the point and its neighbors, those of equal shape are connected.
-  static void unite_around(std::size_t i, const std::uint32_t* row, std::size_t k, const std::vector<std::int32_t>& label,
-                           std::vector<std::uint32_t>& parent)
+  static void unite_around(std::size_t i, const std::uint32_t* row, std::size_t k,
+                           const std::vector<std::int32_t>& label, std::vector<std::uint32_t>& parent)
   {
     auto unite = [&](std::uint32_t a, std::uint32_t b) {
       if(label[a] >= 0 && label[a] == label[b])

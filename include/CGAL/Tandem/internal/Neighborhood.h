@@ -101,6 +101,20 @@ struct Neighborhood_sum {
   }
 };
 
+// With second moments about the point itself instead of the mean: the plane of
+// that is the best one through the point.
+CGAL_TANDEM_HD inline Neighborhood about_point(const Neighborhood& h)
+{
+  const Float_vector& m = h.mean;
+  return {{0, 0, 0},
+          float(h.xx + exact_product(m.x, m.x)),
+          float(h.xy + exact_product(m.x, m.y)),
+          float(h.xz + exact_product(m.x, m.z)),
+          float(h.yy + exact_product(m.y, m.y)),
+          float(h.yz + exact_product(m.y, m.z)),
+          float(h.zz + exact_product(m.z, m.z))};
+}
+
 // The two lower eigenvalues of the covariance, in steps^2: the variance across
 // the plane and the least one along it, which is 0 where there is no plane.
 struct Thickness {

@@ -6,8 +6,8 @@
 // they lie on two faces. Against noise the neighborhood of a point grows, by
 // averaging with those of its neighbors, until the expected angular error is
 // small. Near edges a point takes over the plane of a neighbor that lies on one
-// face only. A point that is off its plane by more than the noise is clutter:
-// it gets the rough plane of its very nearest neighbors.
+// face only. A point that is off its plane by more than the noise is clutter and
+// gets no smooth normal, but the rough one of a plane through it.
 
 #ifndef CGAL_TANDEM_INTERNAL_ESTIMATE_NORMALS_H
 #define CGAL_TANDEM_INTERNAL_ESTIMATE_NORMALS_H
@@ -39,7 +39,8 @@ constexpr int adoption_passes = 4;
 constexpr float adoption_gain = 0.8f;       // least gain in cost
 constexpr float adoption_thickness2 = 4;    // farthest from the plane: 2 sigma
 constexpr float adoption_width2 = 16;       // farthest from its center: 4 sigma along the plane
-constexpr float clutter_thickness2 = 7.5f;  // beyond 2.7 sigma
+constexpr float clutter_thickness2 = 9;     // beyond 3 sigma is clutter
+constexpr float clutter_share = 0.4f;       // of epsilon: what is closer to the plane is not
 
 // The best plane that a point has found for itself.
 struct Candidate {
@@ -55,8 +56,9 @@ struct Workspace {
   Neighborhood* current;
   Neighborhood* next;
   Candidate* candidate;
-  int k; // neighbors in use
-  float flat;
+  int k;                // neighbors in use
+  float flat;           // variance of what is as good as flat
+  float least_clutter2; // squared distance from the plane
 };
 
 CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i, int k)
@@ -163,12 +165,13 @@ CGAL_TANDEM_HD inline Float_vector from_center(const Workspace& w, std::uint32_t
   return difference(p, w.cloud.point[s]) - w.candidate[s].mean;
 }
 
-CGAL_TANDEM_HD inline bool is_within(const Candidate& c, const Float_vector& d, float thickness2)
+// The squared distance to the plane of a point at d from its center.
+CGAL_TANDEM_HD inline float plane_distance2(const Candidate& c, const Float_vector& d)
 {
   const Int_vector v = decode_normal(c.normal);
   const Float_vector n = {float(v.x), float(v.y), float(v.z)};
   const float e = float(exact_dot(n, d));
-  return exact_product(e, e) <= double(thickness2) * c.smallest * exact_dot(n, n);
+  return float(exact_product(e, e) / exact_dot(n, n));
 }
 
 // A Jacobi pass: all read what the pass before has written.
@@ -181,7 +184,7 @@ struct Adopt {
   {
     const Candidate& c = w.candidate[s];
     const Float_vector d = from_center(w, s, p);
-    return exact_dot(d, d) <= double(adoption_width2) * c.middle && is_within(c, d, adoption_thickness2);
+    return exact_dot(d, d) <= double(adoption_width2) * c.middle && plane_distance2(c, d) <= adoption_thickness2 * c.smallest;
   }
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -212,28 +215,44 @@ struct Finish {
   const std::uint32_t* source;
   Grid_point* point;
 
-  // Few points make a normal that clutter does not share with the face beside it.
+  // Of the plane through the point itself: seen from clutter, a face beside it
+  // lies in the direction of its normal.
   CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
   {
-    const Neighborhood h = nearest_neighborhood(w, i, w.k < 6 ? 3 : w.k / 2);
+    const Neighborhood h = about_point(nearest_neighborhood(w, i, w.k < 6 ? 3 : w.k / 2));
     const Thickness t = thickness(h);
     return t.middle > 0 ? encoded_normal(h, t.smallest) : no_normal;
+  }
+
+  // Clutter thickens its own neighborhood, so the noise is that which most of its
+  // neighbors see.
+  CGAL_TANDEM_HD bool is_clutter(std::uint32_t i, const Candidate& c) const
+  {
+    const float e2 = plane_distance2(c, from_center(w, source[i], w.cloud.point[i]));
+    if(e2 <= w.least_clutter2 || e2 <= c.smallest)
+      return false;
+    const std::uint32_t* row = w.cloud.row(i);
+    int beyond = 0, size = 0;
+    for(; size < w.k && row[size] != no_index; ++size)
+      beyond += e2 > clutter_thickness2 * w.candidate[source[row[size]]].smallest;
+    return 2 * beyond > size;
   }
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const Candidate& c = w.candidate[source[i]];
-    const bool has_plane = c.error2 < no_plane;
-    const bool is_clutter = has_plane && !is_within(c, from_center(w, source[i], w.cloud.point[i]), clutter_thickness2);
-    point[i].normal = is_clutter ? rough_normal(std::uint32_t(i)) : c.normal;
+    const bool is_rough = c.error2 < no_plane && is_clutter(std::uint32_t(i), c);
+    point[i].normal = is_rough ? rough_normal(std::uint32_t(i)) : c.normal;
   }
 };
 
-CGAL_TANDEM_HD inline float flat_variance(double epsilon_grid)
+inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_grid)
 {
-  const float flat = float(noiseless_share * epsilon_grid);
   const float grid = 0.25f; // above the variance of rounding to the grid
-  return float(exact_product(flat, flat) + grid);
+  const float flat = float(noiseless_share * epsilon_grid);
+  const float clutter = float(clutter_share * epsilon_grid);
+  const int k = cloud.k < most_neighbors ? cloud.k : most_neighbors;
+  return {cloud, nullptr, nullptr, candidate, k, float(exact_product(flat, flat) + grid), float(exact_product(clutter, clutter))};
 }
 
 } // namespace normals
@@ -247,9 +266,8 @@ void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* poi
 {
   using namespace normals;
   const std::size_t n = cloud.size;
-  const int k = cloud.k < most_neighbors ? cloud.k : most_neighbors;
   typename Backend::template Buffer<Candidate> candidate(n);
-  Workspace w = {cloud, nullptr, nullptr, candidate.data(), k, flat_variance(epsilon_grid)};
+  Workspace w = make_workspace(cloud, candidate.data(), epsilon_grid);
   {
     typename Backend::template Buffer<Neighborhood> current(n), next(n);
     w.current = current.data();

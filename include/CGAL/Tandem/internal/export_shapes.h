@@ -22,13 +22,13 @@ namespace internal {
 
 // What Planar_shapes_3 is made of. Tests corrupt it.
 struct Shapes_data {
-  std::vector<Coefficients> coefficients;               // of each shape
-  std::vector<int> parallel_group;                      // of each shape
-  std::vector<int> coplanar_group;                      // of each shape
-  std::vector<std::pair<int, int>> orthogonal_groups;   // pairs of parallel groups, first < second, sorted
-  std::vector<char> is_flipped;                         // of each shape: the majority of the normals is opposite to its plane
-  std::vector<std::int32_t> shape_of;                   // of each item of the range, -1 = none
-  std::vector<std::uint32_t> normal;                    // of each item, packed; empty if normals were given
+  std::vector<Coefficients> coefficients;             // of each shape
+  std::vector<int> parallel_group;                    // of each shape
+  std::vector<int> coplanar_group;                    // of each shape
+  std::vector<std::pair<int, int>> orthogonal_groups; // pairs of parallel groups, first < second, sorted
+  std::vector<char> is_flipped;       // of each shape: the majority of the normals is opposite to its plane
+  std::vector<std::int32_t> shape_of; // of each item of the range, -1 = none
+  std::vector<std::uint32_t> normal;  // of each item, packed; empty if normals were given
   Parameters parameters;
   Statistics statistics;
 };
@@ -38,7 +38,10 @@ inline double plane_distance(const Coefficients& p, const double* q)
   return std::fabs(std::fma(p[0], q[0], std::fma(p[1], q[1], std::fma(p[2], q[2], p[3]))));
 }
 
-inline double normal_dot(const Coefficients& p, const double* n) { return std::fma(p[0], n[0], std::fma(p[1], n[1], p[2] * n[2])); }
+inline double normal_dot(const Coefficients& p, const double* n)
+{
+  return std::fma(p[0], n[0], std::fma(p[1], n[1], p[2] * n[2]));
+}
 
 // The first shape of each group.
 inline std::vector<int> representatives(const std::vector<int>& group)
@@ -62,7 +65,8 @@ inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data
   std::vector<std::pair<int, int>> pairs;
   for(std::size_t g = 0; g < first.size(); ++g)
     for(std::size_t h = g + 1; h < first.size(); ++h)
-      if(std::fabs(normal_dot(data.coefficients[first[g]], data.coefficients[first[h]].data())) <= largest_orthogonal_dot)
+      if(std::fabs(normal_dot(data.coefficients[first[g]], data.coefficients[first[h]].data())) <=
+         largest_orthogonal_dot)
         pairs.emplace_back(int(g), int(h));
   return pairs;
 }

@@ -24,7 +24,7 @@ namespace internal {
 
 struct Import {
   Grid grid;
-  std::size_t count = 0;           // valid points: those below, in the caller's order
+  std::size_t count = 0; // valid points: those below, in the caller's order
   Host_buffer<Grid_point> point;
   Host_buffer<double> coordinates; // 3 a point, as the caller gave them
   Host_buffer<double> normals;     // 3 a point, of unit length; empty if they are to be estimated
@@ -158,10 +158,7 @@ Import read_points(const typename Traits::Point_range& points, typename Traits::
 
 struct Coordinate_box {
   double low[3], high[3];
-  double extent() const
-  {
-    return (std::max)((std::max)(high[0] - low[0], high[1] - low[1]), high[2] - low[2]);
-  }
+  double extent() const { return (std::max)((std::max)(high[0] - low[0], high[1] - low[1]), high[2] - low[2]); }
 };
 
 // Of at least one point.
@@ -222,7 +219,8 @@ inline std::int32_t nearest_integer(double v)
 
 inline Grid_point to_grid(const Grid& grid, double inverse_step, const double* p, std::uint32_t normal)
 {
-  return {nearest_integer((p[0] - grid.origin.x) * inverse_step), nearest_integer((p[1] - grid.origin.y) * inverse_step),
+  return {nearest_integer((p[0] - grid.origin.x) * inverse_step),
+          nearest_integer((p[1] - grid.origin.y) * inverse_step),
           nearest_integer((p[2] - grid.origin.z) * inverse_step), normal};
 }
 

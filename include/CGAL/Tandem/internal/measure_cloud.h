@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Spacing and noise of a cloud, from a sample of its octree leaves. The sample
-// does not depend on the order of the points.
+// does not depend on the order of the points. Where the noise exceeds the spacing,
+// the nearest neighbors of a point form a ball instead of a disk and tell nothing
+// of the noise, so the sample is thinned until they reach farther.
 
 #ifndef CGAL_TANDEM_INTERNAL_MEASURE_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_MEASURE_CLOUD_H
@@ -17,8 +19,9 @@ namespace Tandem {
 namespace internal {
 
 struct Cloud_measure {
-  double spacing = 0; // median, over the points, of the mean distance to the 6 nearest neighbors
-  double noise = 0;   // upper quartile of the rms distance of 20 neighbors to their plane
+  double spacing = 0;   // median, over the points, of the mean distance to the 6 nearest neighbors
+  double noise = 0;     // upper quartile of the rms distance of 20 neighbors to their plane
+  double thickness = 0; // lower quartile of the ratio of that distance to the half-width of the neighborhood
 };
 
 constexpr int measured_neighbors = 20;
@@ -61,8 +64,10 @@ inline Cloud_measure measure_neighborhood(const Grid_point* point, std::uint32_t
       ++spaced;
     }
   }
-  const Fit fit = fit_plane(make_scatter(moments));
-  return {spaced > 0 ? sum / spaced : 0, std::sqrt(fit.smallest / double(moments.count))};
+  const Eigen_system e = eigen_system(make_scatter(moments).matrix);
+  const double smallest = e.value[0] > 0 ? e.value[0] : 0;
+  return {spaced > 0 ? sum / spaced : 0, std::sqrt(smallest / double(moments.count)),
+          e.value[1] > 0 ? std::sqrt(smallest / e.value[1]) : 0};
 }
 
 inline double quantile(std::vector<double>& values, double q)
@@ -70,6 +75,31 @@ inline double quantile(std::vector<double>& values, double q)
   const auto nth = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
+}
+
+template <class Backend>
+Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sample)
+{
+  std::vector<std::uint32_t> neighbor(sample.size() * measured_neighbors);
+  find_neighbors(backend, sample.data(), std::uint32_t(sample.size()), measured_neighbors, neighbor.data());
+  std::vector<double> spacing(sample.size()), noise(sample.size()), thickness(sample.size());
+  backend.for_each(sample.size(), [&](std::size_t i) {
+    const Cloud_measure m =
+      measure_neighborhood(sample.data(), std::uint32_t(i), neighbor.data() + i * measured_neighbors);
+    spacing[i] = m.spacing;
+    noise[i] = m.noise;
+    thickness[i] = m.thickness;
+  });
+  return {quantile(spacing, .5), quantile(noise, .75), quantile(thickness, .25)};
+}
+
+// Every fourth point, in the order of the curve.
+inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
+{
+  std::vector<Grid_point> thin;
+  for(std::size_t i = 0; i < sample.size(); i += 4)
+    thin.push_back(sample[i]);
+  return thin;
 }
 
 // In the units of the coordinates. Not of an empty cloud.
@@ -82,17 +112,16 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
   const Grid grid = make_grid(box, std::ldexp(box.extent(), -16)); // 2^27 steps
   const double inverse_step = 1 / grid.step;
   Host_buffer<Grid_point> point(in.size());
-  backend.for_each(in.size(), [&](std::size_t i) { point[i] = to_grid(grid, inverse_step, in.position(i), no_normal); });
-  const std::vector<Grid_point> sample = sample_leaves(backend, point);
-  std::vector<std::uint32_t> neighbor(sample.size() * measured_neighbors);
-  find_neighbors(backend, sample.data(), std::uint32_t(sample.size()), measured_neighbors, neighbor.data());
-  std::vector<double> spacing(sample.size()), noise(sample.size());
-  backend.for_each(sample.size(), [&](std::size_t i) {
-    const Cloud_measure m = measure_neighborhood(sample.data(), std::uint32_t(i), neighbor.data() + i * measured_neighbors);
-    spacing[i] = m.spacing;
-    noise[i] = m.noise;
-  });
-  return {quantile(spacing, .5) * grid.step, quantile(noise, .75) * grid.step};
+  backend.for_each(in.size(),
+                   [&](std::size_t i) { point[i] = to_grid(grid, inverse_step, in.position(i), no_normal); });
+  std::vector<Grid_point> sample = sample_leaves(backend, point);
+  Cloud_measure measure = measure_sample(backend, sample);
+  const double spacing = measure.spacing;
+  for(int i = 0; i < 3 && measure.thickness > .4 && sample.size() > 4000; ++i) {
+    sample = thinned(sample);
+    measure = measure_sample(backend, sample);
+  }
+  return {spacing * grid.step, measure.noise * grid.step, measure.thickness};
 }
 
 } // namespace internal

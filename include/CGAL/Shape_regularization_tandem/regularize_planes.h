@@ -1,0 +1,286 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H
+
+#include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
+#include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
+#include <CGAL/Tandem/internal/Given_planes.h>
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+How planes are related after `regularize_planes()`. Planes are numbered as in the caller's range, groups from 0.
+*/
+struct Plane_relations {
+  /// of each plane: those of a group have the same unit normal, bit for bit but for the orientation
+  std::vector<int> parallel_group;
+  /// of each plane: those of a group are the same plane
+  std::vector<int> coplanar_group;
+  /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
+  std::vector<std::pair<int, int>> orthogonal_groups;
+  /// of each plane: whether it was changed
+  std::vector<bool> is_changed;
+  /// of each plane: whether it could have been related to others, but its points refused that
+  std::vector<bool> is_rolled_back;
+  /// of each plane: how far it was turned, in degrees
+  std::vector<double> angle;
+  /// of each plane: the largest distance of its points to it
+  std::vector<double> largest_distance;
+  /// the tolerance of the verification
+  double maximum_distance = 0;
+
+  std::size_t number_of_parallel_groups() const { return number_of_groups(parallel_group); }
+  std::size_t number_of_coplanar_groups() const { return number_of_groups(coplanar_group); }
+
+private:
+  static std::size_t number_of_groups(const std::vector<int>& group)
+  {
+    return group.empty() ? 0 : std::size_t(*std::max_element(group.begin(), group.end())) + 1;
+  }
+};
+
+namespace internal {
+
+inline Regularity_options check_plane_options(const Parameters& p, bool has_distance)
+{
+  if(!(p.maximum_angle >= 0 && p.maximum_angle < 45))
+    refuse("maximum_angle", p.maximum_angle, "[0, 45) degrees");
+  check_length("maximum_offset", p.maximum_offset, 0);
+  if(has_distance)
+    check_length("maximum_distance", p.maximum_distance, 1e-270);
+  return {p.maximum_angle, p.maximum_offset, p.maximum_distance,
+          p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity};
+}
+
+// The plane of each imported point.
+template <class IndexMap>
+std::vector<int> read_plane_indices(const Import& in, const IndexMap& index_map, std::size_t planes)
+{
+  std::vector<int> plane_of(in.size());
+  for(std::size_t i = 0; i < in.size(); ++i) {
+    plane_of[i] = int(get(index_map, in.item_of(i)));
+    if(plane_of[i] >= 0 && std::size_t(plane_of[i]) >= planes)
+      refuse("plane_index_map", plane_of[i], "-1 or an index of a plane, below " + to_text(planes));
+  }
+  return plane_of;
+}
+
+// Without points, or without noise and offset, any positive length serves.
+inline double resolve_maximum_distance(const Import& in, const std::vector<int>& plane_of,
+                                       const std::vector<Coefficients>& planes, const Regularity_options& options)
+{
+  if(options.maximum_distance > 0)
+    return options.maximum_distance;
+  const double estimate = (std::max)(estimate_maximum_distance(in, plane_of, planes), options.maximum_offset);
+  const double extent = in.size() > 0 ? bounding_box(in).extent() : 0;
+  const double smallest = extent > 0 ? extent * 1e-6 : 1;
+  return (std::max)(estimate, smallest);
+}
+
+// Whether the step left a plane to itself.
+inline std::vector<char> find_unrelated(const Relations& r, const std::vector<Shape_fit>& fits)
+{
+  std::vector<int> size(r.directions.size(), 0);
+  for(int d : r.direction_of)
+    ++size[d];
+  std::vector<char> is_unrelated;
+  for(std::size_t s = 0; s < fits.size(); ++s) {
+    const int d = r.direction_of[s];
+    is_unrelated.push_back(size[d] == 1 && r.directions[d] == canonical(fits[s].fit.normal));
+  }
+  return is_unrelated;
+}
+
+// The new planes in the caller's coordinates, oriented as the given ones, which stay where nothing relates them.
+inline std::vector<Coefficients> related_planes(const Relations& r, const std::vector<Coefficients>& given,
+                                                const std::vector<char>& is_unrelated, const Grid& grid)
+{
+  std::vector<Coefficients> common;
+  for(const Regular_plane& p : r.planes)
+    common.push_back(to_caller(p, grid));
+  std::vector<Coefficients> result;
+  for(std::size_t s = 0; s < given.size(); ++s) {
+    Coefficients c = is_unrelated[s] ? given[s] : common[r.plane_of[s]];
+    if(dot({c[0], c[1], c[2]}, {given[s][0], given[s][1], given[s][2]}) < 0)
+      c = {-c[0], -c[1], -c[2], -c[3]};
+    result.push_back(c);
+  }
+  return result;
+}
+
+inline void find_orthogonal_groups(const std::vector<Coefficients>& planes, Plane_relations& result)
+{
+  std::vector<Vector> direction(result.number_of_parallel_groups());
+  for(std::size_t s = 0; s < planes.size(); ++s)
+    direction[result.parallel_group[s]] = {planes[s][0], planes[s][1], planes[s][2]};
+  for(const auto& pair : orthogonal_pairs(direction)) // a plane without normal is orthogonal to nothing
+    if(dot(direction[pair.first], direction[pair.first]) > 0 && dot(direction[pair.second], direction[pair.second]) > 0)
+      result.orthogonal_groups.push_back(pair);
+}
+
+// For the caller's information only: no decision depends on the angle.
+inline double angle_between_deg(const Coefficients& a, const Coefficients& b)
+{
+  const Vector m = {a[0], a[1], a[2]}, n = {b[0], b[1], b[2]};
+  return a == b ? 0 : std::atan2(length(cross(m, n)), std::fabs(dot(m, n))) / angles::radians_per_degree;
+}
+
+inline void measure_planes(const Import& in, const std::vector<int>& plane_of, const std::vector<Coefficients>& planes,
+                           Plane_relations& result)
+{
+  result.largest_distance.assign(planes.size(), 0);
+  for(std::size_t i = 0; i < in.size(); ++i)
+    if(plane_of[i] >= 0) {
+      double& largest = result.largest_distance[plane_of[i]];
+      largest = (std::max)(largest, std::fabs(signed_distance(planes[plane_of[i]], in.position(i))));
+    }
+}
+
+// All but reading from and writing to the caller's ranges. `planes` are unit or null, and replaced.
+inline Plane_relations relate_planes(Import& in, const std::vector<int>& plane_of, Regularity_options options,
+                                     std::vector<Coefficients>& planes)
+{
+  Plane_relations result;
+  options.maximum_distance = result.maximum_distance = resolve_maximum_distance(in, plane_of, planes, options);
+  Sequential_backend backend;
+  place_on_grid(backend, in, options.maximum_distance);
+  options.maximum_distance /= in.grid.step;
+  options.maximum_offset /= in.grid.step;
+  const Given_planes given(in, plane_of, planes, result.maximum_distance);
+  const Relations r = regularize(given.fits(), given.is_excluded(), options, given);
+  const std::vector<char> is_unrelated = find_unrelated(r, given.fits());
+  const std::vector<Coefficients> old = planes;
+  planes = related_planes(r, old, is_unrelated, in.grid);
+  result.parallel_group = r.direction_of;
+  result.coplanar_group = r.plane_of;
+  result.is_rolled_back.assign(r.is_rolled_back.begin(), r.is_rolled_back.end());
+  for(std::size_t s = 0; s < planes.size(); ++s) {
+    result.is_changed.push_back(!is_unrelated[s]);
+    result.angle.push_back(angle_between_deg(planes[s], old[s]));
+  }
+  find_orthogonal_groups(planes, result);
+  measure_planes(in, plane_of, planes, result);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief makes given planes exactly parallel, orthogonal and coplanar where their points allow it.
+
+Takes the named parameters of `CGAL::Shape_regularization::Planes::regularize_planes()`, for planes of efficient RANSAC,
+region growing or any other detector. Unlike that function it
+- ties all orthogonal groups exactly: for groups that are reported as orthogonal, the dot product of the unit normals is
+  at most 1e-15 in absolute value;
+- fits the planes of a group jointly to their points, and asks the points: where more than a fifth of those within
+  `maximum_distance` of a plane would leave it, or their root mean square distance would grow by more than half of
+  `maximum_distance` (in quadrature), the plane is not moved there;
+- reports the relations, and how far each plane moved.
+
+Planes keep their orientation. A plane that is related to no other, that has no normal, or whose points do not determine
+a plane, is left as it is; the others get a unit normal. Where `regularize_parallelism` is `false`, there are no coplanar
+groups either. There is no regularization of symmetries about an axis: `regularize_axis_symmetry` and
+`symmetry_direction` have no effect. The result is independent of the order of the points.
+
+\tparam PlaneRange a range with random access iterators
+\tparam PointRange a model of `ConstRange` with random access iterators
+
+\param planes the planes, which are replaced through the plane map
+\param points the points
+\param np a sequence of named parameters
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{plane_index_map}
+    \cgalParamDescription{a property map from the position of a point (`std::size_t`) to the position of its plane (`int`),
+    -1 if it has none}
+    \cgalParamDefault{there is none: this parameter is mandatory}
+  \cgalParamNEnd
+  \cgalParamNBegin{plane_map}
+    \cgalParamDescription{a model of `ReadWritePropertyMap` from the value type of `PlaneRange` to `Plane_3`}
+    \cgalParamDefault{`CGAL::Identity_property_map`}
+  \cgalParamNEnd
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map from the value type of `PointRange` to `Point_3`}
+    \cgalParamDefault{`CGAL::Identity_property_map`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_angle}
+    \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45)}
+    \cgalParamDefault{25}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_offset}
+    \cgalParamDescription{the largest distance between parallel planes that are made coplanar}
+    \cgalParamDefault{0.01}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_distance}
+    \cgalParamDescription{the distance to its plane within which a point counts in the verification}
+    \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least `maximum_offset`}
+  \cgalParamNEnd
+  \cgalParamNBegin{regularize_parallelism, regularize_orthogonality, regularize_coplanarity}
+    \cgalParamDescription{which relations are made exact}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the relations
+
+\throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+\throw std::length_error more than 2^31 points
+\throw std::range_error the extent of the points is more than 2^24 times `maximum_distance`
+*/
+template <class PlaneRange, class PointRange, class NamedParameters>
+Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points, const NamedParameters& np)
+{
+  static_assert(internal::Is_given<internal_np::plane_index_t, NamedParameters>::value,
+                "regularize_planes() needs the named parameter plane_index_map.");
+  using Maps = internal::Traits_for<CGAL::Sequential_tag, PointRange, NamedParameters, false>;
+  using Traits = Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
+  using Plane_item = typename std::iterator_traits<decltype(planes.begin())>::value_type;
+  using RT = typename Maps::Kernel::RT;
+  Parameters p;
+  p.maximum_offset = 0.01;
+  internal::read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
+  internal::read_real<internal_np::maximum_offset_t>(np, p.maximum_offset);
+  internal::read_real<internal_np::maximum_distance_t>(np, p.maximum_distance);
+  internal::read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);
+  internal::read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
+  internal::read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);
+  const auto options =
+    internal::check_plane_options(p, internal::Is_given<internal_np::maximum_distance_t, NamedParameters>::value);
+
+  const auto plane_map = internal::parameter<internal_np::plane_t>(np, CGAL::Identity_property_map<Plane_item>());
+  std::vector<internal::Coefficients> coefficients;
+  for(auto it = planes.begin(); it != planes.end(); ++it) {
+    const typename Traits::Plane_3 s = get(plane_map, *it);
+    coefficients.push_back(internal::normalized(
+      {CGAL::to_double(s.a()), CGAL::to_double(s.b()), CGAL::to_double(s.c()), CGAL::to_double(s.d())}));
+  }
+  const Traits traits(internal::parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
+  internal::Import in = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
+                                                      CGAL::Default(), traits);
+  const auto plane_of =
+    internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
+  const Plane_relations result = internal::relate_planes(in, plane_of, options, coefficients);
+  std::size_t s = 0;
+  for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
+    if(result.is_changed[s]) {
+      const internal::Coefficients& c = coefficients[s];
+      put(plane_map, *it, traits.construct_plane_3_object()(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
+    }
+  return result;
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H

@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// regularize_planes() on planes that were found elsewhere: a noisy, turned box,
+// with the interface of CGAL's function of the same name.
+
+#undef NDEBUG
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstdio>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+
+namespace np = CGAL::parameters;
+
+namespace {
+
+int failures = 0;
+
+void check(bool condition, const std::string& what, double value = 0, double expected = 0)
+{
+  if(condition)
+    return;
+  ++failures;
+  std::printf("FAILED %s: %.17g, expected %.17g\n", what.c_str(), value, expected);
+}
+
+void check_equal(double value, double expected, const std::string& what) { check(value == expected, what, value, expected); }
+
+struct Index_map {
+  using key_type = std::size_t;
+  using value_type = int;
+  using reference = int;
+  using category = boost::readable_property_map_tag;
+  const std::vector<int>* index;
+  friend int get(const Index_map& map, std::size_t i) { return (*map.index)[i]; }
+};
+
+template <class Kernel>
+struct Scene {
+  using Point_3 = typename Kernel::Point_3;
+  using Plane_3 = typename Kernel::Plane_3;
+  std::vector<Point_3> points;
+  std::vector<Plane_3> planes;
+  std::vector<int> index;
+
+  Index_map index_map() const { return {&index}; }
+};
+
+using V = std::array<double, 3>;
+
+double dot(const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+V cross(const V& a, const V& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+V unit(const V& a)
+{
+  const double l = std::sqrt(dot(a, a));
+  return {a[0] / l, a[1] / l, a[2] / l};
+}
+
+// The frame of the box: turned by some angles.
+void make_frame(int seed, V& x, V& y, V& z)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss(0, 1);
+  z = unit({gauss(random), gauss(random), gauss(random)});
+  x = unit(cross(z, {gauss(random), gauss(random), gauss(random)}));
+  y = cross(z, x);
+}
+
+// The faces of a box of extent 10, moved by `far`, and two halves of a seventh face
+// parallel to the last one. Points have noise; given planes are off by up to two degrees.
+template <class Kernel>
+Scene<Kernel> make_box(int seed, double noise, double far = 0)
+{
+  V axis[3];
+  make_frame(seed, axis[0], axis[1], axis[2]);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss(0, 1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Scene<Kernel> s;
+  for(int f = 0; f < 8; ++f) {
+    const V &n = axis[(std::min)(f / 2, 2)], &u = axis[((std::min)(f / 2, 2) + 1) % 3], &v = axis[((std::min)(f / 2, 2) + 2) % 3];
+    const double offset = f < 6 ? (f % 2 ? 5 : -5) : 8 + (f == 6 ? 0.004 : -0.004);
+    V mean = {0, 0, 0};
+    for(int i = 0; i < 500 + 20 * f; ++i) {
+      const double a = 5 * uniform(random), b = f < 6 ? 5 * uniform(random) : (f == 6 ? 3 : -3) + 2 * uniform(random);
+      V p;
+      for(int c = 0; c < 3; ++c) {
+        p[c] = far + (offset + noise * gauss(random)) * n[c] + a * u[c] + b * v[c];
+        mean[c] += p[c] / (500 + 20 * f);
+      }
+      s.points.push_back(typename Kernel::Point_3(p[0], p[1], p[2]));
+      s.index.push_back(f);
+    }
+    const double sign = f % 3 ? 1 : -1;
+    V tilted;
+    for(int c = 0; c < 3; ++c)
+      tilted[c] = sign * (n[c] + 0.02 * uniform(random) * u[c] + 0.02 * uniform(random) * v[c]);
+    using RT = typename Kernel::RT;
+    s.planes.push_back(typename Kernel::Plane_3(RT(tilted[0]), RT(tilted[1]), RT(tilted[2]), RT(-dot(tilted, mean))));
+  }
+  for(int i = 0; i < 50; ++i) { // clutter
+    s.points.push_back({far + 9 * uniform(random), far + 9 * uniform(random), far + 9 * uniform(random)});
+    s.index.push_back(-1);
+  }
+  return s;
+}
+
+template <class Plane_3>
+V normal_of(const Plane_3& p)
+{
+  return {CGAL::to_double(p.a()), CGAL::to_double(p.b()), CGAL::to_double(p.c())};
+}
+
+template <class Kernel>
+void test_box(const std::string& kernel, double noise, double exactness, double far)
+{
+  for(int seed = 0; seed < 20; ++seed) {
+    Scene<Kernel> s = make_box<Kernel>(seed, noise, far);
+    const auto old = s.planes;
+    const std::string what = kernel + ", box " + std::to_string(seed) + ": ";
+    const CGAL::Tandem::Plane_relations r = CGAL::Tandem::regularize_planes(
+      s.planes, s.points, np::plane_index_map(s.index_map()).maximum_angle(8).maximum_offset(0.05));
+    check_equal(double(r.number_of_parallel_groups()), 3, what + "directions");
+    check_equal(double(r.number_of_coplanar_groups()), 7, what + "planes");
+    check_equal(double(r.orthogonal_groups.size()), 3, what + "right angles");
+    check_equal(r.coplanar_group[6], r.coplanar_group[7], what + "the halves are coplanar");
+    for(int i = 0; i < 8; ++i) {
+      const V a = normal_of(s.planes[i]);
+      check(std::fabs(dot(a, a) - 1) <= exactness, what + "unit normal of plane " + std::to_string(i), dot(a, a), 1);
+      check(dot(a, normal_of(old[i])) > 0, what + "keeps its orientation, plane " + std::to_string(i));
+      check(r.angle[i] < 3 && r.largest_distance[i] < 6 * noise + 0.02 && r.is_changed[i] && !r.is_rolled_back[i],
+            what + "motion of plane " + std::to_string(i), r.angle[i]);
+      for(int j = 0; j < i; ++j) {
+        const V b = normal_of(s.planes[j]), minus = {-b[0], -b[1], -b[2]};
+        const bool is_parallel = r.parallel_group[i] == r.parallel_group[j];
+        check(is_parallel ? a == b || a == minus : std::fabs(dot(a, b)) <= exactness,
+              what + "exact relation of planes " + std::to_string(i) + " and " + std::to_string(j), dot(a, b));
+      }
+    }
+    check(s.planes[6] == s.planes[7] || s.planes[6] == s.planes[7].opposite(), what + "one plane for two halves");
+  }
+}
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+void test_switches()
+{
+  const Scene<Kernel> box = make_box<Kernel>(1, 0.005);
+  auto run = [&](bool parallel, bool orthogonal, bool coplanar) {
+    Scene<Kernel> s = box;
+    return CGAL::Tandem::regularize_planes(
+      s.planes, s.points, np::plane_index_map(s.index_map()).maximum_angle(8).maximum_offset(0.05).regularize_parallelism(parallel)
+                            .regularize_orthogonality(orthogonal).regularize_coplanarity(coplanar));
+  };
+  check_equal(double(run(true, false, true).orthogonal_groups.size()), 0, "right angles, orthogonality off");
+  check_equal(double(run(true, true, false).number_of_coplanar_groups()), 8, "planes, coplanarity off");
+  check_equal(double(run(false, false, true).number_of_parallel_groups()), 8, "directions, parallelism off");
+  for(bool changed : run(false, false, false).is_changed)
+    check(!changed, "nothing changes with all switches off");
+}
+
+// Two walls at five degrees with little noise: their points refuse to become parallel.
+void test_refusal()
+{
+  Scene<Kernel> s;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for(int f = 0; f < 2; ++f) {
+    const double slope = f == 0 ? 0 : 0.0875;
+    for(int i = 0; i < 400; ++i) {
+      const double a = uniform(random), b = uniform(random);
+      s.points.push_back({a, b, slope * a + 3 * f + 0.001 * uniform(random)});
+      s.index.push_back(f);
+    }
+    s.planes.push_back({-slope, 0, 1, -3.0 * f});
+  }
+  const auto old = s.planes;
+  const auto r = CGAL::Tandem::regularize_planes(s.planes, s.points, np::plane_index_map(s.index_map()));
+  check_equal(double(r.number_of_parallel_groups()), 2, "directions of two walls at five degrees");
+  check(s.planes[0] == old[0] && s.planes[1] == old[1], "unrelated planes stay as they are");
+  check(r.maximum_distance < 0.02, "estimated maximum_distance", r.maximum_distance);
+  // five degrees of two walls of length 2 are 0.044 at most at their ends
+  const auto tolerant = CGAL::Tandem::regularize_planes(
+    s.planes, s.points, CGAL::Tandem::parameters::plane_index_map(s.index_map()).maximum_distance(0.2));
+  check_equal(double(tolerant.number_of_parallel_groups()), 1, "directions with a large maximum_distance");
+  check_equal(tolerant.maximum_distance, 0.2, "given maximum_distance");
+}
+
+void test_order_of_points()
+{
+  Scene<Kernel> s = make_box<Kernel>(4, 0.01), t = s;
+  std::vector<std::size_t> order(s.points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), std::mt19937(1));
+  for(std::size_t i = 0; i < order.size(); ++i) {
+    t.points[i] = s.points[order[i]];
+    t.index[i] = s.index[order[i]];
+  }
+  CGAL::Tandem::regularize_planes(s.planes, s.points, np::plane_index_map(s.index_map()));
+  CGAL::Tandem::regularize_planes(t.planes, t.points, np::plane_index_map(t.index_map()));
+  for(std::size_t i = 0; i < s.planes.size(); ++i)
+    check(s.planes[i] == t.planes[i], "same plane for points in another order", double(i));
+}
+
+template <class F>
+void check_throws(F f, const std::string& what)
+{
+  try {
+    f();
+    check(false, what + " is not refused");
+  } catch(const std::invalid_argument& e) {
+    check(std::string(e.what()).find(what) != std::string::npos, std::string("message: ") + e.what());
+  }
+}
+
+void test_bad_input()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Scene<Kernel> s = make_box<Kernel>(3, 0.01);
+  s.planes.push_back({0, 0, 1, -20}); // no points
+  s.planes.push_back({0, 0, 0, 1});   // no normal
+  s.planes.push_back({0, 1, 0, 0});   // collinear points
+  for(int i = 0; i < 9; ++i) {
+    s.points.push_back({double(i), 0, 0});
+    s.index.push_back(10);
+  }
+  s.points.push_back({nan, 0, 0});
+  s.index.push_back(0);
+  const auto old = s.planes;
+  const auto r = CGAL::Tandem::regularize_planes(s.planes, s.points, np::plane_index_map(s.index_map()).maximum_offset(0.05));
+  for(int i = 8; i < 11; ++i)
+    check(s.planes[i].a() == old[i].a() && s.planes[i].d() == old[i].d() && !r.is_changed[i], "stays as it is, plane", i);
+  check_equal(double(r.number_of_parallel_groups()), 6, "directions with bad planes");
+
+  std::vector<Kernel::Plane_3> no_planes;
+  std::vector<Kernel::Point_3> no_points;
+  const std::vector<int> none;
+  const Index_map map = {&none};
+  check_equal(double(CGAL::Tandem::regularize_planes(no_planes, no_points, np::plane_index_map(map)).parallel_group.size()), 0,
+              "nothing at all");
+  check_equal(double(CGAL::Tandem::regularize_planes(s.planes, no_points, np::plane_index_map(map)).parallel_group.size()), 11,
+              "planes without points");
+
+  auto run = [&](const auto& p) { CGAL::Tandem::regularize_planes(s.planes, s.points, p); };
+  check_throws([&] { run(np::plane_index_map(s.index_map()).maximum_angle(45)); }, "maximum_angle");
+  check_throws([&] { run(np::plane_index_map(s.index_map()).maximum_offset(-1)); }, "maximum_offset");
+  check_throws([&] { run(CGAL::Tandem::parameters::maximum_distance(nan).plane_index_map(s.index_map())); }, "maximum_distance");
+  s.index[7] = 11;
+  check_throws([&] { run(np::plane_index_map(s.index_map())); }, "plane_index_map");
+}
+
+// Planes and points inside of other types.
+void test_maps()
+{
+  Scene<Kernel> s = make_box<Kernel>(6, 0.01);
+  std::vector<std::pair<int, Kernel::Plane_3>> planes;
+  std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> points;
+  for(const auto& p : s.planes)
+    planes.push_back({0, p});
+  for(const auto& p : s.points)
+    points.push_back({p, Kernel::Vector_3(0, 0, 0)});
+  CGAL::Tandem::regularize_planes(
+    planes, points,
+    np::plane_map(CGAL::Second_of_pair_property_map<std::pair<int, Kernel::Plane_3>>())
+      .point_map(CGAL::First_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>())
+      .plane_index_map(s.index_map()));
+  CGAL::Tandem::regularize_planes(s.planes, s.points, np::plane_index_map(s.index_map()));
+  for(std::size_t i = 0; i < planes.size(); ++i)
+    check(planes[i].second == s.planes[i], "same plane through maps", double(i));
+}
+
+} // namespace
+
+int main()
+{
+  test_box<Kernel>("EPICK", 0.01, 1e-15, 0);
+  test_box<Kernel>("EPICK far away", 0.01, 1e-15, 4.5e5);
+  test_box<CGAL::Exact_predicates_exact_constructions_kernel>("EPECK", 0.01, 1e-15, 0);
+  test_box<CGAL::Simple_cartesian<float>>("float", 0.01, 2e-7, 0);
+  test_switches();
+  test_refusal();
+  test_order_of_points();
+  test_bad_input();
+  test_maps();
+  std::printf(failures == 0 ? "all passed\n" : "%d checks failed\n", failures);
+  return failures == 0 ? 0 : 1;
+}

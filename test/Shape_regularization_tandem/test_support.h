@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the tests of whole detections share: generated scenes as a range of points
+// with normals, one call for each back end, results that can be compared.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SUPPORT_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SUPPORT_H
+
+#include "box_cloud.h"
+#include "scenes.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cstring>
+#include <tuple>
+
+namespace scenes = CGAL::Tandem::scenes;
+using CGAL::Tandem::Parameters;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Cloud = Pairs<Kernel>;
+using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
+
+enum class Given { normals, nothing };
+
+inline Cloud to_cloud(const scenes::Scene& scene)
+{
+  Cloud cloud;
+  cloud.reserve(scene.points.size());
+  for(std::size_t i = 0; i < scene.points.size(); ++i) {
+    const scenes::Vec p = scene.points[i], n = scene.normals.empty() ? scenes::Vec{0, 0, 0} : scene.normals[i];
+    cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
+  }
+  return cloud;
+}
+
+inline scenes::Options scene_options(std::size_t points, double noise = 0, double outliers = 0)
+{
+  scenes::Options options;
+  options.points = points;
+  options.noise = noise;
+  options.outliers = outliers;
+  return options;
+}
+
+inline Parameters make_parameters(double maximum_distance, std::size_t minimum_region_size)
+{
+  Parameters p;
+  p.maximum_distance = p.maximum_offset = maximum_distance;
+  p.minimum_region_size = minimum_region_size;
+  return p;
+}
+
+template <class Tag = CGAL::Sequential_tag>
+Shapes detect(const Cloud& cloud, const Parameters& parameters, Given given = Given::normals)
+{
+  const auto list = CGAL::Tandem::parameters::settings(parameters).point_map(First<Kernel>());
+  return given == Given::normals ? CGAL::Tandem::detect_planes<Tag>(cloud, list.normal_map(Second<Kernel>()))
+                                 : CGAL::Tandem::detect_planes<Tag>(cloud, list);
+}
+
+// All that the package promises, whatever the scene is.
+inline void check_valid(const Cloud& cloud, const Shapes& shapes, const std::string& name, Given given = Given::normals)
+{
+  const auto list = CGAL::Tandem::parameters::point_map(First<Kernel>());
+  std::string why;
+  const bool is_valid = given == Given::normals
+                          ? CGAL::Tandem::is_valid_result(cloud, shapes, list.normal_map(Second<Kernel>()), &why)
+                          : CGAL::Tandem::is_valid_result(cloud, shapes, list, &why);
+  CHECK_AT(is_valid, name + ": " + why);
+}
+
+inline Shapes detect_valid(const std::string& name, const Cloud& cloud, const Parameters& parameters, Given given = Given::normals)
+{
+  const Shapes shapes = detect(cloud, parameters, given);
+  check_valid(cloud, shapes, name, given);
+  return shapes;
+}
+
+template <class T, class U>
+void check_equal(const T& value, const U& expected, const std::string& what)
+{
+  CHECK_AT(value == T(expected), what + " is " + std::to_string(value) + ", expected " + std::to_string(expected));
+}
+
+inline void check_counts(const std::string& name, const Shapes& shapes, std::size_t number, std::size_t directions, std::size_t planes)
+{
+  check_equal(shapes.number_of_shapes(), number, name + ": number of shapes");
+  check_equal(shapes.number_of_parallel_groups(), directions, name + ": number of directions");
+  check_equal(shapes.number_of_coplanar_groups(), planes, name + ": number of planes");
+}
+
+// The first position at which two lists differ, or a negative number.
+template <class List>
+long first_difference(const List& a, const List& b)
+{
+  const std::size_t common = (std::min)(a.size(), b.size());
+  for(std::size_t i = 0; i < common; ++i)
+    if(!(a[i] == b[i]))
+      return long(i);
+  return a.size() == b.size() ? -1 : long(common);
+}
+
+inline void check_same_planes(const Shapes& a, const Shapes& b, const std::string& name)
+{
+  const auto &p = a.data().coefficients, &q = b.data().coefficients;
+  CHECK_AT(p.size() == q.size() && (p.empty() || std::memcmp(p.data(), q.data(), p.size() * sizeof p[0]) == 0),
+           name + ": " + std::to_string(p.size()) + " and " + std::to_string(q.size()) + " planes, the first that differs is " +
+             std::to_string(first_difference(p, q)));
+  CHECK_AT(a.data().parallel_group == b.data().parallel_group, name);
+  CHECK_AT(a.data().coplanar_group == b.data().coplanar_group, name);
+  CHECK_AT(a.orthogonal_groups() == b.orthogonal_groups(), name);
+}
+
+// The same bits: labels, planes, relations.
+inline void check_same(const Shapes& a, const Shapes& b, const std::string& name)
+{
+  const long at = first_difference(a.shape_indices(), b.shape_indices());
+  CHECK_AT(at < 0, name + ": the labels differ, first of point " + std::to_string(at));
+  check_same_planes(a, b, name);
+}
+
+// Equal points may exchange their labels.
+inline std::vector<std::tuple<double, double, double, double, double, double, int>> labeled_points(const Cloud& cloud, const Shapes& shapes)
+{
+  std::vector<std::tuple<double, double, double, double, double, double, int>> list;
+  for(std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto& p = cloud[i].first;
+    const auto& n = cloud[i].second;
+    list.emplace_back(p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), shapes.shape_index(i));
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+inline void shuffle(Cloud& cloud, std::uint64_t seed)
+{
+  scenes::Random random(seed);
+  for(std::size_t i = cloud.size(); i > 1; --i)
+    std::swap(cloud[i - 1], cloud[random.bits() % i]);
+}
+
+inline int report()
+{
+  if(failures() > 0)
+    std::cerr << failures() << " failures" << std::endl;
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SUPPORT_H
