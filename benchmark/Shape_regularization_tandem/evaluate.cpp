@@ -65,10 +65,10 @@ Truth make_truth(const Request& request, const Ply_cloud& cloud)
   if(!request.fits_truth)
     return {cloud.label, read_planes(request.truth)};
   std::int32_t last = *std::max_element(cloud.label.begin(), cloud.label.end());
-  return {cloud.label, fit_planes(cloud.points, cloud.label, std::size_t(last + 1))};
+  return {cloud.label, fit_planes(cloud.points, cloud.label, std::size_t(last) + 1)};
 }
 
-// A table of (name, value), printed as lines or as a row.
+// A table of (name, value), printed as lines or as a row. Names have no comma.
 class Table {
 public:
   template <class T>
@@ -149,7 +149,7 @@ void add_truth(Table& table, const Truth_criteria& t)
   table.add("face F1 at .75", t.at_75.f1);
   table.add("shapes per face found", t.shapes_per_face);
   table.add("faces swallowed", t.swallowed_faces);
-  table.add("angle error, degrees", t.angle_error_deg);
+  table.add("angle error in degrees", t.angle_error_deg);
   table.add("true parallel pairs found", t.exact.parallel.true_pairs);
   table.add("true orthogonal pairs found", t.exact.orthogonal.true_pairs);
   table.add("true coplanar pairs found", t.exact.coplanar.true_pairs);

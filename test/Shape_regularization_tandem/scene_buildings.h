@@ -94,7 +94,7 @@ inline void add_steps(Model& model, const Frame& f, double x, double width, int 
 {
   std::size_t left = 0, right = 0;
   for(int i = 0; i < count; ++i) {
-    double back = -0.35 * (count - 1 - i), front = back - 0.35, top = 0.2 * (i + 1);
+    double back = -0.35 * (count - 1 - i), front = -0.35 * (count - i), top = 0.2 * (i + 1);
     model.add_box(f, {x, front, -1}, {x + width, back + 0.1, top}, side_front | side_top);
     std::vector<Vec> l = {{x, front, 0}, {x, front, top}, {x, back, top}, {x, back, 0}};
     std::vector<Vec> r = {{x + width, front, 0}, {x + width, back, 0}, {x + width, back, top}, {x + width, front, top}};
@@ -242,7 +242,8 @@ inline Model make_part()
   model.add_recess(top, {2, -0.001, 0.8, 6.002, 1, side_left | side_right});
   model.add_recess(top, {4.2, 3.4, 2.2, 1.8, 1.2});
   for(int i = 0; i < 3; ++i)
-    model.add_box(f, {-0.6 * (i + 1), 1 + 0.2 * i, 0}, {0.1 - 0.6 * i, 5 - 0.2 * i, 2.4 - 0.6 * i},
+    model.add_box(f, {-0.6 * (i + 1), std::fma(0.2, i, 1), 0},
+                  {std::fma(-0.6, i, 0.1), std::fma(-0.2, i, 5), std::fma(-0.6, i, 2.4)},
                   side_left | side_front | side_back | side_top);
   model.add_box(f.at({5.2, 1.6, 3}).turned({0, 0, 1}, 0.2679491924311227), {-0.8, -0.8, -0.1}, {0.8, 0.8, 0.7});
   add_cylinder(model, f.at({1, 3, 3}), 0.7, 1.5, false);

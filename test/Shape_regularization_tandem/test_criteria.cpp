@@ -45,9 +45,10 @@ Truth_criteria compare(const scenes::Scene& scene, const Detection& detection)
   return evaluate_truth(truth_of(scene), detection, extent_of(scene.points), 100);
 }
 
-std::vector<Plane> planes_with_normals(std::vector<Vec> normals)
+std::vector<Plane> planes_with_normals(const std::vector<Vec>& normals)
 {
   std::vector<Plane> planes;
+  planes.reserve(normals.size());
   for(const Vec& n : normals)
     planes.push_back({scenes::unit(n), double(planes.size())});
   return planes;

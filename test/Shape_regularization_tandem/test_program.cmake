@@ -257,7 +257,7 @@ find_program(timeout timeout)
 if(timeout)
   expect_shell(1 "interrupted" "awk 'BEGIN { for(i = 0; i < 1200000; ++i) print i % 1009, i % 997, i % 3 }' > big.xyz
     \"$P\" big.xyz --maximum-distance 0.5 --output never.ply & pid=$!
-    sleep 0.3; kill -INT $pid; wait $pid")
+    sleep 0.5; kill -INT $pid; wait $pid")
   file(REMOVE "${WORK_DIR}/big.xyz")
   expect_no_file(never.ply)
 endif()

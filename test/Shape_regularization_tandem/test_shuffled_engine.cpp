@@ -41,7 +41,7 @@ void compare(const std::string& name, const Cloud& cloud, const Parameters& para
   expected.finish();
   shuffled.finish();
   check_same(shuffled.shapes(), expected.shapes(), name + ", seed " + std::to_string(seed) + ", after the end game");
-  CHECK_AT(expected.shapes().number_of_shapes() >= 3, name);
+  CHECK_AT(expected.shapes().number_of_shapes() >= 2, name);
 }
 
 void test(const std::string& name, const scenes::Options& options, double epsilon, std::size_t minimum, std::uint64_t seeds)

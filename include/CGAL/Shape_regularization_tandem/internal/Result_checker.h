@@ -204,6 +204,8 @@ private:
   bool check_connectivity(Backend& backend)
   {
     const std::size_t n = in_.size();
+    if(n == 0)
+      return true;
     const std::size_t k = data_.parameters.k_neighbors;
     const auto order = sort_along_curve(backend, in_.point.data(), n, make_code_frame(in_.point.data(), n));
     std::vector<Grid_point> point(n);

@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BOX_TREE_H
 #define CGAL_TANDEM_INTERNAL_BOX_TREE_H
 
+#include <CGAL/Tandem/internal/Float8.h>
 #include <CGAL/Tandem/internal/types.h>
 
 #include <algorithm>
@@ -31,6 +32,11 @@ struct Node_box {
   std::int32_t low[3], high[3];
 };
 
+// The boxes of eight siblings; where there are fewer, the last one is repeated.
+struct Sibling_boxes {
+  std::int32_t low[3][branching], high[3][branching];
+};
+
 inline Node_box joined(const Node_box& a, const Node_box& b)
 {
   Node_box r;
@@ -40,8 +46,6 @@ inline Node_box joined(const Node_box& a, const Node_box& b)
   }
   return r;
 }
-
-inline Node_box box_of(const std::int32_t (&c)[3]) { return {{c[0], c[1], c[2]}, {c[0], c[1], c[2]}}; }
 
 // Exact: the sides are at most 2^30 steps, the sum is below 2^62.
 inline std::uint64_t squared_distance(const Node_box& a, const Node_box& b)
@@ -64,58 +68,106 @@ inline std::uint64_t squared_diagonal(const Node_box& a)
   return sum;
 }
 
+// Rounded by a factor of at most 1 + 6u, u = 2^-24, however far apart the boxes are.
+inline Float8 squared_distance8(const Sibling_boxes& b, const Node_box& a)
+{
+  Float8 gap[3];
+  for(int i = 0; i < 3; ++i) {
+    const Float8 below = difference8(b.low[i], a.high[i]);
+    const Float8 above = fill8(0) - difference8(b.high[i], a.low[i]);
+    gap[i] = max8(max8(below, above), fill8(0));
+  }
+  return squared_length8(gap[0], gap[1], gap[2]);
+}
+
 template <class Backend>
 class Box_tree {
 public:
   Box_tree(Backend& backend, const Grid_point* point, std::uint32_t n) : size_(n)
   {
-    std::size_t nodes = 0;
-    std::uint32_t count = (n + (leaf_size - 1)) / leaf_size;
+    std::size_t blocks = 0;
+    std::uint32_t count = n / leaf_size + (n % leaf_size != 0);
     for(levels_ = 0; levels_ == 0 || count > 1; ++levels_) {
       if(levels_ > 0)
-        count = (count + (branching - 1)) / branching;
-      begin_[levels_] = nodes;
+        count = parents(count);
+      begin_[levels_] = blocks;
       count_[levels_] = count;
-      nodes += count;
+      blocks += parents(count);
     }
     leaf_.reset(count_[0]);
-    box_.reset(nodes);
-    backend.for_each(count_[0], [this, point](std::size_t i) { fill_leaf(point, std::uint32_t(i)); });
+    siblings_.reset(blocks);
+    backend.for_each(parents(count_[0]), [this, point](std::size_t i) { fill_leaves(point, std::uint32_t(i)); });
     for(int level = 1; level < levels_; ++level)
-      backend.for_each(count_[level], [this, level](std::size_t i) { join_children(level, std::uint32_t(i)); });
+      backend.for_each(parents(count_[level]), [this, level](std::size_t i) { join_children(level, std::uint32_t(i)); });
   }
 
   std::uint32_t size() const { return size_; }
   int levels() const { return levels_; }
   std::uint32_t count(int level) const { return count_[level]; }
-  const Node_box& box(int level, std::uint32_t node) const { return box_.data()[begin_[level] + node]; }
-  const Point_leaf& leaf(std::uint32_t i) const { return leaf_.data()[i]; }
+  const Sibling_boxes& siblings(int level, std::uint32_t parent) const { return siblings_.data()[begin_[level] + parent]; }
+  const Point_leaf* leaves() const { return leaf_.data(); }
   std::uint32_t points_in_leaf(std::uint32_t i) const { return (std::min)(leaf_size, size_ - i * leaf_size); }
 
+  // The index of the first point below a node.
+  static std::uint32_t first_point(int level, std::uint32_t node)
+  {
+    return node << (leaf_bits + branch_bits * std::uint32_t(level));
+  }
+
+  Node_box box(int level, std::uint32_t node) const
+  {
+    const Sibling_boxes& s = siblings(level, node / branching);
+    const std::uint32_t i = node % branching;
+    return {{s.low[0][i], s.low[1][i], s.low[2][i]}, {s.high[0][i], s.high[1][i], s.high[2][i]}};
+  }
+
 private:
-  void fill_leaf(const Grid_point* point, std::uint32_t i)
+  static std::uint32_t parents(std::uint32_t count) { return count / branching + (count % branching != 0); }
+
+  // box(i) for each of the siblings of `parent`.
+  template <class Get_box>
+  void fill_siblings(int level, std::uint32_t parent, Get_box box)
+  {
+    Sibling_boxes& s = siblings_[begin_[level] + parent];
+    const std::uint32_t last = count_[level] - 1;
+    for(std::uint32_t i = 0; i < branching; ++i) {
+      const Node_box b = box((std::min)(parent * branching + i, last));
+      for(int axis = 0; axis < 3; ++axis) {
+        s.low[axis][i] = b.low[axis];
+        s.high[axis][i] = b.high[axis];
+      }
+    }
+  }
+
+  void fill_leaves(const Grid_point* point, std::uint32_t parent)
+  {
+    fill_siblings(0, parent, [this, point](std::uint32_t i) { return fill_leaf(point, i); });
+  }
+
+  Node_box fill_leaf(const Grid_point* point, std::uint32_t i)
   {
     Point_leaf& leaf = leaf_[i];
+    const Grid_point* first = point + std::size_t(i) * leaf_size;
     const std::uint32_t last = points_in_leaf(i) - 1;
-    Node_box box = box_of({point[i * leaf_size].x, point[i * leaf_size].y, point[i * leaf_size].z});
+    Node_box box = {{first->x, first->y, first->z}, {first->x, first->y, first->z}};
     for(std::uint32_t j = 0; j < leaf_size; ++j) {
-      const Grid_point& p = point[i * leaf_size + (std::min)(j, last)];
+      const Grid_point& p = first[(std::min)(j, last)];
       leaf.x[j] = p.x;
       leaf.y[j] = p.y;
       leaf.z[j] = p.z;
-      box = joined(box, box_of({p.x, p.y, p.z}));
+      box = joined(box, {{p.x, p.y, p.z}, {p.x, p.y, p.z}});
     }
-    box_[begin_[0] + i] = box;
+    return box;
   }
 
-  void join_children(int level, std::uint32_t i)
+  void join_children(int level, std::uint32_t parent)
   {
-    const std::uint32_t first = i * branching;
-    const std::uint32_t last = (std::min)(first + branching, count_[level - 1]);
-    Node_box b = box(level - 1, first);
-    for(std::uint32_t child = first + 1; child < last; ++child)
-      b = joined(b, box(level - 1, child));
-    box_[begin_[level] + i] = b;
+    fill_siblings(level, parent, [this, level](std::uint32_t node) {
+      Node_box b = box(level - 1, node * branching);
+      for(std::uint32_t i = 1; i < branching; ++i)
+        b = joined(b, box(level - 1, (std::min)(node * branching + i, count_[level - 1] - 1)));
+      return b;
+    });
   }
 
   std::uint32_t size_;
@@ -123,7 +175,7 @@ private:
   std::size_t begin_[maximum_levels];
   std::uint32_t count_[maximum_levels];
   typename Backend::template Buffer<Point_leaf> leaf_;
-  typename Backend::template Buffer<Node_box> box_;
+  typename Backend::template Buffer<Sibling_boxes> siblings_;
 };
 
 } // namespace internal

@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_FLOAT8_H
 
 #include <cstdint>
+#include <cstring>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -52,6 +53,10 @@ inline Float8 operator*(const Float8& a, const Float8& b)
 {
   return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
 }
+inline Float8 min8(const Float8& a, const Float8& b)
+{
+  return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
+}
 inline Float8 max8(const Float8& a, const Float8& b)
 {
   return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
@@ -61,6 +66,13 @@ inline Float8 max8(const Float8& a, const Float8& b)
 inline unsigned less_equal8(const Float8& a, const Float8& b)
 {
   return unsigned(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low)) | _mm_movemask_ps(_mm_cmple_ps(a.high, b.high)) << 4);
+}
+
+// The lowest bits of each float become `tag`.
+inline Float8 tagged8(const Float8& a, std::uint32_t tag, std::uint32_t tag_mask)
+{
+  const __m128 m = _mm_castsi128_ps(_mm_set1_epi32(int(tag_mask))), t = _mm_castsi128_ps(_mm_set1_epi32(int(tag)));
+  return {_mm_or_ps(_mm_andnot_ps(m, a.low), t), _mm_or_ps(_mm_andnot_ps(m, a.high), t)};
 }
 
 #else
@@ -80,11 +92,7 @@ inline Float8 make8(F f)
 
 inline Float8 load8(const float* p) { return make8([&](int i) { return p[i]; }); }
 inline Float8 fill8(float f) { return make8([&](int) { return f; }); }
-inline void store8(float* p, const Float8& a)
-{
-  for(int i = 0; i < 8; ++i)
-    p[i] = a.v[i];
-}
+inline void store8(float* p, const Float8& a) { std::memcpy(p, a.v, sizeof a.v); }
 
 // float(p[i] - origin); the difference must fit int32.
 inline Float8 difference8(const std::int32_t* p, std::int32_t origin)
@@ -95,6 +103,10 @@ inline Float8 difference8(const std::int32_t* p, std::int32_t origin)
 inline Float8 operator+(const Float8& a, const Float8& b) { return make8([&](int i) { return a.v[i] + b.v[i]; }); }
 inline Float8 operator-(const Float8& a, const Float8& b) { return make8([&](int i) { return a.v[i] - b.v[i]; }); }
 inline Float8 operator*(const Float8& a, const Float8& b) { return make8([&](int i) { return a.v[i] * b.v[i]; }); }
+inline Float8 min8(const Float8& a, const Float8& b)
+{
+  return make8([&](int i) { return a.v[i] < b.v[i] ? a.v[i] : b.v[i]; });
+}
 inline Float8 max8(const Float8& a, const Float8& b)
 {
   return make8([&](int i) { return a.v[i] < b.v[i] ? b.v[i] : a.v[i]; });
@@ -107,6 +119,18 @@ inline unsigned less_equal8(const Float8& a, const Float8& b)
   for(int i = 0; i < 8; ++i)
     mask |= unsigned(a.v[i] <= b.v[i]) << i;
   return mask;
+}
+
+// The lowest bits of each float become `tag`.
+inline Float8 tagged8(const Float8& a, std::uint32_t tag, std::uint32_t tag_mask)
+{
+  std::uint32_t bits[8];
+  std::memcpy(bits, a.v, sizeof bits);
+  for(std::uint32_t& b : bits)
+    b = (b & ~tag_mask) | tag;
+  Float8 r;
+  std::memcpy(r.v, bits, sizeof bits);
+  return r;
 }
 
 #endif

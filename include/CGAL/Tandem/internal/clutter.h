@@ -13,7 +13,7 @@ namespace Tandem {
 namespace internal {
 
 struct Neighbor_counts {
-  std::uint64_t all = 0;  // neighbors of the points of a shape
+  std::uint64_t all = 0;  // neighbors of the points of a shape, but those of other shapes
   std::uint64_t near = 0; // ... within epsilon of its plane, whatever their shape
   std::uint64_t own = 0;  // ... that belong to it
 };
@@ -49,9 +49,10 @@ private:
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const bool is_own = label[row[j]] == s;
-      ++run.all;
+      const bool is_neutral = !is_own && label[row[j]] < first_mark; // the other side of a thin plate, say
+      run.all += !is_neutral;
       run.own += is_own;
-      run.near += is_own || is_near(plane[s], cloud.point[row[j]], distance);
+      run.near += is_own || (!is_neutral && is_near(plane[s], cloud.point[row[j]], distance));
     }
   }
 };

@@ -241,11 +241,9 @@ private:
       g.matrix = g.matrix + shapes[i].scatter.matrix;
       g.weight += shapes[i].scatter.count;
     }
-    g.eigen = eigen_system(g.matrix);
-    const bool is_alone = g.members.size() == 1; // keeps the bits of its own fit
-    g.fitted = canonical(is_alone ? shapes[g.members.front()].fit.normal : g.eigen.vector[0]);
-    g.rounded = rounded_normal(g.fitted);
-    g.least = quadratic_form(g.matrix, g.fitted);
+    g.fit();
+    if(g.members.size() == 1) // keeps the bits of its own fit
+      g.set_fit(canonical(shapes[g.members.front()].fit.normal));
   }
 
   void tie()
