@@ -7,10 +7,10 @@
 option(TANDEM_WARNINGS_AS_ERRORS "Warnings are errors in the programs of Tandem" ON)
 
 if(NOT TARGET Tandem::tandem)
-  set(TANDEM_IS_STAND_ALONE ON)
   if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
   endif()
+  include("${CMAKE_CURRENT_LIST_DIR}/Tandem_dependencies.cmake")
   find_package(Tandem QUIET)
   if(NOT TARGET Tandem::tandem)
     foreach(part IN ITEMS EXAMPLES TESTS INSTALL)

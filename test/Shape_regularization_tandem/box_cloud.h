@@ -27,7 +27,6 @@ struct Box_point {
 
 inline float random_unit(std::mt19937& random) { return float(random() >> 8) * 0x1p-24f; }
 
-// Two boxes give two of everything.
 inline std::vector<Box_point> make_box_cloud(int points_a_face = 1500, float noise = .002f)
 {
   const double axis[3][3] = {{.36, .48, -.8}, {-.8, .6, 0}, {.48, .64, .6}}; // orthonormal

@@ -93,7 +93,7 @@ void test_point_set(const Pairs<Epick>& pairs)
   points.remove(points.begin());
   const Shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.006));
   const auto map = CGAL::Tandem::add_shape_property(points, shapes);
-  CHECK((points.property_map<int>("shape").second));
+  CHECK(points.has_property_map<int>("shape"));
   std::vector<std::pair<Plane, std::vector<CGAL::Point_set_3<Epick::Point_3>::Index>>> regions;
   CGAL::Tandem::output_shapes(points, shapes, std::back_inserter(regions));
   CHECK(regions.size() == 6);

@@ -19,7 +19,8 @@ void check_expected(const std::string& name, const Shapes& shapes, const Expecte
   check_equal(shapes.orthogonal_groups().size(), e.orthogonal_pairs, name + ": number of orthogonal pairs");
   check_equal(shapes.statistics().degrees_of_freedom, e.degrees_of_freedom, name + ": degrees of freedom");
   if(e.shapes > 0)
-    check_equal(shapes.statistics().complexity, double(e.degrees_of_freedom) / double(3 * e.shapes), name + ": complexity");
+    check_equal(shapes.statistics().complexity, double(e.degrees_of_freedom) / double(3 * e.shapes),
+                name + ": complexity");
 }
 
 // The face that most points of each shape come from; each point may be on the edge of another one.
@@ -36,7 +37,8 @@ std::vector<int> faces_of(const scenes::Scene& scene, const Shapes& shapes)
 }
 
 // The plane of each shape is that of its face, up to an angle and a distance at its points.
-void check_planes(const std::string& name, const scenes::Scene& scene, const Shapes& shapes, double degrees, double distance)
+void check_planes(const std::string& name, const scenes::Scene& scene, const Shapes& shapes, double degrees,
+                  double distance)
 {
   const std::vector<int> faces = faces_of(scene, shapes);
   for(std::size_t s = 0; s < faces.size(); ++s) {
@@ -59,13 +61,15 @@ void check_planes(const std::string& name, const scenes::Scene& scene, const Sha
 }
 
 // A scene, with normals that are given and estimated, in one leaf and in many.
-void test_scene(const std::string& name, const scenes::Model& model, const scenes::Options& options, double epsilon, const Expected& e)
+void test_scene(const std::string& name, const scenes::Model& model, const scenes::Options& options, double epsilon,
+                const Expected& e)
 {
   const scenes::Scene scene = scenes::make_scene(model, options);
   const Cloud cloud = to_cloud(scene);
   for(Given given : {Given::normals, Given::nothing})
     for(std::size_t cell_size : {std::size_t(8192), std::size_t(500)}) {
-      const std::string full = name + (given == Given::normals ? ", given normals, leaves of " : ", no normals, leaves of ") +
+      const std::string full = name +
+                               (given == Given::normals ? ", given normals, leaves of " : ", no normals, leaves of ") +
                                std::to_string(cell_size);
       Parameters parameters = make_parameters(epsilon, 100);
       parameters.cell_size = cell_size;
@@ -134,8 +138,10 @@ void test_without_planes()
 {
   const Cloud noise = to_cloud(scenes::make_scene("noise", scene_options(15000)));
   auto check_none = [&](Given given, double epsilon) {
-    const std::string name = (given == Given::normals ? "noise, epsilon " : "noise without normals, epsilon ") + std::to_string(epsilon);
-    check_equal(detect_valid(name, noise, make_parameters(epsilon, 50), given).number_of_shapes(), 0u, name + ": number of shapes");
+    const std::string name =
+      (given == Given::normals ? "noise, epsilon " : "noise without normals, epsilon ") + std::to_string(epsilon);
+    check_equal(detect_valid(name, noise, make_parameters(epsilon, 50), given).number_of_shapes(), 0u,
+                name + ": number of shapes");
   };
   for(double epsilon : {.005, .01, .03})
     check_none(Given::normals, epsilon);

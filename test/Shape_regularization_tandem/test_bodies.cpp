@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The arithmetic below all decisions, against long double and brute force: packed
-// normals, the predicate fits(), moments, eigenvectors, leaves, the exact check.
+// normals, the predicate fits(), moments, fits, eigenvectors.
 
 #undef NDEBUG
 
@@ -36,7 +36,10 @@ Plane random_plane(Random& random, const Grid_point& through)
   return make_plane({n.x, n.y, n.z}, {double(through.x), double(through.y), double(through.z)});
 }
 
-std::string text(const Vector& v) { return std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z); }
+std::string text(const Vector& v)
+{
+  return std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z);
+}
 
 void check_packing(const Vector& n)
 {
@@ -81,18 +84,20 @@ void test_fits()
     const Plane s = random_plane(random, q);
     const long double n[3] = {(long double)(s.nx), (long double)(s.ny), (long double)(s.nz)};
     const long double size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    CHECK_AT(std::fabs(size / (long double)(normal_scale) - 1) < 1e-8L, "plane " + std::to_string(i));
+    CHECK_AT(std::fabs(size / (long double)(normal_scale)-1) < 1e-8L, "plane " + std::to_string(i));
     const long double e = n[0] * p.x + n[1] * p.y + n[2] * p.z + (long double)(s.d);
     CHECK_AT(e == (long double)(signed_distance(s, p)), "point " + std::to_string(i));
     const Int_vector m = decode_normal(p.normal);
-    const long double cosine = std::fabs((n[0] * m.x + n[1] * m.y + n[2] * m.z) / size /
-                                         std::sqrt((long double)(m.x) * m.x + (long double)(m.y) * m.y + (long double)(m.z) * m.z));
+    const long double cosine =
+      std::fabs((n[0] * m.x + n[1] * m.y + n[2] * m.z) / size /
+                std::sqrt((long double)(m.x) * m.x + (long double)(m.y) * m.y + (long double)(m.z) * m.z));
     const double degrees = 1 + 88 * random.uniform(), distance = std::ldexp(random.uniform(), bits);
     const Tolerance t = make_tolerance(distance, cosine_deg(degrees));
-    const bool is_aligned_here = cosine >= std::cos((long double)(degrees) * 3.14159265358979323846L / 180);
+    const bool is_aligned_here = cosine >= std::cos((long double)(degrees)*3.14159265358979323846L / 180);
     if(std::fabs(cosine * cosine - (long double)(t.squared_cosine) / 4294967296.L) > 1e-7L)
       CHECK_AT(is_aligned(s, p, t.squared_cosine) == is_aligned_here, "angle of point " + std::to_string(i));
-    CHECK_AT(is_near(s, p, t.distance) == (std::fabs(e) <= (long double)(t.distance)), "distance of point " + std::to_string(i));
+    CHECK_AT(is_near(s, p, t.distance) == (std::fabs(e) <= (long double)(t.distance)),
+             "distance of point " + std::to_string(i));
     near += is_near(s, p, t.distance);
     aligned += is_aligned(s, p, t.squared_cosine);
   }
@@ -137,16 +142,20 @@ void test_moments(const char* name)
           const int sign = leaf < 4 ? 1 : -1; // the last two take away more than there is
           whole.add(p, sign);
           leaf_box.add(p);
-          cell.add(std::int64_t(p.x) - base.x / 2, std::int64_t(p.y) - base.y / 2, std::int64_t(p.z) - base.z / 2, sign);
+          cell.add(std::int64_t(p.x) - base.x / 2, std::int64_t(p.y) - base.y / 2, std::int64_t(p.z) - base.z / 2,
+                   sign);
         }
         const Moments moved = shifted(cell, base.x / 2, base.y / 2, base.z / 2);
         left += moved;
         atomic_add<Backend>(shared, moved, leaf_box);
         box.add(leaf_box);
-        const std::string where = std::string(name) + ", " + std::to_string(bits) + " bits, leaf " + std::to_string(leaf);
+        const std::string where =
+          std::string(name) + ", " + std::to_string(bits) + " bits, leaf " + std::to_string(leaf);
         CHECK_AT(equal(left, whole), where + ": shifted");
         CHECK_AT(equal(shared.moments(), whole), where + ": shared");
-        CHECK_AT(std::equal(box.low, box.low + 3, shared.box.low) && std::equal(box.high, box.high + 3, shared.box.high), where);
+        CHECK_AT(std::equal(box.low, box.low + 3, shared.box.low) &&
+                   std::equal(box.high, box.high + 3, shared.box.high),
+                 where);
       }
     }
 }
@@ -154,8 +163,16 @@ void test_moments(const char* name)
 // The carry from the low to the high word, both ways.
 void test_carry()
 {
-  const Int128 values[] = {0, 1, -1, (Int128(1) << 64) - 1, Int128(1) << 64, -(Int128(1) << 64), (Int128(1) << 100) + 5,
-                           -(Int128(1) << 100) - 5, (Int128(1) << 63), -(Int128(1) << 63)};
+  const Int128 values[] = {0,
+                           1,
+                           -1,
+                           (Int128(1) << 64) - 1,
+                           Int128(1) << 64,
+                           -(Int128(1) << 64),
+                           (Int128(1) << 100) + 5,
+                           -(Int128(1) << 100) - 5,
+                           (Int128(1) << 63),
+                           -(Int128(1) << 63)};
   for(const Int128& a : values)
     for(const Int128& b : values) {
       Shared_moments shared;
@@ -179,7 +196,8 @@ void test_fit()
     Moments m;
     const scenes::Vec n = random.direction(), u = unit(cross(n, scenes::Vec{n.y, n.z, -n.x})), v = cross(n, u);
     for(int i = 0; i < 500; ++i) {
-      const double a = std::ldexp(random.uniform(), bits), b = std::ldexp(random.uniform(), bits), c = 3 * random.gaussian();
+      const double a = std::ldexp(random.uniform(), bits), b = std::ldexp(random.uniform(), bits),
+                   c = 3 * random.gaussian();
       const scenes::Vec p = a * u + b * v + c * n;
       points.push_back({far.x + std::int32_t(p.x), far.y + std::int32_t(p.y), far.z + std::int32_t(p.z), 0});
       m.add(points.back());
@@ -202,10 +220,12 @@ void test_fit()
     const double got[6] = {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz};
     for(int i = 0, k = 0; i < 3; ++i)
       for(int j = i; j < 3; ++j, ++k)
-        CHECK_AT(std::fabs((long double)(got[k]) - s[i][j]) <= 1e-13L * trace, std::to_string(bits) + " bits, entry " + std::to_string(k));
+        CHECK_AT(std::fabs((long double)(got[k]) - s[i][j]) <= 1e-13L * trace,
+                 std::to_string(bits) + " bits, entry " + std::to_string(k));
     CHECK_AT(std::fabs((long double)(scatter.centroid.x) - mean[0]) < 1e-6L, std::to_string(bits) + " bits, centroid");
     const Vector normal = fit_plane(scatter).normal;
-    CHECK_AT(bits == 6 || std::fabs(dot(normal, {n.x, n.y, n.z})) > 1 - 1e-6, std::to_string(bits) + " bits: " + text(normal));
+    CHECK_AT(bits == 6 || std::fabs(dot(normal, {n.x, n.y, n.z})) > 1 - 1e-6,
+             std::to_string(bits) + " bits: " + text(normal));
   }
 }
 
@@ -220,7 +240,8 @@ void check_eigen_system(const Symmetric_matrix& m, const std::string& name)
     const Vector& v = system.vector[i];
     CHECK_AT(std::fabs(system.value[i] - expected[i]) <= 2e-15 * size, name + ", value " + std::to_string(i));
     CHECK_AT(i == 0 || system.value[i - 1] <= system.value[i], name + ": the values are not sorted");
-    CHECK_AT(length(m * v - system.value[i] * v) <= 4e-15 * size, name + ", vector " + std::to_string(i) + " is " + text(v));
+    CHECK_AT(length(m * v - system.value[i] * v) <= 4e-15 * size,
+             name + ", vector " + std::to_string(i) + " is " + text(v));
     for(int j = 0; j <= i; ++j)
       CHECK_AT(std::fabs(dot(v, system.vector[j]) - (i == j)) < 4e-15, name + ": the vectors are not orthonormal");
   }
@@ -247,90 +268,6 @@ void test_eigen_system()
   check_eigen_system({1e20, 1, 0, 1e-20, 0, 1}, "graded matrix");
 }
 
-// Leaves are consecutive, not too large, not too wide.
-void check_leaves(const std::vector<Grid_point>& points, std::size_t cell_size, const std::string& name)
-{
-  Sequential_backend backend;
-  const Code_frame frame = make_code_frame(points.data(), points.size());
-  const auto order = sort_along_curve(backend, points.data(), points.size(), frame);
-  const std::vector<Range> leaves = split_leaves(order.data(), points.size(), frame, cell_size);
-  std::vector<int> seen(points.size(), 0);
-  for(const Keyed_index& i : order)
-    ++seen[i.index];
-  CHECK_AT(std::count(seen.begin(), seen.end(), 1) == long(seen.size()), name + ": the order is no permutation");
-  std::uint32_t next = 0;
-  for(const Range& leaf : leaves) {
-    CHECK_AT(leaf.first == next && leaf.size() > 0 && leaf.size() <= cell_size, name + ", leaf at " + std::to_string(leaf.first));
-    next = leaf.last;
-    Box box;
-    for(std::uint32_t i = leaf.first; i < leaf.last; ++i)
-      box.add(points[order[i].index]);
-    for(int a = 0; a < 3; ++a)
-      CHECK_AT(std::int64_t(box.high[a]) - box.low[a] <= std::int64_t(1) << cell_extent_bits, name + ", leaf at " + std::to_string(leaf.first));
-  }
-  CHECK_AT(next == points.size(), name + ": the leaves end at " + std::to_string(next));
-}
-
-void test_leaves()
-{
-  Random random(6);
-  for(int bits : {0, 2, 10, 22, 28})
-    for(std::size_t cell_size : {std::size_t(64), std::size_t(1000)}) {
-      std::vector<Grid_point> points;
-      for(int i = 0; i < 5000; ++i)
-        points.push_back(random_point(random, bits));
-      check_leaves(points, cell_size, std::to_string(bits) + " bits");
-      points.insert(points.end(), 3000, points[0]); // more equal points than a leaf may have
-      check_leaves(points, cell_size, std::to_string(bits) + " bits and duplicates");
-    }
-  check_leaves({random_point(random, 28)}, 64, "one point");
-}
-
-// The filter may only pass points that are within the bounds, and nothing that is clearly within is freed.
-void test_exact_check()
-{
-  Random random(7);
-  Import in;
-  in.grid.step = std::ldexp(1, -12);
-  in.grid.origin = {4000 + 5 * in.grid.step, -777, 13};
-  Parameters parameters = make_parameters(1.3 * 1024 * in.grid.step, 10);
-  const Options options = make_options(in, parameters);
-  const double epsilon = parameters.maximum_distance;
-  int kept = 0, freed = 0;
-  for(int i = 0; i < 20000; ++i) {
-    const scenes::Vec n = random.direction(), tilt = unit(add_scaled(n, .9 * random.uniform(), random.direction()));
-    const Regular_plane plane = {{n.x, n.y, n.z}, 1e6 * (random.uniform() - .5)};
-    const Coefficients c = to_caller(plane, in.grid);
-    const scenes::Vec u = unit(cross(n, scenes::Vec{n.y, n.z, -n.x}));
-    // Exactly on the bound, up to rounding, or near it by a few grid steps.
-    const double off = epsilon + (i % 3 == 0 ? 0 : 1e-3 * epsilon * random.gaussian());
-    const double along = 100 * random.uniform();
-    double p[3];
-    for(int a = 0; a < 3; ++a) {
-      const double na = a == 0 ? n.x : a == 1 ? n.y : n.z, ua = a == 0 ? u.x : a == 1 ? u.y : u.z;
-      const double oa = a == 0 ? in.grid.origin.x : a == 1 ? in.grid.origin.y : in.grid.origin.z;
-      p[a] = oa + in.grid.step * plane.offset * na + off * na + along * ua;
-    }
-    const double normal[3] = {tilt.x, tilt.y, tilt.z};
-    const Grid_point g = to_grid(in.grid, 1 / in.grid.step, p, encode_normal({tilt.x, tilt.y, tilt.z}));
-    const std::uint32_t origin = 0;
-    std::uint32_t label = 0;
-    const Plane integer = rounded(plane);
-    const Check_exactly check = {&g, &origin, {p, normal}, &label, &integer, &c, options.certain, options.exact};
-    check(0);
-    const long double e = (long double)(c[0]) * p[0] + (long double)(c[1]) * p[1] + (long double)(c[2]) * p[2] + (long double)(c[3]);
-    const long double cosine = std::fabs((long double)(c[0]) * normal[0] + (long double)(c[1]) * normal[1] + (long double)(c[2]) * normal[2]);
-    const long double least = std::cos(25 * 3.14159265358979323846L / 180);
-    const std::string where = "point " + std::to_string(i);
-    if(label == 0)
-      CHECK_AT(std::fabs(e) <= (long double)(epsilon) && cosine >= least, where + " is kept");
-    else
-      CHECK_AT(std::fabs(e) > (long double)(epsilon) * (1 - 1e-9L) || cosine < least + 1e-6L, where + " is freed");
-    (label == 0 ? kept : freed) += 1;
-  }
-  CHECK(kept > 1000 && freed > 1000);
-}
-
 int main()
 {
   test_normals();
@@ -343,7 +280,5 @@ int main()
   test_carry();
   test_fit();
   test_eigen_system();
-  test_leaves();
-  test_exact_check();
   return report();
 }

@@ -66,7 +66,8 @@ void test(const Subject& s)
   const Shapes expected = detect(s.cloud, s.parameters, s.given);
   check_valid(s.cloud, expected, s.name, s.given);
   std::cout << s.name << ": " << s.cloud.size() << " points, " << expected.number_of_shapes() << " shapes, "
-            << expected.statistics().number_of_rounds << " rounds, hash " << std::hex << expected.hash() << std::dec << std::endl;
+            << expected.statistics().number_of_rounds << " rounds, hash " << std::hex << expected.hash() << std::dec
+            << std::endl;
   CHECK_AT(expected.number_of_shapes() >= 3, s.name);
   test_runs(s, expected);
   test_threads(s, expected);
@@ -77,7 +78,8 @@ Subject make_subject(const std::string& name, const scenes::Options& options, st
 {
   const scenes::Scene scene = scenes::make_scene(name, options);
   const double epsilon = (std::max)(3 * options.noise, .002) * scene.diagonal;
-  return {name + (given == Given::normals ? "" : " without normals"), to_cloud(scene), make_parameters(epsilon, minimum), given};
+  return {name + (given == Given::normals ? "" : " without normals"), to_cloud(scene),
+          make_parameters(epsilon, minimum), given};
 }
 
 // Each point comes two or three times: equal in all bits, which no order can tell

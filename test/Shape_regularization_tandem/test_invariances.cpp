@@ -28,7 +28,8 @@ Subject make_subject(const std::string& name, const scenes::Options& options, do
   Subject s = {name, Cloud(), make_parameters(epsilon, minimum)};
   for(const auto& item : to_cloud(scene)) {
     auto rounded = [](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, 20)), -20); };
-    s.cloud.emplace_back(Kernel::Point_3(rounded(item.first.x()), rounded(item.first.y()), rounded(item.first.z())), item.second);
+    s.cloud.emplace_back(Kernel::Point_3(rounded(item.first.x()), rounded(item.first.y()), rounded(item.first.z())),
+                         item.second);
   }
   return s;
 }
@@ -66,7 +67,8 @@ void test_flipped_normals(const Subject& s, const Shapes& expected)
     item.second = -1 * item.second;
   const Shapes opposite = detect(flipped, s.parameters);
   for(std::size_t i = 0; i < shapes.number_of_shapes() && i < opposite.number_of_shapes(); ++i)
-    CHECK_AT(shapes.number_of_shapes() != opposite.number_of_shapes() || shapes.coefficients(i) == opposite.coefficients(i),
+    CHECK_AT(shapes.number_of_shapes() != opposite.number_of_shapes() ||
+               shapes.coefficients(i) == opposite.coefficients(i),
              s.name + ", opposite normals");
 }
 
@@ -74,8 +76,9 @@ void test_flipped_normals(const Subject& s, const Shapes& expected)
 void test_translation(const Subject& s, const Shapes& expected, Given given)
 {
   const double step = expected.statistics().grid_step;
-  for(const Kernel::Vector_3& v : {Kernel::Vector_3(step, -3 * step, 17 * step), Kernel::Vector_3(1, 2, -3), Kernel::Vector_3(100, 100, 100),
-                                   Kernel::Vector_3(5e5, 4.5e6, 100), Kernel::Vector_3(-6.5e5, 6.8e6, 0)}) {
+  for(const Kernel::Vector_3& v :
+      {Kernel::Vector_3(step, -3 * step, 17 * step), Kernel::Vector_3(1, 2, -3), Kernel::Vector_3(100, 100, 100),
+       Kernel::Vector_3(5e5, 4.5e6, 100), Kernel::Vector_3(-6.5e5, 6.8e6, 0)}) {
     const std::string name = s.name + ", shifted by " + std::to_string(v.x()) + " " + std::to_string(v.y());
     const Cloud cloud = moved(s.cloud, v);
     const Shapes shapes = detect_valid(name, cloud, s.parameters, given);
@@ -101,8 +104,10 @@ void test_scale(const Subject& s, const Shapes& expected, Given given)
   }
   for(double scale : {1000., .3048}) { // millimeters, feet: other bits, the same shapes
     const std::string name = s.name + ", scaled by " + std::to_string(scale);
-    const Shapes shapes = detect_valid(name, moved(s.cloud, Kernel::Vector_3(0, 0, 0), scale), scaled(s.parameters, scale), given);
-    check_counts(name, shapes, expected.number_of_shapes(), expected.number_of_parallel_groups(), expected.number_of_coplanar_groups());
+    const Shapes shapes =
+      detect_valid(name, moved(s.cloud, Kernel::Vector_3(0, 0, 0), scale), scaled(s.parameters, scale), given);
+    check_counts(name, shapes, expected.number_of_shapes(), expected.number_of_parallel_groups(),
+                 expected.number_of_coplanar_groups());
   }
 }
 
@@ -131,11 +136,13 @@ void test_rotation()
 {
   for(double t : {0., .1, .35, 1., 3.})
     for(double far : {0., 4.5e6}) {
-      const scenes::Scene scene = scenes::make_scene(scenes::make_cube(scenes::Frame().turned({3, -2, 1 + t}, t)), scene_options(6000, .001));
+      const scenes::Scene scene =
+        scenes::make_scene(scenes::make_cube(scenes::Frame().turned({3, -2, 1 + t}, t)), scene_options(6000, .001));
       const std::string name = "cube turned by " + std::to_string(t) + " at " + std::to_string(far);
       const Cloud cloud = moved(to_cloud(scene), Kernel::Vector_3(far / 9, far, 100));
       check_counts(name, detect_valid(name, cloud, make_parameters(.007, 60)), 6, 3, 6);
-      check_counts(name + " without normals", detect_valid(name, cloud, make_parameters(.007, 60), Given::nothing), 6, 3, 6);
+      check_counts(name + " without normals", detect_valid(name, cloud, make_parameters(.007, 60), Given::nothing), 6,
+                   3, 6);
     }
 }
 
@@ -183,8 +190,10 @@ void test_hands_off()
   using Pair_type = Cloud::value_type;
   const Subject s = make_subject("house", scene_options(5000, .001, .1), .08, 40);
   const Cloud before = s.cloud;
-  const Counting_map<Kernel::Point_3, &Pair_type::first> points = {&s.cloud, std::make_shared<std::vector<int>>(s.cloud.size(), 0)};
-  const Counting_map<Kernel::Vector_3, &Pair_type::second> normals = {&s.cloud, std::make_shared<std::vector<int>>(s.cloud.size(), 0)};
+  const Counting_map<Kernel::Point_3, &Pair_type::first> points = {
+    &s.cloud, std::make_shared<std::vector<int>>(s.cloud.size(), 0)};
+  const Counting_map<Kernel::Vector_3, &Pair_type::second> normals = {
+    &s.cloud, std::make_shared<std::vector<int>>(s.cloud.size(), 0)};
   const auto list = CGAL::Tandem::parameters::settings(s.parameters).point_map(points);
   CGAL::Tandem::detect_planes(s.cloud, list.normal_map(normals));
   CHECK(std::memcmp(before.data(), s.cloud.data(), before.size() * sizeof before[0]) == 0);
@@ -205,7 +214,8 @@ void test_random_parameters(std::uint64_t seed)
     options.seed = round;
     options.normals = random.bits() % 2 == 0 ? scenes::Normals::exact : scenes::Normals::perturbed;
     const scenes::Scene scene = scenes::make_scene(names[random.bits() % names.size()], options);
-    Parameters p = make_parameters(scene.diagonal * std::ldexp(1, -3 - int(random.bits() % 12)), 3 + random.bits() % 60);
+    Parameters p =
+      make_parameters(scene.diagonal * std::ldexp(1, -3 - int(random.bits() % 12)), 3 + random.bits() % 60);
     p.maximum_angle = 1 + 88 * random.uniform();
     p.angle_tolerance = 44 * random.uniform();
     p.maximum_offset *= 3 * random.uniform();

@@ -176,6 +176,16 @@ void test_ties()
               }));
 }
 
+// The three points in the middle have 512 others before and 600 after them, all at
+// the same distance. Those after are in the same subtree and found first.
+void test_ties_of_subtrees()
+{
+  for(std::int32_t distance : {1, 12345, 1 << 28})
+    check("ties of subtrees", make_cloud(512 + 3 + 600, [&](std::size_t i) {
+            return Grid_point{i < 512 ? distance : i < 515 ? 0 : -distance, 0, 0, 0};
+          }), 12);
+}
+
 void test_few_points()
 {
   Random random(3);
@@ -227,6 +237,7 @@ int main()
 {
   test_few_points();
   test_ties();
+  test_ties_of_subtrees();
   test_distributions();
   test_no_catastrophe();
   if(failures > 0)

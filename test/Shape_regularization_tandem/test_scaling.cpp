@@ -22,7 +22,8 @@ Cloud copies(const Cloud& one, int n, double pitch)
 }
 
 // `rows` shapes of one share a plane with those of all copies of a row, and so on.
-void test_copies(const std::string& name, const scenes::Options& options, double epsilon, std::size_t directions, int most)
+void test_copies(const std::string& name, const scenes::Options& options, double epsilon, std::size_t directions,
+                 int most)
 {
   const scenes::Scene scene = scenes::make_scene(name, options);
   const Cloud one = to_cloud(scene);
@@ -42,7 +43,8 @@ void test_copies(const std::string& name, const scenes::Options& options, double
 // A cube that is turned about the vertical: top and bottom of all copies are two planes.
 void test_cubes()
 {
-  const scenes::Scene scene = scenes::make_scene(scenes::make_cube(scenes::Frame().turned({0, 0, 1}, .2)), scene_options(3000, .0005));
+  const scenes::Scene scene =
+    scenes::make_scene(scenes::make_cube(scenes::Frame().turned({0, 0, 1}, .2)), scene_options(3000, .0005));
   for(int n : {1, 2, 4, 7}) {
     const std::string name = std::to_string(n * n) + " cubes";
     const Shapes shapes = detect_valid(name, copies(to_cloud(scene), n, 2.3), make_parameters(.006, 60));
@@ -61,7 +63,8 @@ void test_time()
       const Cloud cloud = copies(to_cloud(scene), 2 + 2 * i, 1.5 * scene.diagonal);
       const auto start = std::chrono::steady_clock::now();
       detect(cloud, make_parameters(.04, 60));
-      seconds[i] = (std::min)(seconds[i], std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      seconds[i] =
+        (std::min)(seconds[i], std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
   const double growth = seconds[1] / seconds[0] / 4;
   std::cout << "time of 4 and 16 houses: " << seconds[0] << " s, " << seconds[1] << " s" << std::endl;

@@ -27,7 +27,8 @@ void compare(const std::string& name, const Cloud& cloud, const Parameters& para
 {
   const auto list = CGAL::Tandem::parameters::settings(parameters).point_map(Point_map()).normal_map(Normal_map());
   CGAL::Tandem::Planar_shape_detection_3<Sequential_traits<Normal_map>> expected(cloud, list);
-  CGAL::Tandem::Planar_shape_detection_3<Shuffled_traits<Normal_map>> shuffled(cloud, list, Shuffled_traits<Normal_map>(seed));
+  CGAL::Tandem::Planar_shape_detection_3<Shuffled_traits<Normal_map>> shuffled(cloud, list,
+                                                                               Shuffled_traits<Normal_map>(seed));
   const int failures_before = failures();
   bool goes_on = true;
   for(int round = 0; goes_on && failures() == failures_before; ++round) {
@@ -44,7 +45,8 @@ void compare(const std::string& name, const Cloud& cloud, const Parameters& para
   CHECK_AT(expected.shapes().number_of_shapes() >= 2, name);
 }
 
-void test(const std::string& name, const scenes::Options& options, double epsilon, std::size_t minimum, std::uint64_t seeds)
+void test(const std::string& name, const scenes::Options& options, double epsilon, std::size_t minimum,
+          std::uint64_t seeds)
 {
   const Cloud cloud = to_cloud(scenes::make_scene(name, options));
   Parameters parameters = make_parameters(epsilon, minimum);

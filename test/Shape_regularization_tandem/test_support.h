@@ -74,7 +74,8 @@ inline void check_valid(const Cloud& cloud, const Shapes& shapes, const std::str
   CHECK_AT(is_valid, name + ": " + why);
 }
 
-inline Shapes detect_valid(const std::string& name, const Cloud& cloud, const Parameters& parameters, Given given = Given::normals)
+inline Shapes detect_valid(const std::string& name, const Cloud& cloud, const Parameters& parameters,
+                           Given given = Given::normals)
 {
   const Shapes shapes = detect(cloud, parameters, given);
   check_valid(cloud, shapes, name, given);
@@ -87,7 +88,8 @@ void check_equal(const T& value, const U& expected, const std::string& what)
   CHECK_AT(value == T(expected), what + " is " + std::to_string(value) + ", expected " + std::to_string(expected));
 }
 
-inline void check_counts(const std::string& name, const Shapes& shapes, std::size_t number, std::size_t directions, std::size_t planes)
+inline void check_counts(const std::string& name, const Shapes& shapes, std::size_t number, std::size_t directions,
+                         std::size_t planes)
 {
   check_equal(shapes.number_of_shapes(), number, name + ": number of shapes");
   check_equal(shapes.number_of_parallel_groups(), directions, name + ": number of directions");
@@ -109,8 +111,8 @@ inline void check_same_planes(const Shapes& a, const Shapes& b, const std::strin
 {
   const auto &p = a.data().coefficients, &q = b.data().coefficients;
   CHECK_AT(p.size() == q.size() && (p.empty() || std::memcmp(p.data(), q.data(), p.size() * sizeof p[0]) == 0),
-           name + ": " + std::to_string(p.size()) + " and " + std::to_string(q.size()) + " planes, the first that differs is " +
-             std::to_string(first_difference(p, q)));
+           name + ": " + std::to_string(p.size()) + " and " + std::to_string(q.size()) +
+             " planes, the first that differs is " + std::to_string(first_difference(p, q)));
   CHECK_AT(a.data().parallel_group == b.data().parallel_group, name);
   CHECK_AT(a.data().coplanar_group == b.data().coplanar_group, name);
   CHECK_AT(a.orthogonal_groups() == b.orthogonal_groups(), name);
@@ -125,7 +127,8 @@ inline void check_same(const Shapes& a, const Shapes& b, const std::string& name
 }
 
 // Equal points may exchange their labels.
-inline std::vector<std::tuple<double, double, double, double, double, double, int>> labeled_points(const Cloud& cloud, const Shapes& shapes)
+inline std::vector<std::tuple<double, double, double, double, double, double, int>> labeled_points(const Cloud& cloud,
+                                                                                                   const Shapes& shapes)
 {
   std::vector<std::tuple<double, double, double, double, double, double, int>> list;
   for(std::size_t i = 0; i < cloud.size(); ++i) {

@@ -11,7 +11,7 @@
 #include <CGAL/Tandem/internal/grow_shapes.h>
 #include <CGAL/Tandem/internal/import_cloud.h>
 #include <CGAL/Tandem/internal/prepare.h>
-#include <CGAL/Tandem/internal/regularize_shapes.h>
+#include <CGAL/Tandem/internal/split_layers.h>
 
 #include <utility>
 
@@ -42,6 +42,7 @@ public:
     std::vector<Link> links = collect_links(state_, least_links, Links::changed);
     merge_fragments(state_, links, misfit_share);
     relations_ = regularize_shapes(state_, false);
+    split_layers(state_, relations_);
     std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);
     give_up_fragments(target);
     merge_shapes(state_, target);

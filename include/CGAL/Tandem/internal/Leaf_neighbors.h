@@ -164,11 +164,11 @@ private:
     limit_ = *std::max_element(reach, reach + 8);
   }
 
-  // Lanes with fewer than k others, or with keys too close to each other to
-  // trust their order.
+  // Lanes with keys too close to each other to trust their order, unknown ones
+  // included.
   unsigned ambiguous_lanes() const
   {
-    unsigned lanes = less_equal8(fill8(unknown), best_[k()]);
+    unsigned lanes = 0;
     for(int i = 0; i <= k(); ++i)
       lanes |= less_equal8(best_[i + 1], best_[i] * fill8(margin));
     return lanes;

@@ -187,8 +187,8 @@ CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
 // adjugate of the covariance less that eigenvalue.
 CGAL_TANDEM_HD inline Float_vector plane_normal(const Neighborhood& h, float smallest)
 {
-  const covariance::Matrix m = {float(double(h.xx) - smallest), h.xy, h.xz, float(double(h.yy) - smallest), h.yz,
-                                float(double(h.zz) - smallest)};
+  const covariance::Matrix m = {float(double(h.xx) - smallest), h.xy, h.xz,
+                                float(double(h.yy) - smallest), h.yz, float(double(h.zz) - smallest)};
   const covariance::Matrix c = covariance::cofactors(m);
   if(c.xx >= c.yy && c.xx >= c.zz)
     return {c.xx, c.xy, c.xz};

@@ -134,8 +134,9 @@ private:
     return left * left;
   }
 
-  // The one of the known directions within the angle that is worth most: a cheap right angle to a
-  // large group is no coincidence, while a small group at the right place always is to be found.
+  // The one of the known directions within the angle that is worth most. A cheap right angle to a large
+  // group is no coincidence, while some small group is found at any angle. (The root of the weight gave
+  // more exact pairs and a lower complexity on real clouds than the weight or the cost alone.)
   template <class Worth>
   std::size_t best_partner(const Vector& rounded_fit, double sine, Worth worth_of) const
   {
@@ -145,7 +146,7 @@ private:
       const Placed& p = placed[i];
       if(!(std::fabs(rounded_dot(p.rounded, rounded_fit)) < (std::min)(p.sine, sine)))
         continue;
-      const double value = p.weight * worth_of(p.direction);
+      const double value = std::sqrt(p.weight) * worth_of(p.direction);
       if(value > most) {
         most = value;
         best = i;

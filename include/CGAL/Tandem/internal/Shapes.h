@@ -94,6 +94,7 @@ struct Shape {
   int rollbacks = 0;
   int retry_round = 0;         // not regularized before this round ...
   std::int64_t retry_count = 0; // ... or before it has this many points
+  std::int64_t layered_count = 0; // points when it was last examined for layers
   Answer answers[4];           // the latest ones, in turn
   int next_answer = 0;
   bool is_active = false;

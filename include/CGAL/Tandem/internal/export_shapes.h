@@ -61,13 +61,18 @@ constexpr double largest_orthogonal_dot = 5e-16;
 
 inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data& data)
 {
-  const std::vector<int> first = representatives(data.parallel_group);
+  std::vector<Coefficients> direction;
+  for(int s : representatives(data.parallel_group))
+    direction.push_back(data.coefficients[std::size_t(s)]);
   std::vector<std::pair<int, int>> pairs;
-  for(std::size_t g = 0; g < first.size(); ++g)
-    for(std::size_t h = g + 1; h < first.size(); ++h)
-      if(std::fabs(normal_dot(data.coefficients[first[g]], data.coefficients[first[h]].data())) <=
-         largest_orthogonal_dot)
+  for(std::size_t g = 0; g < direction.size(); ++g)
+    for(std::size_t h = g + 1; h < direction.size(); ++h) {
+      const Coefficients &a = direction[g], &b = direction[h];
+      if(std::fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > 1e-14) // nearly all pairs, and fma is slow
+        continue;
+      if(std::fabs(normal_dot(a, b.data())) <= largest_orthogonal_dot)
         pairs.emplace_back(int(g), int(h));
+    }
   return pairs;
 }
 

@@ -27,6 +27,18 @@ inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane
   return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
 }
 
+// Of a shape with more points than this only a sample is asked whether a plane is
+// tolerable. (Whether a point stays is asked of each one.)
+constexpr std::int64_t sample_size = 512;
+
+inline std::uint32_t sample_mask(const Shape& shape)
+{
+  std::uint32_t mask = 0;
+  while(shape.moments.count / (2 * (std::int64_t(mask) + 1)) >= sample_size)
+    mask = 2 * mask + 1;
+  return mask;
+}
+
 // Asks the points: which share of each listed shape fits its local plane, but not
 // the candidate. Planes that hardly move need no answer from the points, and what
 // was asked before, about hardly other planes, is answered from memory.
@@ -65,18 +77,6 @@ public:
   }
 
 private:
-  // Of a shape with more points than this only a sample is asked whether a plane is
-  // tolerable. (Whether a point stays is asked of each one.)
-  static constexpr std::int64_t sample_size = 512;
-
-  static std::uint32_t sample_mask(const Shape& shape)
-  {
-    std::uint32_t mask = 0;
-    while(shape.moments.count / (2 * (std::int64_t(mask) + 1)) >= sample_size)
-      mask = 2 * mask + 1;
-    return mask;
-  }
-
   bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
   {
     return bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;

@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Directions of the shapes: clusters of the Gauss map, tied by frames, verified.
+// What is refused starts again within a smaller angle.
+
+#ifndef CGAL_TANDEM_INTERNAL_DIRECTION_FITTER_H
+#define CGAL_TANDEM_INTERNAL_DIRECTION_FITTER_H
+
+#include <CGAL/Tandem/internal/Verified_planes.h>
+#include <CGAL/Tandem/internal/angles.h>
+#include <CGAL/Tandem/internal/frames.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace regularity {
+
+// What was refused is clustered again with half the tolerance. A shape large enough
+// to be refused has a precise normal: only true right angles are left to it, and at last none.
+constexpr int levels = 5;
+constexpr double parallel_share[levels] = {1, 0.5, 0.25, 0.125, 0.125};
+constexpr double right_share[levels] = {1, 0.25, 0.0625, 0.0625, 0};
+
+} // namespace regularity
+
+template <class Verify>
+class Direction_fitter {
+public:
+  Direction_fitter(const std::vector<Shape_fit>& shapes, const Regularity_options& options,
+                   Verified_planes<Verify>& verified)
+    : shapes(shapes), options(options), verified(verified)
+  {}
+
+  // Groups the given shapes; those refused at every level are in no group.
+  void fit(std::vector<int> pending)
+  {
+    was_refused.assign(shapes.size(), 0);
+    for(int level = 0; level < regularity::levels && !pending.empty(); ++level) {
+      const double parallel_sine = sine_deg(options.angle_tolerance_deg * regularity::parallel_share[level]);
+      const double right_sine = sine_deg(options.angle_tolerance_deg * regularity::right_share[level]);
+      freeze(right_sine);
+      if(options.parallelism && level > 0)
+        rejoin(pending, parallel_sine);
+      add_groups(pending, parallel_sine, right_sine);
+      pending = settle();
+      for(int i : ask_points()) {
+        pending.push_back(i);
+        was_refused[i] = 1;
+      }
+      std::sort(pending.begin(), pending.end());
+    }
+  }
+
+  const std::vector<Direction_group>& result() const { return groups; }
+
+  // Shapes that share no direction and keep their local fit, since the points refused something else.
+  std::vector<char> rolled_back() const
+  {
+    std::vector<char> result = was_refused;
+    for(const Direction_group& g : groups)
+      for(int i : g.members)
+        if(g.members.size() > 1 || !(g.direction == canonical(shapes[i].fit.normal)))
+          result[i] = 0;
+    return result;
+  }
+
+private:
+  // Groups that lost members are fitted again and tied within the smaller angle. At the last level what was
+  // accepted stays as it is.
+  void freeze(double right_sine)
+  {
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      groups[g].is_frozen = right_sine == 0 && !is_dirty[g];
+      if(is_dirty[g])
+        groups[g].sine = right_sine;
+    }
+    refit();
+  }
+
+  // A refused shape joins a group that, without the other refused shapes, has come much closer to it.
+  void rejoin(std::vector<int>& pending, double sine)
+  {
+    std::vector<Vector> fitted;
+    for(const Direction_group& g : groups)
+      fitted.push_back(g.fitted);
+    const Direction_index index(fitted, sine);
+    std::vector<int> rest;
+    for(int i : pending) {
+      std::pair<double, std::size_t> best(0.25 * refused_cost[i], groups.size());
+      index.near(shapes[i].fit.normal, [&](std::size_t g, double) {
+        if(!groups[g].is_frozen)
+          best = (std::min)(best, {verified.added(i, fitted[g]), g});
+      });
+      if(best.second == groups.size() || verified.is_too_far(i, fitted[best.second])) {
+        rest.push_back(i);
+      } else {
+        std::vector<int>& m = groups[best.second].members;
+        m.insert(std::lower_bound(m.begin(), m.end(), i), i);
+        is_dirty[best.second] = 1;
+      }
+    }
+    pending.swap(rest);
+  }
+
+  void add_groups(const std::vector<int>& pending, double parallel_sine, double right_sine)
+  {
+    std::vector<std::vector<int>> clusters;
+    if(options.parallelism && parallel_sine > 1e-9) {
+      std::vector<Vector> normal;
+      std::vector<double> weight;
+      for(int i : pending) {
+        normal.push_back(shapes[i].fit.normal);
+        weight.push_back(shapes[i].scatter.count);
+      }
+      clusters = cluster_directions(normal, weight, parallel_sine);
+    } else {
+      for(std::size_t k = 0; k < pending.size(); ++k)
+        clusters.push_back({int(k)});
+    }
+    for(std::vector<int>& cluster : clusters) {
+      for(int& k : cluster)
+        k = pending[k];
+      groups.push_back({cluster, right_sine, {}, 0, {}, {}, {}, 0, {}, false});
+      is_dirty.push_back(1);
+    }
+  }
+
+  // Fits and ties the groups. Members that their moments refuse are taken out: before the ties, so that the
+  // rest is fitted without them, and after.
+  std::vector<int> settle()
+  {
+    std::vector<int> refused;
+    for(int step = 0; step < 3; ++step) {
+      refit();
+      const std::size_t before = refused.size();
+      remove_members([&](int i, std::size_t g) { return verified.is_too_far(i, groups[g].fitted); }, refused);
+      if(refused.size() == before)
+        break;
+    }
+    refit();
+    tie();
+    remove_members([&](int i, std::size_t g) { return verified.is_too_far(i, groups[g].direction); }, refused);
+    return refused;
+  }
+
+  void refit()
+  {
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      if(is_dirty[g])
+        refit(groups[g]);
+    std::fill(is_dirty.begin(), is_dirty.end(), char(0));
+  }
+
+  void refit(Direction_group& g) const
+  {
+    g.matrix = {0, 0, 0, 0, 0, 0};
+    g.weight = 0;
+    for(int i : g.members) {
+      g.matrix = g.matrix + shapes[i].scatter.matrix;
+      g.weight += shapes[i].scatter.count;
+    }
+    g.fit();
+    if(g.members.size() == 1) // keeps the bits of its own fit
+      g.set_fit(canonical(shapes[g.members.front()].fit.normal));
+  }
+
+  void tie()
+  {
+    if(options.orthogonality) {
+      const double rms = regularity::rms_share * options.maximum_distance;
+      Frames(groups, rms * rms).tie();
+    } else {
+      for(Direction_group& g : groups)
+        if(!g.is_frozen)
+          g.direction = g.fitted;
+    }
+  }
+
+  std::vector<int> ask_points()
+  {
+    std::vector<int> candidates;
+    std::vector<Regular_plane> planes;
+    for(const Direction_group& g : groups)
+      for(int i : g.members) {
+        candidates.push_back(i);
+        planes.push_back(through_centroid(shapes[i], g.direction));
+      }
+    const std::vector<char> is_refused = verified.test(candidates, planes);
+    std::vector<int> refused;
+    std::size_t k = 0; // members are visited in the same order
+    remove_members([&](int, std::size_t) { return is_refused[k++] != 0; }, refused);
+    return refused;
+  }
+
+  template <class Predicate>
+  void remove_members(Predicate is_refused, std::vector<int>& refused)
+  {
+    refused_cost.resize(shapes.size(), 0);
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<int> kept;
+      for(int i : groups[g].members) {
+        const bool is_out = is_refused(i, g);
+        (is_out ? refused : kept).push_back(i);
+        if(is_out)
+          refused_cost[i] = verified.added(i, groups[g].fitted);
+      }
+      if(kept.size() < groups[g].members.size()) {
+        groups[g].members.swap(kept);
+        is_dirty[g] = 1;
+      }
+    }
+    drop_empty();
+  }
+
+  void drop_empty()
+  {
+    std::size_t kept = 0;
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      if(!groups[g].members.empty()) {
+        if(kept != g)
+          groups[kept] = std::move(groups[g]);
+        is_dirty[kept++] = is_dirty[g];
+      }
+    groups.resize(kept);
+    is_dirty.resize(kept);
+  }
+
+  const std::vector<Shape_fit>& shapes;
+  const Regularity_options& options;
+  Verified_planes<Verify>& verified;
+  std::vector<Direction_group> groups;
+  std::vector<char> is_dirty;       // per group: its members changed
+  std::vector<char> was_refused;    // per shape: by the points
+  std::vector<double> refused_cost; // per shape: what the fit of the refused group added
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_DIRECTION_FITTER_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the moments and the points of the shapes say to the planes that the
+// regularity step proposes. Point-sized work is left to a callback
+//   verify(shapes, planes, counts): counts[k] = number of points of shapes[k]
+//   that fit its local plane, but not planes[k]
+// which is called a few times with all shapes that are in question.
+
+#ifndef CGAL_TANDEM_INTERNAL_VERIFIED_PLANES_H
+#define CGAL_TANDEM_INTERNAL_VERIFIED_PLANES_H
+
+#include <CGAL/Tandem/internal/directions.h>
+#include <CGAL/Tandem/internal/relations.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace regularity {
+
+constexpr double misfit_share = 0.2; // of its points, newly misfitting: the shape is refused
+constexpr double rms_share = 0.5;    // of epsilon, added in quadrature to the distance of the points: refused
+constexpr double still_share = 0.02; // of epsilon: a plane that moved less needs no verification
+
+} // namespace regularity
+
+inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
+
+// The shapes with the plane that their points accepted last: the local fit at first.
+template <class Verify>
+class Verified_planes {
+public:
+  Verified_planes(const std::vector<Shape_fit>& shapes, double maximum_distance, Verify& verify)
+    : shapes(shapes), maximum_distance(maximum_distance), verify(verify)
+  {
+    for(const Shape_fit& s : shapes)
+      accepted.push_back(through_centroid(s, canonical(s.fit.normal)));
+  }
+
+  // Whether the direction adds too much to the distance of the points (from the moments alone).
+  bool is_too_far(int shape, const Vector& n) const
+  {
+    const double allowed = regularity::rms_share * maximum_distance;
+    return added(shape, n) > allowed * allowed * shapes[shape].scatter.count;
+  }
+
+  double added(int shape, const Vector& n) const
+  {
+    const Shape_fit& s = shapes[shape];
+    return quadratic_form(s.scatter.matrix, n) - quadratic_form(s.scatter.matrix, s.fit.normal);
+  }
+
+  // Asks the points, in one call. Returns for each candidate whether it was refused.
+  std::vector<char> test(const std::vector<int>& candidates, const std::vector<Regular_plane>& planes)
+  {
+    std::vector<int> asked;
+    std::vector<Regular_plane> asked_planes;
+    std::vector<std::size_t> position;
+    for(std::size_t k = 0; k < candidates.size(); ++k)
+      if(motion(candidates[k], planes[k]) > regularity::still_share * maximum_distance) {
+        asked.push_back(candidates[k]);
+        asked_planes.push_back(planes[k]);
+        position.push_back(k);
+      }
+    std::vector<std::int64_t> counts(asked.size(), 0);
+    if(!asked.empty())
+      verify(asked, asked_planes, counts);
+    std::vector<char> is_refused(candidates.size(), 0);
+    for(std::size_t a = 0; a < asked.size(); ++a) {
+      if(double(counts[a]) > regularity::misfit_share * shapes[asked[a]].scatter.count)
+        is_refused[position[a]] = 1;
+      else
+        accepted[asked[a]] = asked_planes[a];
+    }
+    return is_refused;
+  }
+
+private:
+  // Bound on the motion of the plane against the accepted one within two standard deviations of the shape.
+  double motion(int shape, const Regular_plane& plane) const
+  {
+    const Scatter& s = shapes[shape].scatter;
+    const Regular_plane& old = accepted[shape];
+    const double side = dot(plane.normal, old.normal) < 0 ? -1 : 1;
+    const double shift = (dot(plane.normal, s.centroid) - plane.offset) - side * (dot(old.normal, s.centroid) - old.offset);
+    const double sine = std::sqrt(Direction_index::squared_distance(plane.normal, old.normal));
+    return std::fma(sine, 2 * std::sqrt(shapes[shape].fit.largest / s.count), std::fabs(shift));
+  }
+
+  const std::vector<Shape_fit>& shapes;
+  double maximum_distance;
+  Verify& verify;
+  std::vector<Regular_plane> accepted;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_VERIFIED_PLANES_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Layers a little more than epsilon apart can end as one shape: a plane in the
+// middle, or a slanted one that bridges two strips. All points are within epsilon,
+// but along the normal of the points themselves their distances have two peaks,
+// and few between. Such a shape takes the higher peak, and detaches the other.
+
+#ifndef CGAL_TANDEM_INTERNAL_SPLIT_LAYERS_H
+#define CGAL_TANDEM_INTERNAL_SPLIT_LAYERS_H
+
+#include <CGAL/Tandem/internal/regularize_shapes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Of the distances to the plane, over [-2, 2] epsilon.
+constexpr int histogram_bins = 64;
+
+template <class Backend>
+struct Count_distances {
+  Cloud_view cloud;
+  const Range* cells;
+  const std::uint32_t* label;
+  const std::uint32_t* histogram_of; // by shape, no_index if not asked
+  const Plane* plane;                // by histogram
+  std::uint32_t* histogram;          // histogram_bins each
+  std::int64_t epsilon;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t s = label[cell.first + at];
+      if(s >= first_mark || histogram_of[s] == no_index)
+        return;
+      const std::uint32_t h = histogram_of[s];
+      const std::int64_t bin = (signed_distance(plane[h], cloud.point[cell.first + at]) + 2 * epsilon) / (epsilon / 16);
+      if(bin >= 0 && bin < histogram_bins)
+        Backend::atomic_add(histogram[h * histogram_bins + std::uint32_t(bin)], 1u);
+    });
+  }
+};
+
+// Where the smoothed histogram has its highest peak, in epsilons; 0 unless that is
+// clearly higher than the middle.
+inline double find_layer(const std::uint32_t* histogram)
+{
+  // A Gaussian of sigma = epsilon / 3, at the distance of 0, 1, 2 ... bins
+  static const std::int64_t weight[16] = {1000, 983, 932, 854, 755, 645, 531, 423, 325, 241, 172, 119, 80, 51, 32, 19};
+  auto density = [&](int bin) {
+    std::int64_t sum = 0;
+    for(int b = (std::max)(0, bin - 15); b <= (std::min)(histogram_bins - 1, bin + 15); ++b)
+      sum += weight[b < bin ? bin - b : b - bin] * std::int64_t(histogram[b]);
+    return sum;
+  };
+  const std::int64_t middle = (density(histogram_bins / 2 - 1) + density(histogram_bins / 2)) / 2;
+  std::int64_t highest = 0;
+  int peak = 0;
+  for(int bin = 0; bin < histogram_bins; ++bin)
+    if(density(bin) > highest) {
+      highest = density(bin);
+      peak = bin;
+    }
+  return highest * 2 >= middle * 3 ? (peak + 0.5) / 16 - 2 : 0;
+}
+
+// The sum of the normals of a sample of each shape, each turned to the side of the plane.
+template <class Backend>
+struct Sum_normals {
+  Cloud_view cloud;
+  const Range* cells;
+  const std::uint32_t* label;
+  const std::uint32_t* mask; // by shape, as are these
+  const Plane* plane;
+  std::int64_t* sum;         // 3 each
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at;
+      const std::uint32_t s = label[i];
+      if(s >= first_mark || (i & mask[s]) != 0)
+        return;
+      const Int_vector m = decode_normal(cloud.point[i].normal);
+      const std::int64_t side =
+        std::int64_t(plane[s].nx) * m.x + std::int64_t(plane[s].ny) * m.y + std::int64_t(plane[s].nz) * m.z < 0 ? -1 : 1;
+      Backend::atomic_add(sum[3 * s], side * m.x);
+      Backend::atomic_add(sum[3 * s + 1], side * m.y);
+      Backend::atomic_add(sum[3 * s + 2], side * m.z);
+    });
+  }
+};
+
+// A shape may be two layers if its points' normals lean by more than about 4 degrees
+// to one side of its plane (the sine), or their distances are spread (rms, in epsilons).
+constexpr double suspicious_lean = 0.07;
+constexpr double suspicious_rms = 0.45;
+
+// The planes, along the mean normals of the points, about which the distances of
+// suspicious shapes are to be counted; the entries of `r` that they belong to.
+template <class Backend>
+std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape_relations& r, std::vector<Regular_plane>& planes)
+{
+  std::vector<std::uint32_t> mask(t.shapes.size(), nobody);
+  std::vector<std::int64_t> sum(3 * t.shapes.size(), 0);
+  for(std::uint32_t id : r.id) {
+    Shape& shape = t.shapes[id];
+    if(shape.moments.count < reliable_normal_size || shape.moments.count * 10 < shape.layered_count * 11)
+      continue;
+    mask[id] = sample_mask(shape);
+    t.plane[id] = rounded(shape.plane);
+    shape.layered_count = shape.moments.count;
+  }
+  t.backend.template for_each_cell<Count_scratch>(
+    t.cells.size(), Sum_normals<Backend>{t.cloud, t.cells.data(), t.label.data(), mask.data(), t.plane.data(), sum.data()});
+  const double most = suspicious_rms * t.options.maximum_distance;
+  std::vector<std::size_t> entries;
+  for(std::size_t i = 0; i < r.id.size(); ++i) {
+    const Shape& shape = t.shapes[r.id[i]];
+    if(mask[r.id[i]] == nobody)
+      continue;
+    const std::int64_t* s = sum.data() + 3 * r.id[i];
+    const Vector mean = unit({double(s[0]), double(s[1]), double(s[2])});
+    const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
+    if(length(cross(mean, shape.plane.normal)) <= suspicious_lean && squares <= most * most * shape.scatter.count)
+      continue;
+    entries.push_back(i);
+    planes.push_back(plane_through(mean, shape.scatter.centroid));
+  }
+  return entries;
+}
+
+template <class Backend>
+void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
+{
+  std::vector<Regular_plane> planes;
+  const std::vector<std::size_t> entries = suspicious_shapes(t, r, planes);
+  if(entries.empty())
+    return;
+  std::vector<std::uint32_t> histogram_of(t.shapes.size(), no_index), histogram(entries.size() * histogram_bins, 0);
+  std::vector<Plane> integer_planes;
+  for(std::size_t h = 0; h < entries.size(); ++h) {
+    histogram_of[r.id[entries[h]]] = std::uint32_t(h);
+    integer_planes.push_back(rounded(planes[h]));
+  }
+  t.backend.template for_each_cell<Count_scratch>(
+    t.cells.size(), Count_distances<Backend>{t.cloud, t.cells.data(), t.label.data(), histogram_of.data(), integer_planes.data(),
+                                             histogram.data(), t.options.growth.tolerance.distance});
+  for(std::size_t h = 0; h < entries.size(); ++h) {
+    const double layer = find_layer(histogram.data() + h * histogram_bins);
+    if(layer == 0)
+      continue;
+    planes[h].offset += layer * t.options.maximum_distance;
+    t.shapes[r.id[entries[h]]].plane = planes[h];
+    r.relations.direction_of[entries[h]] = int(r.relations.directions.size()); // it has left its relations
+    r.relations.directions.push_back(planes[h].normal);
+    r.relations.plane_of[entries[h]] = int(r.relations.planes.size());
+    r.relations.planes.push_back(planes[h]);
+  }
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SPLIT_LAYERS_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the tests of the bodies share: a sorted cloud with planes and labels, sums made
+// the naive way, and a loop over scenes and back ends, of which some shuffle all that
+// the concepts leave open.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H
+
+#include "Shuffled_block.h"
+#include "test_support.h"
+
+#include <CGAL/Tandem/internal/absorb.h>
+#include <CGAL/Tandem/internal/prepare.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#endif
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A sorted cloud, the true planes, and labels of which some are missing or wrong.
+struct Fixture {
+  std::vector<Grid_point> point;
+  std::vector<std::uint32_t> neighbor;
+  std::vector<Range> cells;
+  Cloud_view cloud;
+  Tolerance tolerance;
+  std::vector<Plane> plane;
+  std::vector<std::uint32_t> label;
+  std::vector<std::uint8_t> state;
+
+  bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane[s], point[i], tolerance); }
+
+  // f(neighbor) for each neighbor of i.
+  template <class F>
+  void for_each_neighbor(std::uint32_t i, F f) const
+  {
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+      f(row[j]);
+  }
+
+  std::uint64_t distance(std::uint32_t s, std::uint32_t i) const
+  {
+    const std::int64_t e = signed_distance(plane[s], point[i]);
+    return std::uint64_t(e < 0 ? -e : e);
+  }
+};
+
+inline Fixture make_fixture(const std::string& name, std::size_t size, int k, std::size_t cell_size)
+{
+  const scenes::Scene scene = scenes::make_scene(name, scene_options(size, .001, .1));
+  const double step = scene.diagonal / 1e6;
+  std::vector<Grid_point> unsorted;
+  for(std::size_t i = 0; i < size; ++i) {
+    const scenes::Vec p = (1 / step) * scene.points[i], n = scene.normals[i];
+    unsorted.push_back({std::int32_t(p.x), std::int32_t(p.y), std::int32_t(p.z), encode_normal({n.x, n.y, n.z})});
+  }
+  Fixture f;
+  Sequential_backend backend;
+  const Code_frame frame = make_code_frame(unsorted.data(), size);
+  const auto order = sort_along_curve(backend, unsorted.data(), size, frame);
+  f.cells = split_leaves(order.data(), size, frame, cell_size);
+  scenes::Random random(9);
+  for(const scenes::Truth_face& face : scene.faces)
+    f.plane.push_back(rounded({{face.normal.x, face.normal.y, face.normal.z}, -face.offset / step}));
+  for(const Keyed_index& o : order) {
+    f.point.push_back(unsorted[o.index]);
+    const std::uint64_t dice = random.bits() % 100;
+    const std::int32_t truth = scene.label[o.index];
+    f.label.push_back(dice < 5    ? std::uint32_t(random.bits() % f.plane.size())
+                      : dice < 30 ? (dice < 8 ? is_locked : is_free)
+                      : truth < 0 ? is_free
+                                  : std::uint32_t(truth));
+    f.state.push_back(std::uint8_t(random.bits() % 8));
+  }
+  f.neighbor.resize(size * std::size_t(k));
+  find_neighbors(backend, f.point.data(), std::uint32_t(size), k, f.neighbor.data());
+  f.cloud = {f.point.data(), f.neighbor.data(), std::uint32_t(size), k};
+  f.tolerance = make_tolerance(2500, cosine_deg(25));
+  return f;
+}
+
+template <class T>
+void check_lists(const std::vector<T>& got, const std::vector<T>& expected, const std::string& name)
+{
+  const long at = first_difference(got, expected);
+  CHECK_AT(at < 0, name + ": the first that differs is " + std::to_string(at));
+}
+
+inline void check_moments(const std::vector<Shared_moments>& got, const std::vector<Shared_moments>& expected,
+                          const std::string& name)
+{
+  for(std::size_t s = 0; s < got.size(); ++s) {
+    const Moments a = got[s].moments(), b = expected[s].moments();
+    const Box &p = got[s].box, &q = expected[s].box;
+    CHECK_AT(a.count == b.count && std::equal(a.sum, a.sum + 3, b.sum) &&
+               std::equal(a.product, a.product + 6, b.product),
+             name + ", moments of shape " + std::to_string(s));
+    CHECK_AT(std::equal(p.low, p.low + 3, q.low) && std::equal(p.high, p.high + 3, q.high),
+             name + ", box of shape " + std::to_string(s));
+  }
+}
+
+inline void add_point(Shared_moments& target, const Grid_point& p, int sign)
+{
+  Moments m;
+  m.add(p, sign);
+  Box box;
+  box.add(p);
+  atomic_add<Sequential_backend>(target, m, box);
+}
+
+// Bodies<Backend>(backend, name, fixture).run() on some scenes.
+template <template <class> class Bodies, class Backend>
+void test_on(Backend backend)
+{
+  struct Case {
+    const char* scene;
+    std::size_t points;
+    int k;
+    std::size_t cell_size;
+  };
+  const Case cases[] = {{"house", 4000, 12, 8192}, // more shapes than a table of a leaf has slots
+                        {"village", 9000, 8, 9000},
+                        {"indoor", 6000, 16, 300},
+                        {"cube", 12, 12, 64}}; // rows that end early
+  for(const Case& c : cases) {
+    const Fixture fixture = make_fixture(c.scene, c.points, c.k, c.cell_size);
+    const std::string name = std::string(Backend::name()) + ", " + c.scene;
+    Bodies<Backend>(backend, name, fixture).run();
+  }
+}
+
+template <template <class> class Bodies>
+void test_on_all_backends()
+{
+  test_on<Bodies>(Sequential_backend());
+#ifdef CGAL_LINKED_WITH_TBB
+  test_on<Bodies>(Tbb_backend());
+#endif
+  for(std::uint64_t seed : {1, 2, 3})
+    test_on<Bodies>(Shuffled_backend(seed));
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H

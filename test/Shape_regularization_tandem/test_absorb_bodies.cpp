@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bodies of the end game, over the points, against naive versions of them, on
+// several back ends: absorption, reassignment, components, and sums from the labels.
+
+#undef NDEBUG
+
+#include "body_fixture.h"
+
+#include <CGAL/Tandem/internal/components.h>
+
+#include <map>
+#include <set>
+
+using namespace CGAL::Tandem::internal;
+
+template <class Backend>
+class Absorb_bodies {
+public:
+  Absorb_bodies(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+
+  void run()
+  {
+    test_offers();
+    test_reassignment();
+    test_components();
+    test_sums();
+  }
+
+private:
+  // Both ends of a relation offer; the nearest shape wins, then the smallest.
+  void test_offers()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::set<std::pair<std::uint64_t, std::uint32_t>>> offers(n);
+    auto make = [&](std::uint32_t i, std::uint32_t q) {
+      if(f_.label[i] < first_mark && f_.label[q] >= first_mark && f_.fits(f_.label[i], q))
+        offers[q].emplace(f_.distance(f_.label[i], q) >> 16, f_.label[i]);
+    };
+    for(std::uint32_t i = 0; i < n; ++i)
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        make(i, q);
+        make(q, i);
+      });
+    std::vector<std::uint32_t> label = f_.label, expected = label, absorbed(n), expected_absorbed;
+    for(std::uint32_t i = 0; i < n; ++i)
+      if(!offers[i].empty()) {
+        expected[i] = offers[i].begin()->second;
+        expected_absorbed.push_back(i);
+      }
+    std::vector<std::uint8_t> state(n, 0);
+    std::vector<std::uint64_t> offer(n, no_offer);
+    std::uint32_t size = 0;
+    backend_.for_each(
+      n, Offer<Backend>{f_.cloud, label.data(), state.data(), f_.plane.data(), offer.data(), f_.tolerance});
+    backend_.for_each(n, Accept_offers<Backend>{label.data(), state.data(), offer.data(), absorbed.data(), &size});
+    absorbed.resize(size);
+    std::sort(absorbed.begin(), absorbed.end());
+    check_lists(label, expected, name_ + ": absorption");
+    check_lists(absorbed, expected_absorbed, name_ + ": absorbed points");
+  }
+
+  void test_reassignment()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::int64_t> size;
+    std::vector<std::uint8_t> may_lose, may_gain, state(n, 0);
+    for(std::size_t s = 0; s < f_.plane.size(); ++s) {
+      size.push_back(std::int64_t(s * 7 % 10));
+      may_lose.push_back(s % 3 != 0);
+      may_gain.push_back(s % 4 != 0);
+    }
+    std::vector<std::uint32_t> chosen(n), expected = f_.label;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t own = f_.label[i];
+      if(own >= first_mark || !may_lose[own])
+        continue;
+      std::set<std::pair<std::int64_t, std::uint32_t>> choice = {{-size[own], own}};
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        const std::uint32_t t = f_.label[q];
+        if(t < first_mark && may_gain[t] && f_.fits(t, i))
+          choice.emplace(-size[t], t);
+      });
+      expected[i] = choice.begin()->second;
+    }
+    backend_.for_each(n, Choose_largest{f_.cloud, f_.label.data(), state.data(), f_.plane.data(), size.data(),
+                                        may_lose.data(), may_gain.data(), chosen.data(), f_.tolerance});
+    check_lists(chosen, expected, name_ + ": reassignment");
+  }
+
+  // By repeated propagation of the smallest position.
+  void test_components()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::uint32_t> component(n), expected(n);
+    for(std::uint32_t i = 0; i < n; ++i)
+      expected[i] = i;
+    for(bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for(std::uint32_t r = 0; r < n; ++r) {
+        std::map<std::uint32_t, std::uint32_t> least; // by label, over the point and its neighbors
+        auto look = [&](std::uint32_t q) {
+          if(f_.label[q] < first_mark) {
+            std::uint32_t& smallest = least.emplace(f_.label[q], expected[q]).first->second;
+            smallest = (std::min)(smallest, expected[q]);
+          }
+        };
+        auto take = [&](std::uint32_t q) {
+          if(f_.label[q] < first_mark && expected[q] != least[f_.label[q]]) {
+            expected[q] = least[f_.label[q]];
+            is_changed = true;
+          }
+        };
+        look(r);
+        f_.for_each_neighbor(r, look);
+        take(r);
+        f_.for_each_neighbor(r, take);
+      }
+    }
+    find_components(backend_, f_.cloud, f_.label.data(), component.data());
+    check_lists(component, expected, name_ + ": components");
+  }
+
+  void test_sums()
+  {
+    std::vector<Shared_moments> sum(f_.plane.size()), expected(f_.plane.size());
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+      if(f_.label[i] < first_mark)
+        add_point(expected[f_.label[i]], f_.point[i], 1);
+    backend_.template for_each_cell<Moment_table>(
+      f_.cells.size(), Sum_moments<Backend>{f_.cloud, f_.cells.data(), f_.label.data(), sum.data()});
+    check_moments(sum, expected, name_ + ": sums");
+  }
+
+  Backend& backend_;
+  const std::string name_;
+  const Fixture& f_;
+};
+
+int main()
+{
+  test_on_all_backends<Absorb_bodies>();
+  return report();
+}

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bodies of a round, over the points, against naive versions of them, on several
+// back ends: proposals, growth, links, misfits, and the update of labels.
+
+#undef NDEBUG
+
+#include "body_fixture.h"
+
+#include <CGAL/Tandem/internal/grow_shapes.h>
+
+#include <map>
+#include <set>
+
+using namespace CGAL::Tandem::internal;
+
+template <class Backend>
+class Growth_bodies {
+public:
+  Growth_bodies(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+
+  void run()
+  {
+    test_propose();
+    test_growth();
+    test_links();
+    test_misfits();
+    test_update();
+  }
+
+private:
+  void test_propose()
+  {
+    std::vector<std::uint32_t> border, proposal, expected;
+    for(std::uint32_t i = 0; i < f_.cloud.size; i += 2)
+      border.push_back(i);
+    for(std::uint32_t i : border) {
+      std::set<std::pair<std::uint64_t, std::uint32_t>> offers;
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        if(f_.label[i] == is_free && f_.label[q] < first_mark && f_.fits(f_.label[q], i))
+          offers.emplace(f_.distance(f_.label[q], i), f_.label[q]);
+      });
+      expected.push_back(offers.empty() ? no_index : offers.begin()->second);
+    }
+    proposal.resize(border.size());
+    backend_.for_each(
+      border.size(), Propose{f_.cloud, f_.label.data(), f_.plane.data(), border.data(), proposal.data(), f_.tolerance});
+    check_lists(proposal, expected, name_ + ": Propose");
+  }
+
+  // Round by round, in each leaf alone; ties go to the smallest shape.
+  std::vector<std::uint32_t> flood_fill(std::vector<std::uint32_t> label, const std::vector<std::uint8_t>& state,
+                                        const std::vector<std::uint16_t>& rounds) const
+  {
+    for(const Range& cell : f_.cells) {
+      std::vector<std::uint32_t> frontier;
+      for(std::uint32_t i = cell.first; i < cell.last; ++i)
+        if(label[i] < first_mark && (state[i] & on_frontier))
+          frontier.push_back(i);
+      for(int round = 0; !frontier.empty(); ++round) {
+        std::map<std::uint32_t, std::uint32_t> claims;
+        for(std::uint32_t i : frontier)
+          f_.for_each_neighbor(i, [&](std::uint32_t q) {
+            if(round < rounds[label[i]] && q >= cell.first && q < cell.last && label[q] == is_free &&
+               f_.fits(label[i], q))
+              claims[q] = claims.count(q) ? (std::min)(claims[q], label[i]) : label[i];
+          });
+        frontier.clear();
+        for(const auto& claim : claims) {
+          label[claim.first] = claim.second;
+          frontier.push_back(claim.first);
+        }
+      }
+    }
+    return label;
+  }
+
+  void test_growth()
+  {
+    std::vector<std::uint32_t> label = f_.label, cursor(f_.cells.size(), 0);
+    std::vector<std::uint8_t> state = f_.state;
+    for(std::size_t i = 0; i < label.size(); ++i) // few points to start from
+      if(label[i] < first_mark && i % 97 != 0)
+        label[i] = is_free;
+    std::vector<Plane> plane = f_.plane;
+    std::vector<std::uint16_t> rounds;
+    for(std::size_t s = 0; s < plane.size(); ++s)
+      rounds.push_back(std::uint16_t(s % 3 == 0 ? 256 : s % 5));
+    const std::vector<std::uint32_t> expected = flood_fill(label, state, rounds);
+    std::vector<std::uint8_t> is_restarted(plane.size(), 0);
+    std::vector<Shared_moments> gain(plane.size()), expected_gain(plane.size());
+    for(std::size_t i = 0; i < label.size(); ++i)
+      if(label[i] != expected[i])
+        add_point(expected_gain[expected[i]], f_.point[i], 1);
+    std::vector<Cell_job> jobs;
+    for(std::size_t c = 0; c < f_.cells.size(); ++c)
+      jobs.push_back({f_.cells[c], nullptr, nullptr, 0, nullptr, 0, &cursor[c], nullptr});
+    backend_.template for_each_cell<Growth_scratch>(
+      jobs.size(), Grow_cells<Backend>{f_.cloud,
+                                       {plane.data(), rounds.data(), is_restarted.data(), gain.data()},
+                                       {label.data(), state.data()},
+                                       {f_.tolerance, 8, 64, 7},
+                                       jobs.data()});
+    check_lists(label, expected, name_ + ": growth");
+    check_moments(gain, expected_gain, name_ + ": growth");
+  }
+
+  void test_links()
+  {
+    std::vector<std::uint8_t> state(f_.state.size(), 0), expected_state(state), is_asked;
+    for(std::size_t s = 0; s < f_.plane.size(); ++s)
+      is_asked.push_back(s % 4 != 1);
+    std::map<std::uint64_t, std::uint32_t> expected, got;
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const std::uint32_t s = f_.label[i];
+      if(s >= first_mark || !is_asked[s])
+        continue;
+      expected_state[i] = is_interior;
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        const std::uint32_t t = f_.label[q];
+        if(t != s)
+          expected_state[i] = 0;
+        if(t != s && t < first_mark)
+          ++expected[std::uint64_t((std::min)(s, t)) << 32 | (std::max)(s, t)];
+      });
+    }
+    std::vector<Link> links(f_.neighbor.size());
+    std::uint32_t size = 0;
+    std::vector<std::uint32_t> label = f_.label;
+    backend_.template for_each_cell<Link_scratch>(
+      f_.cells.size(), Collect_links<Backend>{f_.cloud,
+                                              f_.cells.data(),
+                                              {label.data(), state.data()},
+                                              is_asked.data(),
+                                              {links.data(), &size, std::uint32_t(links.size())}});
+    for(std::uint32_t l = 0; l < size; ++l)
+      got[links[l].pair] += links[l].count;
+    CHECK_AT(got == expected && expected.size() > 3, name_ + ": links");
+    check_lists(state, expected_state, name_ + ": interior points");
+  }
+
+  // The planes, shifted by half of epsilon.
+  std::vector<Plane> moved_planes() const
+  {
+    std::vector<Plane> planes = f_.plane;
+    for(Plane& p : planes)
+      p.d += f_.tolerance.distance / 2;
+    return planes;
+  }
+
+  void test_misfits()
+  {
+    const std::vector<Plane> after = moved_planes();
+    std::vector<std::uint32_t> mask, count(after.size(), 0), expected(after.size(), 0);
+    for(std::size_t s = 0; s < after.size(); ++s)
+      mask.push_back(s % 4 == 3 ? nobody : std::uint32_t(s % 4));
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const std::uint32_t s = f_.label[i];
+      if(s < first_mark && (i & mask[s]) == 0)
+        expected[s] += f_.fits(s, i) && !fits(after[s], f_.point[i], f_.tolerance);
+    }
+    backend_.template for_each_cell<Count_scratch>(
+      f_.cells.size(), Count_misfits<Backend>{f_.cloud, f_.cells.data(), f_.label.data(), mask.data(), f_.plane.data(),
+                                              after.data(), count.data(), f_.tolerance});
+    check_lists(count, expected, name_ + ": misfits");
+    CHECK_AT(f_.cloud.size < 100 || std::count(count.begin(), count.end(), 0u) < long(count.size()),
+             name_ + ": no misfits");
+  }
+
+  void test_update()
+  {
+    const std::vector<Plane> plane = moved_planes();
+    std::vector<std::uint32_t> target, label = f_.label, expected = label;
+    std::vector<std::uint8_t> is_checked, state = f_.state;
+    for(std::uint32_t s = 0; s < plane.size(); ++s) {
+      target.push_back(s % 5 == 0 ? is_free : s % 5 == 1 ? 2 : s);
+      is_checked.push_back(s % 2);
+    }
+    std::vector<Shared_moments> loss(plane.size()), expected_loss(plane.size());
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const std::uint32_t old = label[i], s = old < first_mark ? target[old] : old;
+      expected[i] = s;
+      if(s < first_mark && is_checked[old] && !fits(plane[s], f_.point[i], f_.tolerance)) {
+        expected[i] = state[i] & detached_once ? is_locked : is_free;
+        add_point(expected_loss[s], f_.point[i], -1);
+      }
+    }
+    backend_.template for_each_cell<Moment_table>(f_.cells.size(), Update_points<Backend>{f_.cloud,
+                                                                                          f_.cells.data(),
+                                                                                          {label.data(), state.data()},
+                                                                                          target.data(),
+                                                                                          is_checked.data(),
+                                                                                          plane.data(),
+                                                                                          loss.data(),
+                                                                                          f_.tolerance});
+    check_lists(label, expected, name_ + ": update");
+    check_moments(loss, expected_loss, name_ + ": update");
+  }
+
+  Backend& backend_;
+  const std::string name_;
+  const Fixture& f_;
+};
+
+int main()
+{
+  test_on_all_backends<Growth_bodies>();
+  return report();
+}
