@@ -47,7 +47,9 @@ void sort_along_curve(Cloud& cloud)
   std::vector<std::pair<std::uint64_t, std::size_t>> order(cloud.size());
   for(std::size_t i = 0; i < cloud.size(); ++i) {
     const Grid_point& p = cloud[i];
-    auto cell = [](std::int32_t c) { return std::uint32_t(c + (1 << coordinate_bits)) >> (coordinate_bits + 1 - curve_bits); };
+    auto cell = [](std::int32_t c) {
+      return std::uint32_t(c + (1 << coordinate_bits)) >> (coordinate_bits + 1 - curve_bits);
+    };
     order[i] = {hilbert_code(cell(p.x), cell(p.y), cell(p.z)), i};
   }
   std::sort(order.begin(), order.end());
@@ -104,8 +106,8 @@ void check(const std::string& name, const Cloud& cloud, int k, std::size_t strid
     for(std::size_t j = 0; j < std::size_t(k); ++j)
       if(found[i * std::size_t(k) + j] != expected[j]) {
         ++failures;
-        std::fprintf(stderr, "%s, n = %zu, k = %d: neighbor %zu of point %zu is %u, not %u\n", name.c_str(), cloud.size(),
-                     k, j, i, found[i * std::size_t(k) + j], expected[j]);
+        std::fprintf(stderr, "%s, n = %zu, k = %d: neighbor %zu of point %zu is %u, not %u\n", name.c_str(),
+                     cloud.size(), k, j, i, found[i * std::size_t(k) + j], expected[j]);
         return;
       }
   }
@@ -124,8 +126,12 @@ void test_distributions()
   Random random(1);
   auto any = [&](std::int32_t r) { return uniform(random, -r, r); };
   const std::size_t n = 1500;
-  check_all_k("uniform, whole range", make_cloud(n, [&](std::size_t) { return Grid_point{any(limit), any(limit), any(limit), 0}; }));
-  check_all_k("uniform, small", make_cloud(n, [&](std::size_t) { return Grid_point{any(3000), any(3000), any(3000), 0}; }));
+  check_all_k("uniform, whole range", make_cloud(n, [&](std::size_t) {
+                return Grid_point{any(limit), any(limit), any(limit), 0};
+              }));
+  check_all_k("uniform, small", make_cloud(n, [&](std::size_t) {
+                return Grid_point{any(3000), any(3000), any(3000), 0};
+              }));
   check_all_k("plane", make_cloud(n, [&](std::size_t) {
                 const std::int32_t x = any(1 << 20), y = any(1 << 20);
                 return Grid_point{x, y, x / 2 - y / 3, 0};
@@ -147,7 +153,8 @@ void test_distributions()
                 return Grid_point{any(r), any(r), i % 9 ? 0 : any(r), 0};
               }));
   check_all_k("a small cluster and one far point", make_cloud(64, [&](std::size_t i) {
-                return i == 31 ? Grid_point{limit, limit, limit, 0} : Grid_point{any(5) - limit, any(5) - limit, any(5) - limit, 0};
+                return i == 31 ? Grid_point{limit, limit, limit, 0}
+                               : Grid_point{any(5) - limit, any(5) - limit, any(5) - limit, 0};
               }));
 }
 
@@ -162,7 +169,9 @@ void test_ties()
                   return Grid_point{(c % 11 - 5) * step, (c / 11 % 11 - 5) * step, (c / 121 - 5) * step, 0};
                 }));
   check_all_k("all equal", make_cloud(1000, [&](std::size_t) { return Grid_point{limit, -limit, 7, 0}; }));
-  check_all_k("two values", make_cloud(1000, [&](std::size_t i) { return Grid_point{i % 3 ? limit : -limit, 0, 0, 0}; }));
+  check_all_k("two values", make_cloud(1000, [&](std::size_t i) {
+                return Grid_point{i % 3 ? limit : -limit, 0, 0, 0};
+              }));
   check_all_k("each point 20 times", make_cloud(1000, [&](std::size_t i) {
                 const std::int32_t c = std::int32_t(i / 20);
                 return Grid_point{c * c * 1000, c * 77, -c, 0};
@@ -181,9 +190,12 @@ void test_ties()
 void test_ties_of_subtrees()
 {
   for(std::int32_t distance : {1, 12345, 1 << 28})
-    check("ties of subtrees", make_cloud(512 + 3 + 600, [&](std::size_t i) {
-            return Grid_point{i < 512 ? distance : i < 515 ? 0 : -distance, 0, 0, 0};
-          }), 12);
+    check("ties of subtrees",
+          make_cloud(512 + 3 + 600,
+                     [&](std::size_t i) {
+                       return Grid_point{i < 512 ? distance : i < 515 ? 0 : -distance, 0, 0, 0};
+                     }),
+          12);
 }
 
 void test_few_points()
@@ -206,16 +218,27 @@ void test_no_catastrophe()
   auto any = [&](std::int32_t r) { return uniform(random, -r, r); };
   const std::size_t n = 200000;
   const std::pair<const char*, Cloud> clouds[] = {
-    {"many equal", make_cloud(n, [&](std::size_t) { return Grid_point{3, 2, 1, 0}; })},
-    {"two equal heaps", make_cloud(n, [&](std::size_t i) { return Grid_point{i % 2 ? limit : -limit, 2, 1, 0}; })},
-    {"half of a plane equal", make_cloud(n, [&](std::size_t i) {
-       return i % 2 ? Grid_point{0, 0, 0, 0} : Grid_point{any(1 << 22), any(1 << 22), 0, 0};
-     })},
-    {"a third outliers", make_cloud(n, [&](std::size_t i) {
-       return i % 3 ? Grid_point{any(1 << 20), any(1 << 20), 0, 0} : Grid_point{any(limit), any(limit), any(limit), 0};
-     })},
+    {"many equal", make_cloud(n,
+                              [&](std::size_t) {
+                                return Grid_point{3, 2, 1, 0};
+                              })},
+    {"two equal heaps", make_cloud(n,
+                                   [&](std::size_t i) {
+                                     return Grid_point{i % 2 ? limit : -limit, 2, 1, 0};
+                                   })},
+    {"half of a plane equal",
+     make_cloud(n,
+                [&](std::size_t i) {
+                  return i % 2 ? Grid_point{0, 0, 0, 0} : Grid_point{any(1 << 22), any(1 << 22), 0, 0};
+                })},
+    {"a third outliers", make_cloud(n,
+                                    [&](std::size_t i) {
+                                      return i % 3 ? Grid_point{any(1 << 20), any(1 << 20), 0, 0}
+                                                   : Grid_point{any(limit), any(limit), any(limit), 0};
+                                    })},
     {"few outliers", make_cloud(n, [&](std::size_t i) {
-       return i % 100 ? Grid_point{any(1 << 20), any(1 << 20), 0, 0} : Grid_point{any(limit), any(limit), any(limit), 0};
+       return i % 100 ? Grid_point{any(1 << 20), any(1 << 20), 0, 0}
+                      : Grid_point{any(limit), any(limit), any(limit), 0};
      })}};
   for(const auto& named : clouds) {
     Cloud cloud = named.second;

@@ -98,13 +98,17 @@ public:
     siblings_.reset(blocks);
     backend.for_each(parents(count_[0]), [this, point](std::size_t i) { fill_leaves(point, std::uint32_t(i)); });
     for(int level = 1; level < levels_; ++level)
-      backend.for_each(parents(count_[level]), [this, level](std::size_t i) { join_children(level, std::uint32_t(i)); });
+      backend.for_each(parents(count_[level]),
+                       [this, level](std::size_t i) { join_children(level, std::uint32_t(i)); });
   }
 
   std::uint32_t size() const { return size_; }
   int levels() const { return levels_; }
   std::uint32_t count(int level) const { return count_[level]; }
-  const Sibling_boxes& siblings(int level, std::uint32_t parent) const { return siblings_.data()[begin_[level] + parent]; }
+  const Sibling_boxes& siblings(int level, std::uint32_t parent) const
+  {
+    return siblings_.data()[begin_[level] + parent];
+  }
   const Point_leaf* leaves() const { return leaf_.data(); }
   std::uint32_t points_in_leaf(std::uint32_t i) const { return (std::min)(leaf_size, size_ - i * leaf_size); }
 

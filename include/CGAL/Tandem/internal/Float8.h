@@ -53,14 +53,8 @@ inline Float8 operator*(const Float8& a, const Float8& b)
 {
   return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
 }
-inline Float8 min8(const Float8& a, const Float8& b)
-{
-  return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
-}
-inline Float8 max8(const Float8& a, const Float8& b)
-{
-  return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
-}
+inline Float8 min8(const Float8& a, const Float8& b) { return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)}; }
+inline Float8 max8(const Float8& a, const Float8& b) { return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)}; }
 
 // Bit i tells whether a[i] <= b[i].
 inline unsigned less_equal8(const Float8& a, const Float8& b)
@@ -90,8 +84,14 @@ inline Float8 make8(F f)
   return r;
 }
 
-inline Float8 load8(const float* p) { return make8([&](int i) { return p[i]; }); }
-inline Float8 fill8(float f) { return make8([&](int) { return f; }); }
+inline Float8 load8(const float* p)
+{
+  return make8([&](int i) { return p[i]; });
+}
+inline Float8 fill8(float f)
+{
+  return make8([&](int) { return f; });
+}
 inline void store8(float* p, const Float8& a) { std::memcpy(p, a.v, sizeof a.v); }
 
 // float(p[i] - origin); the difference must fit int32.
@@ -100,9 +100,18 @@ inline Float8 difference8(const std::int32_t* p, std::int32_t origin)
   return make8([&](int i) { return float(p[i] - origin); });
 }
 
-inline Float8 operator+(const Float8& a, const Float8& b) { return make8([&](int i) { return a.v[i] + b.v[i]; }); }
-inline Float8 operator-(const Float8& a, const Float8& b) { return make8([&](int i) { return a.v[i] - b.v[i]; }); }
-inline Float8 operator*(const Float8& a, const Float8& b) { return make8([&](int i) { return a.v[i] * b.v[i]; }); }
+inline Float8 operator+(const Float8& a, const Float8& b)
+{
+  return make8([&](int i) { return a.v[i] + b.v[i]; });
+}
+inline Float8 operator-(const Float8& a, const Float8& b)
+{
+  return make8([&](int i) { return a.v[i] - b.v[i]; });
+}
+inline Float8 operator*(const Float8& a, const Float8& b)
+{
+  return make8([&](int i) { return a.v[i] * b.v[i]; });
+}
 inline Float8 min8(const Float8& a, const Float8& b)
 {
   return make8([&](int i) { return a.v[i] < b.v[i] ? a.v[i] : b.v[i]; });

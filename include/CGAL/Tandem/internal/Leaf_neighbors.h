@@ -134,10 +134,7 @@ private:
   static constexpr float margin = 1 + 0x1p-13f;
   static constexpr float unknown = 0x1p100f;
 
-  static Node_box box_of(const Point_leaf& p, int i)
-  {
-    return {{p.x[i], p.y[i], p.z[i]}, {p.x[i], p.y[i], p.z[i]}};
-  }
+  static Node_box box_of(const Point_leaf& p, int i) { return {{p.x[i], p.y[i], p.z[i]}, {p.x[i], p.y[i], p.z[i]}}; }
 
   static Float8 outside(const Float8& c, float side) { return max8(max8(c - fill8(side), fill8(0) - c), fill8(0)); }
 

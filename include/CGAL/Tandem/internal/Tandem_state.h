@@ -28,6 +28,7 @@ struct Options {
   std::int64_t minimum_region_size;
   std::int64_t minimum_regular_size;   // smaller shapes keep their local plane
   std::int64_t minimum_fragment_size;  // smaller shapes are given up when they stop growing
+  Tolerance tight;                     // of the second criterion of seeds
   Tolerance certain;                   // bounds within which the exact check is not needed
   Exact_bounds exact;                  // in the caller's units
 };

@@ -134,11 +134,16 @@ void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, 
   const Tree tree(backend, point, n);
   constexpr std::size_t grain = 64;
   switch(k) {
-  case 8: return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 8>(tree, k, out));
-  case 12: return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 12>(tree, k, out));
-  case 16: return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 16>(tree, k, out));
-  case 20: return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 20>(tree, k, out));
-  default: return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 0>(tree, k, out));
+  case 8:
+    return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 8>(tree, k, out));
+  case 12:
+    return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 12>(tree, k, out));
+  case 16:
+    return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 16>(tree, k, out));
+  case 20:
+    return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 20>(tree, k, out));
+  default:
+    return backend.for_each_piece(tree.count(0), grain, Find_leaf_neighbors<Tree, 0>(tree, k, out));
   }
 }
 

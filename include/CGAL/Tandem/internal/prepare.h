@@ -71,6 +71,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.minimum_regular_size = (std::min)(o.minimum_region_size, std::int64_t(10));
   o.minimum_fragment_size = (std::max)(std::int64_t(6), o.minimum_region_size * 3 / 20);
   o.growth.tolerance = make_tolerance(o.maximum_distance, cosine);
+  o.tight = make_tolerance(o.maximum_distance / 4, cosine_deg(p.maximum_angle / 2));
   o.growth.seeds_in_flight = 8;
   o.growth.seed_tries = 64;
   o.growth.core_size = std::uint32_t(p.k_neighbors / 2 + 1);
@@ -144,7 +145,7 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
 
   Stage_timer growth(times.growth);
   find_border(t);
-  t.seeds = order_seeds(t.backend, t.cloud, t.cells, t.options.growth.tolerance);
+  t.seeds = order_seeds(t.backend, t.cloud, t.cells, t.options.growth.tolerance, t.options.tight);
   t.seed_cursor.assign(t.cells.size(), 0);
   t.label.reset(n);
   t.state.reset(n);
