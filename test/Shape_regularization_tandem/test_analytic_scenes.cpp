@@ -99,7 +99,26 @@ void test_noisy_scenes()
   const scenes::Options noisy = scene_options(12000, .001);
   test_scene("noisy cube", scenes::make_cube(scenes::Frame().turned({1, 2, 3}, .3)), noisy, .007, {6, 3, 6, 3, 9});
   test_scene("noisy staircase", scenes::make_staircase(), noisy, .015, {16, 2, 16, 1, 19});
-  test_scene("noisy slope", scenes::make_slope(), noisy, .03, {3, 2, 2, 0, 6});
+}
+
+// With noise a plane may settle across the edge between the flat and the slope, so here
+// most of the seeds have to be right, and none may be cut into terraces.
+void test_noisy_slope()
+{
+  int right = 0, runs = 0;
+  for(std::uint64_t seed = 1; seed <= 5; ++seed) {
+    scenes::Options options = scene_options(12000, .0005);
+    options.seed = seed;
+    const Cloud cloud = to_cloud(scenes::make_scene("slope", options));
+    for(Given given : {Given::normals, Given::nothing}) {
+      const std::string name = "noisy slope, seed " + std::to_string(seed);
+      const Shapes shapes = detect_valid(name, cloud, make_parameters(.02, 100), given);
+      CHECK_AT(shapes.number_of_shapes() <= 4, name + ": " + std::to_string(shapes.number_of_shapes()) + " shapes");
+      right += shapes.number_of_shapes() == 3 && shapes.number_of_parallel_groups() == 2;
+      ++runs;
+    }
+  }
+  CHECK_AT(4 * right >= 3 * runs, std::to_string(right) + " of " + std::to_string(runs) + " noisy slopes");
 }
 
 // Faces that are 2 degrees off: one frame, of which all three pairs are orthogonal, and the siblings too.
@@ -188,6 +207,7 @@ int main()
 {
   test_clean_scenes();
   test_noisy_scenes();
+  test_noisy_slope();
   test_tilted_cube();
   test_chain_does_not_drift();
   test_without_planes();

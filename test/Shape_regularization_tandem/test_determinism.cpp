@@ -83,7 +83,7 @@ Subject make_subject(const std::string& name, const scenes::Options& options, st
 }
 
 // Each point comes two or three times: equal in all bits, which no order can tell
-// apart, or nearer to its twin than the grid resolves, which must not make a difference.
+// apart, or nearer to its twin than the grid resolves, with another normal.
 Subject with_copies(Subject s, double distance)
 {
   s.name += distance > 0 ? " with close twins" : " with duplicates";
@@ -91,9 +91,22 @@ Subject with_copies(Subject s, double distance)
   const std::size_t n = s.cloud.size();
   for(std::size_t i = 0; i < n; ++i)
     for(std::uint64_t copies = 1 + random.bits() % 2; copies > 0; --copies) {
-      const scenes::Vec d = distance * random.direction();
-      s.cloud.emplace_back(s.cloud[i].first + Kernel::Vector_3(d.x, d.y, d.z), s.cloud[i].second);
+      const scenes::Vec d = distance * random.direction(), m = (distance > 0 ? .4 : 0.) * random.direction();
+      s.cloud.emplace_back(s.cloud[i].first + Kernel::Vector_3(d.x, d.y, d.z),
+                           s.cloud[i].second + Kernel::Vector_3(m.x, m.y, m.z));
     }
+  return s;
+}
+
+// So large that many points share a code of the curve.
+Subject with_far_points(Subject s, double distance)
+{
+  s.name += " with far points";
+  scenes::Random random(6);
+  for(int i = 0; i < 50; ++i) {
+    const scenes::Vec p = distance * random.direction();
+    s.cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(0, 0, 1));
+  }
   return s;
 }
 
@@ -109,6 +122,7 @@ int main()
     test(make_subject("staircase", scene_options(10000, 0, .02), 50, given));
     test(with_copies(make_subject("house", house, 100, given), 0));
     test(with_copies(make_subject("house", house, 100, given), 1e-9));
+    test(with_far_points(make_subject("house", house, 60, given), 9000));
   }
   return report();
 }

@@ -63,7 +63,7 @@ private:
         for(std::uint32_t i : frontier)
           f_.for_each_neighbor(i, [&](std::uint32_t q) {
             if(round < rounds[label[i]] && q >= cell.first && q < cell.last && label[q] == is_free &&
-               f_.fits(label[i], q))
+               f_.fits(label[i] % std::uint32_t(f_.plane.size()), q))
               claims[q] = claims.count(q) ? (std::min)(claims[q], label[i]) : label[i];
           });
         frontier.clear();
@@ -78,12 +78,16 @@ private:
 
   void test_growth()
   {
+    // Three shapes of each plane, which race for its points.
     std::vector<std::uint32_t> label = f_.label, cursor(f_.cells.size(), 0);
     std::vector<std::uint8_t> state = f_.state;
-    for(std::size_t i = 0; i < label.size(); ++i) // few points to start from
-      if(label[i] < first_mark && i % 97 != 0)
-        label[i] = is_free;
-    std::vector<Plane> plane = f_.plane;
+    const std::uint32_t faces = std::uint32_t(f_.plane.size());
+    for(std::size_t i = 0; i < label.size(); ++i)
+      if(label[i] < first_mark)
+        label[i] = i % 7 == 0 ? label[i] + faces * std::uint32_t(i % 3) : is_free;
+    std::vector<Plane> plane;
+    for(int copy = 0; copy < 3; ++copy)
+      plane.insert(plane.end(), f_.plane.begin(), f_.plane.end());
     std::vector<std::uint16_t> rounds;
     for(std::size_t s = 0; s < plane.size(); ++s)
       rounds.push_back(std::uint16_t(s % 3 == 0 ? 256 : s % 5));

@@ -21,7 +21,7 @@ Cloud copies(const Cloud& one, int n, double pitch)
   return all;
 }
 
-// `rows` shapes of one share a plane with those of all copies of a row, and so on.
+// The copies lie along the axes, so many of their faces share a plane.
 void test_copies(const std::string& name, const scenes::Options& options, double epsilon, std::size_t directions,
                  int most)
 {

@@ -20,6 +20,9 @@
 #include <CGAL/Tandem/internal/Box_tree.h>
 #include <CGAL/Tandem/internal/Float8.h>
 
+#include <algorithm>
+#include <cstring>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {

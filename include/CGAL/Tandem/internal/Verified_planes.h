@@ -19,7 +19,7 @@ namespace internal {
 namespace regularity {
 
 constexpr double misfit_share = 0.2; // of its points, newly misfitting: the shape is refused
-constexpr double rms_share = 0.5;    // of epsilon, added in quadrature to the distance of the points: refused
+constexpr double rms_share = 0.6;    // of epsilon, added in quadrature to the distance of the points: refused
 constexpr double still_share = 0.02; // of epsilon: a plane that moved less needs no verification
 
 } // namespace regularity

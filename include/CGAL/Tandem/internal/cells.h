@@ -32,6 +32,14 @@ struct Code_frame {
     return hilbert_code(std::uint32_t(p.x - low[0]) >> shift, std::uint32_t(p.y - low[1]) >> shift,
                         std::uint32_t(p.z - low[2]) >> shift);
   }
+
+  // The order within one finest octant, which matters where far outliers make that large.
+  CGAL_TANDEM_HD std::uint64_t code_inside(const Grid_point& p) const
+  {
+    const std::uint32_t mask = (1u << shift) - 1;
+    return hilbert_code(std::uint32_t(p.x - low[0]) & mask, std::uint32_t(p.y - low[1]) & mask,
+                        std::uint32_t(p.z - low[2]) & mask);
+  }
 };
 
 inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
@@ -45,6 +53,8 @@ inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
       high[a] = (std::max)(high[a], c[a]);
     }
   }
+  if(n == 0)
+    return {{0, 0, 0}, 0};
   Code_frame frame = {{low[0], low[1], low[2]}, 0};
   const std::uint32_t extent = (std::max)({std::uint32_t(high[0] - low[0]), std::uint32_t(high[1] - low[1]),
                                            std::uint32_t(high[2] - low[2])});
@@ -53,8 +63,22 @@ inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
   return frame;
 }
 
-// Sorts positions of `point` by (code, coordinates, normal, position). The last
-// tie-break concerns exact duplicates only, so the order of the points does not
+// Sorts the points of one code by (code inside, coordinates, normal, position).
+inline void sort_equal_codes(Keyed_index* first, Keyed_index* last, const Grid_point* point, const Code_frame& frame)
+{
+  const std::uint64_t code = first->key;
+  for(Keyed_index* e = first; e != last; ++e)
+    e->key = frame.code_inside(point[e->index]);
+  std::sort(first, last, [&](const Keyed_index& a, const Keyed_index& b) {
+    const Grid_point &p = point[a.index], &q = point[b.index];
+    return std::tie(a.key, p.x, p.y, p.z, p.normal, a.index) < std::tie(b.key, q.x, q.y, q.z, q.normal, b.index);
+  });
+  for(Keyed_index* e = first; e != last; ++e)
+    e->key = code;
+}
+
+// Sorts positions of `point` along the curve, with a tie-break down to the position.
+// The last one concerns exact duplicates only, so the order of the points does not
 // depend on the order in which they come.
 template <class Backend>
 typename Backend::template Buffer<Keyed_index> sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
@@ -63,18 +87,15 @@ typename Backend::template Buffer<Keyed_index> sort_along_curve(Backend& backend
   typename Backend::template Buffer<Keyed_index> order(n);
   backend.for_each(n, [&](std::size_t i) { order[i] = {frame.code(point[i]), std::uint32_t(i)}; });
   backend.sort_by_key(order.begin(), order.end());
-  auto less = [&](const Keyed_index& a, const Keyed_index& b) {
-    const Grid_point &p = point[a.index], &q = point[b.index];
-    return std::tie(p.x, p.y, p.z, p.normal, a.index) < std::tie(q.x, q.y, q.z, q.normal, b.index);
-  };
+  typename Backend::template Buffer<std::uint8_t> is_tie(n); // with the next one; sorting a run hides its key for a while
+  backend.for_each(n, [&](std::size_t i) { is_tie[i] = i + 1 < n && order[i].key == order[i + 1].key; });
   backend.for_each(n, [&](std::size_t i) {
-    const bool is_first = i == 0 || order[i - 1].key != order[i].key;
-    if(!is_first || i + 1 == n || order[i + 1].key != order[i].key)
+    if(!is_tie[i] || (i > 0 && is_tie[i - 1]))
       return;
     std::size_t last = i + 1;
-    while(last < n && order[last].key == order[i].key)
+    while(is_tie[last])
       ++last;
-    std::sort(order.begin() + i, order.begin() + last, less);
+    sort_equal_codes(order.begin() + i, order.begin() + last + 1, point, frame);
   });
   return order;
 }
