@@ -54,7 +54,8 @@ run_asan()
 # race. The tests labeled "threads" run the same bodies on threads of their own.
 run_tsan()
 {
-  configuration tsan threads -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WARNINGS_AS_ERRORS=OFF -DTANDEM_WITH_TBB=OFF -DTANDEM_BUILD_EXAMPLES=OFF \
+  configuration tsan threads -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WARNINGS_AS_ERRORS=OFF \
+    -DTANDEM_WITH_TBB=OFF -DTANDEM_BUILD_EXAMPLES=OFF \
     -DTANDEM_TESTS=test_thread_backend "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 

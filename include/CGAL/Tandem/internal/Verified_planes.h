@@ -50,14 +50,23 @@ public:
     return quadratic_form(s.scatter.matrix, n) - quadratic_form(s.scatter.matrix, s.fit.normal);
   }
 
+  // Whether the plane is too far from the centroid.
+  bool is_shifted_too_far(int shape, const Regular_plane& plane) const
+  {
+    return std::fabs(dot(plane.normal, shapes[shape].scatter.centroid) - plane.offset) > regularity::rms_share * maximum_distance;
+  }
+
   // Asks the points, in one call. Returns for each candidate whether it was refused.
   std::vector<char> test(const std::vector<int>& candidates, const std::vector<Regular_plane>& planes)
   {
     std::vector<int> asked;
     std::vector<Regular_plane> asked_planes;
     std::vector<std::size_t> position;
+    std::vector<char> is_refused(candidates.size(), 0);
     for(std::size_t k = 0; k < candidates.size(); ++k)
-      if(motion(candidates[k], planes[k]) > regularity::still_share * maximum_distance) {
+      if(is_shifted_too_far(candidates[k], planes[k]))
+        is_refused[k] = 1;
+      else if(motion(candidates[k], planes[k]) > regularity::still_share * maximum_distance) {
         asked.push_back(candidates[k]);
         asked_planes.push_back(planes[k]);
         position.push_back(k);
@@ -65,7 +74,6 @@ public:
     std::vector<std::int64_t> counts(asked.size(), 0);
     if(!asked.empty())
       verify(asked, asked_planes, counts);
-    std::vector<char> is_refused(candidates.size(), 0);
     for(std::size_t a = 0; a < asked.size(); ++a) {
       if(double(counts[a]) > regularity::misfit_share * shapes[asked[a]].scatter.count)
         is_refused[position[a]] = 1;

@@ -19,6 +19,10 @@ constexpr std::uint32_t least_links = 2;
 constexpr std::int64_t reliable_normal_size = 30;
 // How much worse, in epsilons (rms), another plane may be than the local one (R2).
 constexpr double tolerated_rms = 0.5;
+// In a joint fit it may also not be worse by more than the shape's own distances and
+// this: a plane that bridges two narrow strips is close to both, but not as close as
+// their own planes.
+constexpr double negligible_rms = 0.2;
 
 // How much the sum of squared distances grows when the shape gives up its local plane.
 inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
@@ -145,8 +149,9 @@ struct Joint_fit_test {
 
   bool is_tolerable(const Shape& s, const Regular_plane& plane) const
   {
-    const double most = tolerated_rms * maximum_distance;
-    return excess(s.scatter, s.fit, plane) <= most * most * s.scatter.count;
+    const double most = tolerated_rms * maximum_distance, little = negligible_rms * maximum_distance;
+    const double more = excess(s.scatter, s.fit, plane);
+    return more <= most * most * s.scatter.count && more <= std::fma(little * little, s.scatter.count, s.fit.smallest);
   }
 };
 

@@ -63,6 +63,7 @@ void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
       root.age = (std::max)(root.age, shape.age);
       root.is_active = root.is_active || shape.is_active;
       root.is_dirty = root.is_changed = true;
+      root.layered_count = 0;
     } else {
       t.assigned -= std::size_t(shape.moments.count);
     }
