@@ -28,19 +28,18 @@ Request parse(int argc, char** argv)
 {
   Request r;
   po::options_description visible("evaluate CLOUD.ply --labels FILE --planes FILE --maximum-distance D [options]"), all;
-  visible.add_options()
-      ("help", "this text")
-      ("labels", po::value(&r.labels)->required(), "one little-endian int32 per point, -1 for none")
-      ("planes", po::value(&r.planes)->required(), "one line a b c d per shape")
-      ("maximum-distance", po::value(&r.tolerances.maximum_distance)->required(), "epsilon, units of the cloud")
-      ("maximum-angle", po::value(&r.tolerances.maximum_angle_deg)->default_value(25), "alpha, degrees")
-      ("normals", po::value(&r.normals), "take the normals from this PLY (same points in the same order)")
-      ("truth", po::value(&r.truth), "planes of the true faces; default: CLOUD.ply.truth, if there is such a file")
-      ("fit-truth", po::bool_switch(&r.fits_truth), "the labels of the cloud are true faces: fit their planes")
-      ("minimum-region-size", po::value(&r.minimum)->default_value(200), "smaller true faces need not be found")
-      ("name", po::value(&r.name), "first column of the table; default: the cloud")
-      ("csv", po::bool_switch(&r.is_csv), "one line, comma separated")
-      ("header", po::bool_switch(&r.has_header), "with --csv: the names of the columns before it");
+  visible.add_options()("help", "this text")("labels", po::value(&r.labels)->required(),
+                                             "one little-endian int32 per point, -1 for none")(
+    "planes", po::value(&r.planes)->required(), "one line a b c d per shape")(
+    "maximum-distance", po::value(&r.tolerances.maximum_distance)->required(), "epsilon, units of the cloud")(
+    "maximum-angle", po::value(&r.tolerances.maximum_angle_deg)->default_value(25), "alpha, degrees")(
+    "normals", po::value(&r.normals), "take the normals from this PLY (same points in the same order)")(
+    "truth", po::value(&r.truth), "planes of the true faces; default: CLOUD.ply.truth, if there is such a file")(
+    "fit-truth", po::bool_switch(&r.fits_truth), "the labels of the cloud are true faces: fit their planes")(
+    "minimum-region-size", po::value(&r.minimum)->default_value(200), "smaller true faces need not be found")(
+    "name", po::value(&r.name), "first column of the table; default: the cloud")(
+    "csv", po::bool_switch(&r.is_csv), "one line, comma separated")("header", po::bool_switch(&r.has_header),
+                                                                    "with --csv: the names of the columns before it");
   all.add(visible).add_options()("cloud", po::value(&r.cloud)->required());
   po::positional_options_description position;
   position.add("cloud", 1);

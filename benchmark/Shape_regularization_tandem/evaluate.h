@@ -17,13 +17,13 @@ namespace Tandem {
 namespace benchmark {
 
 struct Detection {
-  std::vector<std::int32_t> label;    // per point: its shape, -1 for none
-  std::vector<Plane> planes;          // per shape
+  std::vector<std::int32_t> label; // per point: its shape, -1 for none
+  std::vector<Plane> planes;       // per shape
 };
 
 struct Tolerances {
-  double maximum_distance;        // epsilon
-  double maximum_angle_deg;       // alpha
+  double maximum_distance;  // epsilon
+  double maximum_angle_deg; // alpha
 };
 
 struct Relation_counts {
@@ -34,7 +34,7 @@ struct Relation_counts {
 struct Criteria {
   std::size_t points = 0, assigned = 0, shapes = 0, smallest_shape = 0;
   std::size_t beyond_epsilon = 0, beyond_alpha = 0;
-  std::size_t not_unit = 0;             // planes whose normal is not a unit vector
+  std::size_t not_unit = 0; // planes whose normal is not a unit vector
   double mean_distance = 0, max_distance = 0;
   double mean_normal_angle_deg = 0;
   Relation_counts exact, relaxed;

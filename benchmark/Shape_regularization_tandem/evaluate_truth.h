@@ -15,7 +15,7 @@ namespace Tandem {
 namespace benchmark {
 
 struct Truth {
-  std::vector<std::int32_t> label;    // per point: its face, -1 for none
+  std::vector<std::int32_t> label; // per point: its face, -1 for none
   std::vector<Plane> faces;
 };
 
@@ -37,14 +37,14 @@ struct Relation_score {
 };
 
 struct Truth_criteria {
-  std::size_t faces = 0;              // with enough points to count
-  double point_precision = 0;         // share of the assigned points that lie on the main face of their shape
-  double point_recall = 0;            // share of all face points that are so assigned
-  double false_points = 0;            // share of the assigned points that lie on no face
-  Face_score at_50, at_75;            // matched where intersection / union is at least so much
-  double shapes_per_face = 0;         // of the faces found; 1 is right, more is over-segmentation
-  std::size_t swallowed_faces = 0;    // half of the face is in a shape of another one
-  double angle_error_deg = 0;         // mean over the matched shapes
+  std::size_t faces = 0;           // with enough points to count
+  double point_precision = 0;      // share of the assigned points that lie on the main face of their shape
+  double point_recall = 0;         // share of all face points that are so assigned
+  double false_points = 0;         // share of the assigned points that lie on no face
+  Face_score at_50, at_75;         // matched where intersection / union is at least so much
+  double shapes_per_face = 0;      // of the faces found; 1 is right, more is over-segmentation
+  std::size_t swallowed_faces = 0; // half of the face is in a shape of another one
+  double angle_error_deg = 0;      // mean over the matched shapes
   Relation_score exact, relaxed;
 };
 
@@ -86,7 +86,7 @@ public:
   }
 
   std::size_t shapes, faces;
-  std::vector<std::size_t> shape_size, face_size, main_face;    // main_face == faces: none
+  std::vector<std::size_t> shape_size, face_size, main_face; // main_face == faces: none
 
 private:
   std::size_t face_of(std::int32_t label) const

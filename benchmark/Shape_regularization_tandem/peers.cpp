@@ -128,8 +128,9 @@ Plane normalized(const Kernel::Plane_3& p)
 
 // On a copy with the position of each item, since the detector reorders its input.
 using Item = std::tuple<Kernel::Point_3, Kernel::Vector_3, std::uint32_t>;
-using Ransac_traits = CGAL::Shape_detection::Efficient_RANSAC_traits<
-    Kernel, std::vector<Item>, CGAL::Nth_of_tuple_property_map<0, Item>, CGAL::Nth_of_tuple_property_map<1, Item>>;
+using Ransac_traits =
+  CGAL::Shape_detection::Efficient_RANSAC_traits<Kernel, std::vector<Item>, CGAL::Nth_of_tuple_property_map<0, Item>,
+                                                 CGAL::Nth_of_tuple_property_map<1, Item>>;
 using Ransac = CGAL::Shape_detection::Efficient_RANSAC<Ransac_traits>;
 using Ransac_plane = CGAL::Shape_detection::Plane<Ransac_traits>;
 
@@ -167,11 +168,11 @@ void regularize(const Range& range, const Request& r, Detection& detection)
     planes.emplace_back(p.normal.x, p.normal.y, p.normal.z, p.offset);
   std::vector<int> index(detection.label.begin(), detection.label.end());
   CGAL::Shape_regularization::Planes::regularize_planes(
-      planes, CGAL::Identity_property_map<Kernel::Plane_3>(), range, Point_map(),
-      CGAL::parameters::plane_index_map(CGAL::make_property_map(index))
-          .regularize_axis_symmetry(r.uses_symmetry)
-          .maximum_angle(r.beta_deg)
-          .maximum_offset(r.epsilon));
+    planes, CGAL::Identity_property_map<Kernel::Plane_3>(), range, Point_map(),
+    CGAL::parameters::plane_index_map(CGAL::make_property_map(index))
+      .regularize_axis_symmetry(r.uses_symmetry)
+      .maximum_angle(r.beta_deg)
+      .maximum_offset(r.epsilon));
   std::transform(planes.begin(), planes.end(), detection.planes.begin(), normalized);
 }
 
@@ -220,21 +221,19 @@ Request parse(int argc, char** argv)
 {
   Request r;
   po::options_description visible("peers rg|rg-cached|ransac CLOUD.ply --maximum-distance D [options]"), all;
-  visible.add_options()
-      ("help", "this text")
-      ("labels", po::value(&r.labels)->required(), "output: one int32 per point")
-      ("planes", po::value(&r.planes)->required(), "output: one line a b c d per shape")
-      ("maximum-distance", po::value(&r.epsilon)->required(), "epsilon")
-      ("maximum-angle", po::value(&r.alpha_deg)->default_value(25), "alpha, degrees")
-      ("angle-tolerance", po::value(&r.beta_deg)->default_value(8), "for regularize_planes, degrees")
-      ("minimum-region-size", po::value(&r.minimum)->default_value(200), "points")
-      ("k-neighbors", po::value(&r.k)->default_value(20), "for region growing")
-      ("cluster-epsilon", po::value(&r.cluster_epsilon)->default_value(0), "for RANSAC; 0: epsilon")
-      ("regularize", po::bool_switch(&r.regularizes), "regularize_planes afterwards")
-      ("plain-labels", po::value(&r.plain_labels), "with --regularize: also the labels without it")
-      ("plain-planes", po::value(&r.plain_planes), "and the planes")
-      ("symmetry", po::bool_switch(&r.uses_symmetry), "with its axis symmetry")
-      ("cleaned", po::bool_switch(&r.is_cleaned), "drop violating points, then small regions");
+  visible.add_options()("help", "this text")("labels", po::value(&r.labels)->required(), "output: one int32 per point")(
+    "planes", po::value(&r.planes)->required(),
+    "output: one line a b c d per shape")("maximum-distance", po::value(&r.epsilon)->required(), "epsilon")(
+    "maximum-angle", po::value(&r.alpha_deg)->default_value(25),
+    "alpha, degrees")("angle-tolerance", po::value(&r.beta_deg)->default_value(8), "for regularize_planes, degrees")(
+    "minimum-region-size", po::value(&r.minimum)->default_value(200),
+    "points")("k-neighbors", po::value(&r.k)->default_value(20), "for region growing")(
+    "cluster-epsilon", po::value(&r.cluster_epsilon)->default_value(0),
+    "for RANSAC; 0: epsilon")("regularize", po::bool_switch(&r.regularizes), "regularize_planes afterwards")(
+    "plain-labels", po::value(&r.plain_labels),
+    "with --regularize: also the labels without it")("plain-planes", po::value(&r.plain_planes), "and the planes")(
+    "symmetry", po::bool_switch(&r.uses_symmetry),
+    "with its axis symmetry")("cleaned", po::bool_switch(&r.is_cleaned), "drop violating points, then small regions");
   all.add(visible).add_options()("method", po::value(&r.method)->required())("cloud", po::value(&r.cloud)->required());
   po::positional_options_description positions;
   positions.add("method", 1).add("cloud", 1);

@@ -19,14 +19,14 @@ using scenes::Vec;
 
 struct Plane {
   Vec normal;
-  double offset;    // normal . p + offset = 0
+  double offset; // normal . p + offset = 0
 };
 
 struct Relation_tolerance {
   bool is_bitwise;
-  double parallel;      // sine of the angle
-  double orthogonal;    // cosine of the angle
-  double offset;        // at `center`
+  double parallel;   // sine of the angle
+  double orthogonal; // cosine of the angle
+  double offset;     // at `center`
   Vec center;
 };
 
@@ -129,7 +129,7 @@ private:
   Relation_tolerance tolerance_;
   std::vector<Vec> directions_;
   std::vector<Plane> planes_;
-  std::vector<std::size_t> direction_, plane_;    // per shape
+  std::vector<std::size_t> direction_, plane_; // per shape
   std::size_t degrees_of_freedom_ = 0;
 };
 

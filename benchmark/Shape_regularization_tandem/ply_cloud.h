@@ -22,9 +22,9 @@ using scenes::Vec;
 
 struct Ply_cloud {
   std::vector<Vec> points;
-  std::vector<Vec> normals;            // empty if there are none
-  std::vector<std::int32_t> label;     // empty if there is none
-  bool is_double = false;              // how the coordinates were, or shall be, stored
+  std::vector<Vec> normals;        // empty if there are none
+  std::vector<std::int32_t> label; // empty if there is none
+  bool is_double = false;          // how the coordinates were, or shall be, stored
 
   bool has_normals() const { return !normals.empty(); }
   bool has_label() const { return !label.empty(); }
@@ -146,10 +146,7 @@ private:
   std::size_t size_ = 0, row_size_ = 0;
 };
 
-inline Ply_cloud read_ply(const std::string& path)
-{
-  return Ply_reader(path).read();
-}
+inline Ply_cloud read_ply(const std::string& path) { return Ply_reader(path).read(); }
 
 template <class T>
 void append(std::string& bytes, T value)

@@ -33,10 +33,12 @@ inline Model make_tilted_cube(double degrees = 2)
 {
   Model model;
   Frame cube = Frame().turned({1, 2, 3}, 0.25);
-  auto walls = std::array<Frame, 6>{
-      cube.at({0, 0, 1}), cube.at({1, 0, 0}).with_axes({-1, 0, 0}, {0, 1, 0}),
-      cube.with_axes({1, 0, 0}, {0, 0, 1}), cube.at({1, 1, 0}).with_axes({-1, 0, 0}, {0, 0, 1}),
-      cube.with_axes({0, 0, 1}, {0, 1, 0}).at({0, 0, 0}), cube.at({1, 0, 0}).with_axes({0, 1, 0}, {0, 0, 1})};
+  auto walls = std::array<Frame, 6>{cube.at({0, 0, 1}),
+                                    cube.at({1, 0, 0}).with_axes({-1, 0, 0}, {0, 1, 0}),
+                                    cube.with_axes({1, 0, 0}, {0, 0, 1}),
+                                    cube.at({1, 1, 0}).with_axes({-1, 0, 0}, {0, 0, 1}),
+                                    cube.with_axes({0, 0, 1}, {0, 1, 0}).at({0, 0, 0}),
+                                    cube.at({1, 0, 0}).with_axes({0, 1, 0}, {0, 0, 1})};
   const Vec axes[6] = {{1, 0.3, 0}, {0.2, 1, 0}, {1, -1, 0}, {-0.4, 1, 0}, {1, 1, 0}, {1, 0, 0}};
   for(std::size_t i = 0; i < 6; ++i) {
     Frame face = walls[i].at({0.5, 0.5, 0}).turned(axes[i], half_tangent(degrees));

@@ -38,7 +38,7 @@ inline std::array<Frame, 4> wall_frames(const Frame& f, double w, double d)
 
 struct Gabled_block {
   double width, depth, height;
-  double overhang;    // of the roof; 0: two bare slopes instead of slabs
+  double overhang; // of the roof; 0: two bare slopes instead of slabs
 };
 
 // Two slabs that lie half in the walls and end in each other at the ridge. Their
@@ -190,8 +190,8 @@ inline Model make_indoor()
   add_room(model, f.at({6.2, 0, 0}), 4.5, 5, 2.7);
   add_room(model, f.at({0, 5.2, 0}), 10.7, 3.5, 2.9);
   // Doors go through walls of 0.2; their voids cut both faces of the wall.
-  for(const Frame& door : {f.at({6, 1, 0}).with_axes({0, 1, 0}, {0, 0, 1}),
-                           f.at({3, 5.2, 0}).with_axes({1, 0, 0}, {0, 0, 1})}) {
+  for(const Frame& door :
+      {f.at({6, 1, 0}).with_axes({0, 1, 0}, {0, 0, 1}), f.at({3, 5.2, 0}).with_axes({1, 0, 0}, {0, 0, 1})}) {
     model.add_box_faces(door, {0, 0, 0}, {0.9, 2.1, 0.2}, side_left | side_right | side_back, true);
     model.voids.push_back(Model::box(door, {0, 0, -0.1}, {0.9, 2.1, 0.3}));
   }

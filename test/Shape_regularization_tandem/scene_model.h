@@ -65,29 +65,26 @@ struct Frame {
   }
 
   // Axes: u and v as given (in this frame, orthogonal), and their cross product.
-  Frame with_axes(const Vec& u, const Vec& v) const
-  {
-    return {origin, vector(u), vector(v), vector(cross(u, v))};
-  }
+  Frame with_axes(const Vec& u, const Vec& v) const { return {origin, vector(u), vector(v), vector(cross(u, v))}; }
 };
 
 struct Half_space {
   Vec normal;
-  double offset;    // inside: normal . p + offset < 0
+  double offset; // inside: normal . p + offset < 0
 };
 using Convex = std::vector<Half_space>;
 
 struct Face {
-  Vec normal;       // unit, outward
-  double offset;    // normal . p + offset = 0
+  Vec normal;    // unit, outward
+  double offset; // normal . p + offset = 0
   std::vector<std::array<Vec, 3>> triangles;
 };
 
 // A cylinder without lids, or (height 0) a sphere. Its points have the label -1.
 struct Curved {
-  Frame frame;      // the axis is frame.z
+  Frame frame; // the axis is frame.z
   double radius, height;
-  bool is_hole;     // normals point to the axis
+  bool is_hole; // normals point to the axis
 };
 
 constexpr unsigned side_left = 1, side_right = 2, side_front = 4, side_back = 8, side_bottom = 16, side_top = 32;
@@ -105,7 +102,7 @@ struct Model {
   std::vector<Face> faces;
   std::vector<Curved> curved;
   std::vector<Convex> solids, voids;
-  std::vector<Vec> scanners;    // where the density is highest, if it varies
+  std::vector<Vec> scanners; // where the density is highest, if it varies
 
   // Corners counter-clockwise seen from outside, convex.
   std::size_t add_face(const Frame& frame, const std::vector<Vec>& corners)

@@ -30,9 +30,9 @@ inline std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k =
     Vec q = p - points[0];
     range.emplace_back(Kernel::Point_3(q.x, q.y, q.z), Kernel::Vector_3(0, 0, 1));
   }
-  pca_estimate_normals<Parallel_if_available_tag>(
-      range, k, parameters::point_map(First_of_pair_property_map<Point_with_normal>())
-                    .normal_map(Second_of_pair_property_map<Point_with_normal>()));
+  pca_estimate_normals<Parallel_if_available_tag>(range, k,
+                                                  parameters::point_map(First_of_pair_property_map<Point_with_normal>())
+                                                    .normal_map(Second_of_pair_property_map<Point_with_normal>()));
   std::vector<Vec> normals;
   normals.reserve(points.size());
   for(const Point_with_normal& p : range)

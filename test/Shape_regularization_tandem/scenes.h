@@ -69,24 +69,24 @@ enum class Normals { none, exact, perturbed };
 
 struct Options {
   std::size_t points = 20000;
-  double noise = 0;               // sigma, as a share of the diagonal
-  double outliers = 0;            // share of the points
-  bool varies_density = false;    // falls with the squared distance to the nearest scanner
+  double noise = 0;            // sigma, as a share of the diagonal
+  double outliers = 0;         // share of the points
+  bool varies_density = false; // falls with the squared distance to the nearest scanner
   Normals normals = Normals::exact;
-  double normal_noise_deg = 5;    // sigma for Normals::perturbed
+  double normal_noise_deg = 5; // sigma for Normals::perturbed
   std::uint64_t seed = 1;
 };
 
 struct Truth_face {
   Vec normal;
-  double offset;                  // normal . p + offset = 0
+  double offset; // normal . p + offset = 0
 };
 
 struct Scene {
   std::vector<Vec> points;
-  std::vector<Vec> ideal;         // the same points without noise
-  std::vector<Vec> normals;       // empty if there are none
-  std::vector<std::int32_t> label;    // index of the face, -1 on curved patches and outliers
+  std::vector<Vec> ideal;          // the same points without noise
+  std::vector<Vec> normals;        // empty if there are none
+  std::vector<std::int32_t> label; // index of the face, -1 on curved patches and outliers
   std::vector<Truth_face> faces;
   double diagonal = 0;
 };
@@ -155,7 +155,7 @@ public:
 private:
   struct Patch {
     std::size_t index;
-    const std::array<Vec, 3>* triangle;    // null: a curved patch
+    const std::array<Vec, 3>* triangle; // null: a curved patch
   };
 
   void add_patch(std::size_t index, const std::array<Vec, 3>* triangle, double area)
@@ -205,7 +205,7 @@ private:
   bool varies_density_;
   double margin_, reach_;
   std::vector<Patch> patches_;
-  std::vector<double> cumulated_;    // area up to and with each patch
+  std::vector<double> cumulated_; // area up to and with each patch
 };
 
 inline Vec perturbed(const Vec& normal, double degrees, Random& random)
@@ -229,7 +229,8 @@ inline Scene make_scene(const Model& model, const Options& options)
       Vec t{std::fma(1.1, random.uniform(), -0.05), std::fma(1.1, random.uniform(), -0.05),
             std::fma(1.1, random.uniform(), -0.05)};
       s = {{std::fma(t.x, extent.x, box.low.x), std::fma(t.y, extent.y, box.low.y), std::fma(t.z, extent.z, box.low.z)},
-           random.direction(), -1};
+           random.direction(),
+           -1};
     } else {
       s = sampler.draw(random);
       if(options.normals == Normals::perturbed)
@@ -257,27 +258,42 @@ inline Scene make_noise(const Options& options)
 inline const std::vector<std::string>& scene_names()
 {
   static const std::vector<std::string> names = {
-      "house", "village", "indoor", "part", "cube", "tilted_cube", "staircase", "squares_gap", "squares_touching",
-      "slope", "chained", "two_leaves", "offset_pair", "sphere", "noise"};
+    "house",       "village",          "indoor", "part",    "cube",       "tilted_cube", "staircase",
+    "squares_gap", "squares_touching", "slope",  "chained", "two_leaves", "offset_pair", "sphere",
+    "noise"};
   return names;
 }
 
 inline Model make_model(const std::string& name)
 {
-  if(name == "house") return make_house();
-  if(name == "village") return make_village();
-  if(name == "indoor") return make_indoor();
-  if(name == "part") return make_part();
-  if(name == "cube") return make_cube();
-  if(name == "tilted_cube") return make_tilted_cube();
-  if(name == "staircase") return make_staircase();
-  if(name == "squares_gap") return make_squares(0.5);
-  if(name == "squares_touching") return make_squares(0);
-  if(name == "slope") return make_slope();
-  if(name == "chained") return make_chained();
-  if(name == "two_leaves") return make_two_leaves();
-  if(name == "offset_pair") return make_offset_pair(0.05);
-  if(name == "sphere") return make_sphere();
+  if(name == "house")
+    return make_house();
+  if(name == "village")
+    return make_village();
+  if(name == "indoor")
+    return make_indoor();
+  if(name == "part")
+    return make_part();
+  if(name == "cube")
+    return make_cube();
+  if(name == "tilted_cube")
+    return make_tilted_cube();
+  if(name == "staircase")
+    return make_staircase();
+  if(name == "squares_gap")
+    return make_squares(0.5);
+  if(name == "squares_touching")
+    return make_squares(0);
+  if(name == "slope")
+    return make_slope();
+  if(name == "chained")
+    return make_chained();
+  if(name == "two_leaves")
+    return make_two_leaves();
+  if(name == "offset_pair")
+    return make_offset_pair(0.05);
+  if(name == "sphere")
+    return make_sphere();
   throw std::invalid_argument("unknown scene: " + name);
 }
 

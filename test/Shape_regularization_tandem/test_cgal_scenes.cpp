@@ -164,6 +164,34 @@ void test_building(const Cloud& building)
   CHECK_AT(shapes.statistics().coverage >= .6, std::to_string(shapes.statistics().coverage));
 }
 
+// test_validity_sampled_data: n x n copies side by side, each point moved by up to 1e-4. Every copy
+// has 6 faces, and all of them one floor.
+void test_copies(const Cloud& building)
+{
+  CGAL::Bbox_3 box;
+  for(const auto& item : building)
+    box += item.first.bbox();
+  for(int n = 1; n <= 3; ++n) {
+    Random random(static_cast<std::uint64_t>(n));
+    Cloud cloud;
+    for(int x = 0; x < n; ++x)
+      for(int y = 0; y < n; ++y)
+        for(const auto& item : building) {
+          const Vec moved = in_box(random, 1e-4);
+          add(cloud,
+              {item.first.x() + x * (box.xmax() - box.xmin()) + moved.x,
+               item.first.y() + y * (box.ymax() - box.ymin()) + moved.y, item.first.z() + moved.z},
+              {item.second.x(), item.second.y(), item.second.z()});
+        }
+    Parameters p = make_parameters(.01, 100);
+    p.maximum_angle = 18.19; // a cosine of .95
+    const std::string name = std::to_string(n) + " x " + std::to_string(n) + " copies";
+    const Shapes shapes = detect_valid(name, cloud, p);
+    std::cout << name << ": " << shapes.number_of_shapes() << " shapes" << std::endl;
+    check_equal(shapes.number_of_shapes(), std::size_t(6 * n * n + 1), name + ": number of shapes");
+  }
+}
+
 int main()
 {
   test_parallelogram();
@@ -176,5 +204,6 @@ int main()
   }
   test_cube(read_lines(cube));
   test_building(read_lines(building));
+  test_copies(read_lines(building));
   return report();
 }

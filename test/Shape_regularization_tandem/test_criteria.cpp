@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(distances_and_angles)
   BOOST_TEST(c.coverage() == 0.75, within);
   BOOST_TEST(c.mean_distance == 0.875 / 3, within);
   BOOST_TEST(c.max_distance == 0.5, within);
-  BOOST_TEST(c.beyond_epsilon == 1u);    // epsilon itself is allowed
+  BOOST_TEST(c.beyond_epsilon == 1u); // epsilon itself is allowed
   BOOST_TEST(c.beyond_alpha == 1u);
   BOOST_TEST(c.mean_normal_angle_deg == 15.0, within);
   BOOST_TEST(c.smallest_shape == 3u);
@@ -165,7 +165,8 @@ BOOST_AUTO_TEST_CASE(perfect_detection_scores_one)
   for(const char* name : {"cube", "staircase", "squares_gap", "two_leaves", "village"}) {
     scenes::Scene scene = sample(name, 100000);
     Truth_criteria t = compare(scene, perfect(scene));
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       BOOST_TEST(t.point_precision == 1.0, within);
       BOOST_TEST(t.point_recall == 1.0, within);
       BOOST_TEST(t.at_50.f1 == 1.0, within);
@@ -244,6 +245,6 @@ BOOST_AUTO_TEST_CASE(outliers_and_small_faces)
   BOOST_TEST(t.false_points == 1.0 / 6, within);
   BOOST_TEST(t.at_50.shapes_found == 2u);
   BOOST_TEST(t.at_50.f1 == 1.0, within);
-  BOOST_TEST(t.at_75.f1 == 0.0);    // 3 of 5 points; the small face alone does not count for recall
+  BOOST_TEST(t.at_75.f1 == 0.0); // 3 of 5 points; the small face alone does not count for recall
   BOOST_TEST(t.at_75.precision == 0.5, within);
 }

@@ -29,7 +29,10 @@ void check(bool condition, const std::string& what, double value = 0, double exp
   std::printf("FAILED %s: %.17g, expected %.17g\n", what.c_str(), value, expected);
 }
 
-void check_equal(double value, double expected, const std::string& what) { check(value == expected, what, value, expected); }
+void check_equal(double value, double expected, const std::string& what)
+{
+  check(value == expected, what, value, expected);
+}
 
 void check_close(double value, double expected, double tolerance, const std::string& what)
 {
@@ -72,7 +75,8 @@ struct Verify {
   int calls = 0;
   std::function<double(int)> share = [](int) { return 1.0; };
 
-  void operator()(const std::vector<int>& list, const std::vector<Regular_plane>& planes, std::vector<std::int64_t>& counts)
+  void operator()(const std::vector<int>& list, const std::vector<Regular_plane>& planes,
+                  std::vector<std::int64_t>& counts)
   {
     ++calls;
     check_equal(double(planes.size()), double(list.size()), "planes handed to verify");
@@ -114,7 +118,8 @@ void check_tables(const Relations& r, std::size_t n, const std::string& what)
   check_equal(double(r.is_rolled_back.size()), double(n), what + ": flags");
   for(std::size_t i = 0; i < n; ++i) {
     const Vector& d = r.directions.at(r.direction_of[i]);
-    check(is_same(d, r.planes.at(r.plane_of[i]).normal), what + ": the plane has the bits of the direction, shape", double(i));
+    check(is_same(d, r.planes.at(r.plane_of[i]).normal), what + ": the plane has the bits of the direction, shape",
+          double(i));
     check_close(dot(d, d), 1, 1e-15, what + ": unit");
   }
 }
@@ -220,8 +225,12 @@ void test_group_fit()
   std::vector<Shape_fit> shapes;
   Symmetric_matrix sum = {0, 0, 0, 0, 0, 0};
   for(int i = 0; i < 5; ++i) {
-    shapes.push_back(make_shape({{0.3 + noise(random), 0.4 + noise(random), 0.86}, {1e5 * i, 0, 0}, 4 * epsilon,
-                                 (2 + i) * epsilon, 100, 500.0 + 300 * i}));
+    shapes.push_back(make_shape({{0.3 + noise(random), 0.4 + noise(random), 0.86},
+                                 {1e5 * i, 0, 0},
+                                 4 * epsilon,
+                                 (2 + i) * epsilon,
+                                 100,
+                                 500.0 + 300 * i}));
     sum = sum + shapes.back().scatter.matrix;
   }
   const Vector n = run(shapes).directions[0];
@@ -237,7 +246,8 @@ void test_constrained_fits()
 {
   const Vector x = unit({1, 2, 3});
   const Plane_basis b(x);
-  const Shape_fit s = make_shape({{3, -1.4, 0}, {0, 0, 0}}), t = make_shape({{1.0, 2.1, -1.8}, {0, 0, 0}, 9000, 5000, 200, 900});
+  const Shape_fit s = make_shape({{3, -1.4, 0}, {0, 0, 0}}),
+                  t = make_shape({{1.0, 2.1, -1.8}, {0, 0, 0}, 9000, 5000, 200, 900});
   const Vector f = fit_orthogonal(s.scatter.matrix, x, s.fit.normal);
   const Vector g = fit_frame(s.scatter.matrix, t.scatter.matrix, x, s.fit.normal), h = orthogonal_to_both(x, g);
   check(are_orthogonal(f, x) && are_orthogonal(g, x) && are_orthogonal(h, x) && are_orthogonal(g, h), "constraints");
@@ -246,7 +256,8 @@ void test_constrained_fits()
   for(int k = 0; k < 3600; ++k) {
     const Vector v = b.lifted(cosine_deg(0.1 * k), sine_deg(0.1 * k)), w = cross(x, v);
     check(quadratic_form(s.scatter.matrix, v) >= one * (1 - 1e-12), "a better normal orthogonal to x", k);
-    check(quadratic_form(s.scatter.matrix, v) + quadratic_form(t.scatter.matrix, w) >= two * (1 - 1e-12), "a better frame", k);
+    check(quadratic_form(s.scatter.matrix, v) + quadratic_form(t.scatter.matrix, w) >= two * (1 - 1e-12),
+          "a better frame", k);
   }
   // first-order cost of a right angle against the constrained fit
   const Eigen_system e = eigen_system(s.scatter.matrix);
@@ -265,7 +276,8 @@ std::vector<Rectangle> turned_box(int seed)
   const Vector axis[3] = {x, y, z};
   for(int f = 0; f < 6; ++f) { // tilted by about a degree
     const Vector n = unit(add_scaled(axis[f / 2], 0.01, any()));
-    box.push_back({n, (f % 2 ? 1e5 : -1e5) * axis[f / 2], (10.0 + f) * epsilon, (8.0 + f) * epsilon, 200, 1000.0 + 100 * f});
+    box.push_back(
+      {n, (f % 2 ? 1e5 : -1e5) * axis[f / 2], (10.0 + f) * epsilon, (8.0 + f) * epsilon, 200, 1000.0 + 100 * f});
   }
   return box;
 }
@@ -281,7 +293,8 @@ void test_orthogonal()
   }
   // a master with two leaves 40 degrees apart, neither of them exact before
   const Relations r = run({{polar(0, 89), {0, 0, 0}, 40 * epsilon, 40 * epsilon, 200, 9000},
-                           {polar(10, 1), {1e6, 0, 0}, 20000, 9000}, {polar(50, -1), {2e6, 0, 0}, 20000, 9000}});
+                           {polar(10, 1), {1e6, 0, 0}, 20000, 9000},
+                           {polar(50, -1), {2e6, 0, 0}, 20000, 9000}});
   check_equal(double(r.directions.size()), 3, "directions of master and leaves");
   check_equal(double(orthogonal_pairs(r.directions).size()), 2, "right angles of master and leaves");
   check(std::fabs(dot(r.directions[1], r.directions[2]) - cosine_deg(40)) < 0.03, "leaves keep their angle");
@@ -294,7 +307,8 @@ void test_chained_frames()
     std::vector<Rectangle> house = turned_box(seed);
     const Vector n[3] = {house[0].normal, house[2].normal, house[4].normal};
     for(double tilt : {35.0, -35.0, 20.0})
-      house.push_back({add_scaled(cosine_deg(tilt) * n[2], sine_deg(tilt), n[0]), {3e5, tilt * 1e4, 0}, 9000, 7000, 150, 300});
+      house.push_back(
+        {add_scaled(cosine_deg(tilt) * n[2], sine_deg(tilt), n[0]), {3e5, tilt * 1e4, 0}, 9000, 7000, 150, 300});
     const Relations r = run(house);
     check_equal(double(r.directions.size()), 6, "directions of house " + std::to_string(seed));
     check_equal(inexact_pairs(r, 4), 0, "nearly orthogonal pairs of house " + std::to_string(seed));
@@ -325,7 +339,8 @@ void test_village()
   for(double allowed_deg : {0.2, 0.3, 0.5, 0.7}) {
     const Relations r = run(faces, sine_deg(allowed_deg));
     check_tables(r, faces.size(), "village");
-    check_equal(double(r.directions.size()), 65, "directions of the village, points allow " + std::to_string(allowed_deg));
+    check_equal(double(r.directions.size()), 65,
+                "directions of the village, points allow " + std::to_string(allowed_deg));
     check_equal(inexact_pairs(r, 0.3), 0, "nearly orthogonal pairs of the village");
     int rolled_back = 0;
     for(char c : r.is_rolled_back)
@@ -369,7 +384,9 @@ void test_rollback()
 
 void test_coplanar()
 {
-  auto flat = [](double z, double x) { return Rectangle{{0, 0.001, 1}, {x * epsilon, 0, z * epsilon}, 5 * epsilon, 5 * epsilon, 100}; };
+  auto flat = [](double z, double x) {
+    return Rectangle{{0, 0.001, 1}, {x * epsilon, 0, z * epsilon}, 5 * epsilon, 5 * epsilon, 100};
+  };
   const Relations r = run({flat(0, 0), flat(0.5, 50), flat(3.5, 100), flat(7, 0), flat(8.3, 50)});
   check_tables(r, 5, "coplanar");
   check_equal(r.plane_of[1], r.plane_of[0], "half an epsilon apart");

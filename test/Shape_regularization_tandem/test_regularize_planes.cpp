@@ -31,7 +31,10 @@ void check(bool condition, const std::string& what, double value = 0, double exp
   std::printf("FAILED %s: %.17g, expected %.17g\n", what.c_str(), value, expected);
 }
 
-void check_equal(double value, double expected, const std::string& what) { check(value == expected, what, value, expected); }
+void check_equal(double value, double expected, const std::string& what)
+{
+  check(value == expected, what, value, expected);
+}
 
 struct Index_map {
   using key_type = std::size_t;
@@ -90,7 +93,8 @@ Scene<Kernel> make_box(int seed, double noise, double far = 0)
   std::uniform_real_distribution<double> uniform(-1, 1);
   Scene<Kernel> s;
   for(int f = 0; f < 8; ++f) {
-    const V &n = axis[(std::min)(f / 2, 2)], &u = axis[((std::min)(f / 2, 2) + 1) % 3], &v = axis[((std::min)(f / 2, 2) + 2) % 3];
+    const V &n = axis[(std::min)(f / 2, 2)], &u = axis[((std::min)(f / 2, 2) + 1) % 3],
+            &v = axis[((std::min)(f / 2, 2) + 2) % 3];
     const double offset = f < 6 ? (f % 2 ? 5 : -5) : 8 + (f == 6 ? 0.004 : -0.004);
     V mean = {0, 0, 0};
     for(int i = 0; i < 500 + 20 * f; ++i) {
@@ -160,9 +164,13 @@ void test_switches()
   const Scene<Kernel> box = make_box<Kernel>(1, 0.005);
   auto run = [&](bool parallel, bool orthogonal, bool coplanar) {
     Scene<Kernel> s = box;
-    return CGAL::Tandem::regularize_planes(
-      s.planes, s.points, np::plane_index_map(s.index_map()).maximum_angle(8).maximum_offset(0.05).regularize_parallelism(parallel)
-                            .regularize_orthogonality(orthogonal).regularize_coplanarity(coplanar));
+    return CGAL::Tandem::regularize_planes(s.planes, s.points,
+                                           np::plane_index_map(s.index_map())
+                                             .maximum_angle(8)
+                                             .maximum_offset(0.05)
+                                             .regularize_parallelism(parallel)
+                                             .regularize_orthogonality(orthogonal)
+                                             .regularize_coplanarity(coplanar));
   };
   check_equal(double(run(true, false, true).orthogonal_groups.size()), 0, "right angles, orthogonality off");
   check_equal(double(run(true, true, false).number_of_coplanar_groups()), 8, "planes, coplanarity off");
@@ -239,24 +247,29 @@ void test_bad_input()
   s.points.push_back({nan, 0, 0});
   s.index.push_back(0);
   const auto old = s.planes;
-  const auto r = CGAL::Tandem::regularize_planes(s.planes, s.points, np::plane_index_map(s.index_map()).maximum_offset(0.05));
+  const auto r =
+    CGAL::Tandem::regularize_planes(s.planes, s.points, np::plane_index_map(s.index_map()).maximum_offset(0.05));
   for(int i = 8; i < 11; ++i)
-    check(s.planes[i].a() == old[i].a() && s.planes[i].d() == old[i].d() && !r.is_changed[i], "stays as it is, plane", i);
+    check(s.planes[i].a() == old[i].a() && s.planes[i].d() == old[i].d() && !r.is_changed[i], "stays as it is, plane",
+          i);
   check_equal(double(r.number_of_parallel_groups()), 6, "directions with bad planes");
 
   std::vector<Kernel::Plane_3> no_planes;
   std::vector<Kernel::Point_3> no_points;
   const std::vector<int> none;
   const Index_map map = {&none};
-  check_equal(double(CGAL::Tandem::regularize_planes(no_planes, no_points, np::plane_index_map(map)).parallel_group.size()), 0,
-              "nothing at all");
-  check_equal(double(CGAL::Tandem::regularize_planes(s.planes, no_points, np::plane_index_map(map)).parallel_group.size()), 11,
-              "planes without points");
+  check_equal(
+    double(CGAL::Tandem::regularize_planes(no_planes, no_points, np::plane_index_map(map)).parallel_group.size()), 0,
+    "nothing at all");
+  check_equal(
+    double(CGAL::Tandem::regularize_planes(s.planes, no_points, np::plane_index_map(map)).parallel_group.size()), 11,
+    "planes without points");
 
   auto run = [&](const auto& p) { CGAL::Tandem::regularize_planes(s.planes, s.points, p); };
   check_throws([&] { run(np::plane_index_map(s.index_map()).maximum_angle(45)); }, "maximum_angle");
   check_throws([&] { run(np::plane_index_map(s.index_map()).maximum_offset(-1)); }, "maximum_offset");
-  check_throws([&] { run(CGAL::Tandem::parameters::maximum_distance(nan).plane_index_map(s.index_map())); }, "maximum_distance");
+  check_throws([&] { run(CGAL::Tandem::parameters::maximum_distance(nan).plane_index_map(s.index_map())); },
+               "maximum_distance");
   s.index[7] = 11;
   check_throws([&] { run(np::plane_index_map(s.index_map())); }, "plane_index_map");
 }

@@ -8,8 +8,6 @@
 
 #include "test_support.h"
 
-#include <chrono>
-
 Cloud copies(const Cloud& one, int n, double pitch)
 {
   Cloud all;
@@ -53,29 +51,10 @@ void test_cubes()
   }
 }
 
-// Time is at most linear: twice the points may take 2.8 times as long (a noisy machine, caches), not 4.
-void test_time()
-{
-  const scenes::Scene scene = scenes::make_scene("house", scene_options(20000, .0005));
-  double seconds[2] = {1e9, 1e9};
-  for(int repeat = 0; repeat < 3; ++repeat)
-    for(int i = 0; i < 2; ++i) {
-      const Cloud cloud = copies(to_cloud(scene), 2 + 2 * i, 1.5 * scene.diagonal);
-      const auto start = std::chrono::steady_clock::now();
-      detect(cloud, make_parameters(.04, 60));
-      seconds[i] =
-        (std::min)(seconds[i], std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    }
-  const double growth = seconds[1] / seconds[0] / 4;
-  std::cout << "time of 4 and 16 houses: " << seconds[0] << " s, " << seconds[1] << " s" << std::endl;
-  CHECK_AT(growth < 2, "the time a point grows by " + std::to_string(growth));
-}
-
 int main()
 {
   test_cubes();
   test_copies("staircase", scene_options(6000, .0003), .006, 2, 3);
   test_copies("cube", scene_options(3000), .005, 3, 5);
-  test_time();
   return report();
 }

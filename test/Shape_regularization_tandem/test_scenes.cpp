@@ -83,14 +83,22 @@ BOOST_AUTO_TEST_CASE(directions_and_planes_are_as_counted_by_hand)
     std::size_t faces, directions, planes, degrees_of_freedom;
   };
   // The vertical has two degrees of freedom, and one for each frame around it.
-  const Expected expected[] = {{"cube", 6, 3, 6, 3},      {"tilted_cube", 6, 6, 6, 12}, {"staircase", 16, 2, 16, 3},
-                               {"squares_gap", 2, 1, 1, 2}, {"squares_touching", 1, 1, 1, 2}, {"slope", 3, 2, 2, 4},
-                               {"chained", 3, 3, 3, 6},   {"two_leaves", 3, 3, 3, 4},   {"offset_pair", 2, 1, 2, 2},
-                               {"sphere", 0, 0, 0, 0},    {"noise", 0, 0, 0, 0}};
+  const Expected expected[] = {{"cube", 6, 3, 6, 3},
+                               {"tilted_cube", 6, 6, 6, 12},
+                               {"staircase", 16, 2, 16, 3},
+                               {"squares_gap", 2, 1, 1, 2},
+                               {"squares_touching", 1, 1, 1, 2},
+                               {"slope", 3, 2, 2, 4},
+                               {"chained", 3, 3, 3, 6},
+                               {"two_leaves", 3, 3, 3, 4},
+                               {"offset_pair", 2, 1, 2, 2},
+                               {"sphere", 0, 0, 0, 0},
+                               {"noise", 0, 0, 0, 0}};
   for(const Expected& e : expected) {
     Scene scene = scenes::make_scene(e.name, options(100));
     Plane_relations r = relations(scene);
-    BOOST_TEST_CONTEXT(e.name) {
+    BOOST_TEST_CONTEXT(e.name)
+    {
       BOOST_TEST(scene.faces.size() == e.faces);
       BOOST_TEST(r.directions() == e.directions);
       BOOST_TEST(r.planes() == e.planes);
@@ -168,7 +176,7 @@ BOOST_AUTO_TEST_CASE(noise_and_outliers_have_the_size_asked_for)
     const scenes::Truth_face& f = scene.faces[std::size_t(scene.label[i])];
     double d = dot(f.normal, scene.points[i]) + f.offset, tilt = length(cross(f.normal, scene.normals[i]));
     squares += d * d;
-    tilts += tilt * tilt / 2;    // two axes
+    tilts += tilt * tilt / 2; // two axes
     ++count;
   }
   BOOST_TEST(outliers / 50000 == 0.2, boost::test_tools::tolerance(0.05));

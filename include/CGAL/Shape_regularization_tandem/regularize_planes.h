@@ -57,7 +57,7 @@ inline Regularity_options check_plane_options(const Parameters& p, bool has_dist
   check_length("maximum_offset", p.maximum_offset, 0);
   if(has_distance)
     check_length("maximum_distance", p.maximum_distance, 1e-270);
-  return {p.maximum_angle, p.maximum_offset, p.maximum_distance,
+  return {p.maximum_angle,          p.maximum_offset,           p.maximum_distance,
           p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity};
 }
 
@@ -244,7 +244,8 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   static_assert(internal::Is_given<internal_np::plane_index_t, NamedParameters>::value,
                 "regularize_planes() needs the named parameter plane_index_map.");
   using Maps = internal::Traits_for<CGAL::Sequential_tag, PointRange, NamedParameters, false>;
-  using Traits = Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
+  using Traits =
+    Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
   using Plane_item = typename std::iterator_traits<decltype(planes.begin())>::value_type;
   using RT = typename Maps::Kernel::RT;
   Parameters p;
@@ -266,8 +267,8 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
       {CGAL::to_double(s.a()), CGAL::to_double(s.b()), CGAL::to_double(s.c()), CGAL::to_double(s.d())}));
   }
   const Traits traits(internal::parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
-  internal::Import in = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
-                                                      CGAL::Default(), traits);
+  internal::Import in =
+    internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np), CGAL::Default(), traits);
   const auto plane_of =
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   const Plane_relations result = internal::relate_planes(in, plane_of, options, coefficients);

@@ -22,8 +22,7 @@ namespace internal {
 template <class Backend>
 class Engine {
 public:
-  Engine(Backend& backend, const Import& in, const Parameters& parameters)
-    : in_(in), state_(backend)
+  Engine(Backend& backend, const Import& in, const Parameters& parameters) : in_(in), state_(backend)
   {
     prepare(state_, in, parameters, order_, points_, neighbors_, times_);
   }
@@ -87,7 +86,8 @@ private:
   {
     for(std::uint32_t id : state_.live) {
       const Shape& shape = state_.shapes[id];
-      if(!shape.is_active && shape.age > 2 && shape.moments.count < state_.options.minimum_fragment_size && target[id] == id)
+      if(!shape.is_active && shape.age > 2 && shape.moments.count < state_.options.minimum_fragment_size &&
+         target[id] == id)
         target[id] = is_free;
     }
   }

@@ -61,7 +61,8 @@ inline double estimate_maximum_distance(const Import& in, const std::vector<int>
 class Given_planes {
 public:
   // plane_of: of each imported point, -1 if it has none. The points are on the grid.
-  Given_planes(const Import& in, const std::vector<int>& plane_of, const std::vector<Coefficients>& planes, double epsilon)
+  Given_planes(const Import& in, const std::vector<int>& plane_of, const std::vector<Coefficients>& planes,
+               double epsilon)
     : first(planes.size() + 1, 0), tolerance(llrint(epsilon / in.grid.step * normal_scale))
   {
     sort_points(in, plane_of);
@@ -117,7 +118,8 @@ private:
     const bool has_normal = dot(n, n) > 0;
     fits_.push_back({scatter, fit_plane(scatter)});
     is_excluded_.push_back(!has_normal || moments.count < 3 || !(e.value[1] > 1e-12 * e.value[2]));
-    given.push_back(has_normal ? on_grid({n, -(dot(n, grid.origin) + c[3]) / grid.step}, scatter.centroid) : Plane{0, 0, 0, 0});
+    given.push_back(has_normal ? on_grid({n, -(dot(n, grid.origin) + c[3]) / grid.step}, scatter.centroid)
+                               : Plane{0, 0, 0, 0});
   }
 
   std::vector<Grid_point> point; // by plane

@@ -84,7 +84,8 @@ struct Moment_table {
 
   // base: any point of the leaf.
   template <class Backend, class Block>
-  CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, const Grid_point& base, int sign, Shared_moments* target)
+  CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, const Grid_point& base, int sign,
+                          Shared_moments* target)
   {
     const std::uint32_t slot = claim(block, s);
     if(slot == slots) {
@@ -95,7 +96,8 @@ struct Moment_table {
       atomic_add<Backend>(target[s], m, b);
       return;
     }
-    block.add_moments(moments[slot], std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z, sign);
+    block.add_moments(moments[slot], std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z,
+                      sign);
     block.add_box(box[slot], p);
   }
 

@@ -74,7 +74,8 @@ CGAL_TANDEM_HD inline Moments shifted(const Cell_moments& m, std::int64_t ox, st
   for(int i = 0, k = 0; i < 3; ++i) {
     r.sum[i] = m.sum[i] + m.count * o[i];
     for(int j = i; j < 3; ++j, ++k)
-      r.product[k] = Int128(m.product[k]) + Int128(o[i]) * m.sum[j] + Int128(o[j]) * m.sum[i] + Int128(o[i]) * o[j] * m.count;
+      r.product[k] =
+        Int128(m.product[k]) + Int128(o[i]) * m.sum[j] + Int128(o[j]) * m.sum[i] + Int128(o[i]) * o[j] * m.count;
   }
   return r;
 }
@@ -91,8 +92,8 @@ CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
   Scatter s;
   s.count = double(m.count);
   const std::int64_t n = m.count > 0 ? m.count : 1;
-  std::int64_t o[3];      // the centroid, rounded: sums about it are small and exact
-  double rest[3];         // what the rounding left, times count
+  std::int64_t o[3]; // the centroid, rounded: sums about it are small and exact
+  double rest[3];    // what the rounding left, times count
   for(int i = 0; i < 3; ++i) {
     o[i] = m.sum[i] / n;
     rest[i] = double(m.sum[i] - o[i] * n);
@@ -104,14 +105,15 @@ CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
       c[k] = std::fma(-rest[i], rest[j] / double(n), double(about));
     }
   s.matrix = {c[0], c[1], c[2], c[3], c[4], c[5]};
-  s.centroid = {double(o[0]) + rest[0] / double(n), double(o[1]) + rest[1] / double(n), double(o[2]) + rest[2] / double(n)};
+  s.centroid = {double(o[0]) + rest[0] / double(n), double(o[1]) + rest[1] / double(n),
+                double(o[2]) + rest[2] / double(n)};
   return s;
 }
 
 // Least-squares plane of a set of points.
 struct Fit {
-  Vector normal;      // unit
-  double smallest;    // smallest eigenvalue of the scatter: the sum of squared distances
+  Vector normal;   // unit
+  double smallest; // smallest eigenvalue of the scatter: the sum of squared distances
   double largest;
 };
 

@@ -23,10 +23,10 @@ constexpr std::uint32_t is_free = 0xffffffffu;
 constexpr std::uint32_t is_locked = 0xfffffffeu; // free, but detached too often to be grown over again
 
 // Bits of the state of a point.
-constexpr std::uint8_t on_frontier = 1;   // its neighbors are still to be visited
-constexpr std::uint8_t no_seed = 2;       // a shape that started here has failed
+constexpr std::uint8_t on_frontier = 1; // its neighbors are still to be visited
+constexpr std::uint8_t no_seed = 2;     // a shape that started here has failed
 constexpr std::uint8_t detached_once = 4;
-constexpr std::uint8_t is_interior = 8;   // all of its neighbors have had its label
+constexpr std::uint8_t is_interior = 8; // all of its neighbors have had its label
 
 // Integer bounds of a set of points; grows only.
 struct Box {
@@ -53,10 +53,7 @@ struct Box {
   }
 };
 
-inline Plane rounded(const Regular_plane& p)
-{
-  return make_plane(p.normal, p.offset * p.normal);
-}
+inline Plane rounded(const Regular_plane& p) { return make_plane(p.normal, p.offset * p.normal); }
 
 // An upper bound, for all points of the box, on the change of the distance to the
 // plane when it moves from a to b.
@@ -65,10 +62,12 @@ inline double bound_motion(const Box& box, const Regular_plane& a, const Regular
   const double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;
   const Vector v = add_scaled(a.normal, -sign, b.normal);
   const double d = std::fma(sign, b.offset, -a.offset);
-  const double low = std::fma(v.x, v.x > 0 ? box.low[0] : box.high[0],
-                              std::fma(v.y, v.y > 0 ? box.low[1] : box.high[1], v.z * (v.z > 0 ? box.low[2] : box.high[2])));
-  const double high = std::fma(v.x, v.x > 0 ? box.high[0] : box.low[0],
-                               std::fma(v.y, v.y > 0 ? box.high[1] : box.low[1], v.z * (v.z > 0 ? box.high[2] : box.low[2])));
+  const double low =
+    std::fma(v.x, v.x > 0 ? box.low[0] : box.high[0],
+             std::fma(v.y, v.y > 0 ? box.low[1] : box.high[1], v.z * (v.z > 0 ? box.low[2] : box.high[2])));
+  const double high =
+    std::fma(v.x, v.x > 0 ? box.high[0] : box.low[0],
+             std::fma(v.y, v.y > 0 ? box.high[1] : box.low[1], v.z * (v.z > 0 ? box.high[2] : box.low[2])));
   return (std::max)(std::fabs(low + d), std::fabs(high + d));
 }
 
@@ -83,23 +82,23 @@ struct Answer {
 struct Shape {
   Moments moments;
   Box box;
-  Scatter scatter;             // of moments, with ...
-  Fit fit;                     // ... its local plane
-  Regular_plane local = {};    // the local plane again
-  Regular_plane plane = {};    // local or regular
-  Regular_plane checked = {};  // the plane when the points were last checked against it
+  Scatter scatter;              // of moments, with ...
+  Fit fit;                      // ... its local plane
+  Regular_plane local = {};     // the local plane again
+  Regular_plane plane = {};     // local or regular
+  Regular_plane checked = {};   // the plane when the points were last checked against it
   Regular_plane restarted = {}; // the plane when the whole shape was last put on the frontier
-  std::int64_t gained = 0;     // points that the last round added
-  int age = 0;                 // rounds since it began
+  std::int64_t gained = 0;      // points that the last round added
+  int age = 0;                  // rounds since it began
   int rollbacks = 0;
-  int retry_round = 0;         // not regularized before this round ...
-  std::int64_t retry_count = 0; // ... or before it has this many points
+  int retry_round = 0;            // not regularized before this round ...
+  std::int64_t retry_count = 0;   // ... or before it has this many points
   std::int64_t layered_count = 0; // points when it was last examined for layers
-  Answer answers[4];           // the latest ones, in turn
+  Answer answers[4];              // the latest ones, in turn
   int next_answer = 0;
   bool is_active = false;
-  bool is_changed = true;      // its points or its plane have changed since its links were collected
-  bool is_dirty = true;        // its points have changed since it was fitted
+  bool is_changed = true; // its points or its plane have changed since its links were collected
+  bool is_dirty = true;   // its points have changed since it was fitted
 };
 
 // A merge of shapes, by union-find over their ids. The root is the shape with

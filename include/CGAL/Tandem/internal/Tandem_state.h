@@ -23,14 +23,14 @@ namespace internal {
 struct Options {
   Growth_options growth;
   Regularity_options regularity;
-  double maximum_distance;             // epsilon
-  double squared_cosine;               // of alpha
+  double maximum_distance; // epsilon
+  double squared_cosine;   // of alpha
   std::int64_t minimum_region_size;
-  std::int64_t minimum_regular_size;   // smaller shapes keep their local plane
-  std::int64_t minimum_fragment_size;  // smaller shapes are given up when they stop growing
-  Tolerance tight;                     // of the second criterion of seeds
-  Tolerance certain;                   // bounds within which the exact check is not needed
-  Exact_bounds exact;                  // in the caller's units
+  std::int64_t minimum_regular_size;  // smaller shapes keep their local plane
+  std::int64_t minimum_fragment_size; // smaller shapes are given up when they stop growing
+  Tolerance tight;                    // of the second criterion of seeds
+  Tolerance certain;                  // bounds within which the exact check is not needed
+  Exact_bounds exact;                 // in the caller's units
 };
 
 template <class Backend>
@@ -49,25 +49,25 @@ struct Tandem_state {
 
   Cloud_view cloud;
   std::vector<Range> cells;
-  std::vector<Range> cell_border;         // per leaf, its range of `border`
-  std::vector<std::uint32_t> border;      // points with a neighbor in another leaf
-  std::vector<std::uint32_t> proposal;    // parallel to border
+  std::vector<Range> cell_border;      // per leaf, its range of `border`
+  std::vector<std::uint32_t> border;   // points with a neighbor in another leaf
+  std::vector<std::uint32_t> proposal; // parallel to border
   Seeds<Backend> seeds;
   std::vector<std::uint32_t> seed_cursor; // per leaf
 
   Buffer<std::uint32_t> label;
   Buffer<std::uint8_t> state;
 
-  std::vector<Shape> shapes;              // by id; those not in `live` hold nothing
-  std::vector<std::uint32_t> live;        // ascending
-  std::vector<Plane> plane;               // these four: the points' view of the shapes
+  std::vector<Shape> shapes;       // by id; those not in `live` hold nothing
+  std::vector<std::uint32_t> live; // ascending
+  std::vector<Plane> plane;        // these four: the points' view of the shapes
   std::vector<std::uint16_t> rounds;
   std::vector<std::uint8_t> is_restarted;
   std::vector<Shared_moments> gain;
 
   int round = 0;
-  std::size_t assigned = 0;               // points that have a shape
-  std::size_t peak_bytes = 0;             // of the tables of the size of the cloud
+  std::size_t assigned = 0;   // points that have a shape
+  std::size_t peak_bytes = 0; // of the tables of the size of the cloud
 };
 
 // The ids that no shape uses, ascending, as many as asked for.

@@ -53,7 +53,8 @@ public:
   // Whether the plane is too far from the centroid.
   bool is_shifted_too_far(int shape, const Regular_plane& plane) const
   {
-    return std::fabs(dot(plane.normal, shapes[shape].scatter.centroid) - plane.offset) > regularity::rms_share * maximum_distance;
+    return std::fabs(dot(plane.normal, shapes[shape].scatter.centroid) - plane.offset) >
+           regularity::rms_share * maximum_distance;
   }
 
   // Asks the points, in one call. Returns for each candidate whether it was refused.
@@ -90,7 +91,8 @@ private:
     const Scatter& s = shapes[shape].scatter;
     const Regular_plane& old = accepted[shape];
     const double side = dot(plane.normal, old.normal) < 0 ? -1 : 1;
-    const double shift = (dot(plane.normal, s.centroid) - plane.offset) - side * (dot(old.normal, s.centroid) - old.offset);
+    const double shift =
+      (dot(plane.normal, s.centroid) - plane.offset) - side * (dot(old.normal, s.centroid) - old.offset);
     const double sine = std::sqrt(Direction_index::squared_distance(plane.normal, old.normal));
     return std::fma(sine, 2 * std::sqrt(shapes[shape].fit.largest / s.count), std::fabs(shift));
   }

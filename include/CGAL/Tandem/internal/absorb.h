@@ -98,7 +98,8 @@ void absorb(Tandem_state<Backend>& t)
   typename Backend::template Buffer<std::uint32_t> absorbed(n);
   std::uint64_t* offers = offer.data();
   t.backend.for_each(n, [=](std::size_t i) { offers[i] = no_offer; });
-  const Offer<Backend> first = {t.cloud, t.label.data(), t.state.data(), t.plane.data(), offers, t.options.growth.tolerance};
+  const Offer<Backend> first = {t.cloud,        t.label.data(), t.state.data(),
+                                t.plane.data(), offers,         t.options.growth.tolerance};
   t.backend.for_each(n, first);
   for(int round = 0; round < most_rounds; ++round) {
     std::uint32_t size = 0;
@@ -116,7 +117,7 @@ struct Choose_largest {
   const std::uint32_t* label;
   const std::uint8_t* state;
   const Plane* plane;
-  const std::int64_t* size;       // by shape, as are these
+  const std::int64_t* size; // by shape, as are these
   const std::uint8_t* may_lose;
   const std::uint8_t* may_gain;
   std::uint32_t* chosen;
@@ -155,15 +156,16 @@ struct Take_chosen {
 
 // One Jacobi round of reassignment.
 template <class Backend>
-void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose, const std::vector<std::uint8_t>& may_gain)
+void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose,
+              const std::vector<std::uint8_t>& may_gain)
 {
   std::vector<std::int64_t> size(t.shapes.size(), 0);
   for(std::uint32_t id : t.live)
     size[id] = t.shapes[id].moments.count;
   typename Backend::template Buffer<std::uint32_t> chosen(t.cloud.size);
   t.backend.for_each(t.cloud.size,
-                     Choose_largest{t.cloud, t.label.data(), t.state.data(), t.plane.data(), size.data(), may_lose.data(),
-                                    may_gain.data(), chosen.data(), t.options.growth.tolerance});
+                     Choose_largest{t.cloud, t.label.data(), t.state.data(), t.plane.data(), size.data(),
+                                    may_lose.data(), may_gain.data(), chosen.data(), t.options.growth.tolerance});
   t.backend.for_each(t.cloud.size, Take_chosen{chosen.data(), t.label.data(), t.state.data()});
 }
 

@@ -29,16 +29,23 @@ inline double series(const double* c, int terms, double x2)
 // 0 <= deg <= 45
 inline double small_sine(double deg)
 {
-  static const double c[8] = {1.0, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800,
-                              1.0 / 6227020800.0, -1.0 / 1307674368000.0};
+  static const double c[8] = {1.0,          -1.0 / 6,        1.0 / 120,          -1.0 / 5040,
+                              1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800.0, -1.0 / 1307674368000.0};
   const double x = deg * radians_per_degree;
   return x * series(c, 8, x * x);
 }
 
 inline double small_cosine(double deg)
 {
-  static const double c[9] = {1.0, -0.5, 1.0 / 24, -1.0 / 720, 1.0 / 40320, -1.0 / 3628800,
-                              1.0 / 479001600.0, -1.0 / 87178291200.0, 1.0 / 20922789888000.0};
+  static const double c[9] = {1.0,
+                              -0.5,
+                              1.0 / 24,
+                              -1.0 / 720,
+                              1.0 / 40320,
+                              -1.0 / 3628800,
+                              1.0 / 479001600.0,
+                              -1.0 / 87178291200.0,
+                              1.0 / 20922789888000.0};
   const double x = deg * radians_per_degree;
   return series(c, 9, x * x);
 }

@@ -56,8 +56,8 @@ inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
   if(n == 0)
     return {{0, 0, 0}, 0};
   Code_frame frame = {{low[0], low[1], low[2]}, 0};
-  const std::uint32_t extent = (std::max)({std::uint32_t(high[0] - low[0]), std::uint32_t(high[1] - low[1]),
-                                           std::uint32_t(high[2] - low[2])});
+  const std::uint32_t extent =
+    (std::max)({std::uint32_t(high[0] - low[0]), std::uint32_t(high[1] - low[1]), std::uint32_t(high[2] - low[2])});
   while((extent >> frame.shift) >> code_bits)
     ++frame.shift;
   return frame;
@@ -81,13 +81,14 @@ inline void sort_equal_codes(Keyed_index* first, Keyed_index* last, const Grid_p
 // The last one concerns exact duplicates only, so the order of the points does not
 // depend on the order in which they come.
 template <class Backend>
-typename Backend::template Buffer<Keyed_index> sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
-                                                                const Code_frame& frame)
+typename Backend::template Buffer<Keyed_index> sort_along_curve(Backend& backend, const Grid_point* point,
+                                                                std::size_t n, const Code_frame& frame)
 {
   typename Backend::template Buffer<Keyed_index> order(n);
   backend.for_each(n, [&](std::size_t i) { order[i] = {frame.code(point[i]), std::uint32_t(i)}; });
   backend.sort_by_key(order.begin(), order.end());
-  typename Backend::template Buffer<std::uint8_t> is_tie(n); // with the next one; sorting a run hides its key for a while
+  typename Backend::template Buffer<std::uint8_t> is_tie(
+    n); // with the next one; sorting a run hides its key for a while
   backend.for_each(n, [&](std::size_t i) { is_tie[i] = i + 1 < n && order[i].key == order[i + 1].key; });
   backend.for_each(n, [&](std::size_t i) {
     if(!is_tie[i] || (i > 0 && is_tie[i - 1]))
@@ -140,7 +141,8 @@ private:
   std::vector<Range>& leaves_;
 };
 
-inline std::vector<Range> split_leaves(const Keyed_index* order, std::size_t n, const Code_frame& frame, std::size_t cell_size)
+inline std::vector<Range> split_leaves(const Keyed_index* order, std::size_t n, const Code_frame& frame,
+                                       std::size_t cell_size)
 {
   std::vector<Range> leaves;
   Leaf_splitter(order, frame, cell_size, leaves).split({0, std::uint32_t(n)}, 0);

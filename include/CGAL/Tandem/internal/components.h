@@ -44,7 +44,10 @@ struct Unite_neighbors {
   }
 
 private:
-  CGAL_TANDEM_HD static std::uint32_t at(const std::uint32_t* row, std::uint32_t r, int j) { return j < 0 ? r : row[j]; }
+  CGAL_TANDEM_HD static std::uint32_t at(const std::uint32_t* row, std::uint32_t r, int j)
+  {
+    return j < 0 ? r : row[j];
+  }
 
   CGAL_TANDEM_HD std::uint32_t root(std::uint32_t i) const
   {

@@ -102,9 +102,8 @@ private:
     }
     classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Class& c) { return c.members.size() < 2; }),
                   classes.end());
-    std::sort(refused.begin(), refused.end(), [&](int a, int b) {
-      return std::make_pair(direction[a], a) < std::make_pair(direction[b], b);
-    });
+    std::sort(refused.begin(), refused.end(),
+              [&](int a, int b) { return std::make_pair(direction[a], a) < std::make_pair(direction[b], b); });
     return refused;
   }
 

@@ -32,7 +32,8 @@ inline bool operator==(const Vector& a, const Vector& b) { return a.x == b.x && 
 inline Vector rounded_normal(const Vector& n)
 {
   const double scale = double(1 << 24);
-  return {double(llrint(n.x * scale)) / scale, double(llrint(n.y * scale)) / scale, double(llrint(n.z * scale)) / scale};
+  return {double(llrint(n.x * scale)) / scale, double(llrint(n.y * scale)) / scale,
+          double(llrint(n.z * scale)) / scale};
 }
 
 inline double rounded_dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-constexpr int consolidation_rounds = 5;
+constexpr int consolidation_rounds = 2;
 constexpr double consolidation_misfit_share = 0.15;
 constexpr int reassignment_rounds = 4;
 
@@ -27,15 +27,21 @@ std::vector<std::uint8_t> shapes_below(const Tandem_state<Backend>& t, std::int6
   return is_below;
 }
 
-// Checks all points against the planes of their shapes.
+// Checks the points of some shapes, by id, against their planes.
 template <class Backend>
-void detach_misfits(Tandem_state<Backend>& t)
+void detach_misfits(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_checked)
 {
   for(std::uint32_t id : t.live) {
     t.plane[id] = rounded(t.shapes[id].plane);
     t.shapes[id].checked = t.shapes[id].plane;
   }
-  update_points(t, identity_targets(t), std::vector<std::uint8_t>(t.shapes.size(), 1));
+  update_points(t, identity_targets(t), is_checked);
+}
+
+template <class Backend>
+std::vector<std::uint8_t> all_shapes(const Tandem_state<Backend>& t)
+{
+  return std::vector<std::uint8_t>(t.shapes.size(), 1);
 }
 
 template <class Backend>
@@ -49,6 +55,15 @@ void drop_small(Tandem_state<Backend>& t)
   update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
 }
 
+template <class Backend>
+void refit_fragments(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_fragment)
+{
+  refit_shapes(t);
+  for(std::uint32_t id : t.live)
+    if(is_fragment[id])
+      t.shapes[id].plane = t.shapes[id].local;
+}
+
 // Fragments below the minimum size are not lost at once: they may be parts of one
 // shape, or of their neighbors.
 template <class Backend>
@@ -57,24 +72,18 @@ void consolidate(Tandem_state<Backend>& t)
   for(int round = 0; round < consolidation_rounds; ++round) {
     const std::vector<std::uint8_t> is_fragment = shapes_below(t, t.options.minimum_region_size);
     const std::size_t shapes_before = t.live.size(), assigned_before = t.assigned;
-    refit_shapes(t);
-    for(std::uint32_t id : t.live)
-      if(is_fragment[id])
-        t.shapes[id].plane = t.shapes[id].local;
-    detach_misfits(t);
+    refit_fragments(t, is_fragment);
+    detach_misfits(t, is_fragment);
     refit_shapes(t);
     std::vector<Link> links = collect_links(t, least_links, Links::all);
     links.erase(std::remove_if(links.begin(), links.end(),
                                [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
                 links.end());
     if(merge_fragments(t, links, consolidation_misfit_share))
-      for(std::uint32_t id : t.live)
-        if(is_fragment[id])
-          t.shapes[id].plane = t.shapes[id].local;
-    detach_misfits(t);
+      refit_fragments(t, is_fragment);
+    detach_misfits(t, is_fragment);
     absorb(t);
-    recount(t);
-    reassign(t, shapes_below(t, t.options.minimum_region_size), std::vector<std::uint8_t>(t.shapes.size(), 1));
+    reassign(t, shapes_below(t, t.options.minimum_region_size), all_shapes(t));
     recount(t);
     if(t.live.size() * 50 >= shapes_before * 49 && t.assigned * 1000 < assigned_before * 1001)
       break;
@@ -91,7 +100,7 @@ Shape_relations settle(Tandem_state<Backend>& t)
   const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links, Links::all));
   merge_shapes(t, target);
   update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
-  detach_misfits(t);
+  detach_misfits(t, all_shapes(t));
   absorb(t);
   recount(t);
   drop_small(t);
@@ -106,7 +115,7 @@ void reassign_to_larger(Tandem_state<Backend>& t)
     for(std::uint32_t id : t.live)
       may_lose[id] = 2 * t.shapes[id].moments.count >= 3 * t.options.minimum_region_size;
     collect_links(t, least_links, Links::all); // marks interior points, which cannot change
-    reassign(t, may_lose, std::vector<std::uint8_t>(t.shapes.size(), 1));
+    reassign(t, may_lose, all_shapes(t));
     recount(t);
   }
   drop_small(t);

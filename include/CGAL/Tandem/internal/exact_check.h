@@ -63,12 +63,12 @@ constexpr double rounded_normal_margin = 2e-7;
 // Frees the points that are not within the bounds of their shape.
 struct Check_exactly {
   const Grid_point* point;
-  const std::uint32_t* origin;         // imported point of each sorted one
+  const std::uint32_t* origin; // imported point of each sorted one
   Caller_view caller;
   std::uint32_t* label;
-  const Plane* plane;                  // by shape, as are these
+  const Plane* plane; // by shape, as are these
   const Coefficients* coefficients;
-  Tolerance certain;                   // the bounds of the engine, less all rounding
+  Tolerance certain; // the bounds of the engine, less all rounding
   Exact_bounds bounds;
 
   void operator()(std::size_t i) const

@@ -25,9 +25,9 @@ struct Engine_shape {
 };
 
 struct Engine_result {
-  std::vector<Engine_shape> shapes;    // by falling number of points
-  std::vector<std::int32_t> shape_of;  // per imported point, -1 = none
-  std::vector<std::uint32_t> normal;   // per imported point, the packed normal that was used
+  std::vector<Engine_shape> shapes;   // by falling number of points
+  std::vector<std::int32_t> shape_of; // per imported point, -1 = none
+  std::vector<std::uint32_t> normal;  // per imported point, the packed normal that was used
   std::size_t rounds = 0;
   bool is_cancelled = false;
   bool is_coarse = false;
@@ -47,7 +47,8 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
 template <class Backend>
 class Shape_extractor {
 public:
-  Shape_extractor(Tandem_state<Backend>& t, const Shape_relations& relations, const Import& in, const std::uint32_t* order)
+  Shape_extractor(Tandem_state<Backend>& t, const Shape_relations& relations, const Import& in,
+                  const std::uint32_t* order)
     : t_(t), relations_(relations), in_(in), order_(order), label_(t.cloud.size), entry_of_(t.shapes.size(), no_index)
   {
     for(std::uint32_t i = 0; i < relations.id.size(); ++i)
@@ -89,9 +90,8 @@ private:
       coefficients_.push_back(planes[std::size_t(relations.plane_of[i])]);
     }
     const Caller_view caller = {in_.coordinates.data(), in_.has_normals ? in_.normals.data() : nullptr};
-    t_.backend.for_each(t_.cloud.size,
-                        Check_exactly{t_.cloud.point, order_, caller, label_.data(), plane_.data(), coefficients_.data(),
-                                      t_.options.certain, t_.options.exact});
+    t_.backend.for_each(t_.cloud.size, Check_exactly{t_.cloud.point, order_, caller, label_.data(), plane_.data(),
+                                                     coefficients_.data(), t_.options.certain, t_.options.exact});
   }
 
   void drop_clutter()
@@ -103,7 +103,8 @@ private:
     std::vector<std::uint8_t> is_dropped(plane_.size(), 0);
     for(std::size_t i = 0; i < plane_.size(); ++i) {
       const Shape& shape = t_.shapes[relations_.id[i]];
-      const double square = (excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest) / (std::max)(shape.scatter.count, 1.);
+      const double square =
+        (excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest) / (std::max)(shape.scatter.count, 1.);
       is_dropped[i] = is_clutter(counts[i], std::sqrt((std::max)(square, 0.)) / t_.options.maximum_distance);
     }
     std::uint32_t* label = label_.data();
@@ -134,7 +135,8 @@ private:
     find_components(t_.backend, t_.cloud, label_.data(), component.data());
     const std::vector<std::uint32_t> roots = large_components(component.data());
     std::vector<std::int32_t> shape_of_root(t_.cloud.size, -1);
-    std::vector<int> direction(relations_.relations.directions.size(), -1), plane(relations_.relations.planes.size(), -1);
+    std::vector<int> direction(relations_.relations.directions.size(), -1),
+      plane(relations_.relations.planes.size(), -1);
     int directions = 0, planes = 0;
     for(std::uint32_t root : roots) {
       const std::uint32_t entry = label_[root];
@@ -160,7 +162,8 @@ private:
 };
 
 template <class Backend>
-Engine_result extract_shapes(Tandem_state<Backend>& t, const Shape_relations& relations, const Import& in, const std::uint32_t* order)
+Engine_result extract_shapes(Tandem_state<Backend>& t, const Shape_relations& relations, const Import& in,
+                             const std::uint32_t* order)
 {
   return Shape_extractor<Backend>(t, relations, in, order).extract();
 }

@@ -36,8 +36,8 @@ public:
   {
     const double t = place(v), right = t < 1 ? t + 1 : t - 1;
     const std::size_t n = sorted.size();
-    const std::size_t at = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(right, std::size_t(0))) -
-                           sorted.begin();
+    const std::size_t at =
+      std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(right, std::size_t(0))) - sorted.begin();
     for(std::size_t k = 0; k < n && !f(sorted[(at + k) % n].second); ++k)
       ;
     for(std::size_t k = 0; k < n && !f(sorted[(at + 2 * n - 1 - k) % n].second); ++k)

@@ -31,18 +31,18 @@ struct Labels_view {
 
 struct Growth_options {
   Tolerance tolerance;
-  int seeds_in_flight;      // most shapes that may be growing in a leaf for a new one to begin
-  int seed_tries;           // candidates that may fail in one pass
-  std::uint32_t core_size;  // fewest points that a shape begins with
+  int seeds_in_flight;     // most shapes that may be growing in a leaf for a new one to begin
+  int seed_tries;          // candidates that may fail in one pass
+  std::uint32_t core_size; // fewest points that a shape begins with
 };
 
 // The part of one leaf in a pass.
 struct Cell_job {
   Range cell;
-  const std::uint32_t* border;    // its points with a neighbor in another leaf ...
-  const std::uint32_t* proposal;  // ... and the shapes that they join first, or no_index
+  const std::uint32_t* border;   // its points with a neighbor in another leaf ...
+  const std::uint32_t* proposal; // ... and the shapes that they join first, or no_index
   std::uint32_t border_size;
-  const std::uint32_t* seed;      // candidates
+  const std::uint32_t* seed; // candidates
   std::uint32_t seed_count;
   std::uint32_t* seed_cursor;     // candidates before it are used up
   const std::uint32_t* new_shape; // ids that new shapes take
@@ -65,8 +65,8 @@ class Cell_growth {
 public:
   CGAL_TANDEM_HD Cell_growth(Block& block, Growth_scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
                              const Shapes_view& shapes, const Labels_view& labels, const Growth_options& options)
-    : block_(block), s_(scratch), job_(job), cloud_(cloud), shapes_(shapes), options_(options),
-      label_(labels.label), state_(labels.state)
+    : block_(block), s_(scratch), job_(job), cloud_(cloud), shapes_(shapes), options_(options), label_(labels.label),
+      state_(labels.state)
   {}
 
   CGAL_TANDEM_HD void run()
@@ -171,7 +171,8 @@ private:
       return;
     const std::uint32_t claim = first_mark | s;
     const std::uint32_t old = label_[q];
-    if(old < first_mark || old <= claim || old == is_locked || !fits(shapes_.plane[s], cloud_.point[q], options_.tolerance))
+    if(old < first_mark || old <= claim || old == is_locked ||
+       !fits(shapes_.plane[s], cloud_.point[q], options_.tolerance))
       return;
     if(block_.fetch_min(label_[q], claim) == is_free)
       push(q);

@@ -73,8 +73,14 @@ std::vector<Cell_job> make_jobs(Tandem_state<Backend>& t, std::vector<std::uint3
   const std::uint32_t* next = new_ids.data();
   for(std::size_t c = 0; c < jobs.size(); ++c) {
     const Range border = t.cell_border[c];
-    jobs[c] = {t.cells[c], t.border.data() + border.first, t.proposal.data() + border.first, border.size(),
-               t.seeds.seed.data() + t.cells[c].first, t.seeds.count[c], &t.seed_cursor[c], next};
+    jobs[c] = {t.cells[c],
+               t.border.data() + border.first,
+               t.proposal.data() + border.first,
+               border.size(),
+               t.seeds.seed.data() + t.cells[c].first,
+               t.seeds.count[c],
+               &t.seed_cursor[c],
+               next};
     next += t.seed_cursor[c] < t.seeds.count[c] ? seeds : 0;
   }
   return jobs;
@@ -112,8 +118,8 @@ template <class Backend>
 std::size_t grow_shapes(Tandem_state<Backend>& t)
 {
   const std::size_t before = t.assigned;
-  t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), t.plane.data(), t.border.data(), t.proposal.data(),
-                                              t.options.growth.tolerance});
+  t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), t.plane.data(), t.border.data(),
+                                              t.proposal.data(), t.options.growth.tolerance});
   std::vector<std::uint32_t> new_ids;
   const std::vector<Cell_job> jobs = make_jobs(t, new_ids);
   t.backend.template for_each_cell<Growth_scratch>(

@@ -69,8 +69,8 @@ public:
     }
     if(!asked.empty())
       t_.backend.template for_each_cell<Count_scratch>(
-        t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), mask.data(), before.data(), after.data(),
-                                                count.data(), t_.options.growth.tolerance});
+        t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), mask.data(), before.data(),
+                                                after.data(), count.data(), t_.options.growth.tolerance});
     for(std::size_t i : asked) {
       Shape& shape = t_.shapes[ids[i]];
       shares[i] = double(count[ids[i]]) * (double(mask[ids[i]]) + 1) / double(shape.moments.count);
@@ -105,11 +105,16 @@ private:
 // Unions of shapes with the moments of the whole.
 class Clusters {
 public:
-  explicit Clusters(const std::vector<Shape>& shapes) : unions_(shapes.size()), shapes_(shapes), whole_(shapes.size(), -1) {}
+  explicit Clusters(const std::vector<Shape>& shapes)
+    : unions_(shapes.size()), shapes_(shapes), whole_(shapes.size(), -1)
+  {}
 
   std::uint32_t root(std::uint32_t id) { return unions_.root(id); }
 
-  const Shape& whole(std::uint32_t root) const { return whole_[root] < 0 ? shapes_[root] : merged_[std::size_t(whole_[root])]; }
+  const Shape& whole(std::uint32_t root) const
+  {
+    return whole_[root] < 0 ? shapes_[root] : merged_[std::size_t(whole_[root])];
+  }
 
   // The larger one, then the one with the smaller id, stays the root.
   void unite(std::uint32_t a, std::uint32_t b, Shape&& joint)
@@ -158,7 +163,8 @@ struct Joint_fit_test {
 // The targets of a joint-fit merge along the links. Of each union, shapes of which
 // more than the given share of points does not fit the joint plane are left out.
 template <class Backend>
-std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std::vector<Link>& links, double misfit_share)
+std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std::vector<Link>& links,
+                                             double misfit_share)
 {
   Clusters clusters(t.shapes);
   const Joint_fit_test test = {t.options.squared_cosine, t.options.maximum_distance};

@@ -106,8 +106,8 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
     size = 0;
     t.backend.template for_each_cell<Link_scratch>(
       t.cells.size(),
-      Collect_links<Backend>{t.cloud, t.cells.data(), t.labels(), is_asked.data(),
-                             {links.data(), &size, std::uint32_t(links.size())}});
+      Collect_links<Backend>{
+        t.cloud, t.cells.data(), t.labels(), is_asked.data(), {links.data(), &size, std::uint32_t(links.size())}});
     if(size <= links.size())
       break;
     links.resize(2 * std::size_t(size));
@@ -187,9 +187,9 @@ struct Update_points {
   Cloud_view cloud;
   const Range* cells;
   Labels_view labels;
-  const std::uint32_t* target;   // these two by old label
+  const std::uint32_t* target; // these two by old label
   const std::uint8_t* is_checked;
-  const Plane* plane;            // these two by new label
+  const Plane* plane; // these two by new label
   Shared_moments* loss;
   Tolerance tolerance;
 

@@ -75,7 +75,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.growth.seeds_in_flight = 8;
   o.growth.seed_tries = 64;
   o.growth.core_size = std::uint32_t(p.k_neighbors / 2 + 1);
-  o.regularity = {p.angle_tolerance, p.maximum_offset / step, o.maximum_distance,
+  o.regularity = {p.angle_tolerance,        p.maximum_offset / step,    o.maximum_distance,
                   p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity};
   const double certain_angle = (std::max)(p.maximum_angle - packing_margin_deg, 0.);
   o.certain = make_tolerance((std::max)(o.maximum_distance - distance_margin(in.grid), 0.), cosine_deg(certain_angle));
@@ -110,7 +110,8 @@ void find_border(Tandem_state<Backend>& t)
 
 template <class Backend>
 void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& parameters,
-             typename Backend::template Buffer<std::uint32_t>& order, typename Backend::template Buffer<Grid_point>& points,
+             typename Backend::template Buffer<std::uint32_t>& order,
+             typename Backend::template Buffer<Grid_point>& points,
              typename Backend::template Buffer<std::uint32_t>& neighbors, Stage_times& times)
 {
   const std::size_t n = in.size();

@@ -44,7 +44,8 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
     is_excluded.push_back(!retry_all && t.round < shape.retry_round && shape.moments.count < shape.retry_count);
   }
   Misfit_counter<Backend> count(t);
-  auto verify = [&](const std::vector<int>& indices, const std::vector<Regular_plane>& candidates, std::vector<std::int64_t>& counts) {
+  auto verify = [&](const std::vector<int>& indices, const std::vector<Regular_plane>& candidates,
+                    std::vector<std::int64_t>& counts) {
     std::vector<std::uint32_t> ids(indices.size());
     for(std::size_t i = 0; i < ids.size(); ++i)
       ids[i] = r.id[std::size_t(indices[i])];
@@ -64,7 +65,8 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
 
 // Touching shapes of one plane become one shape, as do those that are given up.
 template <class Backend>
-std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shape_relations& r, const std::vector<Link>& links)
+std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shape_relations& r,
+                                            const std::vector<Link>& links)
 {
   std::vector<int> plane_of(t.shapes.size(), -1);
   for(std::size_t i = 0; i < r.id.size(); ++i)

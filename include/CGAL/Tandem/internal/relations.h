@@ -47,10 +47,7 @@ struct Relations {
 // Largest |dot| of two unit normals that the result calls orthogonal.
 constexpr double orthogonality_tolerance = 1e-15;
 
-inline bool are_orthogonal(const Vector& a, const Vector& b)
-{
-  return std::fabs(dot(a, b)) <= orthogonality_tolerance;
-}
+inline bool are_orthogonal(const Vector& a, const Vector& b) { return std::fabs(dot(a, b)) <= orthogonality_tolerance; }
 
 // All pairs (i, j), i < j, of exactly orthogonal directions.
 inline std::vector<std::pair<int, int>> orthogonal_pairs(const std::vector<Vector>& directions)

@@ -29,7 +29,8 @@ struct Planarity {
   int close = 0;   // ... that do so within tighter bounds
 };
 
-CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance, const Tolerance& tight)
+CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance,
+                                          const Tolerance& tight)
 {
   Planarity p;
   if(cloud.point[i].normal == no_normal)
@@ -72,9 +73,10 @@ Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const std:
       const std::int64_t y = p.y - (std::int64_t(box.low[1]) + box.high[1]) / 2;
       const std::int64_t z = p.z - (std::int64_t(box.low[2]) + box.high[2]) / 2;
       const std::uint64_t distance = std::uint64_t(x * x + y * y + z * z) >> 16; // < 2^34
-      key[i] = 2 * score.fitting < cloud.k ? not_a_seed
-                                           : std::uint64_t(cloud.k - score.fitting) << 57 |
-                                               std::uint64_t(cloud.k - score.close) << 50 | distance << 16 | (i - cell.first);
+      key[i] = 2 * score.fitting < cloud.k
+                 ? not_a_seed
+                 : std::uint64_t(cloud.k - score.fitting) << 57 | std::uint64_t(cloud.k - score.close) << 50 |
+                     distance << 16 | (i - cell.first);
     }
     std::sort(key.begin() + cell.first, key.begin() + cell.last);
     std::uint32_t count = 0;

@@ -75,7 +75,7 @@ struct Sum_normals {
   const std::uint32_t* label;
   const std::uint32_t* mask; // by shape, as are these
   const Plane* plane;
-  std::int64_t* sum;         // 3 each
+  std::int64_t* sum; // 3 each
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
@@ -88,7 +88,8 @@ struct Sum_normals {
         return;
       const Int_vector m = decode_normal(cloud.point[i].normal);
       const std::int64_t side =
-        std::int64_t(plane[s].nx) * m.x + std::int64_t(plane[s].ny) * m.y + std::int64_t(plane[s].nz) * m.z < 0 ? -1 : 1;
+        std::int64_t(plane[s].nx) * m.x + std::int64_t(plane[s].ny) * m.y + std::int64_t(plane[s].nz) * m.z < 0 ? -1
+                                                                                                                : 1;
       Backend::atomic_add(sum[3 * s], side * m.x);
       Backend::atomic_add(sum[3 * s + 1], side * m.y);
       Backend::atomic_add(sum[3 * s + 2], side * m.z);
@@ -104,7 +105,8 @@ constexpr double suspicious_rms = 0.45;
 // The planes, along the mean normals of the points, about which the distances of
 // suspicious shapes are to be counted; the entries of `r` that they belong to.
 template <class Backend>
-std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape_relations& r, std::vector<Regular_plane>& planes)
+std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape_relations& r,
+                                           std::vector<Regular_plane>& planes)
 {
   std::vector<std::uint32_t> mask(t.shapes.size(), nobody);
   std::vector<std::int64_t> sum(3 * t.shapes.size(), 0);
@@ -117,7 +119,8 @@ std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape
     shape.layered_count = shape.moments.count;
   }
   t.backend.template for_each_cell<Count_scratch>(
-    t.cells.size(), Sum_normals<Backend>{t.cloud, t.cells.data(), t.label.data(), mask.data(), t.plane.data(), sum.data()});
+    t.cells.size(),
+    Sum_normals<Backend>{t.cloud, t.cells.data(), t.label.data(), mask.data(), t.plane.data(), sum.data()});
   const double most = suspicious_rms * t.options.maximum_distance;
   std::vector<std::size_t> entries;
   for(std::size_t i = 0; i < r.id.size(); ++i) {
@@ -149,8 +152,9 @@ void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
     integer_planes.push_back(rounded(planes[h]));
   }
   t.backend.template for_each_cell<Count_scratch>(
-    t.cells.size(), Count_distances<Backend>{t.cloud, t.cells.data(), t.label.data(), histogram_of.data(), integer_planes.data(),
-                                             histogram.data(), t.options.growth.tolerance.distance});
+    t.cells.size(),
+    Count_distances<Backend>{t.cloud, t.cells.data(), t.label.data(), histogram_of.data(), integer_planes.data(),
+                             histogram.data(), t.options.growth.tolerance.distance});
   for(std::size_t h = 0; h < entries.size(); ++h) {
     const double layer = find_layer(histogram.data() + h * histogram_bins);
     if(layer == 0)

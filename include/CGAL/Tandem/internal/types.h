@@ -34,8 +34,8 @@ constexpr int cell_extent_bits = 24;
 constexpr std::uint32_t no_index = 0xffffffffu;
 
 struct Grid_point {
-  std::int32_t x, y, z;    // steps of the grid, relative to its origin
-  std::uint32_t normal;    // octahedral, 2 x 16 bits; no_normal if there is none
+  std::int32_t x, y, z; // steps of the grid, relative to its origin
+  std::uint32_t normal; // octahedral, 2 x 16 bits; no_normal if there is none
 };
 
 // Positions [first, last) in the sorted cloud.

@@ -75,11 +75,12 @@ void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
 // Relabels the points and takes out those that do not fit the plane of a shape that
 // is checked (by old id).
 template <class Backend>
-void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target, const std::vector<std::uint8_t>& is_checked)
+void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target,
+                   const std::vector<std::uint8_t>& is_checked)
 {
   t.backend.template for_each_cell<Moment_table>(
-    t.cells.size(), Update_points<Backend>{t.cloud, t.cells.data(), t.labels(), target.data(), is_checked.data(), t.plane.data(),
-                                           t.gain.data(), t.options.growth.tolerance});
+    t.cells.size(), Update_points<Backend>{t.cloud, t.cells.data(), t.labels(), target.data(), is_checked.data(),
+                                           t.plane.data(), t.gain.data(), t.options.growth.tolerance});
   std::size_t kept = 0;
   for(std::uint32_t id : t.live) {
     Shape& shape = t.shapes[id];
