@@ -13,7 +13,7 @@ namespace Tandem {
 namespace internal {
 
 struct Neighbor_counts {
-  std::uint64_t all = 0;  // neighbors of the points of a shape, but those of other shapes
+  std::uint64_t all = 0;  // neighbors of the points of a shape, but those of other crisp shapes
   std::uint64_t near = 0; // ... within epsilon of its plane, whatever their shape
   std::uint64_t own = 0;  // ... that belong to it
 };
@@ -22,7 +22,8 @@ template <class Backend>
 struct Count_neighbors {
   Cloud_view cloud;
   const std::uint32_t* label;
-  const Plane* plane;
+  const Plane* plane;           // by shape, as are these
+  const std::uint8_t* is_crisp; // its points are close to its plane, unlike those of planes through clutter
   Neighbor_counts* counts;
   std::int64_t distance;
 
@@ -49,13 +50,17 @@ private:
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const bool is_own = label[row[j]] == s;
-      const bool is_neutral = !is_own && label[row[j]] < first_mark; // the other side of a thin plate, say
+      const std::uint32_t other = label[row[j]];
+      const bool is_neutral = !is_own && other < first_mark && is_crisp[other]; // the other side of a thin plate, say
       run.all += !is_neutral;
       run.own += is_own;
       run.near += is_own || (!is_neutral && is_near(plane[s], cloud.point[row[j]], distance));
     }
   }
 };
+
+// Largest rms, in epsilons, of the distances of a crisp shape.
+constexpr double crisp_rms = 0.4;
 
 // rms: of the distances to the plane, in epsilons. The bounds are measured: planes
 // through outliers have .40 to .75 of the neighbors near them, faces .89 and more.

@@ -94,19 +94,25 @@ private:
                                                      coefficients_.data(), t_.options.certain, t_.options.exact});
   }
 
+  // Of the distances of the points to the plane of an entry, in epsilons.
+  double rms(std::size_t entry) const
+  {
+    const Shape& shape = t_.shapes[relations_.id[entry]];
+    const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
+    return std::sqrt((std::max)(squares, 0.) / (std::max)(shape.scatter.count, 1.)) / t_.options.maximum_distance;
+  }
+
   void drop_clutter()
   {
     std::vector<Neighbor_counts> counts(plane_.size());
+    std::vector<std::uint8_t> is_crisp(plane_.size()), is_dropped(plane_.size());
+    for(std::size_t i = 0; i < plane_.size(); ++i)
+      is_crisp[i] = rms(i) < crisp_rms;
     t_.backend.for_each_piece(t_.cloud.size, 4096,
-                              Count_neighbors<Backend>{t_.cloud, label_.data(), plane_.data(), counts.data(),
-                                                       t_.options.growth.tolerance.distance});
-    std::vector<std::uint8_t> is_dropped(plane_.size(), 0);
-    for(std::size_t i = 0; i < plane_.size(); ++i) {
-      const Shape& shape = t_.shapes[relations_.id[i]];
-      const double square =
-        (excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest) / (std::max)(shape.scatter.count, 1.);
-      is_dropped[i] = is_clutter(counts[i], std::sqrt((std::max)(square, 0.)) / t_.options.maximum_distance);
-    }
+                              Count_neighbors<Backend>{t_.cloud, label_.data(), plane_.data(), is_crisp.data(),
+                                                       counts.data(), t_.options.growth.tolerance.distance});
+    for(std::size_t i = 0; i < plane_.size(); ++i)
+      is_dropped[i] = is_clutter(counts[i], rms(i));
     std::uint32_t* label = label_.data();
     const std::uint8_t* dropped = is_dropped.data();
     t_.backend.for_each(t_.cloud.size, [=](std::size_t i) {
