@@ -25,27 +25,9 @@ install_packages()
     echo "demo.sh: going on without oneTBB"
 }
 
-# Minimal containers drop /usr/share/doc when a package is installed: then the
-# package itself is fetched and opened.
-find_data()
-{
-  data=/usr/share/doc/libcgal-dev/data.tar.gz
-  [ -f "$data" ] && return
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libcgal-demo
-  [ -f "$data" ] && return
-  (cd "$result" && apt-get download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb package) ||
-    fail "cannot get the package libcgal-demo, which has the sample cloud"
-  data=$result/package/usr/share/doc/libcgal-dev/data.tar.gz
-  [ -f "$data" ] || fail "the package libcgal-demo has no data.tar.gz"
-}
-
 mkdir -p "$result"
 install_packages
-if [ ! -s "$cloud" ]; then
-  find_data
-  tar -xzOf "$data" data/points_3/building.ply > "$cloud.part" || fail "no building.ply in $data"
-  mv "$cloud.part" "$cloud"
-fi
+"$root/scripts/sample_cloud.sh" "$cloud"
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON \
   -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" > "$result/cmake.log" 2>&1 ||

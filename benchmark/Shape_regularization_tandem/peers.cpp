@@ -147,7 +147,7 @@ Detection ransac(const Range& range, const Request& r)
   parameters.probability = 0.01;
   parameters.min_points = r.minimum;
   parameters.epsilon = r.epsilon;
-  parameters.cluster_epsilon = r.cluster_epsilon > 0 ? r.cluster_epsilon : r.epsilon;
+  parameters.cluster_epsilon = r.cluster_epsilon == 0 ? r.epsilon : r.cluster_epsilon; // negative: its own default
   parameters.normal_threshold = std::cos(r.alpha_deg * 0.017453292519943295);
   detector.detect(parameters);
   Detection detection;
@@ -229,7 +229,8 @@ Request parse(int argc, char** argv)
     "minimum-region-size", po::value(&r.minimum)->default_value(200),
     "points")("k-neighbors", po::value(&r.k)->default_value(20), "for region growing")(
     "cluster-epsilon", po::value(&r.cluster_epsilon)->default_value(0),
-    "for RANSAC; 0: epsilon")("regularize", po::bool_switch(&r.regularizes), "regularize_planes afterwards")(
+    "for RANSAC; 0: epsilon, -1: 1 % of the diagonal")("regularize", po::bool_switch(&r.regularizes),
+                                                       "regularize_planes afterwards")(
     "plain-labels", po::value(&r.plain_labels),
     "with --regularize: also the labels without it")("plain-planes", po::value(&r.plain_planes), "and the planes")(
     "symmetry", po::bool_switch(&r.uses_symmetry),

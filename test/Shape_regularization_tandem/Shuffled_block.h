@@ -155,13 +155,11 @@ public:
     std::sort(first, last, [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
   }
 
-  template <class T, class Get_range, class Less>
-  void sort_ranges(std::size_t ranges, T* data, Get_range range, Less less)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges)
   {
     dice_.visit(0, ranges, [&](std::size_t c) {
-      const Range r = range(c);
-      dice_.shuffle(data + r.first, data + r.last);
-      std::sort(data + r.first, data + r.last, less);
+      dice_.shuffle(key + range[c].first, key + range[c].last);
+      std::sort(key + range[c].first, key + range[c].last);
     });
   }
 

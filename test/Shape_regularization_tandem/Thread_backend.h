@@ -66,13 +66,10 @@ public:
     std::sort(first, last, [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
   }
 
-  template <class T, class Get_range, class Less>
-  void sort_ranges(std::size_t ranges, T* data, Get_range range, Less less)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges)
   {
-    for_each_piece(ranges, 1, [&](std::size_t c, std::size_t) {
-      const Range r = range(c);
-      std::sort(data + r.first, data + r.last, less);
-    });
+    for_each_piece(ranges, 1,
+                   [&](std::size_t c, std::size_t) { std::sort(key + range[c].first, key + range[c].last); });
   }
 
   template <class T>

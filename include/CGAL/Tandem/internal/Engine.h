@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_H
 
+#include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/end_game.h>
 #include <CGAL/Tandem/internal/extract_shapes.h>
 #include <CGAL/Tandem/internal/grow_shapes.h>
@@ -21,6 +22,8 @@ namespace internal {
 
 template <class Backend>
 class Engine {
+  static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
+
 public:
   Engine(Backend& backend, const Import& in, const Parameters& parameters) : in_(in), state_(backend)
   {

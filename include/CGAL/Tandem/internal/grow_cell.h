@@ -10,6 +10,7 @@
 
 #include <CGAL/Tandem/internal/Cloud.h>
 #include <CGAL/Tandem/internal/Moment_table.h>
+#include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/seeds.h>
 
 namespace CGAL {
@@ -62,6 +63,8 @@ struct Growth_scratch {
 
 template <class Backend, class Block>
 class Cell_growth {
+  static_assert(Is_block<Block>::value, "the block is no model of the concept Block");
+
 public:
   CGAL_TANDEM_HD Cell_growth(Block& block, Growth_scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
                              const Shapes_view& shapes, const Labels_view& labels, const Growth_options& options)

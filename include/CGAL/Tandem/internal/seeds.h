@@ -52,38 +52,78 @@ struct Seeds {
   std::vector<std::uint32_t> count;
 };
 
+constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
+
+struct Box_scratch {
+  Box box;
+};
+
+// The keys of a leaf rise with falling planarity, then with the distance to the
+// center, then with the position.
+struct Rate_seeds {
+  Cloud_view cloud;
+  const Range* cells;
+  std::uint64_t* key;
+  Tolerance tolerance, tight;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Box_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.single([&] { scratch.box = Box(); });
+    block.for_each(cell.size(), [&](std::uint32_t at) { block.add_box(scratch.box, cloud.point[cell.first + at]); });
+    const Box box = scratch.box;
+    block.for_each(cell.size(), [&](std::uint32_t at) { key[cell.first + at] = rate(cell.first + at, at, box); });
+  }
+
+private:
+  CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
+  {
+    const Planarity score = planarity(cloud, i, tolerance, tight);
+    if(2 * score.fitting < cloud.k)
+      return not_a_seed;
+    const Grid_point& p = cloud.point[i];
+    const std::int64_t x = p.x - (std::int64_t(box.low[0]) + box.high[0]) / 2;
+    const std::int64_t y = p.y - (std::int64_t(box.low[1]) + box.high[1]) / 2;
+    const std::int64_t z = p.z - (std::int64_t(box.low[2]) + box.high[2]) / 2;
+    const std::uint64_t distance = std::uint64_t(x * x + y * y + z * z) >> 16; // < 2^34
+    return std::uint64_t(cloud.k - score.fitting) << 57 | std::uint64_t(cloud.k - score.close) << 50 | distance << 16 |
+           at;
+  }
+};
+
+struct Take_seeds {
+  const Range* cells;
+  const std::uint64_t* key; // sorted
+  std::uint32_t* seed;
+  std::uint32_t* count;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Box_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    const std::uint64_t* keys = key + cell.first;
+    const std::uint32_t seeds =
+      block.find_first(0, cell.size(), [&](std::uint32_t at) { return keys[at] == not_a_seed; });
+    block.single([&] { count[c] = seeds; });
+    block.for_each(seeds,
+                   [&](std::uint32_t at) { seed[cell.first + at] = cell.first + std::uint32_t(keys[at] & 0xffffu); });
+  }
+};
+
 template <class Backend>
 Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const std::vector<Range>& cells,
                            const Tolerance& tolerance, const Tolerance& tight)
 {
-  constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
   typename Backend::template Buffer<std::uint64_t> key(cloud.size);
   Seeds<Backend> seeds;
   seeds.seed.reset(cloud.size);
   seeds.count.resize(cells.size());
-  backend.for_each_piece(cells.size(), 1, [&](std::size_t c, std::size_t) {
-    const Range cell = cells[c];
-    Box box;
-    for(std::uint32_t i = cell.first; i < cell.last; ++i)
-      box.add(cloud.point[i]);
-    for(std::uint32_t i = cell.first; i < cell.last; ++i) {
-      const Grid_point& p = cloud.point[i];
-      const Planarity score = planarity(cloud, i, tolerance, tight);
-      const std::int64_t x = p.x - (std::int64_t(box.low[0]) + box.high[0]) / 2;
-      const std::int64_t y = p.y - (std::int64_t(box.low[1]) + box.high[1]) / 2;
-      const std::int64_t z = p.z - (std::int64_t(box.low[2]) + box.high[2]) / 2;
-      const std::uint64_t distance = std::uint64_t(x * x + y * y + z * z) >> 16; // < 2^34
-      key[i] = 2 * score.fitting < cloud.k
-                 ? not_a_seed
-                 : std::uint64_t(cloud.k - score.fitting) << 57 | std::uint64_t(cloud.k - score.close) << 50 |
-                     distance << 16 | (i - cell.first);
-    }
-    std::sort(key.begin() + cell.first, key.begin() + cell.last);
-    std::uint32_t count = 0;
-    for(; count < cell.size() && key[cell.first + count] != not_a_seed; ++count)
-      seeds.seed[cell.first + count] = cell.first + std::uint32_t(key[cell.first + count] & 0xffffu);
-    seeds.count[c] = count;
-  });
+  backend.template for_each_cell<Box_scratch>(cells.size(),
+                                              Rate_seeds{cloud, cells.data(), key.data(), tolerance, tight});
+  backend.sort_ranges(key.data(), cells.data(), cells.size());
+  backend.template for_each_cell<Box_scratch>(
+    cells.size(), Take_seeds{cells.data(), key.data(), seeds.seed.data(), seeds.count.data()});
   return seeds;
 }
 

@@ -61,14 +61,11 @@ public:
       [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
   }
 
-  // In each of the ranges given by range(c), ascending by `less`, a total order.
-  template <class T, class Get_range, class Less>
-  void sort_ranges(std::size_t ranges, T* data, Get_range range, Less less)
+  // In each of the ranges, ascending.
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges)
   {
-    for(std::size_t c = 0; c < ranges; ++c) {
-      const Range r = range(c);
-      std::sort(data + r.first, data + r.last, less);
-    }
+    for(std::size_t c = 0; c < ranges; ++c)
+      std::sort(key + range[c].first, key + range[c].last);
   }
 
   // target += value, from functors that run at the same time; returns the old

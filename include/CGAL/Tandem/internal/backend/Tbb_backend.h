@@ -61,13 +61,10 @@ public:
     tbb::parallel_sort(first, last, [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
   }
 
-  template <class T, class Get_range, class Less>
-  void sort_ranges(std::size_t ranges, T* data, Get_range range, Less less)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges)
   {
-    tbb::parallel_for(std::size_t(0), ranges, [&](std::size_t c) {
-      const Range r = range(c);
-      std::sort(data + r.first, data + r.last, less);
-    });
+    tbb::parallel_for(std::size_t(0), ranges,
+                      [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
   }
 
   template <class T>

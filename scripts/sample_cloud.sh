@@ -1,0 +1,37 @@
+#!/bin/sh
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Unpacks the building of CGAL's Debian package libcgal-demo, unless it is there already.
+#   sample_cloud.sh CLOUD.ply
+#   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
+
+set -eu
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+
+fail() { echo "sample_cloud.sh: $*" >&2; exit 1; }
+
+[ $# -eq 1 ] || fail "usage: sample_cloud.sh CLOUD.ply"
+cloud=$1
+[ ! -s "$cloud" ] || exit 0
+folder=$(dirname "$cloud")
+
+# Minimal containers drop /usr/share/doc when a package is installed: then the
+# package itself is fetched and opened.
+find_data()
+{
+  data=/usr/share/doc/libcgal-dev/data.tar.gz
+  [ -f "$data" ] && return
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libcgal-demo
+  [ -f "$data" ] && return
+  (cd "$folder" && apt-get download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb package) ||
+    fail "cannot get the package libcgal-demo, which has the sample cloud"
+  data=$folder/package/usr/share/doc/libcgal-dev/data.tar.gz
+  [ -f "$data" ] || fail "the package libcgal-demo has no data.tar.gz"
+}
+
+mkdir -p "$folder"
+find_data
+tar -xzOf "$data" data/points_3/building.ply > "$cloud.part" || fail "no building.ply in $data"
+mv "$cloud.part" "$cloud"
