@@ -19,19 +19,19 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=${TANDEM_BUILD_DIR:-$root/build/compare}
 threads=${TANDEM_THREADS:-2}
-slow=8    # seconds; a program is not run again after a run that took longer
+slow=10   # seconds; a program is not run again after a run that took longer
 result=$build/result
 detect_planes=$build/examples/Shape_regularization_tandem/detect_planes
 benchmark=$build/benchmark/Shape_regularization_tandem
 
 fail() { echo "compare.sh: $*" >&2; exit 1; }
 
-# Cloud, epsilon, alpha, minimum, cluster epsilon of RANSAC (the best of some that were tried),
+# Cloud, epsilon, alpha, minimum, cluster epsilon of RANSAC (the best of some that were tried; -1: its default),
 # options of make_scene.
 cases()
 {
   cat << END
-building 0.15  25.842 100 0.6
+building 0.15  25.842 100 -1
 house    0.04  25.842 200 0.04 --points 1000000
 village  0.12  25.842 200 1    --points 1000000 --noise 0.0003 --outliers 0.05 --normal-noise 4
 indoor   0.015 25.842 200 0.08 --points 300000 --noise 0.0002 --outliers 0.02 --varying-density --normal-noise 4
@@ -100,7 +100,7 @@ measure()
 print_row()
 {
   printf '%s\n' "$1" | awk -F '\t' '{
-    printf "%-9s %-38s %8s %7s %6s %7s %7s %8s %9s %9s %6s\n", $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11 }'
+    printf "%-9.9s %-38s %8s %7s %6s %7s %7s %8s %9s %9s %6s\n", $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11 }'
 }
 
 # What was used, which without oneTBB is one.
@@ -174,17 +174,18 @@ version_of_cgal()
     tail -n 1 | tr -d '"'
 }
 
+percent_of_processor() { awk '{ w += $1; c += $2 } END { printf "%.0f", 100 * c / w }' "$result/busy"; }
+
 write_table()
 {
   compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
   processor=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2> /dev/null | head -n 1)
   commit=$(git -C "$root" describe --always --dirty 2> /dev/null || echo unknown)
   cat << END
-Measured on $(date -u +%Y-%m-%d) by \`scripts/compare.sh\`, Tandem $commit, CGAL $(version_of_cgal) in its defaults,
+Measured on $(date -u +%Y-%m-%d) by \`scripts/compare.sh\`, Tandem $commit, CGAL $(version_of_cgal),
 $("$compiler" --version | head -n 1), Release; ${processor:-$(uname -m)}, $(getconf _NPROCESSORS_ONLN) processors.
-Load average before $load, after $(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown); CGAL's
-detectors, which have one thread, had a processor for $(awk '{ w += $1; c += $2 } END { printf "%.0f", 100 * c / w }' \
-    "$result/busy") % of their time (100: nothing disturbed).
+Load average before $load, after $(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown); CGAL's detectors,
+which have one thread, had a processor for $(percent_of_processor) % of their time (100: nothing disturbed).
 
 END
   awk -F '\t' 'BEGIN {
@@ -200,7 +201,9 @@ Seconds: wall clock without reading and writing, the median of three runs, metho
 one took more than $slow s. Directions, planes and complexity (the paper's; smaller is more regular) count as equal
 what is equal within 1e-6. Beyond epsilon, alpha: assigned points that violate the tolerances that the method was
 given. Cleaned: these points are dropped, then shapes that have become too small. F1: of the true faces, matched at
-intersection over union of one half.
+intersection over union of one half. All methods have the same epsilon, alpha and minimum; region growing has 12
+neighbors, its default, and regularize_planes the angle tolerance 8 degrees and the offset epsilon, those of Tandem.
+The cluster epsilon of RANSAC is the best of some that were tried; -1: 1 % of the diagonal, its default.
 
 END
   cat "$result/clouds.md"

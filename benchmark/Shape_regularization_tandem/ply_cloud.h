@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Binary little-endian PLY clouds for the measuring programs: coordinates and
-// normals of any number type, and an int property `label`.
+// PLY clouds, binary little-endian or read as text, for the measuring programs:
+// coordinates and normals of any number type, and an int property `label`.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLY_CLOUD_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLY_CLOUD_H
@@ -47,15 +47,14 @@ public:
       fail("has no coordinates");
     cloud.is_double = properties_[std::size_t(x)].size == 8;
     int y = find("y"), z = find("z"), ny = find("ny"), nz = find("nz");
-    std::vector<char> row(row_size_);
     for(std::size_t i = 0; i < size_; ++i) {
-      if(!in_.read(row.data(), std::streamsize(row_size_)))
+      if(!read_row())
         fail("ends early, at point " + std::to_string(i) + " of " + std::to_string(size_));
-      cloud.points.push_back({value(row, x), value(row, y), value(row, z)});
+      cloud.points.push_back({value(x), value(y), value(z)});
       if(nx >= 0 && ny >= 0 && nz >= 0)
-        cloud.normals.push_back({value(row, nx), value(row, ny), value(row, nz)});
+        cloud.normals.push_back({value(nx), value(ny), value(nz)});
       if(label >= 0)
-        cloud.label.push_back(std::int32_t(value(row, label)));
+        cloud.label.push_back(std::int32_t(value(label)));
     }
     return cloud;
   }
@@ -73,12 +72,14 @@ private:
   void read_header()
   {
     std::string line, word;
-    bool is_vertex = false, is_binary = false;
+    bool is_vertex = false, is_known = false;
     while(std::getline(in_, line) && line.substr(0, 10) != "end_header") {
       std::istringstream words(line);
       words >> word;
-      if(word == "format")
-        is_binary = line.find("binary_little_endian") != std::string::npos;
+      if(word == "format") {
+        is_text_ = line.find("ascii") != std::string::npos;
+        is_known = is_text_ || line.find("binary_little_endian") != std::string::npos;
+      }
       if(word == "element") {
         is_vertex = size_ == 0 && line.find("vertex") != std::string::npos;
         if(is_vertex)
@@ -87,8 +88,10 @@ private:
       if(word == "property" && is_vertex)
         add_property(words);
     }
-    if(!in_ || !is_binary)
-      fail("is not a binary little-endian PLY file");
+    if(!in_ || !is_known)
+      fail("is neither a binary little-endian nor a text PLY file");
+    numbers_.resize(properties_.size());
+    bytes_.resize(row_size_);
   }
 
   void add_property(std::istringstream& words)
@@ -126,10 +129,23 @@ private:
     return double(value);
   }
 
-  double value(const std::vector<char>& row, int property) const
+  bool read_row()
+  {
+    if(!is_text_)
+      return bool(in_.read(bytes_.data(), std::streamsize(row_size_)));
+    for(double& number : numbers_)
+      in_ >> number;
+    return bool(in_);
+  }
+
+  // Of the row that was read. A float in text is rounded as a float.
+  double value(int property) const
   {
     const Property& p = properties_[std::size_t(property)];
-    const char* bytes = row.data() + p.offset;
+    if(is_text_)
+      return p.kind == Kind::real && p.size == 4 ? float(numbers_[std::size_t(property)])
+                                                 : numbers_[std::size_t(property)];
+    const char* bytes = bytes_.data() + p.offset;
     if(p.kind == Kind::real)
       return p.size == 8 ? as<double>(bytes) : as<float>(bytes);
     bool is_signed = p.kind == Kind::signed_int;
@@ -144,6 +160,9 @@ private:
   std::ifstream in_;
   std::vector<Property> properties_;
   std::size_t size_ = 0, row_size_ = 0;
+  bool is_text_ = false;
+  std::vector<double> numbers_; // of a row of text
+  std::vector<char> bytes_;     // of a binary row
 };
 
 inline Ply_cloud read_ply(const std::string& path) { return Ply_reader(path).read(); }

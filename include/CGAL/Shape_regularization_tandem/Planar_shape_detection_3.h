@@ -99,7 +99,9 @@ public:
   /// shapes found until then. All that the package guarantees holds from here on.
   void finish()
   {
-    if(engine_ && !is_finished_)
+    if(is_finished_)
+      return;
+    if(engine_)
       engine_->finish();
     is_finished_ = true;
     if(callback_ && !is_cancelled_)

@@ -52,7 +52,7 @@ struct Statistics {
 
   std::size_t number_of_rounds = 0;
   Stage_times times;
-  std::size_t peak_bytes = 0;  ///< most memory that the engine held at once
+  std::size_t peak_bytes = 0;  ///< of the tables of the size of the cloud, when they are largest
   double grid_step = 0;        ///< in units of the input
   bool is_grid_coarse = false; ///< the step exceeds `maximum_distance` / 1024, because of the extent
   bool has_estimated_normals = false;

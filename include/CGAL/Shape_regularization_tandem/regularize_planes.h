@@ -146,6 +146,21 @@ inline void measure_planes(const Import& in, const std::vector<int>& plane_of, c
 }
 
 // All but reading from and writing to the caller's ranges. `planes` are unit or null, and replaced.
+// Points of no plane must not stretch the grid.
+inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
+{
+  std::size_t kept = 0;
+  for(std::size_t i = 0; i < in.size(); ++i) {
+    if(plane_of[i] < 0)
+      continue;
+    std::copy_n(in.position(i), 3, in.coordinates.data() + 3 * kept);
+    plane_of[kept++] = plane_of[i];
+  }
+  in.count = kept;
+  plane_of.resize(kept);
+  in.item.clear();
+}
+
 inline Plane_relations relate_planes(Import& in, const std::vector<int>& plane_of, Regularity_options options,
                                      std::vector<Coefficients>& planes)
 {
@@ -269,8 +284,9 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   const Traits traits(internal::parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
   internal::Import in =
     internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np), CGAL::Default(), traits);
-  const auto plane_of =
+  auto plane_of =
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
+  internal::drop_unassigned(in, plane_of);
   const Plane_relations result = internal::relate_planes(in, plane_of, options, coefficients);
   std::size_t s = 0;
   for(auto it = planes.begin(); it != planes.end(); ++it, ++s)

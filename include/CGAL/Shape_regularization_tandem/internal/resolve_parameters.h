@@ -29,8 +29,8 @@ void read_count(const NP& np, const char* name, std::size_t& value)
 {
   if constexpr(Is_given<Tag, NP>::value) {
     const auto given = parameter<Tag>(np, 0);
-    if(given < decltype(given)(1))
-      refuse(name, given, "a positive number");
+    if(!(given >= decltype(given)(1)) || double(given) > double(maximum_number_of_points))
+      refuse(name, given, "a positive number, at most 2^31");
     value = std::size_t(given);
   }
 }

@@ -84,7 +84,7 @@ private:
   static constexpr int most_rounds = 300;
   static constexpr int most_idle_rounds = 5;
 
-  // Shapes that stopped growing while they are small, after two rounds.
+  // Shapes of more than two rounds that stopped growing while they are small.
   void give_up_fragments(std::vector<std::uint32_t>& target) const
   {
     for(std::uint32_t id : state_.live) {

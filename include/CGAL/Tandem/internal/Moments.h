@@ -16,7 +16,7 @@ namespace internal {
 
 __extension__ typedef __int128 Int128;
 
-// Sums relative to a point within 2^24 steps, of at most 8192 points (int64).
+// Sums relative to a point of the same leaf (see cell_extent_bits).
 struct Cell_moments {
   std::int64_t count = 0;
   std::int64_t sum[3] = {0, 0, 0};
@@ -37,7 +37,7 @@ struct Cell_moments {
   }
 };
 
-// Sums in grid coordinates: products of up to 2^58 times 2^32 points need 128 bits.
+// Sums in grid coordinates: products of up to 2^56 times 2^31 points need 128 bits.
 struct Moments {
   std::int64_t count = 0;
   std::int64_t sum[3] = {0, 0, 0};

@@ -101,8 +101,8 @@ struct Shape {
   bool is_dirty = true;   // its points have changed since it was fitted
 };
 
-// A merge of shapes, by union-find over their ids. The root is the shape with
-// most points, then the one with the smallest id.
+// A merge of shapes, by union-find over their ids. Who unites chooses the root: the
+// shape with most points, then the one with the smallest id.
 class Unions {
 public:
   explicit Unions(std::size_t n = 0) { grow(n); }

@@ -12,6 +12,7 @@
 #include <CGAL/Tandem/internal/curve.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -19,8 +20,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-constexpr int code_bits = 21; // an axis
 
 // A cube of 2^21 steps of 2^shift around the cloud.
 struct Code_frame {
@@ -58,31 +57,35 @@ inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
   Code_frame frame = {{low[0], low[1], low[2]}, 0};
   const std::uint32_t extent =
     (std::max)({std::uint32_t(high[0] - low[0]), std::uint32_t(high[1] - low[1]), std::uint32_t(high[2] - low[2])});
-  while((extent >> frame.shift) >> code_bits)
+  while((extent >> frame.shift) >> curve_bits)
     ++frame.shift;
   return frame;
 }
 
-// Sorts the points of one code by (code inside, coordinates, normal, position).
-inline void sort_equal_codes(Keyed_index* first, Keyed_index* last, const Grid_point* point, const Code_frame& frame)
+// Sorts the points of one code by (code inside, coordinates, normal, precedes).
+template <class Precedes>
+void sort_equal_codes(Keyed_index* first, Keyed_index* last, const Grid_point* point, const Code_frame& frame,
+                      Precedes precedes)
 {
   const std::uint64_t code = first->key;
   for(Keyed_index* e = first; e != last; ++e)
     e->key = frame.code_inside(point[e->index]);
   std::sort(first, last, [&](const Keyed_index& a, const Keyed_index& b) {
     const Grid_point &p = point[a.index], &q = point[b.index];
-    return std::tie(a.key, p.x, p.y, p.z, p.normal, a.index) < std::tie(b.key, q.x, q.y, q.z, q.normal, b.index);
+    const auto left = std::tie(a.key, p.x, p.y, p.z, p.normal), right = std::tie(b.key, q.x, q.y, q.z, q.normal);
+    return left != right ? left < right : precedes(a.index, b.index);
   });
   for(Keyed_index* e = first; e != last; ++e)
     e->key = code;
 }
 
-// Sorts positions of `point` along the curve, with a tie-break down to the position.
-// The last one concerns exact duplicates only, so the order of the points does not
-// depend on the order in which they come.
-template <class Backend>
+// Sorts positions of `point` along the curve. precedes(i, j) decides between points
+// that are the same on the grid: a total order that depends on their position only
+// for exact duplicates, so that the result does not depend on the order of the points.
+template <class Backend, class Precedes = std::less<std::uint32_t>>
 typename Backend::template Buffer<Keyed_index> sort_along_curve(Backend& backend, const Grid_point* point,
-                                                                std::size_t n, const Code_frame& frame)
+                                                                std::size_t n, const Code_frame& frame,
+                                                                Precedes precedes = Precedes())
 {
   typename Backend::template Buffer<Keyed_index> order(n);
   backend.for_each(n, [&](std::size_t i) { order[i] = {frame.code(point[i]), std::uint32_t(i)}; });
@@ -96,13 +99,13 @@ typename Backend::template Buffer<Keyed_index> sort_along_curve(Backend& backend
     std::size_t last = i + 1;
     while(is_tie[last])
       ++last;
-    sort_equal_codes(order.begin() + i, order.begin() + last + 1, point, frame);
+    sort_equal_codes(order.begin() + i, order.begin() + last + 1, point, frame, precedes);
   });
   return order;
 }
 
 // Splits the root octant until a leaf has at most cell_size points and is at most
-// 2^24 steps wide. Points of one finest octant are cut in the order of the sort.
+// 2^23 steps wide. Points of one finest octant are cut in the order of the sort.
 class Leaf_splitter {
 public:
   Leaf_splitter(const Keyed_index* order, const Code_frame& frame, std::size_t cell_size, std::vector<Range>& leaves)
@@ -113,17 +116,17 @@ public:
   {
     if(r.size() == 0)
       return;
-    const bool is_narrow = code_bits - level + shift_ <= cell_extent_bits;
+    const bool is_narrow = curve_bits - level + shift_ <= cell_extent_bits;
     if(r.size() <= cell_size_ && is_narrow) {
       leaves_.push_back(r);
       return;
     }
-    if(level == code_bits) {
+    if(level == curve_bits) {
       for(std::uint32_t first = r.first; first < r.last; first += std::uint32_t(cell_size_))
         leaves_.push_back({first, (std::min)(first + std::uint32_t(cell_size_), r.last)});
       return;
     }
-    const int bits = 3 * (code_bits - level - 1);
+    const int bits = 3 * (curve_bits - level - 1);
     while(r.first < r.last) {
       const std::uint64_t octant = order_[r.first].key >> bits;
       const Keyed_index* end = std::partition_point(order_ + r.first, order_ + r.last,

@@ -121,14 +121,25 @@ void reassign_to_larger(Tandem_state<Backend>& t)
   drop_small(t);
 }
 
+// The loop takes a point for interior once all of its neighbors have had its label;
+// some have lost it since.
+template <class Backend>
+void forget_interior(Tandem_state<Backend>& t)
+{
+  std::uint8_t* state = t.state.data();
+  t.backend.for_each(t.cloud.size, [=](std::size_t i) { state[i] &= std::uint8_t(~is_interior); });
+}
+
 // Planes are final afterwards.
 template <class Backend>
 Shape_relations end_game(Tandem_state<Backend>& t)
 {
+  forget_interior(t);
   consolidate(t);
   drop_small(t);
   settle(t);
   const Shape_relations relations = settle(t);
+  forget_interior(t);
   reassign_to_larger(t);
   return relations;
 }

@@ -49,7 +49,7 @@ struct Exact_bounds {
     const double x = c[0] * p[0], y = c[1] * p[1], z = c[2] * p[2];
     const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
     const double e = std::fma(c[0], p[0], std::fma(c[1], p[1], std::fma(c[2], p[2], c[3])));
-    return std::fabs(e) + size * 1e-15 <= maximum_distance;
+    return std::fma(size, 1e-15, std::fabs(e)) <= maximum_distance;
   }
 
   bool is_aligned(const Coefficients& c, const double* n) const

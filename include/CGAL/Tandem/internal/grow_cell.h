@@ -122,14 +122,16 @@ private:
     });
   }
 
-  // The distinct shapes of the queue, as far as the list goes.
+  // The distinct shapes of the queue that keep new ones from beginning, as far as the
+  // list goes. Those that grow again from all of their points are not among them:
+  // while planes settle they would take the room round after round.
   CGAL_TANDEM_HD void list_active()
   {
     std::uint32_t next = 0;
     for(int count = 0; count < options_.seeds_in_flight; ++count) {
       const std::uint32_t s = block_.min(s_.tail, [&](std::uint32_t place) {
         const std::uint32_t label = label_[queued(place)];
-        return label < next ? no_index : label;
+        return label < next || shapes_.is_restarted[label] ? no_index : label;
       });
       if(s == no_index)
         return;

@@ -39,6 +39,18 @@ struct Import {
   const double* position(std::size_t i) const { return coordinates.data() + 3 * i; }
   const double* normal(std::size_t i) const { return normals.data() + 3 * i; }
   std::size_t item_of(std::size_t i) const { return item.empty() ? i : item[i]; }
+
+  // A total order of the points by what the caller gave.
+  bool precedes(std::size_t i, std::size_t j) const
+  {
+    for(const Host_buffer<double>* values : {&coordinates, &normals})
+      for(std::size_t c = 0; values->size() > 0 && c < 3; ++c) {
+        const double a = (*values)[3 * i + c], b = (*values)[3 * j + c];
+        if(a != b)
+          return a < b;
+      }
+    return i < j;
+  }
 };
 
 inline bool is_finite(const double* v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
@@ -185,7 +197,7 @@ inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)
     const double low = std::floor(box.low[c] / step);
     const double high = std::floor(box.high[c] / step);
     const double middle = std::floor((low + high) / 2);
-    if(!(high - low <= double(1 << 29) - 4) || !std::isfinite(middle))
+    if(!(high - low <= double(1 << 29) - 4) || !std::isfinite(middle * step))
       return false;
     origin[c] = middle * step;
   }
@@ -199,7 +211,7 @@ inline Grid make_grid(const Coordinate_box& box, double epsilon)
 {
   const double finest = std::ldexp(1.0, std::ilogb(epsilon) - 10);
   Grid grid;
-  for(double step = finest; epsilon >= 16 * step; step *= 2) {
+  for(double step = finest; std::isfinite(box.extent()) && epsilon >= 16 * step; step *= 2) {
     if(place_origin(box, step, grid)) {
       grid.is_coarse = step > finest;
       return grid;

@@ -54,7 +54,7 @@ inline Tolerance make_tolerance(double distance, double cosine)
 inline double distance_margin(const Grid& grid)
 {
   const double size = std::fabs(grid.origin.x) + std::fabs(grid.origin.y) + std::fabs(grid.origin.z);
-  return 4 + size / grid.step * 1e-14;
+  return std::fma(size / grid.step, 1e-14, 4.0);
 }
 
 // Packed normals are within .004 degrees.
@@ -78,8 +78,8 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.regularity = {p.angle_tolerance,        p.maximum_offset / step,    o.maximum_distance,
                   p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity};
   const double certain_angle = (std::max)(p.maximum_angle - packing_margin_deg, 0.);
-  o.certain = make_tolerance((std::max)(o.maximum_distance - distance_margin(in.grid), 0.), cosine_deg(certain_angle));
-  o.exact = {p.maximum_distance, cosine + rounded_normal_margin};
+  o.certain = make_tolerance(o.maximum_distance - distance_margin(in.grid), cosine_deg(certain_angle));
+  o.exact = {p.maximum_distance, std::fma(1.0, cosine, rounded_normal_margin)};
   return o;
 }
 
@@ -108,6 +108,18 @@ void find_border(Tandem_state<Backend>& t)
   t.proposal.resize(t.border.size());
 }
 
+// The tables of the size of the cloud, when they are largest: in the estimation of
+// normals, else in the end game. With the caller's coordinates and normals.
+inline std::size_t bytes_per_point(int k, bool has_normals)
+{
+  const std::size_t caller = sizeof(Grid_point) + (has_normals ? 6 : 3) * sizeof(double);
+  const std::size_t cloud = sizeof(Grid_point) + std::size_t(k + 1) * sizeof(std::uint32_t);
+  const std::size_t labels = 2 * sizeof(std::uint32_t) + 1; // and seeds, states
+  const std::size_t end_game = sizeof(std::uint64_t) + 5 * sizeof(std::uint32_t);
+  constexpr std::size_t neighborhoods = 100; // of estimate_normals()
+  return caller + cloud + (has_normals ? labels + end_game : neighborhoods);
+}
+
 template <class Backend>
 void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& parameters,
              typename Backend::template Buffer<std::uint32_t>& order,
@@ -122,7 +134,8 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
     return;
   Stage_timer sort(times.sort);
   const Code_frame frame = make_code_frame(in.point.data(), n);
-  auto sorted = sort_along_curve(t.backend, in.point.data(), n, frame);
+  auto sorted = sort_along_curve(t.backend, in.point.data(), n, frame,
+                                 [&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); });
   t.cells = split_leaves(sorted.data(), n, frame, parameters.cell_size);
   order.reset(n);
   points.reset(n);
@@ -154,8 +167,7 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
     t.label[i] = is_free;
     t.state[i] = 0;
   });
-  t.peak_bytes = n * (sizeof(Grid_point) + (std::size_t(k) + 3) * sizeof(std::uint32_t) + sizeof(std::uint64_t) + 1) +
-                 8 * t.border.size();
+  t.peak_bytes = n * bytes_per_point(k, in.has_normals) + 8 * t.border.size();
 }
 
 } // namespace internal

@@ -63,7 +63,7 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
   return r;
 }
 
-// Touching shapes of one plane become one shape, as do those that are given up.
+// Touching shapes of one plane become one shape.
 template <class Backend>
 std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shape_relations& r,
                                             const std::vector<Link>& links)

@@ -159,7 +159,7 @@ void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
     const double layer = find_layer(histogram.data() + h * histogram_bins);
     if(layer == 0)
       continue;
-    planes[h].offset += layer * t.options.maximum_distance;
+    planes[h].offset = std::fma(layer, t.options.maximum_distance, planes[h].offset);
     t.shapes[r.id[entries[h]]].plane = planes[h];
     r.relations.direction_of[entries[h]] = int(r.relations.directions.size()); // it has left its relations
     r.relations.directions.push_back(planes[h].normal);

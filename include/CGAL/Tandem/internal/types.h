@@ -10,6 +10,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#ifndef __SIZEOF_INT128__
+#error "Tandem needs 128-bit integers: use g++ or clang on a 64-bit machine"
+#endif
+
 #ifdef __CUDACC__
 #define CGAL_TANDEM_HD __host__ __device__
 #else
@@ -24,12 +28,11 @@ namespace internal {
 constexpr int normal_bits = 28;
 constexpr double normal_scale = double(std::int64_t(1) << normal_bits);
 
-// Coordinates stay within +-2^29, so that n.p + d fits int64 (28 + 29 + log2(3) + 1 < 63).
-constexpr int coordinate_bits = 29;
+// Coordinates stay within +-2^28, so that n.p + d fits int64 (28 + 28 + log2(3) + 1 < 63).
 
-// A leaf is at most 2^24 steps wide: 8192 products of two cell-relative
-// coordinates then sum to less than 2^61.
-constexpr int cell_extent_bits = 24;
+// A leaf is at most 2^23 steps wide and has at most 2^16 points: the products of two
+// leaf-relative coordinates then sum to at most 2^62.
+constexpr int cell_extent_bits = 23;
 
 constexpr std::uint32_t no_index = 0xffffffffu;
 
