@@ -67,11 +67,11 @@ peer()
   # shellcheck disable=SC2086
   "$benchmark/peers" "$method" "$cloud" $tolerances --k-neighbors 12 --labels "$result/$name.labels" \
     --planes "$result/$name.planes" "$@" > "$result/$name.log" || fail "peers $method failed on $cloud"
-  awk -v clock="$result/$clock" -v busy="$result/busy" '
+  awk -v clock="$result/$clock" '
     { for(i = 2; i < NF; i += 2) value[$i] = $(i + 1)
       print value["wall"] >> (clock ".seconds")
       print value["wall"] + value["regularize"] >> (clock "_regularized.seconds")
-      print value["wall"], value["cpu"] >> busy }' "$result/$name.log"
+    }' "$result/$name.log"
 }
 
 is_slow()
@@ -174,7 +174,24 @@ version_of_cgal()
     tail -n 1 | tr -d '"'
 }
 
-percent_of_processor() { awk '{ w += $1; c += $2 } END { printf "%.0f", 100 * c / w }' "$result/busy"; }
+# note_use FILE: seconds of the clock, of all processors at work, and of the programs of this script
+note_use()
+{
+  [ -r /proc/stat ] || return 0
+  times > "$result/times"
+  awk -v hertz="$(getconf CLK_TCK)" -v now="$(date +%s)" '
+    FILENAME == "/proc/stat" { if($1 == "cpu") all = ($2 + $3 + $4 + $7 + $8 + $9) / hertz; next }
+    { for(i = 1; i <= 2; ++i) { split($i, t, "[ms]"); own += 60 * t[1] + t[2] } }
+    END { print now, all, own }' /proc/stat "$result/times" > "$1"
+}
+
+used_by_others()
+{
+  [ -r "$result/before" ] || { echo "an unknown number"; return; }
+  awk 'NR == 1 { now = $1; all = $2; own = $3 }
+    NR == 2 { x = ($2 - all - $3 + own) / ($1 - now + 1e-9); printf "%.1f", x < 0 ? 0 : x }' \
+    "$result/before" "$result/after"
+}
 
 write_table()
 {
@@ -184,8 +201,7 @@ write_table()
   cat << END
 Measured on $(date -u +%Y-%m-%d) by \`scripts/compare.sh\`, Tandem $commit, CGAL $(version_of_cgal),
 $("$compiler" --version | head -n 1), Release; ${processor:-$(uname -m)}, $(getconf _NPROCESSORS_ONLN) processors.
-Load average before $load, after $(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown); CGAL's detectors,
-which have one thread, had a processor for $(percent_of_processor) % of their time (100: nothing disturbed).
+Meanwhile other programs used $(used_by_others) of the processors, on average.
 
 END
   awk -F '\t' 'BEGIN {
@@ -216,8 +232,8 @@ END
     libtbb-dev
 mkdir -p "$result"
 build_programs
-rm -f "$result/rows.tsv" "$result/clouds.md" "$result/busy"
-load=$(cut -d ' ' -f 1 /proc/loadavg 2> /dev/null || echo unknown)
+rm -f "$result/rows.tsv" "$result/clouds.md" "$result/before"
+note_use "$result/before"
 
 print_row "$(printf 'cloud\tmethod\tseconds\tshapes\tdirec.\tplanes\tcomplex\tcover. %%\t> epsilon\t> alpha\tF1')"
 if [ $# -eq 0 ]; then
@@ -226,6 +242,7 @@ else
   cloud=$1
   compare "$(basename "$1" .ply)" "$2" "$3" "$4" "${5:--1}" "given"
 fi
+note_use "$result/after"
 write_table > "$build/table.md"
 echo
 echo "As Markdown, with notes: $build/table.md    (* fewer than three runs)"

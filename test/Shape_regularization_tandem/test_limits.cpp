@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Scenes that reach the limits of tables and of the grid: many small faces in one
+// leaf, points that coincide on a coarse grid, leaves as wide and as full as they
+// may be, stray points far away.
+
+#undef NDEBUG
+
+#include "test_support.h"
+
+#include <CGAL/Shape_regularization_tandem/adapters.h>
+#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
+
+#include <cmath>
+
+using scenes::Random;
+using scenes::Vec;
+
+void add(Cloud& cloud, const Vec& p, const Vec& n)
+{
+  cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
+}
+
+double between(Random& random, double low, double high) { return low + (high - low) * random.uniform(); }
+
+// Thousands of faces, of which a leaf holds hundreds: none of them may wait for ever.
+void test_many_faces()
+{
+  Random random(5);
+  Cloud cloud;
+  const int faces = 2500, side = 14, points = 40;
+  for(int f = 0; f < faces; ++f) {
+    const Vec n = random.direction();
+    const Vec u = unit(cross(n, Vec{.3, .5, -.7})), v = cross(n, u);
+    const Vec o = {3. * (f % side), 3. * (f / side % side), 3. * (f / side / side)};
+    for(int i = 0; i < points; ++i) {
+      const Vec on_face = add_scaled(add_scaled(o, between(random, -1, 1), u), between(random, -1, 1), v);
+      add(cloud, add_scaled(on_face, between(random, -.01, .01), n), n);
+    }
+  }
+  const Shapes shapes = detect_valid("many faces", cloud, make_parameters(.02, points / 2));
+  CHECK_AT(shapes.number_of_shapes() >= 95 * faces / 100, std::to_string(shapes.number_of_shapes()));
+  CHECK_AT(shapes.statistics().coverage >= .95, std::to_string(shapes.statistics().coverage));
+}
+
+// A far point coarsens the grid until many points coincide on it; their order must not matter.
+void test_grid_twins()
+{
+  Random random(3);
+  Cloud cloud;
+  for(int i = 0; i < 30000; ++i) {
+    double p[3] = {random.uniform(), random.uniform(), random.uniform()}, n[3] = {0, 0, 0};
+    const int face = int(4 * random.uniform());
+    if(face < 3)
+      p[face] = .9 * int(3 * random.uniform());
+    n[face < 3 ? face : i % 3] = 1;
+    add(cloud, {p[0], p[1], p[2]}, {n[0], n[1], n[2]});
+  }
+  add(cloud, {1.66e7, 0, 0}, {0, 0, 1});
+  const Parameters parameters = make_parameters(1, 30);
+  for(Given given : {Given::normals, Given::nothing}) {
+    const Shapes first = detect(cloud, parameters, given);
+    CHECK(first.statistics().is_grid_coarse);
+    const auto expected = labeled_points(cloud, first);
+    Cloud other = cloud;
+    for(std::uint64_t seed = 1; seed <= 3; ++seed) {
+      shuffle(other, seed);
+      const Shapes shapes = detect(other, parameters, given);
+      check_same_planes(first, shapes, "grid twins");
+      CHECK_AT(first_difference(expected, labeled_points(other, shapes)) < 0, "seed " + std::to_string(seed));
+    }
+  }
+}
+
+// The sums of a leaf are largest when it is full and its points are far from its first one.
+void test_full_leaf()
+{
+  Random random(7);
+  Cloud cloud;
+  add(cloud, {0, 0, 0}, {0, 0, 1});
+  for(int i = 0; i < 60000; ++i)
+    add(cloud, {between(random, 159, 160), between(random, 159, 160), 160}, {0, 0, 1});
+  Parameters parameters = make_parameters(.01, 100);
+  for(std::size_t cell_size : {8192, 65536}) {
+    parameters.cell_size = cell_size;
+    const Shapes shapes = detect_valid("full leaf", cloud, parameters);
+    check_counts("full leaf of " + std::to_string(cell_size), shapes, 1, 1, 1);
+    CHECK_AT(shapes.statistics().coverage > .999, std::to_string(shapes.statistics().coverage));
+  }
+}
+
+// A point of no plane does not matter to the planes of the others, wherever it is.
+void test_stray_point()
+{
+  Random random(9);
+  std::vector<Kernel::Point_3> points;
+  std::vector<int> plane_of;
+  for(int i = 0; i < 900; ++i) {
+    points.emplace_back(random.uniform(), random.uniform(), i % 3 * .3 + .001 * random.uniform());
+    plane_of.push_back(i % 3);
+  }
+  points.emplace_back(1e9, 0, 0);
+  plane_of.push_back(-1);
+  std::vector<Kernel::Plane_3> planes = {{0, 0, 1, 0}, {0, .01, 1, -.3}, {.01, 0, 1, -.6}};
+  const auto relations = CGAL::Tandem::regularize_planes(
+    planes, points,
+    CGAL::Tandem::parameters::plane_index_map(CGAL::Tandem::Position_index_map(plane_of))
+      .maximum_angle(8)
+      .maximum_offset(.01));
+  check_equal(relations.number_of_parallel_groups(), 1u, "stray point: directions");
+}
+
+int main()
+{
+  test_many_faces();
+  test_grid_twins();
+  test_full_leaf();
+  test_stray_point();
+  return report();
+}
