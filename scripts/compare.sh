@@ -201,7 +201,7 @@ write_table()
   cat << END
 Measured on $(date -u +%Y-%m-%d) by \`scripts/compare.sh\`, Tandem $commit, CGAL $(version_of_cgal),
 $("$compiler" --version | head -n 1), Release; ${processor:-$(uname -m)}, $(getconf _NPROCESSORS_ONLN) processors.
-Meanwhile other programs used $(used_by_others) of the processors, on average.
+Meanwhile other programs used $(used_by_others) of these processors on average (0: nothing disturbed).
 
 END
   awk -F '\t' 'BEGIN {
