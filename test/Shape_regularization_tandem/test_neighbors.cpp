@@ -24,6 +24,7 @@ namespace {
 
 using Cloud = std::vector<Grid_point>;
 using Random = std::mt19937;
+constexpr int coordinate_bits = 29; // one more than the engine uses
 constexpr std::int32_t limit = (1 << coordinate_bits) - 1;
 
 int failures = 0;
