@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Coplanarity: parallel shapes of nearly equal offsets share a plane, if their
-// points agree. What they refuse is clustered once more with half the radius.
+// points agree. What they refuse is clustered again with half the radius, and
+// neighbors that are left are joined where none of their members objects.
 
 #ifndef CGAL_TANDEM_INTERNAL_COPLANAR_CLASSES_H
 #define CGAL_TANDEM_INTERNAL_COPLANAR_CLASSES_H
 
 #include <CGAL/Tandem/internal/offsets.h>
 #include <CGAL/Tandem/internal/relations.h>
+
+#include <tuple>
 
 #include <algorithm>
 
@@ -33,10 +36,13 @@ public:
         pending.push_back(int(i));
     std::stable_sort(pending.begin(), pending.end(), [&](int a, int b) { return direction[a] < direction[b]; });
     double radius = maximum_offset;
-    for(int round = 0; round < 2 && !pending.empty(); ++round, radius *= 0.5) {
+    for(int round = 0; round < rounds && !pending.empty(); ++round, radius *= 0.5) {
       add_classes(pending, plane, radius);
       pending = ask_points(verified, plane);
     }
+    add_singles(plane);
+    for(int step = 0; step < joining_steps; ++step)
+      join_neighbors(verified, plane, step % 2);
     for(std::size_t c = 0; c < classes.size(); ++c)
       for(int i : classes[c].members)
         if(classes[c].members.size() > 1) {
@@ -46,6 +52,11 @@ public:
   }
 
 private:
+  // What is refused is tried again with half the radius.
+  static constexpr int rounds = 4;
+  // Then neighbors are joined, twice in each of both pairings.
+  static constexpr int joining_steps = 4;
+
   struct Class {
     std::vector<int> members; // by rising offset
     double offset;
@@ -81,6 +92,57 @@ private:
     return mean.value();
   }
 
+  // Whoever has no class becomes one.
+  void add_singles(const std::vector<Regular_plane>& plane)
+  {
+    std::vector<char> has_class(shapes.size(), 0);
+    for(const Class& c : classes)
+      for(int i : c.members)
+        has_class[i] = 1;
+    for(std::size_t i = 0; i < shapes.size(); ++i)
+      if(direction[i] >= 0 && !has_class[i])
+        classes.push_back({{int(i)}, plane[i].offset});
+  }
+
+  // Classes have shrunk where members were refused, and may lie side by side with what
+  // is left: pairs of them become one where no member objects.
+  template <class Verified>
+  void join_neighbors(Verified& verified, const std::vector<Regular_plane>& plane, int start)
+  {
+    std::sort(classes.begin(), classes.end(), [&](const Class& a, const Class& b) {
+      return std::make_tuple(direction[a.members.front()], a.offset, a.members.front()) <
+             std::make_tuple(direction[b.members.front()], b.offset, b.members.front());
+    });
+    std::vector<std::pair<std::size_t, Class>> joints; // with the first of the two
+    std::vector<int> candidates;
+    std::vector<Regular_plane> planes;
+    for(std::size_t c = std::size_t(start); c + 1 < classes.size(); ++c) {
+      const Class &a = classes[c], &b = classes[c + 1];
+      if(direction[a.members.front()] != direction[b.members.front()] || b.offset - a.offset > maximum_offset)
+        continue;
+      Class joint = {a.members, 0};
+      joint.members.insert(joint.members.end(), b.members.begin(), b.members.end());
+      joint.offset = mean_offset(joint, plane);
+      for(int i : joint.members) {
+        candidates.push_back(i);
+        planes.push_back({plane[i].normal, joint.offset});
+      }
+      joints.push_back({c++, joint});
+    }
+    const std::vector<char> is_refused = verified.test(candidates, planes);
+    auto answer = is_refused.begin();
+    for(auto& joint : joints) {
+      const auto end = answer + std::ptrdiff_t(joint.second.members.size());
+      if(std::find(answer, end, char(1)) == end) {
+        classes[joint.first + 1].members.clear();
+        classes[joint.first] = std::move(joint.second);
+      }
+      answer = end;
+    }
+    classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Class& c) { return c.members.empty(); }),
+                  classes.end());
+  }
+
   template <class Verified>
   std::vector<int> ask_points(Verified& verified, const std::vector<Regular_plane>& plane)
   {
@@ -100,6 +162,9 @@ private:
         (is_refused[k++] ? refused : kept).push_back(i);
       c.members.swap(kept);
     }
+    for(const Class& c : classes) // what the others have left is free again
+      if(c.members.size() == 1)
+        refused.push_back(c.members.front());
     classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Class& c) { return c.members.size() < 2; }),
                   classes.end());
     std::sort(refused.begin(), refused.end(),
