@@ -41,7 +41,8 @@ inline std::string usage()
   return "usage: detect_planes INPUT [options]\n\n"
          "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
          "INPUT is a file .ply, .xyz, .pwn, .off (or .las, if CGAL was built with LASlib). Normals are\n"
-         "estimated where the file has none. Exit code: 0 success, 1 the data cannot be read, processed\n"
+         "estimated where the file has none, or only null ones. Exit code: 0 success, 1 the data cannot be read, "
+         "processed\n"
          "or written, or the run was interrupted, 2 bad usage.\n";
 }
 
@@ -65,9 +66,10 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add("maximum-angle", number(o.maximum_angle)->value_name("DEG"),
       "largest angle between the normal of a point and that of its shape, between 0 and 90 (default: 25)");
   add("angle-tolerance", number(o.angle_tolerance)->value_name("DEG"),
-      "angle within which shapes are made parallel or orthogonal, below 45 (default: 8)");
-  add("maximum-offset", number(o.maximum_offset)->value_name("D"),
-      "distance within which parallel planes are made coplanar (default: the maximum distance)");
+      "angle within which shapes are made parallel or orthogonal if their points allow it, below 45 (default: 8)");
+  add(
+    "maximum-offset", number(o.maximum_offset)->value_name("D"),
+    "distance within which parallel planes are made coplanar if their points allow it (default: the maximum distance)");
   add("minimum-region-size", count(o.minimum_region_size)->value_name("N"),
       "smallest number of points of a shape (default: estimated from the number of points)");
   add("k-neighbors", count(o.k_neighbors)->value_name("K"), "number of neighbors of a point (default: 12)");
@@ -102,9 +104,10 @@ inline void add_output_options(po::options_description& all, Options& o)
   add("labels", po::value<std::string>(&o.labels)->value_name("FILE"),
       "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
   add("planes", po::value<std::string>(&o.planes)->value_name("FILE"),
-      "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal");
+      "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
-      "JSON with parameters, counts, quality, times, memory and the relations between the shapes");
+      "JSON with parameters, counts, quality, times, memory and relations: parallel and coplanar groups of shapes, "
+      "orthogonal pairs of parallel groups, all counted from 0");
   all.add(group);
 }
 

@@ -110,7 +110,7 @@ void test_shapes(Corruptions& c)
 {
   c.refuse("small shape", "too small", [](Data& d) { d.parameters.minimum_region_size = 100000; });
   c.refuse("orthogonal pair removed", "orthogonal pairs", [](Data& d) { d.orthogonal_groups.pop_back(); });
-  c.refuse("coverage", "coverage", [](Data& d) { d.statistics.coverage = 1.5; });
+  c.refuse("coverage", "coverage", [](Data& d) { d.statistics.coverage = .5; });
   c.refuse("mean distance", "mean distance", [](Data& d) { d.statistics.mean_distance = 1; });
   c.refuse("number of shapes", "count other shapes", [](Data& d) { ++d.statistics.number_of_shapes; });
 }
@@ -135,6 +135,7 @@ void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
         d.shape_of[i] = -1;
         --d.statistics.number_of_assigned_points;
       }
+    d.statistics.coverage = double(d.statistics.number_of_assigned_points) / double(points.size());
   });
 }
 

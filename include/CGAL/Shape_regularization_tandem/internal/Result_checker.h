@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/cells.h>
 #include <CGAL/Tandem/internal/neighbors.h>
 
+#include <cmath>
 #include <string>
 
 namespace CGAL {
@@ -192,8 +193,11 @@ private:
                                t.number_of_orthogonal_pairs == data_.orthogonal_groups.size();
     if(!has_relations)
       return fail("the statistics count other shapes, directions, planes or orthogonal pairs");
-    if(!(t.coverage >= 0 && t.coverage <= 1 && t.complexity >= 0 && t.complexity <= 1))
-      return fail("coverage or complexity is not in [0, 1]");
+    const double coverage = t.number_of_points > 0 ? double(assigned) / double(t.number_of_points) : 0;
+    if(!(std::fabs(t.coverage - coverage) <= 1e-12))
+      return fail("the coverage is " + to_text(t.coverage) + " instead of " + to_text(coverage));
+    if(!(t.complexity >= 0 && t.complexity <= 1))
+      return fail("the complexity is " + to_text(t.complexity) + ", not in [0, 1]");
     if(!(t.mean_distance >= 0 && t.mean_distance <= data_.parameters.maximum_distance * 1.000001))
       return fail("the mean distance is " + to_text(t.mean_distance));
     return true;
