@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the picture of the README, doc/Shape_regularization_tandem/fig/building.png, from
-# the demo. Or of another result:
-#   render.sh SHAPES.ply PICTURE.png [azimuth elevation]
+# the demo. Or of another result of detect_planes --output, with the options of the
+# program render (render.sh --help lists them):
+#   render.sh SHAPES.ply PICTURE.png [--azimuth DEGREES] [--elevation DEGREES] ...
 
 set -eu
 
@@ -13,17 +14,18 @@ build=${TANDEM_BUILD_DIR:-$root/build/release}
 
 fail() { echo "render.sh: $*" >&2; exit 1; }
 
-[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || command -v convert > /dev/null || "$root/scripts/install_dependencies.sh" imagemagick
+[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] ||
+  "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev libpng-dev
 if [ $# -eq 0 ]; then
   "$root/scripts/demo.sh"
   mkdir -p "$root/doc/Shape_regularization_tandem/fig"
-  set -- "$build/demo/building_shapes.ply" "$root/doc/Shape_regularization_tandem/fig/building.png" 40 30
+  set -- "$build/demo/building_shapes.ply" "$root/doc/Shape_regularization_tandem/fig/building.png" --width 720 --height 560
 fi
-[ $# -eq 2 ] || [ $# -eq 4 ] || fail "usage: render.sh [SHAPES.ply PICTURE.png [azimuth elevation]]"
 
-cmake -S "$root" -B "$build" > /dev/null && cmake --build "$build" --target render_ply > /dev/null || fail "the build failed"
-shapes=$1; picture=$2; shift 2
-"$build/examples/Shape_regularization_tandem/render_ply" "$shapes" "$picture.ppm" "$@"
-convert "$picture.ppm" -filter Box -strip -define png:compression-level=9 +dither -colors 128 "$picture"
-rm "$picture.ppm"
-echo "Picture: $picture"
+cmake -S "$root/benchmark/Shape_regularization_tandem" -B "$build/render" > /dev/null &&
+  cmake --build "$build/render" --target render > /dev/null || fail "the build failed"
+"$build/render/render" "$@"
+case $1 in
+  -*) ;;
+  *) echo "Picture: $2" ;;
+esac

@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing, builds and runs all tests: the release build with TBB, then
-# a choice of them without TBB, under ASan + UBSan, and under TSan.
-#   test.sh [release] [sequential] [asan] [tsan]    only these (default: all four)
+# a choice of them without TBB, under ASan + UBSan, and under TSan; and the benchmark in small,
+# which fails where a result of Tandem is wrong or differs between back ends.
+#   test.sh [release] [sequential] [asan] [tsan] [benchmark]    only these (default: all of them)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -59,12 +60,20 @@ run_tsan()
     -DTANDEM_TESTS=test_thread_backend "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 
-[ $# -gt 0 ] || set -- release sequential asan tsan
+run_benchmark()
+{
+  echo "== benchmark"
+  mkdir -p "$build"
+  TANDEM_BUILD_DIR=$build/benchmark TANDEM_JOBS=$jobs "$root/scripts/benchmark.sh" --quick > "$build/benchmark.log" 2>&1 ||
+    { cat "$build/benchmark.log" >&2; fail "the benchmark failed"; }
+}
+
+[ $# -gt 0 ] || set -- release sequential asan tsan benchmark
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh"
 for part in "$@"; do
   case $part in
-    release | sequential | asan | tsan) "run_$part" ;;
-    *) fail "unknown configuration $part; choose of release sequential asan tsan" ;;
+    release | sequential | asan | tsan | benchmark) "run_$part" ;;
+    *) fail "unknown configuration $part; choose of release sequential asan tsan benchmark" ;;
   esac
 done
 echo "test.sh: all tests passed ($*)"

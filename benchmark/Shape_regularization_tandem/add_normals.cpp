@@ -11,28 +11,6 @@
 
 using namespace CGAL::Tandem::benchmark;
 
-namespace {
-
-// Selection sampling: exactly `count` points, in their order.
-Ply_cloud subset(const Ply_cloud& cloud, std::size_t count)
-{
-  Ply_cloud result;
-  result.is_double = cloud.is_double;
-  CGAL::Tandem::scenes::Random random(42);
-  std::size_t n = cloud.points.size();
-  for(std::size_t i = 0, chosen = 0; i < n && chosen < count; ++i) {
-    if(random.uniform() * double(n - i) >= double(count - chosen))
-      continue;
-    ++chosen;
-    result.points.push_back(cloud.points[i]);
-    if(cloud.has_label())
-      result.label.push_back(cloud.label[i]);
-  }
-  return result;
-}
-
-} // namespace
-
 int main(int argc, char** argv)
 try {
   if(argc < 3 || argc > 5)

@@ -5,6 +5,7 @@
 // detector it was, by the paper's criteria and, where it is known, the truth.
 
 #include "detection_files.h"
+#include "evaluate_columns.h"
 #include "fit_plane.h"
 #include "ply_cloud.h"
 
@@ -67,93 +68,20 @@ Truth make_truth(const Request& request, const Ply_cloud& cloud)
   return {cloud.label, fit_planes(cloud.points, cloud.label, std::size_t(last) + 1)};
 }
 
-// A table of (name, value), printed as lines or as a row. Names have no comma.
-class Table {
-public:
-  template <class T>
-  void add(const std::string& name, const T& value)
-  {
-    std::ostringstream text;
-    text << std::setprecision(5) << value;
-    cells_.emplace_back(name, text.str());
-  }
-
-  void print(bool is_csv, bool has_header) const
-  {
-    if(!is_csv)
-      for(const auto& cell : cells_)
-        std::cout << std::left << std::setw(34) << cell.first << cell.second << "\n";
-    if(is_csv && has_header)
-      print_row([](const auto& cell) { return cell.first; });
-    if(is_csv)
-      print_row([](const auto& cell) { return cell.second; });
-  }
-
-private:
-  template <class Function>
-  void print_row(Function column) const
-  {
-    for(std::size_t i = 0; i < cells_.size(); ++i)
-      std::cout << (i > 0 ? "," : "") << column(cells_[i]);
+void print(const Row& row, bool is_csv, bool has_header)
+{
+  auto print_line = [&](auto column) {
+    for(std::size_t i = 0; i < row.size(); ++i)
+      std::cout << (i > 0 ? "," : "") << column(row[i]);
     std::cout << "\n";
-  }
-
-  std::vector<std::pair<std::string, std::string>> cells_;
-};
-
-void add_counts(Table& table, const std::string& kind, const Relation_counts& counts)
-{
-  table.add("directions " + kind, counts.directions);
-  table.add("planes " + kind, counts.planes);
-  table.add("degrees of freedom " + kind, counts.degrees_of_freedom);
-  table.add("complexity " + kind, counts.complexity);
-}
-
-void add_criteria(Table& table, const Criteria& c, const Tolerances& tolerances)
-{
-  table.add("points", c.points);
-  table.add("shapes", c.shapes);
-  table.add("coverage %", 100 * c.coverage());
-  table.add("mean distance", c.mean_distance);
-  table.add("max distance / epsilon", c.max_distance / tolerances.maximum_distance);
-  table.add("points beyond epsilon", c.beyond_epsilon);
-  table.add("points beyond alpha", c.beyond_alpha);
-  table.add("mean angle of normals", c.mean_normal_angle_deg);
-  table.add("smallest shape", c.smallest_shape);
-  table.add("normals not unit", c.not_unit);
-  add_counts(table, "exact", c.exact);
-  add_counts(table, "within 1e-6", c.relaxed);
-}
-
-void add_relations(Table& table, const std::string& kind, const Relation_score& score)
-{
-  auto add = [&](const std::string& relation, const Pair_score& pairs) {
-    table.add(relation + " pairs kept " + kind, pairs.share());
-    table.add(relation + " pairs false " + kind, pairs.false_pairs);
   };
-  add("parallel", score.parallel);
-  add("orthogonal", score.orthogonal);
-  add("coplanar", score.coplanar);
-}
-
-void add_truth(Table& table, const Truth_criteria& t)
-{
-  table.add("true faces", t.faces);
-  table.add("point precision", t.point_precision);
-  table.add("point recall", t.point_recall);
-  table.add("points on no face", t.false_points);
-  table.add("face precision at .5", t.at_50.precision);
-  table.add("face recall at .5", t.at_50.recall);
-  table.add("face F1 at .5", t.at_50.f1);
-  table.add("face F1 at .75", t.at_75.f1);
-  table.add("shapes per face found", t.shapes_per_face);
-  table.add("faces swallowed", t.swallowed_faces);
-  table.add("angle error in degrees", t.angle_error_deg);
-  table.add("true parallel pairs found", t.exact.parallel.true_pairs);
-  table.add("true orthogonal pairs found", t.exact.orthogonal.true_pairs);
-  table.add("true coplanar pairs found", t.exact.coplanar.true_pairs);
-  add_relations(table, "exact", t.exact);
-  add_relations(table, "within 1e-6", t.relaxed);
+  if(!is_csv)
+    for(const auto& cell : row)
+      std::cout << std::left << std::setw(34) << cell.first << cell.second << "\n";
+  if(is_csv && has_header)
+    print_line([](const auto& cell) { return cell.first; });
+  if(is_csv)
+    print_line([](const auto& cell) { return cell.second; });
 }
 
 void run(const Request& request)
@@ -164,13 +92,12 @@ void run(const Request& request)
   if(cloud.has_normals() && cloud.normals.size() != cloud.points.size())
     throw std::runtime_error(request.normals + ": has another number of points");
   Detection detection{read_labels(request.labels), read_planes(request.planes)};
-  Table table;
-  table.add("cloud", request.name);
-  Criteria criteria = evaluate(cloud.points, cloud.normals, detection, request.tolerances);
-  add_criteria(table, criteria, request.tolerances);
+  Row row{{"cloud", request.name}};
+  append_cell(row, "points", cloud.points.size());
+  append_criteria(row, evaluate(cloud.points, cloud.normals, detection, request.tolerances));
   if(!request.truth.empty() || request.fits_truth)
-    add_truth(table, evaluate_truth(make_truth(request, cloud), detection, extent_of(cloud.points), request.minimum));
-  table.print(request.is_csv, request.has_header);
+    append_truth(row, evaluate_truth(make_truth(request, cloud), detection, extent_of(cloud.points), request.minimum));
+  print(row, request.is_csv, request.has_header);
 }
 
 } // namespace

@@ -33,9 +33,10 @@ struct Relation_counts {
 
 struct Criteria {
   std::size_t points = 0, assigned = 0, shapes = 0, smallest_shape = 0;
-  std::size_t beyond_epsilon = 0, beyond_alpha = 0;
-  std::size_t not_unit = 0; // planes whose normal is not a unit vector
+  std::size_t beyond_epsilon = 0, beyond_alpha = 0, beyond_either = 0; // points
+  std::size_t not_unit = 0;                                            // planes whose normal is not a unit vector
   double mean_distance = 0, max_distance = 0;
+  double mean_distance_in_epsilons = 0, max_distance_in_epsilons = 0;
   double mean_normal_angle_deg = 0;
   Relation_counts exact, relaxed;
 
@@ -79,6 +80,28 @@ inline double cosine(const Plane& plane, const Vec& normal)
   return l > 0 ? std::abs(dot(plane.normal, normal)) / (l * length(plane.normal)) : 0;
 }
 
+// How a point lies to a plane. NaN is beyond every tolerance.
+class Fidelity {
+public:
+  explicit Fidelity(const Tolerances& tolerances)
+    : epsilon_(tolerances.maximum_distance),
+      least_cosine_(std::cos(tolerances.maximum_angle_deg * 0.017453292519943295) - 1e-12)
+  {}
+
+  bool is_beyond_epsilon(const Plane& plane, const Vec& p) const
+  {
+    return !(distance(plane, p) <= epsilon_ + rounding(plane, p));
+  }
+
+  bool is_beyond_alpha(const Plane& plane, const Vec& normal) const
+  {
+    return !(cosine(plane, normal) >= least_cosine_);
+  }
+
+private:
+  double epsilon_, least_cosine_;
+};
+
 inline std::vector<std::size_t> shape_sizes(const Detection& detection)
 {
   std::vector<std::size_t> size(detection.planes.size(), 0);
@@ -96,7 +119,7 @@ inline std::vector<std::size_t> shape_sizes(const Detection& detection)
 inline void check_points(const std::vector<Vec>& points, const std::vector<Vec>& normals, const Detection& detection,
                          const Tolerances& tolerances, Criteria& criteria)
 {
-  double least_cosine = std::cos(tolerances.maximum_angle_deg * 0.017453292519943295) - 1e-12;
+  Fidelity fidelity(tolerances);
   double sum_of_angles = 0;
   for(std::size_t i = 0; i < points.size(); ++i) {
     if(detection.label[i] < 0)
@@ -106,15 +129,18 @@ inline void check_points(const std::vector<Vec>& points, const std::vector<Vec>&
     ++criteria.assigned;
     criteria.mean_distance += d;
     criteria.max_distance = (std::max)(criteria.max_distance, d);
-    criteria.beyond_epsilon += !(d <= tolerances.maximum_distance + rounding(plane, points[i]));
-    if(normals.empty())
-      continue;
-    double c = cosine(plane, normals[i]);
-    criteria.beyond_alpha += !(c >= least_cosine);
+    bool is_beyond_epsilon = fidelity.is_beyond_epsilon(plane, points[i]);
+    bool is_beyond_alpha = !normals.empty() && fidelity.is_beyond_alpha(plane, normals[i]);
+    double c = normals.empty() ? 1 : cosine(plane, normals[i]);
+    criteria.beyond_epsilon += is_beyond_epsilon;
+    criteria.beyond_alpha += is_beyond_alpha;
+    criteria.beyond_either += is_beyond_epsilon || is_beyond_alpha;
     sum_of_angles += std::acos((std::min)(c, 1.0)) * 57.29577951308232;
   }
+  criteria.max_distance_in_epsilons = criteria.max_distance / tolerances.maximum_distance;
   double count = double((std::max)(criteria.assigned, std::size_t(1)));
   criteria.mean_distance /= count;
+  criteria.mean_distance_in_epsilons = criteria.mean_distance / tolerances.maximum_distance;
   criteria.mean_normal_angle_deg = sum_of_angles / count;
 }
 

@@ -33,6 +33,7 @@ struct Pair_score {
 };
 
 struct Relation_score {
+  std::size_t pairs = 0; // of matched shapes
   Pair_score parallel, orthogonal, coplanar;
 };
 
@@ -41,8 +42,9 @@ struct Truth_criteria {
   double point_precision = 0;      // share of the assigned points that lie on the main face of their shape
   double point_recall = 0;         // share of all face points that are so assigned
   double false_points = 0;         // share of the assigned points that lie on no face
-  Face_score at_50, at_75;         // matched where intersection / union is at least so much
+  Face_score at_50, at_75;         // matched where intersection / union is above .5, above .75
   double shapes_per_face = 0;      // of the faces found; 1 is right, more is over-segmentation
+  std::size_t split_faces = 0;     // found as several shapes
   std::size_t swallowed_faces = 0; // half of the face is in a shape of another one
   double angle_error_deg = 0;      // mean over the matched shapes
   Relation_score exact, relaxed;
@@ -75,12 +77,12 @@ public:
     return both == 0 ? 0 : double(both) / double(shape_size[s] + face_size[f] - both);
   }
 
-  // (shape, face) with at least this intersection over union, above one half unique.
-  std::vector<std::pair<std::size_t, std::size_t>> matches(double least) const
+  // (shape, face) with more than this intersection over union: from one half on unique, so "more" matters.
+  std::vector<std::pair<std::size_t, std::size_t>> matches(double bound) const
   {
     std::vector<std::pair<std::size_t, std::size_t>> result;
     for(std::size_t s = 0; s < shapes; ++s)
-      if(main_face[s] != faces && intersection_over_union(s, main_face[s]) >= least)
+      if(main_face[s] != faces && intersection_over_union(s, main_face[s]) > bound)
         result.emplace_back(s, main_face[s]);
     return result;
   }
@@ -100,10 +102,10 @@ private:
 inline double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
 // A shape that matches a face too small to count is neither right nor wrong for recall, but right for precision.
-inline Face_score score_faces(const Overlap& overlap, double least, std::size_t smallest_face, std::size_t faces)
+inline Face_score score_faces(const Overlap& overlap, double bound, std::size_t smallest_face, std::size_t faces)
 {
   Face_score score;
-  for(auto match : overlap.matches(least)) {
+  for(auto match : overlap.matches(bound)) {
     ++score.shapes_found;
     score.faces_found += overlap.face_size[match.second] >= smallest_face;
   }
@@ -127,6 +129,7 @@ inline Relation_score score_relations(const Overlap& overlap, const Plane_relati
   for(std::size_t i = 0; i < matches.size(); ++i)
     for(std::size_t j = 0; j < i; ++j) {
       std::size_t s = matches[i].first, t = matches[j].first, f = matches[i].second, g = matches[j].second;
+      ++score.pairs;
       add_pair(score.parallel, truth.are_parallel(f, g), made.are_parallel(s, t));
       add_pair(score.orthogonal, truth.are_orthogonal(f, g), made.are_orthogonal(s, t));
       add_pair(score.coplanar, truth.are_coplanar(f, g), made.are_coplanar(s, t));
@@ -163,6 +166,7 @@ inline void score_segmentation(const Overlap& overlap, std::size_t smallest_face
   }
   std::size_t found = std::size_t(std::count_if(parts.begin(), parts.end(), [](std::size_t n) { return n > 0; }));
   criteria.shapes_per_face = ratio(double(std::accumulate(parts.begin(), parts.end(), std::size_t(0))), double(found));
+  criteria.split_faces = std::size_t(std::count_if(parts.begin(), parts.end(), [](std::size_t n) { return n > 1; }));
   criteria.swallowed_faces = std::size_t(std::count(is_swallowed.begin(), is_swallowed.end(), true));
 }
 

@@ -6,6 +6,7 @@
 
 #include "ply_cloud.h"
 #include "../../test/Shape_regularization_tandem/scene_normals.h"
+#include "../../test/Shape_regularization_tandem/scene_twins.h"
 
 #include <boost/program_options.hpp>
 
@@ -54,6 +55,9 @@ Request parse(int argc, char** argv)
     std::cout << visible << "\nScenes:";
     for(const std::string& name : scenes::scene_names())
       std::cout << " " << name;
+    std::cout << "\nTwins of real clouds, whose noise, outliers and density are those of a sensor:";
+    for(const scenes::Twin& twin : scenes::twins())
+      std::cout << " " << twin.name;
     std::cout << "\n";
     std::exit(0);
   }
@@ -66,12 +70,19 @@ Request parse(int argc, char** argv)
   return r;
 }
 
+bool is_twin(const std::string& name)
+{
+  return std::any_of(scenes::twins().begin(), scenes::twins().end(),
+                     [&](const scenes::Twin& t) { return t.name == name; });
+}
+
 scenes::Scene generate(Request r)
 {
   r.options.normals = r.normals == "exact"       ? scenes::Normals::exact
                       : r.normals == "perturbed" ? scenes::Normals::perturbed
                                                  : scenes::Normals::none;
-  scenes::Scene scene = scenes::make_scene(r.scene, r.options);
+  scenes::Scene scene = is_twin(r.scene) ? scenes::make_twin(scenes::twin(r.scene), r.options.points, r.options.seed)
+                                         : scenes::make_scene(r.scene, r.options);
   if(r.normals == "blended")
     scenes::set_blended_normals(scene, r.options.normal_noise_deg, r.options.seed);
   else if(r.normals == "pca")

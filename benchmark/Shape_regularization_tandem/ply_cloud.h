@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // PLY clouds, binary little-endian or read as text, for the measuring programs:
-// coordinates and normals of any number type, and an int property `label`.
+// coordinates and normals of any number type, and an int property `label`, or
+// `shape` as detect_planes writes it.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLY_CLOUD_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLY_CLOUD_H
@@ -42,7 +43,7 @@ public:
   Ply_cloud read()
   {
     Ply_cloud cloud;
-    int x = find("x"), nx = find("nx"), label = find("label");
+    int x = find("x"), nx = find("nx"), label = find("label") >= 0 ? find("label") : find("shape");
     if(x < 0 || find("y") < 0 || find("z") < 0)
       fail("has no coordinates");
     cloud.is_double = properties_[std::size_t(x)].size == 8;
@@ -166,6 +167,26 @@ private:
 };
 
 inline Ply_cloud read_ply(const std::string& path) { return Ply_reader(path).read(); }
+
+// Selection sampling: exactly `count` points, in their order.
+inline Ply_cloud subset(const Ply_cloud& cloud, std::size_t count)
+{
+  Ply_cloud result;
+  result.is_double = cloud.is_double;
+  scenes::Random random(42);
+  const std::size_t n = cloud.points.size();
+  for(std::size_t i = 0, chosen = 0; i < n && chosen < count; ++i) {
+    if(random.uniform() * double(n - i) >= double(count - chosen))
+      continue;
+    ++chosen;
+    result.points.push_back(cloud.points[i]);
+    if(cloud.has_normals())
+      result.normals.push_back(cloud.normals[i]);
+    if(cloud.has_label())
+      result.label.push_back(cloud.label[i]);
+  }
+  return result;
+}
 
 template <class T>
 void append(std::string& bytes, T value)

@@ -39,6 +39,12 @@ struct Parameters {
   bool regularize_parallelism = true;
   bool regularize_orthogonality = true;
   bool regularize_coplanarity = true;
+
+  /// \cond SKIP_IN_MANUAL
+  // For experiments on the alternation: rounds of growth from one regularity step to the next. 1 is the method; with
+  // more than there are rounds, shapes are detected first and regularized afterwards.
+  std::size_t regularity_period = 1;
+  /// \endcond
 };
 
 /// progress in [0, 1]; returning `false` cancels.
@@ -98,6 +104,7 @@ inline void check_parameters(const Parameters& p)
   internal::check_count("minimum_region_size", p.minimum_region_size, 3, internal::maximum_number_of_points);
   internal::check_count("k_neighbors", p.k_neighbors, 3, 64);
   internal::check_count("cell_size", p.cell_size, 64, 65536);
+  internal::check_count("regularity_period", p.regularity_period, 1, internal::maximum_number_of_points);
 }
 
 } // namespace Tandem

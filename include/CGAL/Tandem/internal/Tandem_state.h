@@ -31,6 +31,7 @@ struct Options {
   Tolerance tight;                    // of the second criterion of seeds
   Tolerance certain;                  // bounds within which the exact check is not needed
   Exact_bounds exact;                 // in the caller's units
+  int regularity_period;              // in rounds
 };
 
 template <class Backend>

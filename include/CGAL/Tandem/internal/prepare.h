@@ -80,6 +80,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   const double certain_angle = (std::max)(p.maximum_angle - packing_margin_deg, 0.);
   o.certain = make_tolerance(o.maximum_distance - distance_margin(in.grid), cosine_deg(certain_angle));
   o.exact = {p.maximum_distance, std::fma(1.0, cosine, rounded_normal_margin)};
+  o.regularity_period = int((std::min)(p.regularity_period, std::size_t(1) << 30));
   return o;
 }
 

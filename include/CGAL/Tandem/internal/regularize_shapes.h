@@ -31,6 +31,7 @@ inline void schedule_retry(Shape& shape, int round)
 template <class Backend>
 Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
 {
+  const bool is_due = retry_all || (t.round + 1) % t.options.regularity_period == 0;
   Shape_relations r;
   std::vector<Shape_fit> fits;
   std::vector<char> is_excluded;
@@ -41,7 +42,8 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
       continue;
     r.id.push_back(id);
     fits.push_back({shape.scatter, shape.fit});
-    is_excluded.push_back(!retry_all && t.round < shape.retry_round && shape.moments.count < shape.retry_count);
+    const bool is_waiting = t.round < shape.retry_round && shape.moments.count < shape.retry_count;
+    is_excluded.push_back(!is_due || (!retry_all && is_waiting));
   }
   Misfit_counter<Backend> count(t);
   auto verify = [&](const std::vector<int>& indices, const std::vector<Regular_plane>& candidates,

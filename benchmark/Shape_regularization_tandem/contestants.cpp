@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "contestants.h"
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+std::string hash_of(const Detection& detection)
+{
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  auto add = [&](const void* data, std::size_t size) {
+    for(std::size_t i = 0; i < size; ++i)
+      hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001b3u;
+  };
+  add(detection.label.data(), detection.label.size() * sizeof(std::int32_t));
+  for(const Plane& p : detection.planes)
+    for(double c : {p.normal.x, p.normal.y, p.normal.z, p.offset})
+      add(&c, sizeof c);
+  std::string text;
+  for(int shift = 60; shift >= 0; shift -= 4)
+    text += "0123456789abcdef"[(hash >> shift) & 15];
+  return text;
+}
+
+std::vector<Contestant> contestants()
+{
+  static const std::vector<Contestant> all = [] {
+    std::vector<Contestant> list;
+    for(auto family : {tandem_contestants, cgal_contestants, pcl_contestants})
+      for(Contestant& c : family()) {
+        c.run = [step = c.step, base = c.base](const Ply_cloud& cloud, const Task& task) {
+          return step(cloud, task, base.empty() ? Run() : contestant(base).run(cloud, task));
+        };
+        list.push_back(c);
+      }
+    return list;
+  }();
+  return all;
+}
+
+Contestant contestant(const std::string& name)
+{
+  std::string names;
+  for(const Contestant& c : contestants()) {
+    if(c.name == name)
+      return c;
+    names += " " + c.name;
+  }
+  throw std::invalid_argument("there is no contestant " + name + "; choose of" + names);
+}
+
+Detection cleaned(const Ply_cloud& cloud, const std::vector<Vec>& normals, const Task& task, Detection detection)
+{
+  const double least_cosine = std::cos(task.maximum_angle_deg * 0.017453292519943295);
+  for(std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if(detection.label[i] < 0)
+      continue;
+    const Plane& plane = detection.planes[std::size_t(detection.label[i])];
+    if(distance(plane, cloud.points[i]) > task.maximum_distance || cosine(plane, normals[i]) < least_cosine)
+      detection.label[i] = -1;
+  }
+  std::vector<std::size_t> size = shape_sizes(detection);
+  std::vector<std::int32_t> renamed(size.size(), -1);
+  std::vector<Plane> kept;
+  for(std::size_t s = 0; s < size.size(); ++s)
+    if(size[s] >= task.minimum_region_size) {
+      renamed[s] = std::int32_t(kept.size());
+      kept.push_back(detection.planes[s]);
+    }
+  for(std::int32_t& label : detection.label)
+    label = label < 0 ? -1 : renamed[std::size_t(label)];
+  detection.planes = kept;
+  return detection;
+}
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL

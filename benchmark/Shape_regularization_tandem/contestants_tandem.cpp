@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tandem on each of its back ends, through its public interface.
+
+#include "contestants.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Simple_cartesian.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <iomanip>
+#include <type_traits>
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+namespace {
+
+using Kernel = Simple_cartesian<double>;
+using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+using Point_map = First_of_pair_property_map<Point_with_normal>;
+using Normal_map = Second_of_pair_property_map<Point_with_normal>;
+using Shapes = Planar_shapes_3<Kernel>;
+
+std::vector<Point_with_normal> range_of(const Ply_cloud& cloud)
+{
+  std::vector<Point_with_normal> range;
+  range.reserve(cloud.points.size());
+  for(std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Vec &p = cloud.points[i], n = cloud.has_normals() ? cloud.normals[i] : Vec{0, 0, 0};
+    range.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
+  }
+  return range;
+}
+
+Parameters parameters_of(const Task& task)
+{
+  Parameters p = task.engine;
+  p.maximum_distance = task.maximum_distance;
+  p.maximum_angle = task.maximum_angle_deg;
+  p.angle_tolerance = task.angle_tolerance_deg;
+  p.minimum_region_size = task.minimum_region_size;
+  p.k_neighbors = task.k_neighbors;
+  p.cell_size = task.cell_size;
+  return p;
+}
+
+template <class Tag>
+Shapes detect(const std::vector<Point_with_normal>& range, const Task& task, bool estimates)
+{
+  namespace np = Tandem::parameters;
+  const auto all = np::settings(parameters_of(task)).maximum_offset(task.offset()).point_map(Point_map());
+  return estimates ? detect_planes<Tag>(range, all) : detect_planes<Tag>(range, all.normal_map(Normal_map()));
+}
+
+Run run_of(const Shapes& shapes, bool has_estimated)
+{
+  Run run;
+  run.detection.label = shapes.shape_indices();
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+    const auto& c = shapes.coefficients(s);
+    run.detection.planes.push_back({{c[0], c[1], c[2]}, c[3]});
+  }
+  for(std::size_t i = 0; has_estimated && i < shapes.number_of_points(); ++i) {
+    const Kernel::Vector_3 n = shapes.estimated_normal(i);
+    run.normals.push_back({n.x(), n.y(), n.z()});
+  }
+  run.stages = shapes.statistics().times;
+  run.engine_bytes = shapes.statistics().peak_bytes;
+  std::ostringstream hash;
+  hash << std::hex << std::setw(16) << std::setfill('0') << shapes.hash();
+  run.hash = hash.str();
+  return run;
+}
+
+template <class Tag>
+Run detect_step(const Ply_cloud& cloud, const Task& task, const Run&)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const std::size_t all = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, task.threads ? task.threads : all);
+#endif
+  const std::vector<Point_with_normal> range = range_of(cloud);
+  const bool estimates = estimates_normals(cloud, task);
+  if(std::is_same<Tag, Cuda_tag>::value)
+    detect<Tag>(range, task, estimates); // the first call sets up the device, which is not the method's time
+  Meter meter;
+  const Shapes shapes = detect<Tag>(range, task, estimates);
+  const double seconds = meter.lap(), processor = meter.processor();
+  const std::size_t bytes = meter.peak_bytes();
+  Run run = run_of(shapes, estimates);
+  run.normal_seconds = run.stages.normals;
+  run.detection_seconds = seconds - run.stages.normals;
+  run.user = processor;
+  run.peak_bytes = bytes;
+  run.finished = true;
+  return run;
+}
+
+template <class Tag>
+Contestant make(const std::string& name, const std::string& description, bool is_parallel)
+{
+  Contestant c;
+  c.name = name;
+  c.description = description;
+  c.is_tandem = c.regularizes = true;
+  c.is_parallel = is_parallel;
+  c.step = detect_step<Tag>;
+  return c;
+}
+
+} // namespace
+
+// One line for each back end that is compiled in.
+std::vector<Contestant> tandem_contestants()
+{
+  std::vector<Contestant> list;
+#ifdef CGAL_TANDEM_USE_CUDA
+  list.push_back(make<Cuda_tag>("tandem-cuda", "Tandem, CUDA", false));
+#endif
+#ifdef CGAL_LINKED_WITH_TBB
+  list.push_back(make<Parallel_tag>("tandem", "Tandem", true));
+#endif
+  list.push_back(make<Sequential_tag>("tandem-sequential", "Tandem, sequential", false));
+  return list;
+}
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Time and memory over points, neighbors and threads, on scans of one house that
+// differ in density only: the same faces, with more points on each.
+
+#include "experiment_trials.h"
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+namespace {
+
+// A contestant that took longer, in processor seconds, does not get the next larger cloud.
+double patience(const Experiment_options& options) { return options.is_quick ? 2 : 40; }
+
+// The exponent of a power law, by least squares of the logarithms.
+double exponent(const std::vector<Plot_point>& points)
+{
+  double n = double(points.size()), x = 0, y = 0, xx = 0, xy = 0;
+  for(const Plot_point& p : points) {
+    double lx = std::log(p.x), ly = std::log(p.y);
+    x += lx;
+    y += ly;
+    xx += lx * lx;
+    xy += lx * ly;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+class Scaling {
+public:
+  explicit Scaling(const Experiment_options& options) : options_(options), trials_(options, "scaling") {}
+
+  void over_points()
+  {
+    std::vector<std::size_t> sizes = {100000, 316000, 1000000, 3160000, 10000000};
+    if(options_.is_quick)
+      sizes = {20000, 60000, 180000};
+    std::vector<std::string> names = methods(options_, usual());
+    for(std::size_t size : sizes) {
+      Named_cloud c = house_scan(size);
+      std::vector<std::string> patient;
+      for(const std::string& name : names)
+        if(add(c, "points", double(size), name, c.task) < patience(options_))
+          patient.push_back(name);
+      names = patient;
+    }
+    finish("points", "points", "number of points");
+  }
+
+  void over_neighbors()
+  {
+    Named_cloud c = house_scan(options_.is_quick ? 50000 : 1000000);
+    for(unsigned k :
+        options_.is_quick ? std::vector<unsigned>{6, 12, 24} : std::vector<unsigned>{6, 8, 12, 16, 24, 32, 48})
+      for(const char* name : {"tandem", "growing-cached"}) {
+        Task task = c.task;
+        task.k_neighbors = k;
+        if(k <= 24 || std::string(name) == "tandem")
+          add(c, "k", k, name, task);
+      }
+    finish("k", "k", "number of neighbors k");
+  }
+
+  void over_threads()
+  {
+    Named_cloud c = house_scan(options_.is_quick ? 100000 : 1000000);
+    const unsigned all = environment().processors;
+    for(unsigned threads = 1; threads <= all; threads = threads < all ? (std::min)(2 * threads, all) : all + 1) {
+      Task task = c.task;
+      task.threads = threads;
+      add(c, "threads", threads, "tandem", task);
+    }
+    finish("threads", "threads", "number of threads");
+  }
+
+private:
+  static std::vector<std::string> usual()
+  {
+    std::vector<std::string> names = {"tandem", "tandem-sequential", "growing-cached", "growing", "ransac"};
+    for(const Contestant& c : contestants())
+      if(c.name == "pcl-growing")
+        names.push_back(c.name);
+    return names;
+  }
+
+  // The processor seconds of the fastest run; for ever, if one failed.
+  double add(const Named_cloud& c, const std::string& sweep, double value, const std::string& name, const Task& task)
+  {
+    double fastest = 1e300;
+    for(unsigned repeat = 0; repeat < (options_.is_quick ? 1 : options_.repeats); ++repeat) {
+      Row columns;
+      append_cell(columns, "sweep", sweep);
+      append_cell(columns, "value", value);
+      const Row& row = trials_.add(c, name, task, columns);
+      if(cell(row, "finished") != "true")
+        return 1e300;
+      fastest = (std::min)(fastest, std::atof(cell(row, "user_seconds").c_str()));
+      if(fastest > 10)
+        break;
+    }
+    return fastest;
+  }
+
+  void finish(const std::string& sweep, const std::string& name, const std::string& label)
+  {
+    Series_table table(trials_.rows_where("sweep", sweep), "method", "value", Repeats::least);
+    Axis x{label, true};
+    Plot plot{"Scaling over the " + label, {}, {}};
+    for(auto y : {std::pair<const char*, const char*>{"seconds", "time (s)"},
+                  {"user_seconds", "processor time (s)"},
+                  {"peak_mib", "peak memory (MiB)"}}) {
+      const Axis axis{y.second, true};
+      plot.panels.push_back({x, axis, table("value", y.first)});
+      for(const Series& series : plot.panels.back().series)
+        if(series.points.size() > 1)
+          add_exponent(name, y.first, series);
+    }
+    trials_.write();
+    write_csv(trials_.path("-exponents.csv"), exponents_);
+    draw(trials_.path("-" + name), plot);
+  }
+
+  void add_exponent(const std::string& over, const std::string& quantity, const Series& series)
+  {
+    const double value = exponent(series.points);
+    std::printf("%-32s %-10s ~ %s^%.2f\n", series.name.c_str(), quantity.c_str(), over.c_str(), value);
+    Row row;
+    append_cell(row, "method", series.name);
+    append_cell(row, "quantity", quantity);
+    append_cell(row, "over", over);
+    append_cell(row, "exponent", value);
+    append_cell(row, "from", series.points.front().x);
+    append_cell(row, "to", series.points.back().x);
+    exponents_.push_back(row);
+  }
+
+  const Experiment_options& options_;
+  Trials trials_;
+  std::vector<Row> exponents_;
+};
+
+} // namespace
+
+void run_scaling(const Experiment_options& options)
+{
+  Scaling scaling(options);
+  scaling.over_points();
+  scaling.over_neighbors();
+  scaling.over_threads();
+}
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL

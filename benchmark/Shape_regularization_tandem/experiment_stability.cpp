@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The paper's figure 14: over epsilon, the number of shapes that approximate
+// curved objects falls smoothly, with no jumps of the coverage.
+
+#include "experiment_trials.h"
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+void run_stability(const Experiment_options& options)
+{
+  Trials trials(options, "stability");
+  const Named_cloud c = twin_cloud("curved", options.is_quick ? 30000 : 200000);
+  const double diagonal = extent_of(c.cloud.points).diagonal;
+  std::vector<double> percents = {0.1, 0.14, 0.2, 0.28, 0.4, 0.56, 0.8, 1.1, 1.6, 2.2, 3.2};
+  if(options.is_quick)
+    percents = {0.2, 0.8, 3.2};
+  for(double percent : percents)
+    for(const std::string& method : regularized_methods(options)) {
+      Task task = c.task;
+      task.maximum_distance = percent / 100 * diagonal;
+      task.maximum_angle_deg = 45; // so that epsilon alone decides how far a shape reaches
+      Row columns;
+      append_cell(columns, "epsilon_percent", percent);
+      trials.add(c, method, task, columns);
+    }
+  trials.write();
+  Series_table table(trials.rows(), "method", "epsilon_percent");
+  Axis x{"epsilon (% of the diagonal)", true};
+  auto panel_of = [&](const char* label, const char* column) {
+    return panel(table, x, "epsilon_percent", label, column);
+  };
+  Plot plot{"Stability: balls and drums on a plate",
+            {panel_of("shapes", "shapes"), panel_of("directions", "directions_relaxed"),
+             panel_of("coverage (%)", "coverage_percent"), panel_of("complexity", "complexity_relaxed"),
+             panel_of("mean distance (epsilons)", "mean_distance_in_epsilons"),
+             panel_of("points beyond tolerances (%)", "violating_percent")},
+            {}};
+  draw(trials.path(), plot);
+}
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The paper's table 1: one cloud of each category. The file of clouds.csv where
+// it is in the folder of the data, else a generated twin.
+
+#include "experiment_trials.h"
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+namespace {
+
+struct Category {
+  const char* name;
+  const char* cloud; // of clouds.csv
+  const char* twin;
+};
+
+const Category categories[] = {
+  {"terrestrial laser", "sheridan", "terrestrial"}, {"depth camera", "kinect", "kinect"},
+  {"mobile mapping", "street", "street"},           {"aerial laser", "autzen", "aerial"},
+  {"multi-view stereo", "clocktower", "multiview"}, {"mechanical part", "fandisk", "mechanical"}};
+
+Named_cloud load(const Category& category, const Experiment_options& options)
+{
+  if(!options.is_quick)
+    for(const Row& row : cloud_table(options))
+      if(cell(row, "name") == category.cloud && is_available(row, options))
+        return load_cloud(row, options);
+  Named_cloud c = twin_cloud(category.twin, options.is_quick ? 30000 : 500000);
+  c.name += "-twin";
+  return c;
+}
+
+void plot(const Trials& trials)
+{
+  Series_table table(trials.rows(), "method", "category", Repeats::least);
+  Plot plot{"One cloud of each category", {}, {}, false};
+  for(const Category& category : categories)
+    plot.x_names.push_back(category.name);
+  auto add = [&](const Axis& y, const char* column) {
+    const Axis none;
+    plot.panels.push_back({none, y, table("position", column)});
+  };
+  add({"time (s)", true}, "seconds");
+  add({"coverage (%)", false, false}, "coverage_percent");
+  add({"complexity", false, true}, "complexity_relaxed");
+  add({"points beyond tolerances (%)", false, true}, "violating_percent");
+  draw(trials.path(), plot);
+}
+
+} // namespace
+
+void run_table1(const Experiment_options& options)
+{
+  Trials trials(options, "table1");
+  int position = 0;
+  for(const Category& category : categories) {
+    const Named_cloud c = load(category, options);
+    Row columns;
+    append_cell(columns, "category", category.name);
+    append_cell(columns, "position", position++);
+    for(const std::string& method : regularized_methods(options)) {
+      Task task = c.task;
+      task.threads = options.threads;
+      trials.add(c, method, task, columns);
+    }
+    trials.write();
+  }
+  plot(trials);
+}
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "experiment_trials.h"
+
+#include <cstdio>
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+namespace {
+
+void append_judgement(Row& row, const Named_cloud& c, const Task& task, const Run& run)
+{
+  const std::vector<Vec>& normals = run.normals.empty() ? c.cloud.normals : run.normals;
+  const Criteria criteria = evaluate(c.cloud.points, normals, run.detection, task.tolerances());
+  append_criteria(row, criteria);
+  const double assigned = double((std::max)(criteria.assigned, std::size_t(1)));
+  append_cell(row, "coverage_percent", 100 * criteria.coverage());
+  const Criteria strict =
+    evaluate(c.cloud.points, normals, cleaned(c.cloud, normals, task, run.detection), task.tolerances());
+  append_cell(row, "coverage_percent_cleaned", 100 * strict.coverage());
+  append_cell(row, "violating_percent", 100 * double(criteria.beyond_either) / assigned);
+  if(!c.truth.faces.empty())
+    append_truth(row, evaluate_truth(c.truth, run.detection, extent_of(c.cloud.points), task.minimum_region_size));
+}
+
+void print(const Row& row, const Row& columns)
+{
+  std::string step = cell(row, "cloud");
+  for(const auto& column : columns)
+    step += " " + column.second;
+  auto get = [&](const char* column) { return cell(row, column); };
+  if(get("finished") != "true")
+    std::printf("%-28.28s %-38.38s failed: %s\n", step.c_str(), get("method").c_str(), get("error").c_str());
+  else
+    std::printf("%-28.28s %-38.38s %8.7s %8.5s %7s %6s %7s %7.6s %6.5s\n", step.c_str(), get("method").c_str(),
+                get("seconds").c_str(), get("coverage_percent").c_str(), get("shapes").c_str(),
+                get("directions_relaxed").c_str(), get("planes_relaxed").c_str(), get("complexity_relaxed").c_str(),
+                get("face_f1_50").c_str());
+  std::fflush(stdout);
+}
+
+} // namespace
+
+Trials::Trials(const Experiment_options& options, const std::string& name) : options_(options), name_(name)
+{
+  std::printf("\n%s\n%-28s %-38s %8s %8s %7s %6s %7s %7s %6s\n", name.c_str(), "cloud and step", "method", "seconds",
+              "coverage", "shapes", "direct", "planes", "complex", "F1");
+}
+
+const Row& Trials::add(const Named_cloud& c, const std::string& contestant_name, const Task& task, const Row& columns,
+                       const std::string& method, const Run* base)
+{
+  const Contestant who = contestant(contestant_name);
+  const Run run = run_isolated(who, c.cloud, task, options_.time_limit, base);
+  Row row = columns;
+  append_cell(row, "contestant", who.name);
+  append_cell(row, "method", method.empty() ? who.description : method);
+  append_task(row, c.name, c.cloud.points.size(), task);
+  append_run(row, who, run);
+  if(run.finished)
+    append_judgement(row, c, task, run);
+  rows_.push_back(row);
+  print(row, columns);
+  return rows_.back();
+}
+
+Run Trials::run_base(const Named_cloud& c, const std::string& contestant_name, const Task& task) const
+{
+  const std::string base = contestant(contestant_name).base;
+  return base.empty() ? Run() : run_isolated(contestant(base), c.cloud, task, options_.time_limit);
+}
+
+std::vector<Row> Trials::rows_where(const std::string& column, const std::string& value) const
+{
+  std::vector<Row> found;
+  std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(found),
+               [&](const Row& row) { return cell(row, column) == value; });
+  return found;
+}
+
+void Trials::write() const
+{
+  Row where;
+  append_environment(where, environment());
+  std::vector<Row> rows = rows_;
+  for(Row& row : rows)
+    row.insert(row.end(), where.begin(), where.end());
+  write_csv(path(".csv"), rows);
+}
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL
