@@ -19,6 +19,7 @@ jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 # The tests that the other configurations build as well: they reach every part of the
 # engine and are small, and compiling is what takes the time.
 sequential='test_(bad_input|analytic_scenes|thread_backend)'
+examples='^detect_planes(_of_vector)?$'
 sanitized='test_(bad_input|analytic_scenes|callback|neighbors|regularize_planes|thread_backend)'
 
 fail() { echo "test.sh: $*" >&2; exit 1; }
@@ -42,12 +43,14 @@ run_release() { configuration release . -DCMAKE_BUILD_TYPE=Release; }
 
 run_sequential()
 {
-  configuration sequential 'small|program' -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_TBB=OFF "-DTANDEM_TESTS=$sequential"
+  configuration sequential 'small|program' -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_TBB=OFF "-DTANDEM_TESTS=$sequential" \
+    "-DTANDEM_EXAMPLES=$examples"
 }
 
 run_asan()
 {
   configuration asan small -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WARNINGS_AS_ERRORS=OFF "-DTANDEM_TESTS=$sanitized" \
+    "-DTANDEM_EXAMPLES=$examples" \
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=address,undefined -fno-sanitize-recover=all"
 }
 

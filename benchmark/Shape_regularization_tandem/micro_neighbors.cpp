@@ -10,8 +10,13 @@
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
 #include <CGAL/version.h>
+
+#if CGAL_VERSION_NR < 1050600000
+#include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
+#else
+#include <CGAL/Shape_detection/Region_growing/Point_set.h>
+#endif
 
 #ifdef TANDEM_MICRO_NANOFLANN
 #include <nanoflann.hpp>
@@ -84,25 +89,51 @@ void cgal_kd_tree(benchmark::State& state)
 }
 BENCHMARK(cgal_kd_tree)->Apply(on_points);
 
-// Among the k points that it returns is the query itself.
+namespace on_point_sets = CGAL::Shape_detection::Point_set;
+
+// The interface of region growing changed with CGAL 5.6: items were positions, they are iterators.
+#if CGAL_VERSION_NR < 1050600000
+
+using Item = std::size_t;
+using Neighbor_query = on_point_sets::K_neighbor_query<Kernel, Range, Point_map>;
+
+Neighbor_query make_query(const Range& range) { return Neighbor_query(range, k_neighbors + 1); }
+Item item_at(const Range&, std::size_t i) { return i; }
+
+#else
+
+using Item = Range::const_iterator;
+
+struct Item_map {
+  using key_type = Item;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+
+  friend reference get(const Item_map&, const Item& item) { return item->first; }
+};
+
+using Neighbor_query = on_point_sets::K_neighbor_query<Kernel, Item, Item_map>;
+
+Neighbor_query make_query(const Range& range)
+{
+  return Neighbor_query(range, CGAL::parameters::k_neighbors(k_neighbors + 1).point_map(Item_map()));
+}
+Item item_at(const Range& range, std::size_t i) { return range.begin() + std::ptrdiff_t(i); }
+
+#endif
+
+// Among the points that it returns is the one that is asked about.
 void cgal_neighbor_query(benchmark::State& state)
 {
-  namespace on_points = CGAL::Shape_detection::Point_set;
   const Range range = micro_range(std::size_t(state.range(0)));
   std::size_t sum = 0;
   for(auto _ : state) {
-#if CGAL_VERSION_NR < 1050600000
-    on_points::K_neighbor_query<Kernel, Range, Point_map> query(range, k_neighbors + 1);
-    std::vector<std::size_t> row;
+    const Neighbor_query query = make_query(range);
+    std::vector<Item> row;
     for(std::size_t i = 0; i < range.size(); ++i) {
-#else
-    auto query =
-      on_points::make_k_neighbor_query(range, CGAL::parameters::k_neighbors(k_neighbors + 1).point_map(Point_map()));
-    std::vector<Range::const_iterator> row;
-    for(auto i = range.begin(); i != range.end(); ++i) {
-#endif
       row.clear();
-      query(i, row);
+      query(item_at(range, i), row);
       sum += row.size();
     }
   }

@@ -9,7 +9,9 @@
 #include "progress.h"
 #include "read_cloud.h"
 #include "report.h"
+#include "write_polygons.h"
 #include "write_results.h"
+#include "write_vg.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 
@@ -129,11 +131,15 @@ Shapes detect_on_backend(const Point_set& points, const Options& o, Run& run)
 // The files that are asked for, opened before the work starts, so that a bad name costs no time.
 class Output_files {
 public:
-  explicit Output_files(const Options& o)
+  explicit Output_files(const Options& o) : options(o)
   {
     open(o.output, [](std::ostream& out, const Results& r) { write_ply(out, r.points, r.shapes); });
     open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
     open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
+    open(o.vg,
+         [](std::ostream& out, const Results& r) { write_vg(out, r.points, r.shapes, r.o.has_group_for_each_plane); });
+    open(o.polygons,
+         [](std::ostream& out, const Results& r) { write_polygons(out, r.points, r.shapes, r.o.polygons); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
   }
 
@@ -141,7 +147,7 @@ public:
   void write(const Point_set& points, const Shapes& shapes, const Run& run)
   {
     for(std::size_t i = 0; i < files.size(); ++i) {
-      writers[i](files[i].stream(), Results{points, shapes, run});
+      writers[i](files[i].stream(), Results{options, points, shapes, run});
       files[i].close();
     }
     for(Output_file& file : files)
@@ -150,6 +156,7 @@ public:
 
 private:
   struct Results {
+    const Options& o;
     const Point_set& points;
     const Shapes& shapes;
     const Run& run;
@@ -164,6 +171,7 @@ private:
     writers.push_back(writer);
   }
 
+  const Options& options;
   std::deque<Output_file> files; // a file does not move
   std::vector<Writer> writers;
 };

@@ -28,12 +28,12 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 
 // What was not given is left to the library.
 struct Options {
-  std::string input, output, labels, planes, report;
+  std::string input, output, labels, planes, report, vg, polygons;
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
   std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::string backend = "auto";
-  bool is_quiet = false, wants_help = false;
+  bool has_group_for_each_plane = false, is_quiet = false, wants_help = false;
 };
 
 inline std::string usage()
@@ -105,6 +105,12 @@ inline void add_output_options(po::options_description& all, Options& o)
       "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
   add("planes", po::value<std::string>(&o.planes)->value_name("FILE"),
       "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
+  add("vg", po::value<std::string>(&o.vg)->value_name("FILE"),
+      "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
+  add("vg-by-plane", po::bool_switch(&o.has_group_for_each_plane),
+      "a group of --vg for each plane: coplanar shapes in one");
+  add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
+      "the area of each shape as a mesh of triangles with corners on its plane, .ply or .obj");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
       "JSON with parameters, counts, quality, times, memory and relations: parallel and coplanar groups of shapes, "
       "orthogonal pairs of parallel groups, all counted from 0");
@@ -133,7 +139,7 @@ inline std::vector<std::string> join_optional_value(int argc, const char* const 
 inline void check_files(const Options& o)
 {
   std::vector<std::filesystem::path> files;
-  for(const std::string& name : {o.input, o.output, o.labels, o.planes, o.report}) {
+  for(const std::string& name : {o.input, o.output, o.labels, o.planes, o.report, o.vg, o.polygons}) {
     std::error_code error;
     if(name.empty() || std::filesystem::is_character_file(name, error))
       continue;
@@ -150,6 +156,15 @@ inline void check_count(const char* name, const std::optional<long long>& value,
                       std::to_string(smallest) + ", " + std::to_string(largest) + "]");
 }
 
+inline void check_mesh_format(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  if(!path.empty() && extension != ".ply" && extension != ".obj")
+    throw Usage_error("--polygons is '" + path + "', must end in .ply or .obj");
+}
+
 // Ranges that the library does not know, and negative numbers, which would wrap around.
 inline void check(const Options& o)
 {
@@ -164,6 +179,9 @@ inline void check(const Options& o)
   check_count("cell-size", o.cell_size, 0, largest);
   if(o.estimate_normals && *o.estimate_normals != by_library)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
+  if(o.has_group_for_each_plane && o.vg.empty())
+    throw Usage_error("--vg-by-plane needs --vg");
+  check_mesh_format(o.polygons);
   check_files(o);
 }
 

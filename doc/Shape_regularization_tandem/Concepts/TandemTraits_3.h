@@ -23,8 +23,11 @@ public:
 
   /// the number type of the coordinates; `CGAL::to_double()` converts it
   typedef unspecified_type FT;
+  /// a point; the points of the range, through the point map
   typedef unspecified_type Point_3;
+  /// a vector; the normals of the points, through the normal map
   typedef unspecified_type Vector_3;
+  /// a plane of the result
   typedef unspecified_type Plane_3;
 
   /// a model of `ConstRange` whose iterators are random access
@@ -37,8 +40,11 @@ public:
   /// normals are to be estimated
   typedef unspecified_type Normal_map;
 
-  /// what executes: memory, loops over points, bodies on the cells of the cloud, sorting
+  /// what executes at the border to the caller: memory, loops over points, bodies on the cells of the cloud, sorting
   typedef unspecified_type Backend;
+
+  /// what executes the method: the engine of this package on a back end, which may be another one
+  typedef unspecified_type Engine;
 
   /// `true` if `Normal_map` is not `CGAL::Default`
   static constexpr bool has_normal_map;
@@ -55,8 +61,11 @@ public:
   /// the third coordinate
   typedef unspecified_type Compute_z_3;
 
+  /// the functor of the first coordinate
   Compute_x_3 compute_x_3_object() const;
+  /// the functor of the second coordinate
   Compute_y_3 compute_y_3_object() const;
+  /// the functor of the third coordinate
   Compute_z_3 compute_z_3_object() const;
 
   /// @}

@@ -36,8 +36,11 @@ struct Parameters {
   std::size_t k_neighbors = 12;
   /// largest number of points of an octree leaf, in [64, 65536]
   std::size_t cell_size = 8192;
+  /// whether shapes of nearly the same direction are made parallel
   bool regularize_parallelism = true;
+  /// whether directions at nearly a right angle are made orthogonal
   bool regularize_orthogonality = true;
+  /// whether parallel shapes of nearly the same plane are made coplanar
   bool regularize_coplanarity = true;
 
   /// \cond SKIP_IN_MANUAL

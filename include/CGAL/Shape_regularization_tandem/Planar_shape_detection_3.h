@@ -44,8 +44,11 @@ The constructor reads the range once, through its maps; the range is not needed 
 template <class Traits>
 class Planar_shape_detection_3 {
 public:
+  /// the kernel
   using Geom_traits = typename Traits::Geom_traits;
+  /// the range of the points
   using Point_range = typename Traits::Point_range;
+  /// the result
   using Shapes = Planar_shapes_3<Geom_traits>;
 
   /*!
@@ -87,7 +90,8 @@ public:
     return !is_cancelled_;
   }
 
-  /// one round of growth and regularization. Returns `false` when nothing grows any more, or after a cancellation.
+  /// one round of growth and regularization, of Algorithm 1 of \cgalCite{OLA16}. Returns `false` when nothing grows
+  /// any more, or after a cancellation.
   bool iterate()
   {
     if(!engine_ || is_finished_ || is_cancelled_ || !engine_->iterate())
@@ -108,7 +112,7 @@ public:
       callback_(1);
   }
 
-  /// the shapes: of the last round, not yet verified, or the final ones after `finish()`
+  /// the shapes: of the last round, not yet verified, or the final ones after `finish()`. A copy, made in linear time.
   Shapes shapes() const
   {
     internal::Stop_watch watch;

@@ -31,16 +31,30 @@ finished detection
 template <class GeomTraits>
 class Planar_shapes_3 {
 public:
-  using Geom_traits = GeomTraits;
-  using Point_3 = typename GeomTraits::Point_3;
-  using Vector_3 = typename GeomTraits::Vector_3;
-  using Plane_3 = typename GeomTraits::Plane_3;
-  using Coefficients = internal::Coefficients;
-  using Data = internal::Shapes_data;
+  /// \name Types
+  /// @{
 
-  /// A range of positions in the caller's range, ascending.
+  /// the kernel
+  using Geom_traits = GeomTraits;
+  /// a point of the kernel
+  using Point_3 = typename GeomTraits::Point_3;
+  /// a vector of the kernel
+  using Vector_3 = typename GeomTraits::Vector_3;
+  /// a plane of the kernel
+  using Plane_3 = typename GeomTraits::Plane_3;
+  /// a `std::array` of four doubles
+  using Coefficients = internal::Coefficients;
+  /// \cond SKIP_IN_MANUAL
+  using Data = internal::Shapes_data;
+  /// \endcond
+
+  /// @}
+
+  /// A range of positions in the caller's range, ascending: iterators, `size()`, `empty()` and an index operator. It
+  /// refers to the shapes, which have to outlive it.
   class Positions {
   public:
+    /// \cond SKIP_IN_MANUAL
     using value_type = std::uint32_t;
     using const_iterator = const std::uint32_t*;
     using iterator = const_iterator;
@@ -50,11 +64,13 @@ public:
     std::size_t size() const { return std::size_t(last_ - first_); }
     bool empty() const { return first_ == last_; }
     std::size_t operator[](std::size_t i) const { return first_[i]; }
+    /// \endcond
 
   private:
     const_iterator first_, last_;
   };
 
+  /// \cond SKIP_IN_MANUAL
   explicit Planar_shapes_3(Data data = Data(), const GeomTraits& geom_traits = GeomTraits()) : data_(std::move(data))
   {
     const auto construct = geom_traits.construct_plane_3_object();
@@ -63,9 +79,12 @@ public:
       planes_.push_back(construct(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
     sort_points();
   }
+  /// \endcond
 
   /// \name Shapes
   /// @{
+
+  /// the number of shapes
   std::size_t number_of_shapes() const { return planes_.size(); }
 
   /// the plane of shape `s`, of unit normal. All shapes of a parallel group have the same normal.
@@ -93,6 +112,8 @@ public:
 
   /// \name Points
   /// @{
+
+  /// the number of points of the caller's range
   std::size_t number_of_points() const { return data_.shape_of.size(); }
 
   /// the shape of the point at position `i` of the caller's range, -1 if it has none
@@ -115,16 +136,24 @@ public:
 
   /// \name Relations
   /// @{
+
+  /// the number of distinct directions
   std::size_t number_of_parallel_groups() const { return data_.statistics.number_of_directions; }
+  /// the number of distinct planes
   std::size_t number_of_coplanar_groups() const { return data_.statistics.number_of_planes; }
+  /// the parallel group of shape `s`
   std::size_t parallel_group(std::size_t s) const { return std::size_t(data_.parallel_group[s]); }
+  /// the coplanar group of shape `s`
   std::size_t coplanar_group(std::size_t s) const { return std::size_t(data_.coplanar_group[s]); }
 
   /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   const std::vector<std::pair<int, int>>& orthogonal_groups() const { return data_.orthogonal_groups; }
 
+  /// whether the planes of shapes `s` and `t` have the same normal
   bool are_parallel(std::size_t s, std::size_t t) const { return parallel_group(s) == parallel_group(t); }
+  /// whether shapes `s` and `t` have the same plane
   bool are_coplanar(std::size_t s, std::size_t t) const { return coplanar_group(s) == coplanar_group(t); }
+  /// whether the planes of shapes `s` and `t` are orthogonal; takes logarithmic time
   bool are_orthogonal(std::size_t s, std::size_t t) const
   {
     const std::pair<int, int> groups = std::minmax({data_.parallel_group[s], data_.parallel_group[t]});
@@ -141,6 +170,8 @@ public:
 
   /// \name The detection
   /// @{
+
+  /// counts, quality, times and memory
   const Statistics& statistics() const { return data_.statistics; }
 
   /// the parameters that were used, with what was estimated

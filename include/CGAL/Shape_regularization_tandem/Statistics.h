@@ -34,11 +34,11 @@ struct Statistics {
   std::size_t number_of_points = 0;              ///< items of the input range
   std::size_t number_of_ignored_coordinates = 0; ///< points with a coordinate that is not finite
   std::size_t number_of_ignored_normals = 0;     ///< points whose given normal is null or not finite
-  std::size_t number_of_assigned_points = 0;
-  std::size_t number_of_shapes = 0;
-  std::size_t number_of_directions = 0;       ///< parallel groups
-  std::size_t number_of_planes = 0;           ///< coplanar groups
-  std::size_t number_of_orthogonal_pairs = 0; ///< pairs of parallel groups
+  std::size_t number_of_assigned_points = 0;     ///< points that belong to a shape
+  std::size_t number_of_shapes = 0;              ///< connected pieces of planes
+  std::size_t number_of_directions = 0;          ///< parallel groups
+  std::size_t number_of_planes = 0;              ///< coplanar groups
+  std::size_t number_of_orthogonal_pairs = 0;    ///< pairs of parallel groups
 
   /// assigned points / points
   double coverage = 0;
@@ -50,15 +50,16 @@ struct Statistics {
   /// the paper's complexity: degrees of freedom / (3 x shapes); 0 if there are no shapes
   double complexity = 0;
 
-  std::size_t number_of_rounds = 0;
-  Stage_times times;
-  std::size_t peak_bytes = 0;  ///< of the tables of the size of the cloud, when they are largest
-  double grid_step = 0;        ///< in units of the input
-  bool is_grid_coarse = false; ///< the step exceeds `maximum_distance` / 1024, because of the extent
-  bool has_estimated_normals = false;
-  bool is_cancelled = false;
-  std::string backend; ///< what executed: "sequential", "parallel", ...
+  std::size_t number_of_rounds = 0;   ///< of growth and regularization
+  Stage_times times;                  ///< in seconds
+  std::size_t peak_bytes = 0;         ///< of the tables of the size of the cloud, when they are largest
+  double grid_step = 0;               ///< in units of the input
+  bool is_grid_coarse = false;        ///< the step exceeds `maximum_distance` / 1024, because of the extent
+  bool has_estimated_normals = false; ///< because none were given
+  bool is_cancelled = false;          ///< by the callback
+  std::string backend;                ///< what executed: "sequential", "parallel", ...
 
+  /// points that could not take part
   std::size_t number_of_ignored_points() const { return number_of_ignored_coordinates + number_of_ignored_normals; }
 };
 

@@ -27,15 +27,21 @@ namespace Tandem {
 */
 class Position_index_map {
 public:
+  /// a position in the range of the points
   using key_type = std::size_t;
+  /// an index of a plane, or -1
   using value_type = int;
+  /// \cond SKIP_IN_MANUAL
   using reference = int;
   using category = boost::readable_property_map_tag;
+  /// \endcond
 
+  /// the map of these indices, one for each position; copies of the map share them
   explicit Position_index_map(std::vector<int> index = std::vector<int>())
     : index_(std::make_shared<const std::vector<int>>(std::move(index)))
   {}
 
+  /// the index of a position
   friend int get(const Position_index_map& map, std::size_t position) { return (*map.index_)[position]; }
 
 private:

@@ -18,6 +18,9 @@ The range is neither changed nor reordered, and each of its points is read once.
 concurrency tag, number of threads and order of the points. Points with a coordinate that is not finite, or with a
 given normal that is null or not finite, belong to no shape and are counted in the statistics of the result.
 
+The method is that of sections 3 and 4 of \cgalCite{OLA16}; what differs is said in the
+\ref Tandem_algorithm_paper "user manual". Time and memory are about linear in the number of points.
+
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, `CGAL::Parallel_if_available_tag` (the default),
 `Cuda_tag` or `Cuda_if_available_tag`
 \tparam PointRange a model of `ConstRange` whose iterators are random access; also `CGAL::Point_set_3`, whose maps are

@@ -80,8 +80,10 @@ A list of named parameters which grows by its members, in any order:
 */
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
+  /// \cond SKIP_IN_MANUAL
   using Cgal_parameters = CGAL::Named_function_parameters<T, Tag, Base>;
   using Cgal_parameters::Cgal_parameters;
+  /// \endcond
 
 #define CGAL_TANDEM_MEMBER(name, tag)                                                                                  \
   template <typename V>                                                                                                \
@@ -104,6 +106,7 @@ namespace parameters {
 CGAL_TANDEM_NAMED_PARAMETERS(CGAL_TANDEM_FUNCTION)
 #undef CGAL_TANDEM_FUNCTION
 
+/// an empty list: all parameters have their defaults
 inline CGAL::parameters::Default_named_parameters default_values()
 {
   return CGAL::parameters::Default_named_parameters();
@@ -165,6 +168,7 @@ const NP& combine(const NP& np)
   return np;
 }
 
+/// the same for one parameter or more
 template <typename NP, typename T, typename Tag, typename... Others>
 auto combine(const NP& np, const CGAL::Named_function_parameters<T, Tag>& one, const Others&... others)
 {

@@ -21,24 +21,20 @@ namespace Tandem {
 How planes are related after `regularize_planes()`. Planes are numbered as in the caller's range, groups from 0.
 */
 struct Plane_relations {
-  /// of each plane: those of a group have the same unit normal, bit for bit but for the orientation
-  std::vector<int> parallel_group;
-  /// of each plane: those of a group are the same plane
-  std::vector<int> coplanar_group;
+  std::vector<int> parallel_group; ///< of each plane: those of a group have the same unit normal, up to its sign
+  std::vector<int> coplanar_group; ///< of each plane: those of a group are the same plane
   /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   std::vector<std::pair<int, int>> orthogonal_groups;
-  /// of each plane: whether it was changed
-  std::vector<bool> is_changed;
+  std::vector<bool> is_changed; ///< of each plane: whether it was changed
   /// of each plane: whether it could have been related to others, but its points refused that
   std::vector<bool> is_rolled_back;
-  /// of each plane: how far it was turned, in degrees
-  std::vector<double> angle;
-  /// of each plane: the largest distance of its points to it
-  std::vector<double> largest_distance;
-  /// the tolerance of the verification
-  double maximum_distance = 0;
+  std::vector<double> angle;            ///< of each plane: how far it was turned, in degrees
+  std::vector<double> largest_distance; ///< of each plane: the largest distance of its points to it
+  double maximum_distance = 0;          ///< the tolerance of the verification
 
+  /// the number of distinct directions
   std::size_t number_of_parallel_groups() const { return number_of_groups(parallel_group); }
+  /// the number of distinct planes
   std::size_t number_of_coplanar_groups() const { return number_of_groups(coplanar_group); }
 
 private:
@@ -204,9 +200,10 @@ region growing or any other detector. Unlike that function it
 - reports the relations, and how far each plane moved.
 
 Planes keep their orientation. A plane that is related to no other, that has no normal, or whose points do not determine
-a plane, is left as it is; the others get a unit normal. Where `regularize_parallelism` is `false`, there are no coplanar
-groups either. There is no regularization of symmetries about an axis: `regularize_axis_symmetry` and
-`symmetry_direction` have no effect. The result is independent of the order of the points.
+a plane, is left as it is; the others get a unit normal. Where `regularize_parallelism` is `false`, there are no
+coplanar groups either. There is no regularization of symmetries about an axis: `regularize_axis_symmetry` and
+`symmetry_direction` have no effect. The result is independent of the order of the points. Groups and joint fits are
+those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
 
 \tparam PlaneRange a range with random access iterators
 \tparam PointRange a model of `ConstRange` with random access iterators
