@@ -68,7 +68,7 @@ public:
     in_ = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
                                         internal::normal_map_of<Traits>(points, np), traits_);
     internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
-    internal::place_on_grid(backend_, in_, parameters_.maximum_distance);
+    internal::choose_grid(in_, parameters_.maximum_distance);
     import_time_ = watch.lap();
     if(in_.size() >= parameters_.minimum_region_size && go_on(0))
       engine_ = std::make_unique<internal::Engine<Backend>>(backend_, in_, parameters_);

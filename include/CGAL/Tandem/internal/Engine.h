@@ -10,7 +10,6 @@
 #include <CGAL/Tandem/internal/end_game.h>
 #include <CGAL/Tandem/internal/extract_shapes.h>
 #include <CGAL/Tandem/internal/grow_shapes.h>
-#include <CGAL/Tandem/internal/import_cloud.h>
 #include <CGAL/Tandem/internal/prepare.h>
 #include <CGAL/Tandem/internal/split_layers.h>
 
@@ -25,7 +24,7 @@ class Engine {
   static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
 
 public:
-  Engine(Backend& backend, const Import& in, const Parameters& parameters) : in_(in), state_(backend)
+  Engine(Backend& backend, Import& in, const Parameters& parameters) : in_(in), state_(backend)
   {
     prepare(state_, in, parameters, order_, points_, neighbors_, times_);
   }
@@ -107,7 +106,7 @@ private:
     bool is_alive = gained > 0;
     for(std::uint32_t id : state_.live)
       is_alive = is_alive || state_.is_restarted[id];
-    for(std::size_t c = 0; c < state_.cells.size(); ++c)
+    for(std::size_t c = 0; c < state_.number_of_cells; ++c)
       is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
     return is_alive && idle_rounds_ < most_idle_rounds && state_.round < most_rounds;
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the steps of the loop work on: the cloud, its leaves, the labels, and the
-// table of shapes. Tables of the size of the cloud belong to the back end; those
-// of the size of the shapes are used by the host.
+// table of shapes. Tables of the size of the cloud belong to the back end. Those of
+// the size of the shapes belong to the host, which lends them to the functors.
 
 #ifndef CGAL_TANDEM_INTERNAL_TANDEM_STATE_H
 #define CGAL_TANDEM_INTERNAL_TANDEM_STATE_H
@@ -21,6 +21,7 @@ namespace internal {
 
 // In grid steps and integers; see design section 5 and the constants beside.
 struct Options {
+  std::size_t cell_size; // most points of a leaf
   Growth_options growth;
   Regularity_options regularity;
   double maximum_distance; // epsilon
@@ -42,16 +43,15 @@ struct Tandem_state {
 
   Labels_view labels() { return {label.data(), state.data()}; }
 
-  Shapes_view shapes_view() { return {plane.data(), rounds.data(), is_restarted.data(), gain.data()}; }
-
   Backend& backend;
   Options options;
 
   Cloud_view cloud;
-  std::vector<Range> cells;
-  std::vector<Range> cell_border;      // per leaf, its range of `border`
-  std::vector<std::uint32_t> border;   // points with a neighbor in another leaf
-  std::vector<std::uint32_t> proposal; // parallel to border
+  std::size_t number_of_cells = 0;
+  Buffer<Range> cells;
+  Buffer<Range> cell_border;      // per leaf, its range of `border`
+  Buffer<std::uint32_t> border;   // points with a neighbor in another leaf
+  Buffer<std::uint32_t> proposal; // parallel to border
   Seeds<Backend> seeds;
   std::vector<std::uint32_t> seed_cursor; // per leaf
 

@@ -69,6 +69,12 @@ struct Offer_again {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { offer.from(absorbed[i]); }
 };
 
+struct Clear_offers {
+  std::uint64_t* offer;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { offer[i] = no_offer; }
+};
+
 template <class Backend>
 struct Accept_offers {
   std::uint32_t* label;
@@ -96,17 +102,20 @@ void absorb(Tandem_state<Backend>& t)
   const std::size_t n = t.cloud.size;
   typename Backend::template Buffer<std::uint64_t> offer(n);
   typename Backend::template Buffer<std::uint32_t> absorbed(n);
-  std::uint64_t* offers = offer.data();
-  t.backend.for_each(n, [=](std::size_t i) { offers[i] = no_offer; });
-  const Offer<Backend> first = {t.cloud,        t.label.data(), t.state.data(),
-                                t.plane.data(), offers,         t.options.growth.tolerance};
+  const auto plane = t.backend.lend(t.plane);
+  t.backend.for_each(n, Clear_offers{offer.data()});
+  const Offer<Backend> first = {t.cloud,      t.label.data(), t.state.data(),
+                                plane.data(), offer.data(),   t.options.growth.tolerance};
   t.backend.for_each(n, first);
   for(int round = 0; round < most_rounds; ++round) {
-    std::uint32_t size = 0;
-    t.backend.for_each(n, Accept_offers<Backend>{t.label.data(), t.state.data(), offers, absorbed.data(), &size});
-    if(std::size_t(size) * 100000 <= n)
+    std::vector<std::uint32_t> size(1, 0);
+    auto counter = t.backend.lend_out(size);
+    t.backend.for_each(
+      n, Accept_offers<Backend>{t.label.data(), t.state.data(), offer.data(), absorbed.data(), counter.data()});
+    counter.take_back();
+    if(std::size_t(size[0]) * 100000 <= n)
       break;
-    t.backend.for_each(size, Offer_again<Backend>{first, absorbed.data()});
+    t.backend.for_each(size[0], Offer_again<Backend>{first, absorbed.data()});
   }
 }
 
@@ -163,9 +172,12 @@ void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_los
   for(std::uint32_t id : t.live)
     size[id] = t.shapes[id].moments.count;
   typename Backend::template Buffer<std::uint32_t> chosen(t.cloud.size);
+  const auto plane = t.backend.lend(t.plane);
+  const auto sizes = t.backend.lend(size);
+  const auto losing = t.backend.lend(may_lose), gaining = t.backend.lend(may_gain);
   t.backend.for_each(t.cloud.size,
-                     Choose_largest{t.cloud, t.label.data(), t.state.data(), t.plane.data(), size.data(),
-                                    may_lose.data(), may_gain.data(), chosen.data(), t.options.growth.tolerance});
+                     Choose_largest{t.cloud, t.label.data(), t.state.data(), plane.data(), sizes.data(), losing.data(),
+                                    gaining.data(), chosen.data(), t.options.growth.tolerance});
   t.backend.for_each(t.cloud.size, Take_chosen{chosen.data(), t.label.data(), t.state.data()});
 }
 
@@ -195,8 +207,10 @@ struct Sum_moments {
 template <class Backend>
 void recount(Tandem_state<Backend>& t)
 {
+  auto sum = t.backend.lend_out(t.gain);
   t.backend.template for_each_cell<Moment_table>(
-    t.cells.size(), Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), t.gain.data()});
+    t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), sum.data()});
+  sum.take_back();
   std::size_t kept = 0;
   t.assigned = 0;
   for(std::uint32_t id : t.live) {

@@ -123,11 +123,16 @@ void reassign_to_larger(Tandem_state<Backend>& t)
 
 // The loop takes a point for interior once all of its neighbors have had its label;
 // some have lost it since.
+struct Forget_interior {
+  std::uint8_t* state;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { state[i] &= std::uint8_t(~is_interior); }
+};
+
 template <class Backend>
 void forget_interior(Tandem_state<Backend>& t)
 {
-  std::uint8_t* state = t.state.data();
-  t.backend.for_each(t.cloud.size, [=](std::size_t i) { state[i] &= std::uint8_t(~is_interior); });
+  t.backend.for_each(t.cloud.size, Forget_interior{t.state.data()});
 }
 
 // Planes are final afterwards.

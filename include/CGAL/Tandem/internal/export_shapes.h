@@ -10,7 +10,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Statistics.h>
 #include <CGAL/Tandem/internal/exact_check.h>
-#include <CGAL/Tandem/internal/import_cloud.h>
+#include <CGAL/Tandem/internal/Import.h>
 
 #include <array>
 #include <utility>

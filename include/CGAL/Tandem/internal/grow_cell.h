@@ -21,7 +21,7 @@ namespace internal {
 struct Shapes_view {
   Plane* plane;
   std::uint16_t* rounds;      // breadth-first rounds of this pass
-  std::uint8_t* is_restarted; // all of its points are on the frontier
+  const std::uint8_t* is_restarted; // all of its points are on the frontier
   Shared_moments* gain;       // what the pass adds
 };
 
@@ -51,8 +51,13 @@ struct Cell_job {
 
 constexpr std::uint32_t max_seeds_in_flight = 16;
 
+// Points of a leaf, at most: the queue of a small one fits into fast memory.
+constexpr std::uint32_t small_cell = 8192;
+constexpr std::uint32_t largest_cell = 65536;
+
+template <std::uint32_t CellSize>
 struct Growth_scratch {
-  std::uint16_t queue[65536]; // cell-relative points; each is queued at most once
+  std::uint16_t queue[CellSize]; // cell-relative points; each is queued at most once
   std::uint32_t tail;
   Moment_table table;
   std::uint32_t active[max_seeds_in_flight]; // shapes on the frontier of this leaf, ascending
@@ -61,12 +66,12 @@ struct Growth_scratch {
   std::uint32_t core_count;
 };
 
-template <class Backend, class Block>
+template <class Backend, class Block, class Scratch>
 class Cell_growth {
   static_assert(Is_block<Block>::value, "the block is no model of the concept Block");
 
 public:
-  CGAL_TANDEM_HD Cell_growth(Block& block, Growth_scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
+  CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
                              const Shapes_view& shapes, const Labels_view& labels, const Growth_options& options)
     : block_(block), s_(scratch), job_(job), cloud_(cloud), shapes_(shapes), options_(options), label_(labels.label),
       state_(labels.state)
@@ -284,7 +289,7 @@ private:
   }
 
   Block& block_;
-  Growth_scratch& s_;
+  Scratch& s_;
   const Cell_job job_;
   const Cloud_view cloud_;
   const Shapes_view shapes_;

@@ -46,44 +46,55 @@ struct Propose {
   }
 };
 
+// What the leaves have from pass to pass, by leaf or by position.
+struct Leaves_view {
+  const Range* cells;
+  const Range* border_of; // in `border`
+  const std::uint32_t* border;
+  const std::uint32_t* proposal;
+  const std::uint32_t* seed;
+  const std::uint32_t* seed_count;
+  std::uint32_t* seed_cursor;
+};
+
 template <class Backend>
 struct Grow_cells {
   Cloud_view cloud;
   Shapes_view shapes;
   Labels_view labels;
   Growth_options options;
-  const Cell_job* job;
+  Leaves_view leaves;
+  const std::uint32_t* new_shape;
+  const std::uint32_t* first_new; // of each leaf, in new_shape
 
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Growth_scratch& scratch, std::uint32_t c) const
+  template <class Block, class Scratch>
+  CGAL_TANDEM_HD void operator()(Block& block, Scratch& scratch, std::uint32_t c) const
   {
-    Cell_growth<Backend, Block>(block, scratch, job[c], cloud, shapes, labels, options).run();
+    const Range border = leaves.border_of[c];
+    const Cell_job job = {leaves.cells[c],
+                          leaves.border + border.first,
+                          leaves.proposal + border.first,
+                          border.size(),
+                          leaves.seed + leaves.cells[c].first,
+                          leaves.seed_count[c],
+                          leaves.seed_cursor + c,
+                          new_shape + first_new[c]};
+    Cell_growth<Backend, Block, Scratch>(block, scratch, job, cloud, shapes, labels, options).run();
   }
 };
 
+// As many new shapes as may begin in each leaf: where its ids begin in the list of all.
 template <class Backend>
-std::vector<Cell_job> make_jobs(Tandem_state<Backend>& t, std::vector<std::uint32_t>& new_ids)
+std::vector<std::uint32_t> number_new_shapes(Tandem_state<Backend>& t, std::vector<std::uint32_t>& new_ids)
 {
-  std::vector<Cell_job> jobs(t.cells.size());
-  const std::uint32_t seeds = std::uint32_t(t.options.growth.seeds_in_flight);
-  std::size_t wanted = 0;
-  for(std::size_t c = 0; c < jobs.size(); ++c)
-    wanted += t.seed_cursor[c] < t.seeds.count[c] ? seeds : 0;
-  new_ids = spare_ids(t, wanted);
-  const std::uint32_t* next = new_ids.data();
-  for(std::size_t c = 0; c < jobs.size(); ++c) {
-    const Range border = t.cell_border[c];
-    jobs[c] = {t.cells[c],
-               t.border.data() + border.first,
-               t.proposal.data() + border.first,
-               border.size(),
-               t.seeds.seed.data() + t.cells[c].first,
-               t.seeds.count[c],
-               &t.seed_cursor[c],
-               next};
-    next += t.seed_cursor[c] < t.seeds.count[c] ? seeds : 0;
+  std::vector<std::uint32_t> first(t.number_of_cells);
+  std::uint32_t wanted = 0;
+  for(std::size_t c = 0; c < first.size(); ++c) {
+    first[c] = wanted;
+    wanted += t.seed_cursor[c] < t.seeds.count[c] ? std::uint32_t(t.options.growth.seeds_in_flight) : 0;
   }
-  return jobs;
+  new_ids = spare_ids(t, wanted);
+  return first;
 }
 
 // Adds what the shapes gained; the live shapes are then those with points.
@@ -113,17 +124,40 @@ void take_gain(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_i
   }
 }
 
+template <class Backend>
+void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_ids,
+                const std::vector<std::uint32_t>& first_new)
+{
+  auto plane = t.backend.lend_out(t.plane);
+  auto rounds = t.backend.lend_out(t.rounds);
+  auto gain = t.backend.lend_out(t.gain);
+  auto cursor = t.backend.lend_out(t.seed_cursor);
+  const auto is_restarted = t.backend.lend(t.is_restarted);
+  const auto seed_count = t.backend.lend(t.seeds.count);
+  const auto ids = t.backend.lend(new_ids);
+  const auto first = t.backend.lend(first_new);
+  t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), plane.data(), t.border.data(),
+                                              t.proposal.data(), t.options.growth.tolerance});
+  const Shapes_view shapes = {plane.data(), rounds.data(), is_restarted.data(), gain.data()};
+  const Leaves_view leaves = {t.cells.data(),    t.cell_border.data(), t.border.data(), t.proposal.data(),
+                              t.seeds.seed.data(), seed_count.data(),    cursor.data()};
+  const Grow_cells<Backend> body = {t.cloud, shapes, t.labels(), t.options.growth, leaves, ids.data(), first.data()};
+  if(t.options.cell_size <= small_cell)
+    t.backend.template for_each_cell<Growth_scratch<small_cell>>(t.number_of_cells, body);
+  else
+    t.backend.template for_each_cell<Growth_scratch<largest_cell>>(t.number_of_cells, body);
+  gain.take_back();
+  cursor.take_back();
+}
+
 // Returns the number of points that were gained.
 template <class Backend>
 std::size_t grow_shapes(Tandem_state<Backend>& t)
 {
   const std::size_t before = t.assigned;
-  t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), t.plane.data(), t.border.data(),
-                                              t.proposal.data(), t.options.growth.tolerance});
   std::vector<std::uint32_t> new_ids;
-  const std::vector<Cell_job> jobs = make_jobs(t, new_ids);
-  t.backend.template for_each_cell<Growth_scratch>(
-    jobs.size(), Grow_cells<Backend>{t.cloud, t.shapes_view(), t.labels(), t.options.growth, jobs.data()});
+  const std::vector<std::uint32_t> first_new = number_new_shapes(t, new_ids);
+  grow_cells(t, new_ids, first_new);
   take_gain(t, new_ids);
   return t.assigned - before;
 }

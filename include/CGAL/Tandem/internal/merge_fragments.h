@@ -68,9 +68,7 @@ public:
       after[ids[i]] = rounded(candidates[i]);
     }
     if(!asked.empty())
-      t_.backend.template for_each_cell<Count_scratch>(
-        t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), mask.data(), before.data(),
-                                                after.data(), count.data(), t_.options.growth.tolerance});
+      ask_points(mask, before, after, count);
     for(std::size_t i : asked) {
       Shape& shape = t_.shapes[ids[i]];
       shares[i] = double(count[ids[i]]) * (double(mask[ids[i]]) + 1) / double(shape.moments.count);
@@ -81,6 +79,19 @@ public:
   }
 
 private:
+  void ask_points(const std::vector<std::uint32_t>& mask, const std::vector<Plane>& before,
+                  const std::vector<Plane>& after, std::vector<std::uint32_t>& count)
+  {
+    const auto masks = t_.backend.lend(mask);
+    const auto old_planes = t_.backend.lend(before), new_planes = t_.backend.lend(after);
+    auto counts = t_.backend.lend_out(count);
+    t_.backend.template for_each_cell<Count_scratch>(
+      t_.number_of_cells,
+      Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), masks.data(), old_planes.data(),
+                             new_planes.data(), counts.data(), t_.options.growth.tolerance});
+    counts.take_back();
+  }
+
   bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
   {
     return bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;

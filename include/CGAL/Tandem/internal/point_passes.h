@@ -90,6 +90,30 @@ private:
 // All touching shapes, or only those of which one has changed since they were last asked for.
 enum class Links { all, changed };
 
+// In any order, those of each leaf on their own.
+template <class Backend>
+std::vector<Link> append_links(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_asked)
+{
+  const auto asked = t.backend.lend(is_asked);
+  std::size_t capacity = 4 * t.live.size() + 64 * t.number_of_cells;
+  for(;;) {
+    typename Backend::template Buffer<Link> buffer(capacity);
+    std::vector<std::uint32_t> size(1, 0);
+    auto counter = t.backend.lend_out(size);
+    t.backend.template for_each_cell<Link_scratch>(
+      t.number_of_cells,
+      Collect_links<Backend>{
+        t.cloud, t.cells.data(), t.labels(), asked.data(), {buffer.data(), counter.data(), std::uint32_t(capacity)}});
+    counter.take_back();
+    if(size[0] <= capacity) {
+      std::vector<Link> links(size[0]);
+      t.backend.to_host(buffer.data(), links.size(), links.data());
+      return links;
+    }
+    capacity = 2 * std::size_t(size[0]);
+  }
+}
+
 // The links between live shapes with at least `least` relations, by falling
 // number of relations, then by ids.
 template <class Backend>
@@ -100,19 +124,7 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
     is_asked[id] = which == Links::all || t.shapes[id].is_changed;
     t.shapes[id].is_changed = false;
   }
-  std::vector<Link> links(4 * t.live.size() + 64 * t.cells.size());
-  std::uint32_t size = 0;
-  for(;;) {
-    size = 0;
-    t.backend.template for_each_cell<Link_scratch>(
-      t.cells.size(),
-      Collect_links<Backend>{
-        t.cloud, t.cells.data(), t.labels(), is_asked.data(), {links.data(), &size, std::uint32_t(links.size())}});
-    if(size <= links.size())
-      break;
-    links.resize(2 * std::size_t(size));
-  }
-  links.resize(size);
+  std::vector<Link> links = append_links(t, is_asked);
   std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
   std::size_t kept = 0;
   for(std::size_t i = 0; i < links.size();) {

@@ -44,6 +44,19 @@ struct Count_distances {
   }
 };
 
+template <class Backend>
+void count_distances(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& histogram_of,
+                     const std::vector<Plane>& planes, std::vector<std::uint32_t>& histogram)
+{
+  const auto index = t.backend.lend(histogram_of);
+  const auto plane = t.backend.lend(planes);
+  auto counts = t.backend.lend_out(histogram);
+  t.backend.template for_each_cell<Count_scratch>(
+    t.number_of_cells, Count_distances<Backend>{t.cloud, t.cells.data(), t.label.data(), index.data(), plane.data(),
+                                                counts.data(), t.options.growth.tolerance.distance});
+  counts.take_back();
+}
+
 // Where the smoothed histogram has its highest peak, in epsilons; 0 unless that is
 // clearly higher than the middle.
 inline double find_layer(const std::uint32_t* histogram)
@@ -97,6 +110,18 @@ struct Sum_normals {
   }
 };
 
+template <class Backend>
+void sum_normals(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& mask, std::vector<std::int64_t>& sum)
+{
+  const auto masks = t.backend.lend(mask);
+  const auto plane = t.backend.lend(t.plane);
+  auto sums = t.backend.lend_out(sum);
+  t.backend.template for_each_cell<Count_scratch>(
+    t.number_of_cells,
+    Sum_normals<Backend>{t.cloud, t.cells.data(), t.label.data(), masks.data(), plane.data(), sums.data()});
+  sums.take_back();
+}
+
 // A shape may be two layers if its points' normals lean by more than about 4 degrees
 // to one side of its plane (the sine), or their distances are spread (rms, in epsilons).
 constexpr double suspicious_lean = 0.07;
@@ -118,9 +143,7 @@ std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape
     t.plane[id] = rounded(shape.plane);
     shape.layered_count = shape.moments.count;
   }
-  t.backend.template for_each_cell<Count_scratch>(
-    t.cells.size(),
-    Sum_normals<Backend>{t.cloud, t.cells.data(), t.label.data(), mask.data(), t.plane.data(), sum.data()});
+  sum_normals(t, mask, sum);
   const double most = suspicious_rms * t.options.maximum_distance;
   std::vector<std::size_t> entries;
   for(std::size_t i = 0; i < r.id.size(); ++i) {
@@ -151,10 +174,7 @@ void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
     histogram_of[r.id[entries[h]]] = std::uint32_t(h);
     integer_planes.push_back(rounded(planes[h]));
   }
-  t.backend.template for_each_cell<Count_scratch>(
-    t.cells.size(),
-    Count_distances<Backend>{t.cloud, t.cells.data(), t.label.data(), histogram_of.data(), integer_planes.data(),
-                             histogram.data(), t.options.growth.tolerance.distance});
+  count_distances(t, histogram_of, integer_planes, histogram);
   for(std::size_t h = 0; h < entries.size(); ++h) {
     const double layer = find_layer(histogram.data() + h * histogram_bins);
     if(layer == 0)

@@ -20,18 +20,44 @@ constexpr double restart_motion = 0.1;
 
 inline Regular_plane plane_through(const Vector& normal, const Vector& point) { return {normal, dot(normal, point)}; }
 
+struct Local_fit {
+  Scatter scatter;
+  Fit fit;
+};
+
+struct Fit_planes {
+  const Moments* moments;
+  Local_fit* local;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    local[i].scatter = make_scatter(moments[i]);
+    local[i].fit = fit_plane(local[i].scatter);
+  }
+};
+
 template <class Backend>
 void refit_shapes(Tandem_state<Backend>& t)
 {
-  t.backend.for_each(t.live.size(), [&](std::size_t l) {
-    Shape& shape = t.shapes[t.live[l]];
-    if(!shape.is_dirty)
-      return;
-    shape.scatter = make_scatter(shape.moments);
-    shape.fit = fit_plane(shape.scatter);
+  std::vector<std::uint32_t> dirty;
+  std::vector<Moments> moments;
+  for(std::uint32_t id : t.live)
+    if(t.shapes[id].is_dirty) {
+      dirty.push_back(id);
+      moments.push_back(t.shapes[id].moments);
+    }
+  std::vector<Local_fit> local(dirty.size());
+  const auto source = t.backend.lend(moments);
+  auto target = t.backend.lend_out(local);
+  t.backend.for_each(dirty.size(), Fit_planes{source.data(), target.data()});
+  target.take_back();
+  for(std::size_t i = 0; i < dirty.size(); ++i) {
+    Shape& shape = t.shapes[dirty[i]];
+    shape.scatter = local[i].scatter;
+    shape.fit = local[i].fit;
     shape.local = plane_through(shape.fit.normal, shape.scatter.centroid);
     shape.is_dirty = false;
-  });
+  }
 }
 
 // Which shape each shape becomes: itself, another one, or is_free.
@@ -78,9 +104,14 @@ template <class Backend>
 void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target,
                    const std::vector<std::uint8_t>& is_checked)
 {
+  const auto new_label = t.backend.lend(target);
+  const auto checked = t.backend.lend(is_checked);
+  const auto plane = t.backend.lend(t.plane);
+  auto loss_of = t.backend.lend_out(t.gain);
   t.backend.template for_each_cell<Moment_table>(
-    t.cells.size(), Update_points<Backend>{t.cloud, t.cells.data(), t.labels(), target.data(), is_checked.data(),
-                                           t.plane.data(), t.gain.data(), t.options.growth.tolerance});
+    t.number_of_cells, Update_points<Backend>{t.cloud, t.cells.data(), t.labels(), new_label.data(), checked.data(),
+                                              plane.data(), loss_of.data(), t.options.growth.tolerance});
+  loss_of.take_back();
   std::size_t kept = 0;
   for(std::uint32_t id : t.live) {
     Shape& shape = t.shapes[id];

@@ -37,6 +37,7 @@ public:
     size_ = 0;
   }
 
+  T* get() const { return data_.get(); }
   T* data() { return data_.get(); }
   const T* data() const { return data_.get(); }
   std::size_t size() const { return size_; }
@@ -52,10 +53,31 @@ private:
   std::size_t size_ = 0;
 };
 
-// What the sort along the curve moves.
-struct Keyed_index {
-  std::uint64_t key;
-  std::uint32_t index;
+// Keys with the index that each belongs to, as a back end sorts them.
+class Host_sort_table {
+public:
+  struct Entry {
+    std::uint64_t key;
+    std::uint32_t index;
+  };
+
+  struct View {
+    Entry* entry;
+
+    std::uint64_t key(std::size_t i) const { return entry[i].key; }
+    std::uint32_t index(std::size_t i) const { return entry[i].index; }
+    void set(std::size_t i, std::uint64_t key, std::uint32_t index) const { entry[i] = {key, index}; }
+  };
+
+  explicit Host_sort_table(std::size_t size) : entries_(size) {}
+
+  View view() const { return {entries_.get()}; }
+  std::size_t size() const { return entries_.size(); }
+  Entry* begin() { return entries_.begin(); }
+  Entry* end() { return entries_.end(); }
+
+private:
+  Host_buffer<Entry> entries_;
 };
 
 } // namespace internal

@@ -76,6 +76,8 @@ struct Serial_block {
     return old;
   }
 
+  void add(std::uint32_t& target, std::uint32_t value) { target += value; }
+
   // A position of its own for each caller. The order of positions is arbitrary.
   std::uint32_t append(std::uint32_t& size) { return size++; }
 
