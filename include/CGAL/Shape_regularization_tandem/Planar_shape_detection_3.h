@@ -6,7 +6,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
-#include <CGAL/Tandem/internal/Engine.h>
+#include <CGAL/Tandem/internal/backend/execution.h>
 
 #include <chrono>
 #include <memory>
@@ -71,7 +71,7 @@ public:
     internal::choose_grid(in_, parameters_.maximum_distance);
     import_time_ = watch.lap();
     if(in_.size() >= parameters_.minimum_region_size && go_on(0))
-      engine_ = std::make_unique<internal::Engine<Backend>>(backend_, in_, parameters_);
+      engine_ = std::make_unique<Engine>(backend_, in_, parameters_);
   }
 
   // The engine refers to members.
@@ -116,7 +116,7 @@ public:
                                          : internal::export_nothing(in_, parameters_);
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled_;
-    statistics.backend = Backend::name();
+    statistics.backend = engine_ ? engine_->name() : Backend::name();
     Stage_times& times = statistics.times;
     times.sort += import_time_;
     times.finish += watch.lap();
@@ -132,6 +132,7 @@ public:
 
 private:
   using Backend = typename Traits::Backend;
+  using Engine = typename Traits::Engine;
 
   bool go_on(double progress)
   {
@@ -148,7 +149,7 @@ private:
   double import_time_ = 0;
   bool is_finished_ = false;
   bool is_cancelled_ = false;
-  std::unique_ptr<internal::Engine<Backend>> engine_;
+  std::unique_ptr<Engine> engine_;
 };
 
 } // namespace Tandem

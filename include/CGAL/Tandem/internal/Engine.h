@@ -29,6 +29,8 @@ public:
     prepare(state_, in, parameters, order_, points_, neighbors_, times_);
   }
 
+  static const char* name() { return Backend::name(); }
+
   // One round; false when nothing grows any more.
   bool iterate()
   {

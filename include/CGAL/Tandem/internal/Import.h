@@ -23,7 +23,7 @@ struct Import {
   std::size_t count = 0; // valid points: those below, in the caller's order
   Host_buffer<Grid_point> point;
   Grid_point low = {0, 0, 0, no_normal}, high = {0, 0, 0, no_normal}; // corners of the box around them
-  Host_buffer<double> coordinates; // 3 a point, as the caller gave them
+  Host_buffer<double> coordinates;                                    // 3 a point, as the caller gave them
   Host_buffer<double> normals;     // 3 a point, of unit length; empty if they are to be estimated
   std::vector<std::uint32_t> item; // position in the caller's range; empty means identity
   bool has_normals = false;

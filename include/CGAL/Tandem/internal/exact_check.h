@@ -9,6 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_EXACT_CHECK_H
 
 #include <CGAL/Tandem/internal/Cloud.h>
+#include <CGAL/Tandem/internal/Engine_result.h>
 #include <CGAL/Tandem/internal/Shapes.h>
 
 #include <array>
@@ -16,8 +17,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-using Coefficients = std::array<double, 4>; // a x + b y + c z + d = 0, of unit normal
 
 // The caller's points and, if there are any, unit normals: 3 doubles each.
 struct Caller_view {
@@ -124,8 +123,7 @@ void check_exactly(Backend& backend, const Is_uncertain& is_uncertain, std::uint
 {
   const auto place = backend.compact(size, is_uncertain);
   typename Backend::template Buffer<Uncertain_point> buffer(place.size());
-  backend.for_each(place.size(),
-                   Gather_uncertain{is_uncertain.point, label, origin, place.data(), buffer.data()});
+  backend.for_each(place.size(), Gather_uncertain{is_uncertain.point, label, origin, place.data(), buffer.data()});
   std::vector<Uncertain_point> uncertain(place.size());
   backend.to_host(buffer.data(), uncertain.size(), uncertain.data());
   std::vector<std::uint8_t> is_refused(uncertain.size());

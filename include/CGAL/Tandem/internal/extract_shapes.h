@@ -7,33 +7,16 @@
 #ifndef CGAL_TANDEM_INTERNAL_EXTRACT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_EXTRACT_SHAPES_H
 
+#include <CGAL/Tandem/internal/Engine_result.h>
 #include <CGAL/Tandem/internal/clutter.h>
 #include <CGAL/Tandem/internal/components.h>
 #include <CGAL/Tandem/internal/exact_check.h>
 #include <CGAL/Tandem/internal/Import.h>
 #include <CGAL/Tandem/internal/regularize_shapes.h>
-#include <CGAL/Shape_regularization_tandem/Statistics.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-struct Engine_shape {
-  Coefficients plane; // common to the shapes of a plane group; its normal to those of a direction
-  int direction;      // parallel group
-  int plane_group;    // coplanar group
-};
-
-struct Engine_result {
-  std::vector<Engine_shape> shapes;   // by falling number of points
-  std::vector<std::int32_t> shape_of; // per imported point, -1 = none
-  std::vector<std::uint32_t> normal;  // per imported point, the packed normal that was used
-  std::size_t rounds = 0;
-  bool is_cancelled = false;
-  bool is_coarse = false;
-  Stage_times times;
-  std::size_t peak_bytes = 0;
-};
 
 // The planes of the relations in the caller's coordinates, by plane of the relations.
 inline std::vector<Coefficients> caller_planes(const Relations& relations, const Grid& grid)
@@ -225,8 +208,8 @@ private:
     const auto crisp = t_.backend.lend(is_crisp);
     auto sums = t_.backend.lend_out(counts);
     t_.backend.template for_each_cell<Neighbor_scratch>(
-      t_.number_of_cells, Count_neighbors<Backend>{t_.cloud, t_.cells.data(), label_.data(), plane.data(),
-                                                   crisp.data(), sums.data(), t_.options.growth.tolerance.distance});
+      t_.number_of_cells, Count_neighbors<Backend>{t_.cloud, t_.cells.data(), label_.data(), plane.data(), crisp.data(),
+                                                   sums.data(), t_.options.growth.tolerance.distance});
     sums.take_back();
     for(std::size_t i = 0; i < plane_.size(); ++i)
       is_dropped[i] = is_clutter(counts[i], rms(i));
@@ -241,9 +224,8 @@ private:
     t_.backend.for_each(t_.cloud.size, Fill{size.data(), 0});
     t_.backend.template for_each_cell<Count_scratch>(
       t_.number_of_cells, Count_components<Backend>{t_.cells.data(), label_.data(), component, size.data()});
-    const auto root = t_.backend.compact(
-      t_.cloud.size,
-      Is_large_root{label_.data(), component, size.data(), std::uint64_t(t_.options.minimum_region_size)});
+    const auto root = t_.backend.compact(t_.cloud.size, Is_large_root{label_.data(), component, size.data(),
+                                                                      std::uint64_t(t_.options.minimum_region_size)});
     Buffer<Component> buffer(root.size());
     t_.backend.for_each(root.size(), Gather_components{root.data(), label_.data(), size.data(), buffer.data()});
     std::vector<Component> components(root.size());

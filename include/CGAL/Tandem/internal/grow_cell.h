@@ -20,9 +20,9 @@ namespace internal {
 // What the shapes look like to the points during one round: plain arrays, by shape.
 struct Shapes_view {
   Plane* plane;
-  std::uint16_t* rounds;      // breadth-first rounds of this pass
+  std::uint16_t* rounds;            // breadth-first rounds of this pass
   const std::uint8_t* is_restarted; // all of its points are on the frontier
-  Shared_moments* gain;       // what the pass adds
+  Shared_moments* gain;             // what the pass adds
 };
 
 struct Labels_view {

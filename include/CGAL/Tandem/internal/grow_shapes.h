@@ -136,10 +136,10 @@ void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_
   const auto seed_count = t.backend.lend(t.seeds.count);
   const auto ids = t.backend.lend(new_ids);
   const auto first = t.backend.lend(first_new);
-  t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), plane.data(), t.border.data(),
-                                              t.proposal.data(), t.options.growth.tolerance});
+  t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), plane.data(), t.border.data(), t.proposal.data(),
+                                              t.options.growth.tolerance});
   const Shapes_view shapes = {plane.data(), rounds.data(), is_restarted.data(), gain.data()};
-  const Leaves_view leaves = {t.cells.data(),    t.cell_border.data(), t.border.data(), t.proposal.data(),
+  const Leaves_view leaves = {t.cells.data(),      t.cell_border.data(), t.border.data(), t.proposal.data(),
                               t.seeds.seed.data(), seed_count.data(),    cursor.data()};
   const Grow_cells<Backend> body = {t.cloud, shapes, t.labels(), t.options.growth, leaves, ids.data(), first.data()};
   if(t.options.cell_size <= small_cell)

@@ -140,8 +140,8 @@ void find_border(Tandem_state<Backend>& t)
   const std::uint32_t cells = std::uint32_t(t.number_of_cells);
   t.border = t.backend.compact(t.cloud.size, Is_border{t.cloud, t.cells.data(), cells});
   t.cell_border.reset(cells);
-  t.backend.for_each(cells, Find_cell_borders{t.cells.data(), t.border.data(), std::uint32_t(t.border.size()),
-                                              t.cell_border.data()});
+  t.backend.for_each(
+    cells, Find_cell_borders{t.cells.data(), t.border.data(), std::uint32_t(t.border.size()), t.cell_border.data()});
   t.proposal.reset(t.border.size());
 }
 
@@ -240,8 +240,8 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
 
   Stage_timer growth(times.growth);
   find_border(t);
-  t.seeds = order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells,
-                        {t.options.growth.tolerance, t.options.tight});
+  t.seeds =
+    order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells, {t.options.growth.tolerance, t.options.tight});
   t.seed_cursor.assign(t.number_of_cells, 0);
   t.label.reset(n);
   t.state.reset(n);
