@@ -33,6 +33,14 @@ struct Options {
   Exact_bounds exact;                 // in the caller's units
 };
 
+// The shapes that may have points in a leaf, in any order; too many to be listed if `size`
+// exceeds the capacity.
+struct Leaf_shapes {
+  static constexpr std::uint32_t capacity = 64;
+  std::uint32_t size;
+  std::uint32_t shape[capacity];
+};
+
 template <class Backend>
 struct Tandem_state {
   template <class T>
@@ -49,9 +57,10 @@ struct Tandem_state {
 
   Cloud_view cloud;
   std::vector<Range> cells;
-  std::vector<Range> cell_border;      // per leaf, its range of `border`
-  std::vector<std::uint32_t> border;   // points with a neighbor in another leaf
-  std::vector<std::uint32_t> proposal; // parallel to border
+  std::vector<Leaf_shapes> leaf_shapes; // per leaf
+  std::vector<Range> cell_border;       // per leaf, its range of `border`
+  std::vector<std::uint32_t> border;    // points with a neighbor in another leaf
+  std::vector<std::uint32_t> proposal;  // parallel to border
   Seeds<Backend> seeds;
   std::vector<std::uint32_t> seed_cursor; // per leaf
 

@@ -197,6 +197,7 @@ void recount(Tandem_state<Backend>& t)
 {
   t.backend.template for_each_cell<Moment_table>(
     t.cells.size(), Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), t.gain.data()});
+  list_shapes(t);
   std::size_t kept = 0;
   t.assigned = 0;
   for(std::uint32_t id : t.live) {

@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROW_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_GROW_SHAPES_H
 
-#include <CGAL/Tandem/internal/Tandem_state.h>
+#include <CGAL/Tandem/internal/leaf_shapes.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -125,6 +125,7 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   t.backend.template for_each_cell<Growth_scratch>(
     jobs.size(), Grow_cells<Backend>{t.cloud, t.shapes_view(), t.labels(), t.options.growth, jobs.data()});
   take_gain(t, new_ids);
+  list_shapes(t);
   return t.assigned - before;
 }
 

@@ -67,10 +67,11 @@ public:
       before[ids[i]] = rounded(shape.local);
       after[ids[i]] = rounded(candidates[i]);
     }
+    const std::vector<Range> leaves = leaves_of(t_, [&](std::uint32_t id) { return mask[id] != nobody; });
     if(!asked.empty())
       t_.backend.template for_each_cell<Count_scratch>(
-        t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), mask.data(), before.data(),
-                                                after.data(), count.data(), t_.options.growth.tolerance});
+        leaves.size(), Count_misfits<Backend>{t_.cloud, leaves.data(), t_.label.data(), mask.data(), before.data(),
+                                              after.data(), count.data(), t_.options.growth.tolerance});
     for(std::size_t i : asked) {
       Shape& shape = t_.shapes[ids[i]];
       shares[i] = double(count[ids[i]]) * (double(mask[ids[i]]) + 1) / double(shape.moments.count);

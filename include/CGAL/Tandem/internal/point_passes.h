@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_POINT_PASSES_H
 #define CGAL_TANDEM_INTERNAL_POINT_PASSES_H
 
-#include <CGAL/Tandem/internal/Tandem_state.h>
+#include <CGAL/Tandem/internal/leaf_shapes.h>
 
 #include <algorithm>
 
@@ -100,14 +100,15 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
     is_asked[id] = which == Links::all || t.shapes[id].is_changed;
     t.shapes[id].is_changed = false;
   }
+  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return is_asked[id] != 0; });
   std::vector<Link> links(4 * t.live.size() + 64 * t.cells.size());
   std::uint32_t size = 0;
   for(;;) {
     size = 0;
     t.backend.template for_each_cell<Link_scratch>(
-      t.cells.size(),
+      leaves.size(),
       Collect_links<Backend>{
-        t.cloud, t.cells.data(), t.labels(), is_asked.data(), {links.data(), &size, std::uint32_t(links.size())}});
+        t.cloud, leaves.data(), t.labels(), is_asked.data(), {links.data(), &size, std::uint32_t(links.size())}});
     if(size <= links.size())
       break;
     links.resize(2 * std::size_t(size));

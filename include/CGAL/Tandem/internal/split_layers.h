@@ -118,9 +118,10 @@ std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape
     t.plane[id] = rounded(shape.plane);
     shape.layered_count = shape.moments.count;
   }
+  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return mask[id] != nobody; });
   t.backend.template for_each_cell<Count_scratch>(
-    t.cells.size(),
-    Sum_normals<Backend>{t.cloud, t.cells.data(), t.label.data(), mask.data(), t.plane.data(), sum.data()});
+    leaves.size(),
+    Sum_normals<Backend>{t.cloud, leaves.data(), t.label.data(), mask.data(), t.plane.data(), sum.data()});
   const double most = suspicious_rms * t.options.maximum_distance;
   std::vector<std::size_t> entries;
   for(std::size_t i = 0; i < r.id.size(); ++i) {
@@ -151,9 +152,10 @@ void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
     histogram_of[r.id[entries[h]]] = std::uint32_t(h);
     integer_planes.push_back(rounded(planes[h]));
   }
+  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return histogram_of[id] != no_index; });
   t.backend.template for_each_cell<Count_scratch>(
-    t.cells.size(),
-    Count_distances<Backend>{t.cloud, t.cells.data(), t.label.data(), histogram_of.data(), integer_planes.data(),
+    leaves.size(),
+    Count_distances<Backend>{t.cloud, leaves.data(), t.label.data(), histogram_of.data(), integer_planes.data(),
                              histogram.data(), t.options.growth.tolerance.distance});
   for(std::size_t h = 0; h < entries.size(); ++h) {
     const double layer = find_layer(histogram.data() + h * histogram_bins);

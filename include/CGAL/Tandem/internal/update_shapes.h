@@ -78,9 +78,12 @@ template <class Backend>
 void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target,
                    const std::vector<std::uint8_t>& is_checked)
 {
+  const std::vector<Range> leaves =
+    leaves_of(t, [&](std::uint32_t id) { return target[id] != id || is_checked[id] != 0; });
   t.backend.template for_each_cell<Moment_table>(
-    t.cells.size(), Update_points<Backend>{t.cloud, t.cells.data(), t.labels(), target.data(), is_checked.data(),
-                                           t.plane.data(), t.gain.data(), t.options.growth.tolerance});
+    leaves.size(), Update_points<Backend>{t.cloud, leaves.data(), t.labels(), target.data(), is_checked.data(),
+                                          t.plane.data(), t.gain.data(), t.options.growth.tolerance});
+  relabel_lists(t, target);
   std::size_t kept = 0;
   for(std::uint32_t id : t.live) {
     Shape& shape = t.shapes[id];
