@@ -34,6 +34,14 @@ struct Options {
   Exact_bounds exact;                 // in the caller's units
 };
 
+// The shapes that may have points in a leaf, in any order; too many to be listed if `size`
+// exceeds the capacity.
+struct Leaf_shapes {
+  static constexpr std::uint32_t capacity = 64;
+  std::uint32_t size;
+  std::uint32_t shape[capacity];
+};
+
 template <class Backend>
 struct Tandem_state {
   template <class T>
@@ -49,6 +57,8 @@ struct Tandem_state {
   Cloud_view cloud;
   std::size_t number_of_cells = 0;
   Buffer<Range> cells;
+  std::vector<Range> leaves;            // the same, on the host
+  std::vector<Leaf_shapes> leaf_shapes; // per leaf
   Buffer<Range> cell_border;      // per leaf, its range of `border`
   Buffer<std::uint32_t> border;   // points with a neighbor in another leaf
   Buffer<std::uint32_t> proposal; // parallel to border

@@ -211,6 +211,7 @@ void recount(Tandem_state<Backend>& t)
   t.backend.template for_each_cell<Moment_table>(
     t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), sum.data()});
   sum.take_back();
+  list_shapes(t);
   std::size_t kept = 0;
   t.assigned = 0;
   for(std::uint32_t id : t.live) {

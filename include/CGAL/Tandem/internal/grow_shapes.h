@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROW_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_GROW_SHAPES_H
 
-#include <CGAL/Tandem/internal/Tandem_state.h>
+#include <CGAL/Tandem/internal/leaf_shapes.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -159,6 +159,7 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   const std::vector<std::uint32_t> first_new = number_new_shapes(t, new_ids);
   grow_cells(t, new_ids, first_new);
   take_gain(t, new_ids);
+  list_shapes(t);
   return t.assigned - before;
 }
 

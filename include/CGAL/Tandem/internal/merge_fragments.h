@@ -82,12 +82,14 @@ private:
   void ask_points(const std::vector<std::uint32_t>& mask, const std::vector<Plane>& before,
                   const std::vector<Plane>& after, std::vector<std::uint32_t>& count)
   {
+    const std::vector<Range> leaves = leaves_of(t_, [&](std::uint32_t id) { return mask[id] != nobody; });
+    const auto cells = t_.backend.lend(leaves);
     const auto masks = t_.backend.lend(mask);
     const auto old_planes = t_.backend.lend(before), new_planes = t_.backend.lend(after);
     auto counts = t_.backend.lend_out(count);
     t_.backend.template for_each_cell<Count_scratch>(
-      t_.number_of_cells,
-      Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), masks.data(), old_planes.data(),
+      leaves.size(),
+      Count_misfits<Backend>{t_.cloud, cells.data(), t_.label.data(), masks.data(), old_planes.data(),
                              new_planes.data(), counts.data(), t_.options.growth.tolerance});
     counts.take_back();
   }

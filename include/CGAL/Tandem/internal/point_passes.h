@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_POINT_PASSES_H
 #define CGAL_TANDEM_INTERNAL_POINT_PASSES_H
 
-#include <CGAL/Tandem/internal/Tandem_state.h>
+#include <CGAL/Tandem/internal/leaf_shapes.h>
 
 #include <algorithm>
 
@@ -94,6 +94,8 @@ enum class Links { all, changed };
 template <class Backend>
 std::vector<Link> append_links(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_asked)
 {
+  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return is_asked[id] != 0; });
+  const auto cells = t.backend.lend(leaves);
   const auto asked = t.backend.lend(is_asked);
   std::size_t capacity = 4 * t.live.size() + 64 * t.number_of_cells;
   for(;;) {
@@ -101,9 +103,9 @@ std::vector<Link> append_links(Tandem_state<Backend>& t, const std::vector<std::
     std::vector<std::uint32_t> size(1, 0);
     auto counter = t.backend.lend_out(size);
     t.backend.template for_each_cell<Link_scratch>(
-      t.number_of_cells,
+      leaves.size(),
       Collect_links<Backend>{
-        t.cloud, t.cells.data(), t.labels(), asked.data(), {buffer.data(), counter.data(), std::uint32_t(capacity)}});
+        t.cloud, cells.data(), t.labels(), asked.data(), {buffer.data(), counter.data(), std::uint32_t(capacity)}});
     counter.take_back();
     if(size[0] <= capacity) {
       std::vector<Link> links(size[0]);

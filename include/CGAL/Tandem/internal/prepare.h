@@ -201,10 +201,10 @@ void sort_points(Tandem_state<Backend>& t, Import& in, std::size_t cell_size,
   const Code_frame frame = make_code_frame(in.low, in.high);
   const auto sorted = sort_along_curve(t.backend, imported.data(), n, frame,
                                        [&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); });
-  const std::vector<Range> cells = split_leaves(t.backend, sorted, frame, cell_size);
-  t.number_of_cells = cells.size();
-  t.cells.reset(cells.size());
-  t.backend.from_host(cells.data(), cells.size(), t.cells.data());
+  t.leaves = split_leaves(t.backend, sorted, frame, cell_size);
+  t.number_of_cells = t.leaves.size();
+  t.cells.reset(t.leaves.size());
+  t.backend.from_host(t.leaves.data(), t.leaves.size(), t.cells.data());
   order.reset(n);
   points.reset(n);
   using Table = typename Backend::Sort_table::View;

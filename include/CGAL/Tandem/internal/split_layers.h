@@ -48,11 +48,13 @@ template <class Backend>
 void count_distances(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& histogram_of,
                      const std::vector<Plane>& planes, std::vector<std::uint32_t>& histogram)
 {
+  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return histogram_of[id] != no_index; });
+  const auto cells = t.backend.lend(leaves);
   const auto index = t.backend.lend(histogram_of);
   const auto plane = t.backend.lend(planes);
   auto counts = t.backend.lend_out(histogram);
   t.backend.template for_each_cell<Count_scratch>(
-    t.number_of_cells, Count_distances<Backend>{t.cloud, t.cells.data(), t.label.data(), index.data(), plane.data(),
+    leaves.size(), Count_distances<Backend>{t.cloud, cells.data(), t.label.data(), index.data(), plane.data(),
                                                 counts.data(), t.options.growth.tolerance.distance});
   counts.take_back();
 }
@@ -113,12 +115,14 @@ struct Sum_normals {
 template <class Backend>
 void sum_normals(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& mask, std::vector<std::int64_t>& sum)
 {
+  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return mask[id] != nobody; });
+  const auto cells = t.backend.lend(leaves);
   const auto masks = t.backend.lend(mask);
   const auto plane = t.backend.lend(t.plane);
   auto sums = t.backend.lend_out(sum);
   t.backend.template for_each_cell<Count_scratch>(
-    t.number_of_cells,
-    Sum_normals<Backend>{t.cloud, t.cells.data(), t.label.data(), masks.data(), plane.data(), sums.data()});
+    leaves.size(),
+    Sum_normals<Backend>{t.cloud, cells.data(), t.label.data(), masks.data(), plane.data(), sums.data()});
   sums.take_back();
 }
 

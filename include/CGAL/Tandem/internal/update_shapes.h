@@ -104,14 +104,18 @@ template <class Backend>
 void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target,
                    const std::vector<std::uint8_t>& is_checked)
 {
+  const std::vector<Range> leaves =
+    leaves_of(t, [&](std::uint32_t id) { return target[id] != id || is_checked[id] != 0; });
+  const auto cells = t.backend.lend(leaves);
   const auto new_label = t.backend.lend(target);
   const auto checked = t.backend.lend(is_checked);
   const auto plane = t.backend.lend(t.plane);
   auto loss_of = t.backend.lend_out(t.gain);
   t.backend.template for_each_cell<Moment_table>(
-    t.number_of_cells, Update_points<Backend>{t.cloud, t.cells.data(), t.labels(), new_label.data(), checked.data(),
+    leaves.size(), Update_points<Backend>{t.cloud, cells.data(), t.labels(), new_label.data(), checked.data(),
                                               plane.data(), loss_of.data(), t.options.growth.tolerance});
   loss_of.take_back();
+  relabel_lists(t, target);
   std::size_t kept = 0;
   for(std::uint32_t id : t.live) {
     Shape& shape = t.shapes[id];
