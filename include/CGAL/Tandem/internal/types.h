@@ -59,16 +59,13 @@ CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
 {
   if(code == no_normal)
     return {0, 0, 0};
-  std::int32_t u = std::int16_t(code & 0xffffu);
-  std::int32_t v = std::int16_t(code >> 16);
+  const std::int32_t u = std::int16_t(code & 0xffffu);
+  const std::int32_t v = std::int16_t(code >> 16);
   const std::int32_t au = u < 0 ? -u : u;
   const std::int32_t av = v < 0 ? -v : v;
   const std::int32_t w = 32767 - au - av;
-  if(w < 0) {
-    u = u < 0 ? av - 32767 : 32767 - av;
-    v = v < 0 ? au - 32767 : 32767 - au;
-  }
-  return {u, v, w};
+  const std::int32_t folded = w < 0 ? -w : 0; // no branch: which side it is cannot be predicted
+  return {u < 0 ? u + folded : u - folded, v < 0 ? v + folded : v - folded, w};
 }
 
 // nx x + ny y + nz z + d = 0, with |(nx, ny, nz)| = 2^28 up to rounding.
