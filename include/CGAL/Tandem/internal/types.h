@@ -92,14 +92,30 @@ CGAL_TANDEM_HD inline bool is_near(const Plane& s, const Grid_point& p, std::int
   return (e < 0 ? -e : e) <= distance;
 }
 
-// Unoriented: |cos| between the normals against alpha, squared.
-CGAL_TANDEM_HD inline bool is_aligned(const Plane& s, const Grid_point& p, std::int64_t squared_cosine)
+// The cosine of the angle between the normals, squared, as a fraction of numbers
+// below 2^62 and 2^30.
+struct Squared_cosine {
+  std::int64_t squared_dot, squared_length;
+
+  CGAL_TANDEM_HD bool is_at_least(std::int64_t squared_cosine) const
+  {
+    return squared_dot > 0 && squared_dot >= squared_length * squared_cosine;
+  }
+};
+
+CGAL_TANDEM_HD inline Squared_cosine squared_cosine(const Plane& s, const Grid_point& p)
 {
   const Int_vector m = decode_normal(p.normal);
   const std::int64_t product = std::int64_t(s.nx) * m.x + std::int64_t(s.ny) * m.y + std::int64_t(s.nz) * m.z;
   const std::int64_t dot = (product < 0 ? -product : product) >> 12; // < 2^31
   const std::int64_t length2 = std::int64_t(m.x) * m.x + std::int64_t(m.y) * m.y + std::int64_t(m.z) * m.z;
-  return dot > 0 && dot * dot >= length2 * squared_cosine; // both < 2^62
+  return {dot * dot, length2};
+}
+
+// Unoriented: |cos| between the normals against alpha, squared.
+CGAL_TANDEM_HD inline bool is_aligned(const Plane& s, const Grid_point& p, std::int64_t least_squared_cosine)
+{
+  return squared_cosine(s, p).is_at_least(least_squared_cosine);
 }
 
 CGAL_TANDEM_HD inline bool fits(const Plane& s, const Grid_point& p, const Tolerance& t)
