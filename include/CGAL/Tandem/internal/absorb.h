@@ -35,9 +35,14 @@ struct Offer {
       return;
     }
     const std::uint32_t* row = cloud.row(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-      if(label[row[j]] < first_mark)
-        make(label[row[j]], i);
+    std::uint32_t last = is_free; // most neighbors that have a shape have the same one
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t s = label[row[j]];
+      if(s >= first_mark || s == last)
+        continue;
+      last = s;
+      make(s, i);
+    }
   }
 
   // To the free neighbors of an assigned point.
@@ -120,33 +125,39 @@ void absorb(Tandem_state<Backend>& t)
 }
 
 // A point of a shape that may give points away goes to the largest shape among its
-// neighbors' that it fits, if that is larger than its own.
+// neighbors' that it fits, if that is larger than its own. Points whose neighbors all
+// have their label become interior on the way, if asked for.
 struct Choose_largest {
   Cloud_view cloud;
   const std::uint32_t* label;
-  const std::uint8_t* state;
+  std::uint8_t* state;
   const Plane* plane;
   const std::int64_t* size; // by shape, as are these
   const std::uint8_t* may_lose;
   const std::uint8_t* may_gain;
   std::uint32_t* chosen;
   Tolerance tolerance;
+  bool marks_interior = false;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const std::uint32_t s = label[i];
     chosen[i] = s;
-    if(s >= first_mark || !may_lose[s] || (state[i] & is_interior))
+    if(s >= first_mark || (state[i] & is_interior) || !(may_lose[s] || marks_interior))
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    bool all_same = true;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]], best = chosen[i];
-      if(t >= first_mark || t == best || !may_gain[t])
+      all_same = all_same && t == s;
+      if(t >= first_mark || t == best || !may_gain[t] || !may_lose[s])
         continue;
       const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best);
       if(is_larger && fits(plane[t], cloud.point[i], tolerance))
         chosen[i] = t;
     }
+    if(marks_interior && all_same)
+      state[i] |= is_interior;
   }
 };
 
@@ -166,7 +177,7 @@ struct Take_chosen {
 // One Jacobi round of reassignment.
 template <class Backend>
 void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose,
-              const std::vector<std::uint8_t>& may_gain)
+              const std::vector<std::uint8_t>& may_gain, bool marks_interior)
 {
   std::vector<std::int64_t> size(t.shapes.size(), 0);
   for(std::uint32_t id : t.live)
@@ -177,7 +188,7 @@ void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_los
   const auto losing = t.backend.lend(may_lose), gaining = t.backend.lend(may_gain);
   t.backend.for_each(t.cloud.size,
                      Choose_largest{t.cloud, t.label.data(), t.state.data(), plane.data(), sizes.data(), losing.data(),
-                                    gaining.data(), chosen.data(), t.options.growth.tolerance});
+                                    gaining.data(), chosen.data(), t.options.growth.tolerance, marks_interior});
   t.backend.for_each(t.cloud.size, Take_chosen{chosen.data(), t.label.data(), t.state.data()});
 }
 

@@ -32,9 +32,13 @@ struct Propose {
       return;
     const std::uint32_t* row = cloud.row(i);
     std::int64_t least = 0;
+    std::uint32_t last = is_free; // most neighbors that have a shape have the same one
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t s = label[row[j]];
-      if(s >= first_mark || s == proposal[b] || !fits(plane[s], cloud.point[i], tolerance))
+      if(s >= first_mark || s == last || s == proposal[b])
+        continue;
+      last = s;
+      if(!fits(plane[s], cloud.point[i], tolerance))
         continue;
       const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
       const std::int64_t distance = e < 0 ? -e : e;

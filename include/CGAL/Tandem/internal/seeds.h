@@ -37,11 +37,14 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
     return p;
   const Plane plane = own_plane(cloud.point[i]);
   const std::uint32_t* row = cloud.row(i);
-  for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-    if(fits(plane, cloud.point[row[j]], tolerance)) {
-      ++p.fitting;
-      p.close += fits(plane, cloud.point[row[j]], tight);
-    }
+  for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+    const std::int64_t e = signed_distance(plane, cloud.point[row[j]]);
+    const std::int64_t distance = e < 0 ? -e : e;
+    const Squared_cosine cosine = squared_cosine(plane, cloud.point[row[j]]);
+    // as fits(), twice; no branches, since half of them would be mispredicted
+    p.fitting += int(distance <= tolerance.distance) & int(cosine.is_at_least(tolerance.squared_cosine));
+    p.close += int(distance <= tight.distance) & int(cosine.is_at_least(tight.squared_cosine));
+  }
   return p;
 }
 
