@@ -85,13 +85,17 @@ private:
   static constexpr int most_rounds = 300;
   static constexpr int most_idle_rounds = 5;
 
-  // Shapes of more than two rounds that stopped growing while they are small.
+  // Shapes of more than two rounds that stopped growing while they are small, unless
+  // others are merged into them.
   void give_up_fragments(std::vector<std::uint32_t>& target) const
   {
+    std::vector<std::uint8_t> is_joined(target.size(), 0);
+    for(std::uint32_t id : state_.live)
+      is_joined[target[id]] |= target[id] != id;
     for(std::uint32_t id : state_.live) {
       const Shape& shape = state_.shapes[id];
       if(!shape.is_active && shape.age > 2 && shape.moments.count < state_.options.minimum_fragment_size &&
-         target[id] == id)
+         target[id] == id && !is_joined[id])
         target[id] = is_free;
     }
   }

@@ -70,10 +70,10 @@ struct Tandem_state {
 
   std::vector<Shape> shapes;       // by id; those not in `live` hold nothing
   std::vector<std::uint32_t> live; // ascending
-  std::vector<Plane> plane;        // these four: the points' view of the shapes
+  std::vector<Plane> plane;        // these three: the points' view of the shapes
   std::vector<std::uint16_t> rounds;
   std::vector<std::uint8_t> is_restarted;
-  std::vector<Shared_moments> gain;
+  Buffer<Shared_moments> gain; // of each shape, zero between passes
 
   int round = 0;
   std::size_t assigned = 0;   // points that have a shape
@@ -96,14 +96,16 @@ std::vector<std::uint32_t> spare_ids(State& t, std::size_t count)
   t.shapes.resize(size);
   t.plane.resize(size);
   t.rounds.resize(size);
-  t.is_restarted.resize(size);
-  t.gain.resize(size);
-  for(std::uint32_t id : ids) {
-    t.shapes[id] = Shape();
-    t.is_restarted[id] = 0;
-    t.gain[id] = Shared_moments();
-  }
+  t.is_restarted.resize(size, 0);
   return ids;
+}
+
+// Leaves nothing of a shape that has lost its points.
+template <class State>
+void forget_shape(State& t, std::uint32_t id)
+{
+  t.shapes[id] = Shape();
+  t.is_restarted[id] = 0;
 }
 
 } // namespace internal

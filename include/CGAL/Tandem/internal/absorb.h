@@ -218,24 +218,20 @@ struct Sum_moments {
 template <class Backend>
 void recount(Tandem_state<Backend>& t)
 {
-  auto sum = t.backend.lend_out(t.gain);
   t.backend.template for_each_cell<Moment_table>(
-    t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), sum.data()});
-  sum.take_back();
+    t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), start_gains(t)});
   list_shapes(t);
-  std::size_t kept = 0;
+  for(std::uint32_t id : t.live)
+    t.shapes[id].moments = Moments();
   t.assigned = 0;
-  for(std::uint32_t id : t.live) {
-    Shape& shape = t.shapes[id];
-    shape.moments = t.gain[id].moments();
-    shape.box = t.gain[id].box;
+  for(const Gain& gain : take_gains(t)) {
+    Shape& shape = t.shapes[gain.id];
+    shape.moments = gain.sums.moments();
+    shape.box = gain.sums.box;
     shape.is_dirty = true;
-    t.gain[id] = Shared_moments();
     t.assigned += std::size_t(shape.moments.count);
-    if(shape.moments.count > 0)
-      t.live[kept++] = id;
   }
-  t.live.resize(kept);
+  forget_empty_shapes(t);
 }
 
 } // namespace internal

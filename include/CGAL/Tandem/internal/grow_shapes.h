@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROW_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_GROW_SHAPES_H
 
+#include <CGAL/Tandem/internal/gains.h>
 #include <CGAL/Tandem/internal/leaf_shapes.h>
 
 namespace CGAL {
@@ -101,31 +102,40 @@ std::vector<std::uint32_t> number_new_shapes(Tandem_state<Backend>& t, std::vect
   return first;
 }
 
-// Adds what the shapes gained; the live shapes are then those with points.
+// A growth pass later: what the shape gained, and its part in the next pass.
 template <class Backend>
-void take_gain(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_ids)
+void take_gain(Tandem_state<Backend>& t, std::uint32_t id, const Shared_moments* gain)
 {
-  std::vector<std::uint32_t> candidates(t.live.size() + new_ids.size());
-  std::merge(t.live.begin(), t.live.end(), new_ids.begin(), new_ids.end(), candidates.begin());
-  t.live.clear();
-  for(std::uint32_t id : candidates) {
-    Shape& shape = t.shapes[id];
-    Shared_moments& gain = t.gain[id];
-    shape.gained = gain.count;
-    if(gain.count != 0) {
-      shape.moments += gain.moments();
-      shape.box.add(gain.box);
-      shape.is_dirty = shape.is_changed = true;
-      t.assigned += std::size_t(gain.count);
-      gain = Shared_moments();
-    }
-    shape.is_active = shape.gained > 0;
-    ++shape.age;
-    t.is_restarted[id] = 0;
-    t.rounds[id] = std::uint16_t(shape.age < 9 ? 1 << shape.age : most_growth_rounds);
-    if(shape.moments.count > 0)
-      t.live.push_back(id);
+  Shape& shape = t.shapes[id];
+  shape.gained = gain != nullptr ? gain->count : 0;
+  if(gain != nullptr) {
+    shape.moments += gain->moments();
+    shape.box.add(gain->box);
+    shape.is_dirty = shape.is_changed = true;
+    t.assigned += std::size_t(gain->count);
   }
+  shape.is_active = shape.gained > 0;
+  ++shape.age;
+  t.is_restarted[id] = 0;
+  t.rounds[id] = std::uint16_t(shape.age < 9 ? 1 << shape.age : most_growth_rounds);
+}
+
+// Of all shapes; those that have just begun become live.
+template <class Backend>
+void take_all_gains(Tandem_state<Backend>& t)
+{
+  const std::vector<Gain> gains = take_gains(t);
+  std::vector<std::uint32_t> live;
+  auto next = gains.begin();
+  for(std::size_t l = 0; l < t.live.size() || next != gains.end();) {
+    const std::uint32_t id = l < t.live.size() ? t.live[l] : no_index;
+    const bool has_gain = next != gains.end() && next->id <= id;
+    live.push_back(has_gain ? next->id : id);
+    take_gain(t, live.back(), has_gain ? &next->sums : nullptr);
+    l += live.back() == id;
+    next += has_gain;
+  }
+  t.live.swap(live);
 }
 
 template <class Backend>
@@ -134,7 +144,6 @@ void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_
 {
   auto plane = t.backend.lend_out(t.plane);
   auto rounds = t.backend.lend_out(t.rounds);
-  auto gain = t.backend.lend_out(t.gain);
   auto cursor = t.backend.lend_out(t.seed_cursor);
   const auto is_restarted = t.backend.lend(t.is_restarted);
   const auto seed_count = t.backend.lend(t.seeds.count);
@@ -142,7 +151,7 @@ void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_
   const auto first = t.backend.lend(first_new);
   t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), plane.data(), t.border.data(), t.proposal.data(),
                                               t.options.growth.tolerance});
-  const Shapes_view shapes = {plane.data(), rounds.data(), is_restarted.data(), gain.data()};
+  const Shapes_view shapes = {plane.data(), rounds.data(), is_restarted.data(), start_gains(t)};
   const Leaves_view leaves = {t.cells.data(),      t.cell_border.data(), t.border.data(), t.proposal.data(),
                               t.seeds.seed.data(), seed_count.data(),    cursor.data()};
   const Grow_cells<Backend> body = {t.cloud, shapes, t.labels(), t.options.growth, leaves, ids.data(), first.data()};
@@ -150,7 +159,6 @@ void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_
     t.backend.template for_each_cell<Growth_scratch<small_cell>>(t.number_of_cells, body);
   else
     t.backend.template for_each_cell<Growth_scratch<largest_cell>>(t.number_of_cells, body);
-  gain.take_back();
   cursor.take_back();
 }
 
@@ -162,7 +170,7 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   std::vector<std::uint32_t> new_ids;
   const std::vector<std::uint32_t> first_new = number_new_shapes(t, new_ids);
   grow_cells(t, new_ids, first_new);
-  take_gain(t, new_ids);
+  take_all_gains(t);
   list_shapes(t);
   return t.assigned - before;
 }

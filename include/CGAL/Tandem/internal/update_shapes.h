@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_UPDATE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_UPDATE_SHAPES_H
 
+#include <CGAL/Tandem/internal/gains.h>
 #include <CGAL/Tandem/internal/point_passes.h>
 
 namespace CGAL {
@@ -93,8 +94,20 @@ void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
     } else {
       t.assigned -= std::size_t(shape.moments.count);
     }
-    shape = Shape();
+    forget_shape(t, id);
   }
+  t.live.resize(kept);
+}
+
+template <class Backend>
+void forget_empty_shapes(Tandem_state<Backend>& t)
+{
+  std::size_t kept = 0;
+  for(std::uint32_t id : t.live)
+    if(t.shapes[id].moments.count > 0)
+      t.live[kept++] = id;
+    else
+      forget_shape(t, id);
   t.live.resize(kept);
 }
 
@@ -110,26 +123,16 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
   const auto new_label = t.backend.lend(target);
   const auto checked = t.backend.lend(is_checked);
   const auto plane = t.backend.lend(t.plane);
-  auto loss_of = t.backend.lend_out(t.gain);
   t.backend.template for_each_cell<Moment_table>(
     leaves.size(), Update_points<Backend>{t.cloud, cells.data(), t.labels(), new_label.data(), checked.data(),
-                                              plane.data(), loss_of.data(), t.options.growth.tolerance});
-  loss_of.take_back();
+                                              plane.data(), start_gains(t), t.options.growth.tolerance});
   relabel_lists(t, target);
-  std::size_t kept = 0;
-  for(std::uint32_t id : t.live) {
-    Shape& shape = t.shapes[id];
-    Shared_moments& loss = t.gain[id];
-    if(loss.count != 0) {
-      shape.moments += loss.moments();
-      shape.is_dirty = true;
-      t.assigned -= std::size_t(-loss.count);
-      loss = Shared_moments();
-    }
-    if(shape.moments.count > 0)
-      t.live[kept++] = id;
+  for(const Gain& loss : take_gains(t)) {
+    t.shapes[loss.id].moments += loss.sums.moments();
+    t.shapes[loss.id].is_dirty = true;
+    t.assigned -= std::size_t(-loss.sums.count);
   }
-  t.live.resize(kept);
+  forget_empty_shapes(t);
 }
 
 // Hands the planes over to the points, checks the points of the shapes whose plane
