@@ -209,7 +209,7 @@ private:
     using Table = typename Backend::Sort_table::View;
     std::vector<std::uint32_t> bound(9 * open.size());
     auto ranges = backend_.lend(open);
-    auto bounds = backend_.lend_out(bound);
+    auto bounds = backend_.lend_empty(bound);
     backend_.for_each(bound.size(),
                       Find_octants<Table>{order_, ranges.data(), 3 * (curve_bits - level), bounds.data()});
     bounds.take_back();

@@ -59,7 +59,7 @@ template <class Backend>
 void list_shapes(Tandem_state<Backend>& t)
 {
   t.leaf_shapes.resize(t.number_of_cells);
-  auto lists = t.backend.lend_out(t.leaf_shapes);
+  auto lists = t.backend.lend_empty(t.leaf_shapes);
   t.backend.template for_each_cell<List_scratch>(t.number_of_cells,
                                                  List_shapes{t.cells.data(), t.label.data(), lists.data()});
   lists.take_back();

@@ -53,45 +53,46 @@ public:
 
   std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
   {
-    const std::size_t size = t_.shapes.size();
     std::vector<double> shares(ids.size(), 0);
     std::vector<std::size_t> asked;
-    std::vector<std::uint32_t> mask(size, nobody), count(size, 0);
-    std::vector<Plane> before(size), after(size);
+    std::vector<std::uint32_t> query_of(t_.shapes.size(), no_index);
+    std::vector<Misfit_query> query;
     for(std::size_t i = 0; i < ids.size(); ++i) {
       const Shape& shape = t_.shapes[ids[i]];
       if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
         continue;
+      query_of[ids[i]] = std::uint32_t(query.size());
+      query.push_back({sample_mask(shape), rounded(shape.local), rounded(candidates[i])});
       asked.push_back(i);
-      mask[ids[i]] = sample_mask(shape);
-      before[ids[i]] = rounded(shape.local);
-      after[ids[i]] = rounded(candidates[i]);
     }
-    if(!asked.empty())
-      ask_points(mask, before, after, count);
-    for(std::size_t i : asked) {
-      Shape& shape = t_.shapes[ids[i]];
-      shares[i] = double(count[ids[i]]) * (double(mask[ids[i]]) + 1) / double(shape.moments.count);
-      shape.answers[shape.next_answer] = {shape.local, candidates[i], shape.moments.count, shares[i]};
+    if(asked.empty())
+      return shares;
+    const std::vector<std::uint32_t> count = ask_points(query_of, query);
+    for(std::size_t q = 0; q < asked.size(); ++q) {
+      Shape& shape = t_.shapes[ids[asked[q]]];
+      double& share = shares[asked[q]];
+      share = double(count[q]) * (double(query[q].mask) + 1) / double(shape.moments.count);
+      shape.answers[shape.next_answer] = {shape.local, candidates[asked[q]], shape.moments.count, share};
       shape.next_answer = (shape.next_answer + 1) % 4;
     }
     return shares;
   }
 
 private:
-  void ask_points(const std::vector<std::uint32_t>& mask, const std::vector<Plane>& before,
-                  const std::vector<Plane>& after, std::vector<std::uint32_t>& count)
+  std::vector<std::uint32_t> ask_points(const std::vector<std::uint32_t>& query_of,
+                                        const std::vector<Misfit_query>& query)
   {
-    const std::vector<Range> leaves = leaves_of(t_, [&](std::uint32_t id) { return mask[id] != nobody; });
+    const std::vector<Range> leaves = leaves_of(t_, [&](std::uint32_t id) { return query_of[id] != no_index; });
+    std::vector<std::uint32_t> count(query.size(), 0);
     const auto cells = t_.backend.lend(leaves);
-    const auto masks = t_.backend.lend(mask);
-    const auto old_planes = t_.backend.lend(before), new_planes = t_.backend.lend(after);
+    const auto index = t_.backend.lend(query_of);
+    const auto queries = t_.backend.lend(query);
     auto counts = t_.backend.lend_out(count);
     t_.backend.template for_each_cell<Count_scratch>(
-      leaves.size(),
-      Count_misfits<Backend>{t_.cloud, cells.data(), t_.label.data(), masks.data(), old_planes.data(),
-                             new_planes.data(), counts.data(), t_.options.growth.tolerance});
+      leaves.size(), Count_misfits<Backend>{t_.cloud, cells.data(), t_.label.data(), index.data(), queries.data(),
+                                            counts.data(), t_.options.growth.tolerance});
     counts.take_back();
+    return count;
   }
 
   bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const

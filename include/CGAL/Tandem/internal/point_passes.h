@@ -144,7 +144,7 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
 
 struct Count_scratch {
   static constexpr std::uint32_t slots = 64;
-  std::uint32_t shape[slots];
+  std::uint32_t shape[slots]; // or query, or root of a component
   std::uint32_t count[slots];
 };
 
@@ -152,16 +152,20 @@ struct Count_scratch {
 // so all, every second one, every fourth one ...
 constexpr std::uint32_t nobody = 0xffffffffu;
 
+struct Misfit_query {
+  std::uint32_t mask;
+  Plane before, after;
+};
+
 // Counts the points that fit the first plane of their shape but not the second.
 template <class Backend>
 struct Count_misfits {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* label;
-  const std::uint32_t* mask; // these four by shape
-  const Plane* before;
-  const Plane* after;
-  std::uint32_t* count;
+  const std::uint32_t* query_of; // by shape, no_index if it is not asked
+  const Misfit_query* query;
+  std::uint32_t* count; // by query
   Tolerance tolerance;
 
   template <class Block>
@@ -174,18 +178,18 @@ struct Count_misfits {
     });
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
-      const std::uint32_t s = label[i];
-      if(s >= first_mark || (i & mask[s]) != 0)
+      const std::uint32_t q = label[i] < first_mark ? query_of[label[i]] : no_index;
+      if(q == no_index || (i & query[q].mask) != 0)
         return;
       const Grid_point& p = cloud.point[i];
-      if(fits(after[s], p, tolerance) || !fits(before[s], p, tolerance))
+      if(fits(query[q].after, p, tolerance) || !fits(query[q].before, p, tolerance))
         return;
-      const std::uint32_t slot = s % Count_scratch::slots;
-      const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, s);
-      if(owner == no_index || owner == s)
+      const std::uint32_t slot = q % Count_scratch::slots;
+      const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, q);
+      if(owner == no_index || owner == q)
         block.append(scratch.count[slot]);
       else
-        Backend::atomic_add(count[s], 1u);
+        Backend::atomic_add(count[q], 1u);
     });
     block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
       if(scratch.count[i] > 0)

@@ -127,7 +127,7 @@ Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const Rang
   Seeds<Backend> seeds;
   seeds.seed.reset(cloud.size);
   seeds.count.resize(size);
-  auto count = backend.lend_out(seeds.count);
+  auto count = backend.lend_empty(seeds.count);
   backend.template for_each_cell<Box_scratch>(size, Rate_seeds{cloud, cells, key.data(), bounds});
   backend.sort_ranges(key.data(), cells, size, cloud.size);
   backend.template for_each_cell<Box_scratch>(size, Take_seeds{cells, key.data(), seeds.seed.data(), count.data()});

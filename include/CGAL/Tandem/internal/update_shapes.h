@@ -49,7 +49,7 @@ void refit_shapes(Tandem_state<Backend>& t)
     }
   std::vector<Local_fit> local(dirty.size());
   const auto source = t.backend.lend(moments);
-  auto target = t.backend.lend_out(local);
+  auto target = t.backend.lend_empty(local);
   t.backend.for_each(dirty.size(), Fit_planes{source.data(), target.data()});
   target.take_back();
   for(std::size_t i = 0; i < dirty.size(); ++i) {

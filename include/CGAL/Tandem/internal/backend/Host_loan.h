@@ -51,6 +51,13 @@ public:
     return Host_loan<T>(table.data());
   }
 
+  // The same, if the functors write it before they read it.
+  template <class T>
+  Host_loan<T> lend_empty(std::vector<T>& table)
+  {
+    return Host_loan<T>(table.data());
+  }
+
   // n items from a buffer to the host, and back.
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)

@@ -87,6 +87,7 @@ struct Is_backend<
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
     decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),
     decltype(std::declval<Backend&>().lend_out(std::declval<std::vector<int>&>()).take_back()),
+    decltype(std::declval<Backend&>().lend_empty(std::declval<std::vector<int>&>()).take_back()),
     decltype(std::declval<Backend&>().to_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
     decltype(std::declval<Backend&>().from_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
     decltype(std::declval<Backend&>().sort_ranges(std::declval<std::uint64_t*>(), std::declval<const Range*>(),

@@ -117,7 +117,13 @@ public:
   template <class T>
   Device_loan_out<T> lend_out(std::vector<T>& table)
   {
-    return Device_loan_out<T>(table);
+    return Device_loan_out<T>(table, true);
+  }
+
+  template <class T>
+  Device_loan_out<T> lend_empty(std::vector<T>& table)
+  {
+    return Device_loan_out<T>(table, false);
   }
 
   template <class T>

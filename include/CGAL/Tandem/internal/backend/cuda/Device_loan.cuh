@@ -4,30 +4,13 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_LOAN_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_LOAN_CUH
 
-#include <CGAL/Tandem/internal/backend/cuda/Device_buffer.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/copy.cuh>
 
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-inline void synchronize() { CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); }
-
-template <class T>
-void copy_to_device(const T* source, std::size_t n, T* target)
-{
-  if(n > 0)
-    CGAL_TANDEM_CUDA(cudaMemcpyAsync(target, source, n * sizeof(T), cudaMemcpyHostToDevice, stream_of_thread()));
-}
-
-template <class T>
-void copy_to_host(const T* source, std::size_t n, T* target)
-{
-  if(n > 0)
-    CGAL_TANDEM_CUDA(cudaMemcpyAsync(target, source, n * sizeof(T), cudaMemcpyDeviceToHost, stream_of_thread()));
-  synchronize();
-}
 
 // A table of the host on the device, to read.
 template <class T>
@@ -44,13 +27,14 @@ private:
   Device_buffer<T> buffer_;
 };
 
-// To read and write; the host has the changes after take_back().
+// To write, or to read and write; the host has the changes after take_back().
 template <class T>
 class Device_loan_out {
 public:
-  explicit Device_loan_out(std::vector<T>& table) : table_(table), buffer_(table.size())
+  Device_loan_out(std::vector<T>& table, bool is_read) : table_(table), buffer_(table.size())
   {
-    copy_to_device(table.data(), table.size(), buffer_.data());
+    if(is_read)
+      copy_to_device(table.data(), table.size(), buffer_.data());
   }
 
   T* data() { return buffer_.data(); }

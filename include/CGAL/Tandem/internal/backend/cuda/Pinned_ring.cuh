@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The way in: host threads fill small pieces of pinned memory, from which they are
-// copied while the next ones are filled. Pinned memory is slow to get, so it is kept.
+// copied while the next ones are filled.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
 
-#include <CGAL/Tandem/internal/backend/cuda/Device_buffer.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/copy.cuh>
 
 #include <atomic>
 #include <exception>
-#include <memory>
 #include <thread>
 #include <vector>
 
@@ -22,89 +21,28 @@ namespace internal {
 // Two pieces for one thread: one is filled while the other one is copied.
 class Pinned_pair {
 public:
-  static constexpr std::size_t bytes = 1 << 20;
-
-  Pinned_pair()
-  {
-    CGAL_TANDEM_CUDA(cudaHostAlloc(&memory_, 2 * bytes, cudaHostAllocPortable));
-    for(cudaEvent_t& event : copied_)
-      CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
-  }
-
-  ~Pinned_pair()
-  {
-    for(cudaEvent_t event : copied_)
-      static_cast<void>(cudaEventDestroy(event));
-    static_cast<void>(cudaFreeHost(memory_));
-  }
-
-  Pinned_pair(const Pinned_pair&) = delete;
-  Pinned_pair& operator=(const Pinned_pair&) = delete;
+  static constexpr std::size_t bytes = Pinned_block::bytes / 4;
 
   // The memory of the next piece, when its last copy has ended.
   void* next()
   {
     piece_ = 1 - piece_;
-    CGAL_TANDEM_CUDA(cudaEventSynchronize(copied_[piece_]));
-    return static_cast<char*>(memory_) + piece_ * bytes;
+    copied_[piece_].wait();
+    return block_.data() + piece_ * bytes;
   }
 
   // Copies the piece that next() has given.
   void copy(void* target, std::size_t size)
   {
-    CGAL_TANDEM_CUDA(cudaMemcpyAsync(target, static_cast<char*>(memory_) + piece_ * bytes, size, cudaMemcpyHostToDevice,
-                                     stream_of_thread()));
-    CGAL_TANDEM_CUDA(cudaEventRecord(copied_[piece_], stream_of_thread()));
+    CGAL_TANDEM_CUDA(
+      cudaMemcpyAsync(target, block_.data() + piece_ * bytes, size, cudaMemcpyHostToDevice, stream_of_thread()));
+    copied_[piece_].record();
   }
 
 private:
-  void* memory_ = nullptr;
-  cudaEvent_t copied_[2] = {};
+  Pinned_block block_;
+  Event copied_[2];
   std::size_t piece_ = 0;
-};
-
-// The pairs that no thread uses, for the device they were made on.
-class Pinned_pairs {
-public:
-  static std::unique_ptr<Pinned_pair> take(int device)
-  {
-    {
-      std::lock_guard<std::mutex> lock(mutex());
-      auto& kept = pairs()[device];
-      if(!kept.empty()) {
-        std::unique_ptr<Pinned_pair> pair = std::move(kept.back());
-        kept.pop_back();
-        return pair;
-      }
-    }
-    return std::make_unique<Pinned_pair>();
-  }
-
-  static void give_back(int device, std::unique_ptr<Pinned_pair> pair)
-  {
-    std::lock_guard<std::mutex> lock(mutex());
-    pairs()[device].push_back(std::move(pair));
-  }
-
-  static void release()
-  {
-    std::lock_guard<std::mutex> lock(mutex());
-    pairs().clear();
-  }
-
-private:
-  static std::mutex& mutex()
-  {
-    static std::mutex m;
-    return m;
-  }
-
-  // Not destroyed at the end of the program, when the runtime may be gone.
-  static std::map<int, std::vector<std::unique_ptr<Pinned_pair>>>& pairs()
-  {
-    static auto& p = *new std::map<int, std::vector<std::unique_ptr<Pinned_pair>>>();
-    return p;
-  }
 };
 
 // Runs work(pair) on several threads, with the device of the caller; throws what one of them has thrown.
@@ -118,10 +56,9 @@ void run_on_host_threads(std::size_t pieces, Work work)
   auto run = [&](std::size_t t) {
     try {
       CGAL_TANDEM_CUDA(cudaSetDevice(device));
-      std::unique_ptr<Pinned_pair> pair = Pinned_pairs::take(device);
-      work(*pair);
+      Pinned_pair pair;
+      work(pair);
       CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
-      Pinned_pairs::give_back(device, std::move(pair));
     } catch(...) {
       errors[t] = std::current_exception();
     }

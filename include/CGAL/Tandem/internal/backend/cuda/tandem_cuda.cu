@@ -157,7 +157,7 @@ std::string cuda_device_report()
 
 void release_cuda_memory()
 {
-  Pinned_pairs::release();
+  Pinned_block::release();
   Memory_pools::trim();
 }
 
