@@ -65,10 +65,10 @@ public:
   {
     internal::check_given_parameters(parameters_);
     internal::Stop_watch watch;
-    in_ = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
+    in_ = internal::read_points<Traits>(backend_, points, internal::point_map_of<Traits>(points, np),
                                         internal::normal_map_of<Traits>(points, np), traits_);
     internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
-    internal::choose_grid(in_, parameters_.maximum_distance);
+    internal::choose_grid(backend_, in_, parameters_.maximum_distance);
     import_time_ = watch.lap();
     if(in_.size() >= parameters_.minimum_region_size && go_on(0))
       engine_ = std::make_unique<Engine>(backend_, in_, parameters_);
@@ -112,8 +112,9 @@ public:
   Shapes shapes() const
   {
     internal::Stop_watch watch;
-    internal::Shapes_data data = engine_ ? internal::export_shapes(in_, parameters_, engine_->result())
-                                         : internal::export_nothing(in_, parameters_);
+    Backend backend = traits_.backend();
+    internal::Shapes_data data =
+      internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled_;
     statistics.backend = engine_ ? engine_->name() : Backend::name();

@@ -75,18 +75,33 @@ struct Coordinate_box {
   double extent() const { return (std::max)((std::max)(high[0] - low[0], high[1] - low[1]), high[2] - low[2]); }
 };
 
-// Of at least one point.
-inline Coordinate_box bounding_box(const Import& in)
+inline Coordinate_box box_of(const Import& in, std::size_t first, std::size_t last)
 {
   Coordinate_box box;
   for(int c = 0; c < 3; ++c)
-    box.low[c] = box.high[c] = in.coordinates[c];
-  for(std::size_t i = 0; i < in.size(); ++i)
+    box.low[c] = box.high[c] = in.position(first)[c];
+  for(std::size_t i = first; i < last; ++i)
     for(int c = 0; c < 3; ++c) {
       box.low[c] = (std::min)(box.low[c], in.position(i)[c]);
       box.high[c] = (std::max)(box.high[c], in.position(i)[c]);
     }
   return box;
+}
+
+// Of at least one point.
+template <class Backend>
+Coordinate_box bounding_box(Backend& backend, const Import& in)
+{
+  constexpr std::size_t grain = 65536;
+  std::vector<Coordinate_box> boxes((in.size() + grain - 1) / grain);
+  backend.for_each_piece(in.size(), grain,
+                         [&](std::size_t first, std::size_t last) { boxes[first / grain] = box_of(in, first, last); });
+  for(const Coordinate_box& b : boxes)
+    for(int c = 0; c < 3; ++c) {
+      boxes[0].low[c] = (std::min)(boxes[0].low[c], b.low[c]);
+      boxes[0].high[c] = (std::max)(boxes[0].high[c], b.high[c]);
+    }
+  return boxes[0];
 }
 
 // The origin is the middle of the box, counted in steps and rounded down, so that
@@ -139,11 +154,12 @@ inline Grid_point to_grid(const Grid& grid, double inverse_step, const double* p
 }
 
 // Fills in.grid and the corners of the box.
-inline void choose_grid(Import& in, double epsilon)
+template <class Backend>
+void choose_grid(Backend& backend, Import& in, double epsilon)
 {
   if(in.size() == 0)
     return;
-  const Coordinate_box box = bounding_box(in);
+  const Coordinate_box box = bounding_box(backend, in);
   in.grid = make_grid(box, epsilon);
   in.low = to_grid(in.grid, 1 / in.grid.step, box.low, no_normal);
   in.high = to_grid(in.grid, 1 / in.grid.step, box.high, no_normal);
@@ -174,7 +190,7 @@ private:
 template <class Backend>
 void place_on_grid(Backend& backend, Import& in, double epsilon)
 {
-  choose_grid(in, epsilon);
+  choose_grid(backend, in, epsilon);
   in.point.reset(in.size());
   const Place_on_grid place(in);
   backend.for_each_on_host(in.size(), [&](std::size_t i) { in.point[i] = place(i); });

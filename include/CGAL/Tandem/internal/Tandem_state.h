@@ -59,9 +59,9 @@ struct Tandem_state {
   Buffer<Range> cells;
   std::vector<Range> leaves;            // the same, on the host
   std::vector<Leaf_shapes> leaf_shapes; // per leaf
-  Buffer<Range> cell_border;      // per leaf, its range of `border`
-  Buffer<std::uint32_t> border;   // points with a neighbor in another leaf
-  Buffer<std::uint32_t> proposal; // parallel to border
+  Buffer<Range> cell_border;            // per leaf, its range of `border`
+  Buffer<std::uint32_t> border;         // points with a neighbor in another leaf
+  Buffer<std::uint32_t> proposal;       // parallel to border
   Seeds<Backend> seeds;
   std::vector<std::uint32_t> seed_cursor; // per leaf
 

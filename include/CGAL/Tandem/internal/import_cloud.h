@@ -11,6 +11,11 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
+#include <atomic>
+#include <type_traits>
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -66,47 +71,68 @@ inline void start_import(Import& in, std::size_t size, bool has_normals)
     in.normals.reset(3 * size);
 }
 
-// From the first item that is left out, positions have to be kept.
-inline void skip_item(Import& in, std::size_t read, std::size_t kept)
+enum class Item_state : char { valid, bad_position, bad_normal };
+
+// Reads item i to place i.
+template <class Traits>
+Item_state read_item(Import& in, std::size_t i, const Item_reader<Traits>& reader,
+                     const typename Traits::Point_range& points)
 {
-  if(!in.item.empty() || kept != read)
-    return;
-  in.item.reserve(in.number_of_items);
-  for(std::size_t i = 0; i < kept; ++i)
+  const auto& item = *(points.begin() + std::ptrdiff_t(i));
+  double* p = in.coordinates.data() + 3 * i;
+  reader.read_point(item, p);
+  if(!is_finite(p))
+    return Item_state::bad_position;
+  if constexpr(Traits::has_normal_map) {
+    double* n = in.normals.data() + 3 * i;
+    reader.read_normal(item, n);
+    if(!is_finite(n) || !(largest_component(n) > 0))
+      return Item_state::bad_normal;
+  }
+  return Item_state::valid;
+}
+
+// Closes the gaps, and notes where the points that are left come from.
+inline void drop_invalid(Import& in, const std::vector<Item_state>& state)
+{
+  std::size_t kept = 0;
+  for(std::size_t i = 0; i < state.size(); ++i) {
+    in.number_of_ignored_coordinates += state[i] == Item_state::bad_position;
+    in.number_of_ignored_normals += state[i] == Item_state::bad_normal;
+    if(state[i] != Item_state::valid)
+      continue;
+    std::copy_n(in.coordinates.data() + 3 * i, 3, in.coordinates.data() + 3 * kept);
+    if(in.has_normals)
+      std::copy_n(in.normals.data() + 3 * i, 3, in.normals.data() + 3 * kept);
     in.item.push_back(std::uint32_t(i));
+    ++kept;
+  }
+  in.count = kept;
 }
 
 // The caller's range as doubles, the normals of any length, without the points that cannot be used: a
 // coordinate is not finite, or the normal is null or not finite.
-template <class Traits>
-Import read_points(const typename Traits::Point_range& points, typename Traits::Point_map point_map,
+template <class Traits, class Backend>
+Import read_points(Backend& backend, const typename Traits::Point_range& points, typename Traits::Point_map point_map,
                    typename Traits::Normal_map normal_map, const Traits& traits)
 {
   Import in;
-  start_import(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
+  in.count = std::size_t(points.end() - points.begin());
+  start_import(in, in.count, Traits::has_normal_map);
   const Item_reader<Traits> reader(traits, point_map, normal_map);
-  std::size_t read = 0, kept = 0;
-  for(auto it = points.begin(); it != points.end(); ++it, ++read) {
-    const auto& item = *it;
-    double* p = in.coordinates.data() + 3 * kept;
-    reader.read_point(item, p);
-    const bool has_position = is_finite(p);
-    bool is_valid = has_position;
-    if constexpr(Traits::has_normal_map) {
-      double* n = in.normals.data() + 3 * kept;
-      reader.read_normal(item, n);
-      is_valid = has_position && is_finite(n) && largest_component(n) > 0;
+  std::vector<Item_state> state(in.count);
+  std::atomic<bool> is_complete(true);
+  // Number types that compute lazily are not meant to be read by several threads.
+  constexpr bool is_plain = std::is_floating_point<typename Traits::FT>::value;
+  backend.for_each_piece(in.count, is_plain ? 16384 : in.count + 1, [&](std::size_t first, std::size_t last) {
+    for(std::size_t i = first; i < last; ++i) {
+      state[i] = read_item(in, i, reader, points);
+      if(state[i] != Item_state::valid)
+        is_complete = false;
     }
-    if(is_valid) {
-      if(kept != read)
-        in.item.push_back(std::uint32_t(read));
-      ++kept;
-    } else {
-      skip_item(in, read, kept);
-      ++(has_position ? in.number_of_ignored_normals : in.number_of_ignored_coordinates);
-    }
-  }
-  in.count = kept;
+  });
+  if(!is_complete)
+    drop_invalid(in, state);
   return in;
 }
 

@@ -55,7 +55,7 @@ void count_distances(Tandem_state<Backend>& t, const std::vector<std::uint32_t>&
   auto counts = t.backend.lend_out(histogram);
   t.backend.template for_each_cell<Count_scratch>(
     leaves.size(), Count_distances<Backend>{t.cloud, cells.data(), t.label.data(), index.data(), plane.data(),
-                                                counts.data(), t.options.growth.tolerance.distance});
+                                            counts.data(), t.options.growth.tolerance.distance});
   counts.take_back();
 }
 

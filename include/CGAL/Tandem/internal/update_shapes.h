@@ -125,7 +125,7 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
   const auto plane = t.backend.lend(t.plane);
   t.backend.template for_each_cell<Moment_table>(
     leaves.size(), Update_points<Backend>{t.cloud, cells.data(), t.labels(), new_label.data(), checked.data(),
-                                              plane.data(), start_gains(t), t.options.growth.tolerance});
+                                          plane.data(), start_gains(t), t.options.growth.tolerance});
   relabel_lists(t, target);
   for(const Gain& loss : take_gains(t)) {
     t.shapes[loss.id].moments += loss.sums.moments();
