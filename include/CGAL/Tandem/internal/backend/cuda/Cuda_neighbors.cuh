@@ -61,16 +61,15 @@ inline void build_box_levels(const Neighbor_task& task, cudaStream_t stream)
 // Rows of k <= K are the beginning of rows of K.
 inline void search_packets(const Neighbor_task& task, cudaStream_t stream)
 {
-  constexpr unsigned packets_in_block = neighbor_lanes / warp_size;
-  const unsigned blocks = (task.packets() + packets_in_block - 1) / packets_in_block;
+  const unsigned blocks = task.packets();
   if(task.k <= 8)
-    find_packet_neighbors<8><<<blocks, neighbor_lanes, 0, stream>>>(task);
+    find_packet_neighbors<8><<<blocks, warp_size, 0, stream>>>(task);
   else if(task.k <= 12)
-    find_packet_neighbors<12><<<blocks, neighbor_lanes, 0, stream>>>(task);
+    find_packet_neighbors<12><<<blocks, warp_size, 0, stream>>>(task);
   else if(task.k <= 16)
-    find_packet_neighbors<16><<<blocks, neighbor_lanes, 0, stream>>>(task);
+    find_packet_neighbors<16><<<blocks, warp_size, 0, stream>>>(task);
   else
-    find_packet_neighbors<20><<<blocks, neighbor_lanes, 0, stream>>>(task);
+    find_packet_neighbors<20><<<blocks, warp_size, 0, stream>>>(task);
   CGAL_TANDEM_CUDA_LAUNCHED();
 }
 

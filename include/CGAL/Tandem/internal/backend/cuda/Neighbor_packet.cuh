@@ -21,43 +21,15 @@
 #include <CGAL/Tandem/internal/backend/cuda/Neighbor_task.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/sorting_network.cuh>
 
-#ifndef KNN_COUNT
-#define KNN_COUNT(what, by)
-#endif
-#ifndef KNN_UNROLL
-#define KNN_UNROLL 32
-#endif
-#ifndef KNN_HIST
-#define KNN_HIST
-#endif
-#ifndef KNN_STEPS
-#define KNN_STEPS 1024
-#endif
-#ifndef KNN_OUTLIER
-#define KNN_OUTLIER 4u
-#endif
-#ifndef KNN_ACTIVE
-#define KNN_ACTIVE 4
-#endif
-#ifndef KNN_PENDING
-#define KNN_PENDING 4
-#endif
-#ifndef KNN_BLOCKS
-#define KNN_BLOCKS 8
-#endif
-#ifndef KNN_EXTRA
-#define KNN_EXTRA 2
-#endif
-
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-constexpr int tests_at_once = KNN_UNROLL;
+constexpr int tests_at_once = 32;
 constexpr int most_batches = 32; // batches of 32 points that contain a candidate
-constexpr int most_pending = KNN_PENDING; // of them, candidates not yet in the lists
-constexpr int least_active = KNN_ACTIVE;
-constexpr int most_steps = KNN_STEPS; // of the search: groups and leaves that are looked at
+constexpr int most_pending = 4; // of them, candidates not yet in the lists
+constexpr int least_active = 4;
+constexpr int most_steps = 512; // of the search: groups and leaves that are looked at
 constexpr int packet_stack = 192; // 31 for each level, and one
 constexpr int tag_bits = 10;      // the batch and the place in it
 constexpr std::uint32_t key_margin = 9u << tag_bits;
@@ -87,7 +59,6 @@ public:
   {
     const std::uint32_t live = min(task_.n - packet_ * warp_size, warp_size);
     if(live < warp_size || !load_queries()) {
-      KNN_COUNT(wide, 32);
       task_.defer(packet_, all_lanes >> (warp_size - live));
       return;
     }
@@ -96,14 +67,13 @@ public:
     if(dropped_ != all_lanes)
       search();
     const bool is_answered = (dropped_ >> lane_ & 1) == 0 && key_[list_size - 1] - key_[K - 1] >= key_margin;
-    KNN_COUNT(ambiguous, __popc(__ballot_sync(all_lanes, (dropped_ >> lane_ & 1) == 0 && !is_answered)));
     if(__any_sync(all_lanes, is_answered))
       write(is_answered);
     task_.defer(packet_, __ballot_sync(all_lanes, !is_answered));
   }
 
 private:
-  static constexpr int list_size = K + KNN_EXTRA;
+  static constexpr int list_size = K + 2;
   static constexpr float half_range = 0x1p21f; // of a key without its tag
   static constexpr float infinite = 0x1p126f;
   static constexpr float slack = 0x1p-20f; // 16u, see is_near()
@@ -224,9 +194,7 @@ private:
     const std::uint32_t log2 = __float_as_uint(limit_) >> log_bits;
     const std::uint32_t mean = warp_sum(log2) / warp_size;
     const float widest = half_x_ * half_x_ + half_y_ * half_y_ + half_z_ * half_z_;
-    KNN_COUNT(outl_log, __popc(__ballot_sync(all_lanes, log2 > mean + (KNN_OUTLIER << (23 - log_bits)))));
-    KNN_COUNT(outl_small, __popc(__ballot_sync(all_lanes, limit_ < 0x1p-16f * widest)));
-    const bool is_outlier = log2 > mean + (KNN_OUTLIER << (23 - log_bits)) || limit_ < 0x1p-16f * widest;
+    const bool is_outlier = log2 > mean + (4u << (23 - log_bits)) || limit_ < 0x1p-16f * widest;
     dropped_ = __ballot_sync(all_lanes, is_outlier);
     update_reach();
   }
@@ -273,7 +241,6 @@ private:
     std::uint32_t node = own;
     bool is_start = true;
     for(;;) {
-      KNN_COUNT(visits, 1);
       if(level == 1)
         visit_leaves(node);
       else
@@ -330,11 +297,8 @@ private:
         return;
       if(lane_ == who)
         key = no_index;
-      KNN_COUNT(leaves, 1);
-      if(!is_near_a_lane(who)) {
-        KNN_COUNT(rejected, 1);
+      if(!is_near_a_lane(who))
         continue;
-      }
       if(lane_ == std::uint32_t(picked_))
         pick_ = group * warp_size + who;
       if(++picked_ == int(leaves_in_packet))
@@ -347,8 +311,6 @@ private:
     if(picked_ > 0)
       scan();
     insert_pending(1);
-    KNN_HIST;
-    KNN_COUNT(overfull, 32 * (steps_ > most_steps));
     if(steps_ > most_steps)
       dropped_ = all_lanes;
   }
@@ -363,7 +325,6 @@ private:
     stage(slot, is_point ? task_.point[index] : make_int4(x_, y_, z_, 0), is_point);
     picked_ = 0;
     const std::uint32_t near = near_points(slot);
-    KNN_COUNT(batches, 1);
     if(!__any_sync(all_lanes, near != 0))
       return;
     if(batches_ == most_batches) {
@@ -374,7 +335,6 @@ private:
       memory_.search.leaf[std::uint32_t(batches_) * leaves_in_packet + lane_] = pick_;
     memory_.search.near[std::uint32_t(slot) * warp_size + lane_] = near;
     pending_ |= (near != 0 ? 1u : 0u) << slot;
-    KNN_COUNT(hits, warp_sum(unsigned(__popc(near))) / 32.0);
     ++batches_;
     insert_pending(batches_ - first_pending_ < most_pending ? least_active : 1);
   }
@@ -393,29 +353,42 @@ private:
     return near;
   }
 
-  // One candidate for each lane at a time, of whichever batch, while at least
-  // `active` lanes have one: the others wait until more do.
+  // Two candidates for each lane at a time, of whichever batch, while at least
+  // `active` lanes have any: the others wait until more do.
   __device__ __forceinline__ void insert_pending(int active)
   {
     while(__popc(__ballot_sync(all_lanes, (near_ | pending_) != 0)) >= active) {
-      KNN_COUNT(rounds, 1);
       if(near_ == 0 && pending_ != 0) {
         slot_ = __ffs(int(pending_)) - 1;
         pending_ &= pending_ - 1;
         near_ = memory_.search.near[std::uint32_t(slot_) * warp_size + lane_];
       }
-      const int j = slot_ * int(warp_size) + __clz(int(near_)) % int(warp_size);
-      const std::uint32_t tag = std::uint32_t(first_pending_) * warp_size + std::uint32_t(j);
-      const std::uint32_t key = near_ != 0 ? make_key(squared_distance_to(j), tag) : no_index;
-      near_ &= ~(0x80000000u >> (j % int(warp_size)));
-#pragma unroll
-      for(int i = list_size - 1; i > 0; --i)
-        key_[i] = max(key_[i - 1], min(key_[i], key));
-      key_[0] = min(key_[0], key);
+      const std::uint32_t a = take_candidate(), b = take_candidate();
+      insert(min(a, b), max(a, b));
     }
     if(active == 1)
       first_pending_ = batches_;
     update_limit();
+  }
+
+  // The key of the next point of slot_ that is near, no_index if there is none.
+  __device__ __forceinline__ std::uint32_t take_candidate()
+  {
+    const int j = slot_ * int(warp_size) + __clz(int(near_)) % int(warp_size);
+    const std::uint32_t tag = std::uint32_t(first_pending_) * warp_size + std::uint32_t(j);
+    const std::uint32_t key = near_ != 0 ? make_key(squared_distance_to(j), tag) : no_index;
+    near_ &= ~(0x80000000u >> (j % int(warp_size)));
+    return key;
+  }
+
+  // a <= b.
+  __device__ __forceinline__ void insert(std::uint32_t a, std::uint32_t b)
+  {
+#pragma unroll
+    for(int i = list_size - 1; i > 1; --i)
+      key_[i] = min(key_[i], min(max(key_[i - 1], a), max(key_[i - 2], b)));
+    key_[1] = min(key_[1], min(max(key_[0], a), b));
+    key_[0] = min(key_[0], a);
   }
 
   // The memory of the search is reused for the rows.
@@ -501,12 +474,10 @@ private:
 };
 
 template <int K>
-__global__ void __launch_bounds__(128, KNN_BLOCKS) find_packet_neighbors(const __grid_constant__ Neighbor_task task)
+__global__ void __launch_bounds__(warp_size, packets_in_processor) find_packet_neighbors(const __grid_constant__ Neighbor_task task)
 {
-  __shared__ Packet_memory<K> memory[4];
-  const std::uint32_t warp = threadIdx.x / warp_size, packet = blockIdx.x * 4 + warp;
-  if(packet < task.packets())
-    Neighbor_packet<K>(task, memory[warp], packet).run();
+  __shared__ Packet_memory<K> memory;
+  Neighbor_packet<K>(task, memory, blockIdx.x).run();
 }
 
 } // namespace internal
