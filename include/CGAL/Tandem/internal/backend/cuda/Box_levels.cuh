@@ -77,7 +77,7 @@ struct Box_levels {
 
 // A thread for each leaf, of whole groups; where there is no leaf, the box of the
 // last point.
-__global__ void fill_leaf_boxes(const int4* point, std::uint32_t n, Box_levels tree)
+static __global__ void fill_leaf_boxes(const int4* point, std::uint32_t n, Box_levels tree)
 {
   const std::uint32_t leaf = blockIdx.x * blockDim.x + threadIdx.x;
   if(leaf / warp_size >= (tree.count[0] + warp_size - 1) / warp_size)
@@ -93,7 +93,7 @@ __global__ void fill_leaf_boxes(const int4* point, std::uint32_t n, Box_levels t
 }
 
 // A warp for each node of `level`, of whole groups.
-__global__ void join_boxes(Box_levels tree, int level)
+static __global__ void join_boxes(Box_levels tree, int level)
 {
   const std::uint32_t node = (blockIdx.x * blockDim.x + threadIdx.x) / warp_size, lane = threadIdx.x % warp_size;
   if(node / warp_size >= (tree.count[level] + warp_size - 1) / warp_size)

@@ -61,16 +61,16 @@ inline void build_box_levels(const Neighbor_task& task, cudaStream_t stream)
 // Rows of k <= K are the beginning of rows of K.
 inline void search_packets(const Neighbor_task& task, cudaStream_t stream)
 {
-  constexpr unsigned packets_in_block = neighbor_lanes / warp_size;
+  constexpr unsigned lanes = packets_in_block * warp_size;
   const unsigned blocks = (task.packets() + packets_in_block - 1) / packets_in_block;
   if(task.k <= 8)
-    find_packet_neighbors<8><<<blocks, neighbor_lanes, 0, stream>>>(task);
+    find_packet_neighbors<8><<<blocks, lanes, 0, stream>>>(task);
   else if(task.k <= 12)
-    find_packet_neighbors<12><<<blocks, neighbor_lanes, 0, stream>>>(task);
+    find_packet_neighbors<12><<<blocks, lanes, 0, stream>>>(task);
   else if(task.k <= 16)
-    find_packet_neighbors<16><<<blocks, neighbor_lanes, 0, stream>>>(task);
+    find_packet_neighbors<16><<<blocks, lanes, 0, stream>>>(task);
   else
-    find_packet_neighbors<20><<<blocks, neighbor_lanes, 0, stream>>>(task);
+    find_packet_neighbors<20><<<blocks, lanes, 0, stream>>>(task);
   CGAL_TANDEM_CUDA_LAUNCHED();
 }
 
@@ -78,11 +78,11 @@ inline void search_packets(const Neighbor_task& task, cudaStream_t stream)
 // them from the list.
 inline void search_single(const Neighbor_task& task, bool all, cudaStream_t stream)
 {
-  constexpr int blocks_in_processor = 12;
+  constexpr int most_blocks = 12; // a processor
   int device = 0, processors = 0;
   CGAL_TANDEM_CUDA(cudaGetDevice(&device));
   CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device));
-  const unsigned blocks = unsigned(processors * blocks_in_processor);
+  const unsigned blocks = unsigned(processors * most_blocks);
   if(task.k <= int(warp_size))
     find_single_neighbors<1><<<blocks, neighbor_lanes, 0, stream>>>(task, all);
   else
