@@ -121,6 +121,8 @@ struct Cuda_block {
   {
     Cell_moments m;
     m.add(x, y, z, sign);
+    if(!gather_from_peers(&target, m))
+      return;
     device_add(target.count, m.count);
     for(int i = 0; i < 3; ++i)
       device_add(target.sum[i], m.sum[i]);
@@ -137,6 +139,37 @@ struct Cuda_block {
       if(c[a] > target.high[a])
         atomicMax(&target.high[a], c[a]);
     }
+  }
+
+private:
+  // Of the lanes of a warp with the same target, the first one gets the sum of all, in a
+  // tree; false for the others.
+  __device__ static bool gather_from_peers(const void* target, Cell_moments& m)
+  {
+    const unsigned active = __activemask();
+    const unsigned lane = threadIdx.x % 32, below = (1u << lane) - 1;
+    const unsigned peers = __match_any_sync(active, reinterpret_cast<unsigned long long>(target));
+    unsigned rank = __popc(peers & below);
+    const bool is_first = rank == 0;
+    for(unsigned above = peers & ~below & ~(1u << lane); __any_sync(active, above); rank /= 2) {
+      const int next = above != 0 ? __ffs(int(above)) - 1 : int(lane);
+      add_from_lane(active, next, above != 0, m);
+      above &= __ballot_sync(active, rank % 2 == 0);
+    }
+    return is_first;
+  }
+
+  __device__ static void add_from_lane(unsigned active, int lane, bool is_added, Cell_moments& m)
+  {
+    const auto add = [&](std::int64_t& value) {
+      const std::int64_t other = __shfl_sync(active, static_cast<long long>(value), lane);
+      value += is_added ? other : 0;
+    };
+    add(m.count);
+    for(std::int64_t& value : m.sum)
+      add(value);
+    for(std::int64_t& value : m.product)
+      add(value);
   }
 };
 

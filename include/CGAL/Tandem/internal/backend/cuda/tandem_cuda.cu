@@ -6,6 +6,7 @@
 #pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
 
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Cuda_neighbors.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
 
@@ -21,28 +22,21 @@ inline Device_buffer<Grid_point> import_points(Cuda_backend&, Import& in)
   return point;
 }
 
-void find_neighbors(Cuda_backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out);
+inline void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
+{
+  Device_buffer<unsigned char> scratch(neighbor_scratch_bytes(n));
+  find_neighbors_cuda(point, n, k, out, scratch.data(), stream_of_thread());
+}
 
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL
 
 #include <CGAL/Tandem/internal/Engine.h>
-#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-inline void find_neighbors(Cuda_backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
-{
-  Sequential_backend host;
-  std::vector<Grid_point> points(n);
-  backend.to_host(point, n, points.data());
-  std::vector<std::uint32_t> rows(std::size_t(n) * std::size_t(k));
-  find_neighbors(host, points.data(), n, k, rows.data());
-  backend.from_host(rows.data(), rows.size(), out);
-}
 
 // Makes a device the current one for a while.
 class Device_guard {
