@@ -124,20 +124,22 @@ void measure_points(Backend& backend, const Import& in, const std::vector<std::i
   const double unit_distance = data.parameters.maximum_distance / double(1 << 20);
   std::vector<std::int64_t> votes(data.coefficients.size(), 0);
   std::int64_t distance = 0, assigned = 0;
-  backend.for_each_piece(shape_of.size(), 16384, [&](std::size_t first, std::size_t last) {
-    std::int64_t sum = 0, points = 0, run = 0; // run: the votes of points of one shape that follow each other
+  const std::size_t grain = (std::max)(std::size_t(1) << 16, votes.size()); // so that clearing `own` costs little
+  backend.for_each_piece(shape_of.size(), grain, [&](std::size_t first, std::size_t last) {
+    std::vector<std::int64_t> own(votes.size(), 0);
+    std::int64_t sum = 0, points = 0;
     for(std::size_t i = first; i < last; ++i) {
       const std::int32_t s = shape_of[i];
       if(s < 0)
         continue;
-      const Coefficients& plane = data.coefficients[s];
       ++points;
-      sum += std::int64_t(plane_distance(plane, in.position(i)) / unit_distance + .5);
+      sum += std::int64_t(plane_distance(data.coefficients[s], in.position(i)) / unit_distance + .5);
       if(in.has_normals)
-        run += normal_dot(plane, in.normal(i)) < 0 ? -1 : 1;
-      if(i + 1 == last || shape_of[i + 1] != s)
-        Backend::atomic_add(votes[s], std::exchange(run, 0));
+        own[s] += normal_dot(data.coefficients[s], in.normal(i)) < 0 ? -1 : 1;
     }
+    for(std::size_t s = 0; s < own.size(); ++s)
+      if(own[s] != 0)
+        Backend::atomic_add(votes[s], own[s]);
     Backend::atomic_add(distance, sum);
     Backend::atomic_add(assigned, points);
   });

@@ -42,6 +42,7 @@ public:
   {
     if(n == 0)
       return;
+    Table_arena::of_thread().flush();
     const std::size_t blocks = (std::min)((n + item_lanes - 1) / item_lanes, std::size_t(1) << 20);
     run_items<<<unsigned(blocks), item_lanes, 0, stream_of_thread()>>>(n, f);
     CGAL_TANDEM_CUDA_LAUNCHED();
@@ -59,6 +60,7 @@ public:
   {
     if(cells == 0)
       return;
+    Table_arena::of_thread().flush();
     if constexpr(sizeof(Scratch) <= shared_bytes)
       run_cells<Scratch><<<unsigned(cells), cell_lanes, sizeof(Scratch), stream_of_thread()>>>(body);
     else {
@@ -76,6 +78,7 @@ public:
   {
     if(ranges == 0)
       return;
+    Table_arena::of_thread().flush();
     Device_buffer<std::uint64_t> other(size);
     cub::DoubleBuffer<std::uint64_t> keys(key, other.data());
     const auto first = thrust::make_transform_iterator(range, First_of_range());
@@ -92,6 +95,7 @@ public:
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
+    Table_arena::of_thread().flush();
     Buffer<std::uint32_t> kept(n);
     Buffer<std::int64_t> counter(1);
     const thrust::counting_iterator<std::uint32_t> all(0);
