@@ -9,6 +9,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H
 
 #include "Shuffled_block.h"
+#include "Thread_backend.h"
 #include "test_support.h"
 
 #include <CGAL/Tandem/internal/absorb.h>
@@ -63,12 +64,12 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   Fixture f;
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(unsorted.data(), size);
-  const auto order = sort_along_curve(backend, unsorted.data(), size, frame);
-  f.cells = split_leaves(order.data(), size, frame, cell_size);
+  auto order = sort_along_curve(backend, unsorted.data(), size, frame);
+  f.cells = split_leaves(backend, order, frame, cell_size);
   scenes::Random random(9);
   for(const scenes::Truth_face& face : scene.faces)
     f.plane.push_back(rounded({{face.normal.x, face.normal.y, face.normal.z}, -face.offset / step}));
-  for(const Keyed_index& o : order) {
+  for(const Host_sort_table::Entry& o : order) {
     f.point.push_back(unsorted[o.index]);
     const std::uint64_t dice = random.bits() % 100;
     const std::int32_t truth = scene.label[o.index];
@@ -140,6 +141,7 @@ template <template <class> class Bodies>
 void test_on_all_backends()
 {
   test_on<Bodies>(Sequential_backend());
+  test_on<Bodies>(Thread_backend());
 #ifdef CGAL_LINKED_WITH_TBB
   test_on<Bodies>(Tbb_backend());
 #endif

@@ -97,15 +97,21 @@ private:
     for(std::size_t i = 0; i < label.size(); ++i)
       if(label[i] != expected[i])
         add_point(expected_gain[expected[i]], f_.point[i], 1);
-    std::vector<Cell_job> jobs;
-    for(std::size_t c = 0; c < f_.cells.size(); ++c)
-      jobs.push_back({f_.cells[c], nullptr, nullptr, 0, nullptr, 0, &cursor[c], nullptr});
-    backend_.template for_each_cell<Growth_scratch>(
-      jobs.size(), Grow_cells<Backend>{f_.cloud,
-                                       {plane.data(), rounds.data(), is_restarted.data(), gain.data()},
-                                       {label.data(), state.data()},
-                                       {f_.tolerance, 8, 64, 7},
-                                       jobs.data()});
+    // No points of the border, no seeds.
+    const std::vector<Range> border(f_.cells.size(), Range{0, 0});
+    const std::vector<std::uint32_t> none(f_.cells.size(), 0);
+    const Leaves_view leaves = {f_.cells.data(), border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
+    const Grow_cells<Backend> body = {f_.cloud,
+                                      {plane.data(), rounds.data(), is_restarted.data(), gain.data()},
+                                      {label.data(), state.data()},
+                                      {f_.tolerance, 8, 64, 7},
+                                      leaves,
+                                      nullptr,
+                                      none.data()};
+    if(std::all_of(f_.cells.begin(), f_.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))
+      backend_.template for_each_cell<Growth_scratch<small_cell>>(f_.cells.size(), body);
+    else
+      backend_.template for_each_cell<Growth_scratch<largest_cell>>(f_.cells.size(), body);
     check_lists(label, expected, name_ + ": growth");
     check_moments(gain, expected_gain, name_ + ": growth");
   }
@@ -156,17 +162,24 @@ private:
   void test_misfits()
   {
     const std::vector<Plane> after = moved_planes();
-    std::vector<std::uint32_t> mask, count(after.size(), 0), expected(after.size(), 0);
-    for(std::size_t s = 0; s < after.size(); ++s)
-      mask.push_back(s % 4 == 3 ? nobody : std::uint32_t(s % 4));
-    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
-      const std::uint32_t s = f_.label[i];
-      if(s < first_mark && (i & mask[s]) == 0)
-        expected[s] += f_.fits(s, i) && !fits(after[s], f_.point[i], f_.tolerance);
+    std::vector<std::uint32_t> query_of, expected;
+    std::vector<Misfit_query> query;
+    for(std::uint32_t s = 0; s < after.size(); ++s) {
+      const bool is_asked = s % 4 != 3;
+      query_of.push_back(is_asked ? std::uint32_t(query.size()) : no_index);
+      if(is_asked)
+        query.push_back({s % 5 == 4 ? nobody : s % 4 == 2 ? 3 : s % 4, f_.plane[s], after[s]});
     }
+    expected.resize(query.size(), 0);
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const std::uint32_t s = f_.label[i], q = s < first_mark ? query_of[s] : no_index;
+      if(q != no_index && (i & query[q].mask) == 0)
+        expected[q] += f_.fits(s, i) && !fits(after[s], f_.point[i], f_.tolerance);
+    }
+    std::vector<std::uint32_t> count(query.size(), 0);
     backend_.template for_each_cell<Count_scratch>(
-      f_.cells.size(), Count_misfits<Backend>{f_.cloud, f_.cells.data(), f_.label.data(), mask.data(), f_.plane.data(),
-                                              after.data(), count.data(), f_.tolerance});
+      f_.cells.size(), Count_misfits<Backend>{f_.cloud, f_.cells.data(), f_.label.data(), query_of.data(), query.data(),
+                                              count.data(), f_.tolerance});
     check_lists(count, expected, name_ + ": misfits");
     CHECK_AT(f_.cloud.size < 100 || std::count(count.begin(), count.end(), 0u) < long(count.size()),
              name_ + ": no misfits");

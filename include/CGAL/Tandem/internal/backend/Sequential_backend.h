@@ -38,7 +38,7 @@ public:
     for_each(n, f);
   }
 
-  // f(first, last) for consecutive pieces of [0, n) of at most `grain` items.
+  // f(first, last) for the pieces of [0, n) that begin at the multiples of `grain`.
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
