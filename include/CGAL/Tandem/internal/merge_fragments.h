@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
 #define CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
 
+#include <CGAL/Tandem/internal/directions.h>
 #include <CGAL/Tandem/internal/update_shapes.h>
 
 namespace CGAL {
@@ -84,15 +85,16 @@ public:
 private:
   bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
   {
-    return bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
+    const bool is_same = a.normal == b.normal && a.offset == b.offset;
+    return is_same || bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
   }
 
   bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
   {
     for(const Answer& answer : shape.answers) {
       const std::int64_t change = shape.moments.count - answer.points;
-      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, shape.local, answer.local) ||
-         !is_still(shape, candidate, answer.candidate))
+      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, candidate, answer.candidate) ||
+         !is_still(shape, shape.local, answer.local))
         continue;
       share = answer.misfit_share;
       return true;
