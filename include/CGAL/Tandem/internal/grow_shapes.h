@@ -66,6 +66,12 @@ struct Grow_cells {
 };
 
 template <class Backend>
+bool has_restarted(const Tandem_state<Backend>& t, std::size_t c)
+{
+  return !t.live.empty() && may_have(t.leaf_shapes[c], [&](std::uint32_t id) { return t.is_restarted[id] != 0; });
+}
+
+template <class Backend>
 std::vector<Cell_job> make_jobs(Tandem_state<Backend>& t, std::vector<std::uint32_t>& new_ids)
 {
   std::vector<Cell_job> jobs(t.cells.size());
@@ -84,7 +90,8 @@ std::vector<Cell_job> make_jobs(Tandem_state<Backend>& t, std::vector<std::uint3
                t.seeds.seed.data() + t.cells[c].first,
                t.seeds.count[c],
                &t.seed_cursor[c],
-               next};
+               next,
+               has_restarted(t, c)};
     next += t.seed_cursor[c] < t.seeds.count[c] ? seeds : 0;
   }
   return jobs;

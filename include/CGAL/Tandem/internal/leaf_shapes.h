@@ -78,16 +78,20 @@ void relabel_lists(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
   }
 }
 
-// The leaves that may have points of shapes that are asked for.
+// Whether there may be points of a shape that is asked for.
+template <class Predicate>
+bool may_have(const Leaf_shapes& list, Predicate is_asked)
+{
+  return list.size > Leaf_shapes::capacity || std::any_of(list.shape, list.shape + list.size, is_asked);
+}
+
 template <class Backend, class Predicate>
 std::vector<Range> leaves_of(const Tandem_state<Backend>& t, Predicate is_asked)
 {
   std::vector<Range> leaves;
-  for(std::size_t c = 0; c < t.cells.size(); ++c) {
-    const Leaf_shapes& list = t.leaf_shapes[c];
-    if(list.size > Leaf_shapes::capacity || std::any_of(list.shape, list.shape + list.size, is_asked))
+  for(std::size_t c = 0; c < t.cells.size(); ++c)
+    if(may_have(t.leaf_shapes[c], is_asked))
       leaves.push_back(t.cells[c]);
-  }
   return leaves;
 }
 
