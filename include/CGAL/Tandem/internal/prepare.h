@@ -112,7 +112,7 @@ void find_border(Tandem_state<Backend>& t)
 // normals, else in the end game. With the caller's coordinates and normals.
 inline std::size_t bytes_per_point(int k, bool has_normals)
 {
-  const std::size_t caller = sizeof(Grid_point) + (has_normals ? 6 : 3) * sizeof(double);
+  const std::size_t caller = (has_normals ? 6 : 3) * sizeof(double);
   const std::size_t cloud = sizeof(Grid_point) + std::size_t(k + 1) * sizeof(std::uint32_t);
   const std::size_t labels = 2 * sizeof(std::uint32_t) + 1; // and seeds, states
   const std::size_t end_game = sizeof(std::uint64_t) + 5 * sizeof(std::uint32_t);
@@ -121,7 +121,7 @@ inline std::size_t bytes_per_point(int k, bool has_normals)
 }
 
 template <class Backend>
-void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& parameters,
+void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
              typename Backend::template Buffer<std::uint32_t>& order,
              typename Backend::template Buffer<Grid_point>& points,
              typename Backend::template Buffer<std::uint32_t>& neighbors, Stage_times& times)
@@ -144,6 +144,7 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
     points[i] = in.point[sorted[i].index];
   });
   sorted.release();
+  in.point.release();
   sort.stop();
 
   Stage_timer search(times.neighbors);
