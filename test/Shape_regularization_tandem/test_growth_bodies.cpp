@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The bodies of a round, over the points, against naive versions of them, on several
-// back ends: proposals, growth, links, misfits, and the update of labels.
+// back ends: proposals, growth, shapes of leaves, links, misfits, and the update of labels.
 
 #undef NDEBUG
 
@@ -24,6 +24,7 @@ public:
   {
     test_propose();
     test_growth();
+    test_lists();
     test_links();
     test_misfits();
     test_update();
@@ -114,6 +115,29 @@ private:
       backend_.template for_each_cell<Growth_scratch<largest_cell>>(f_.cells.size(), body);
     check_lists(label, expected, name_ + ": growth");
     check_moments(gain, expected_gain, name_ + ": growth");
+  }
+
+  // Of few shapes a leaf, and of more than fit into a list.
+  void test_lists()
+  {
+    std::vector<std::uint32_t> many(f_.label);
+    for(std::size_t i = 0; i < many.size(); ++i)
+      many[i] = i % 5 == 0 ? is_free : std::uint32_t(i);
+    for(const std::vector<std::uint32_t>& label : {f_.label, many}) {
+      std::vector<Leaf_shapes> list(f_.cells.size());
+      backend_.template for_each_cell<List_scratch>(f_.cells.size(),
+                                                    List_shapes{f_.cells.data(), label.data(), list.data()});
+      for(std::size_t c = 0; c < list.size(); ++c) {
+        std::set<std::uint32_t> expected(label.begin() + f_.cells[c].first, label.begin() + f_.cells[c].last);
+        expected.erase(expected.lower_bound(first_mark), expected.end());
+        const std::size_t size = list[c].size;
+        const std::set<std::uint32_t> got(list[c].shape,
+                                          list[c].shape + (std::min)(size, std::size_t(Leaf_shapes::capacity)));
+        const bool is_complete = size == expected.size() && got == expected;
+        const bool has_overflown = size > Leaf_shapes::capacity && expected.size() > Leaf_shapes::capacity;
+        CHECK_AT(is_complete || has_overflown, name_ + ": shapes of leaf " + std::to_string(c));
+      }
+    }
   }
 
   void test_links()

@@ -40,6 +40,23 @@ struct Leaf_shapes {
   static constexpr std::uint32_t capacity = 64;
   std::uint32_t size;
   std::uint32_t shape[capacity];
+
+  template <class Predicate>
+  CGAL_TANDEM_HD bool may_have(Predicate is_asked) const
+  {
+    for(std::uint32_t i = 0; i < size && i < capacity; ++i)
+      if(is_asked(shape[i]))
+        return true;
+    return size > capacity;
+  }
+};
+
+// The leaves, as the bodies see them.
+struct Cells_view {
+  const Range* range;
+  const Leaf_shapes* shapes;
+
+  CGAL_TANDEM_HD const Range& operator[](std::uint32_t c) const { return range[c]; }
 };
 
 template <class Backend>
@@ -49,6 +66,8 @@ struct Tandem_state {
 
   explicit Tandem_state(Backend& backend) : backend(backend) {}
 
+  Cells_view cells_view() const { return {cells.data(), leaf_shapes.data()}; }
+
   Labels_view labels() { return {label.data(), state.data()}; }
 
   Backend& backend;
@@ -57,11 +76,10 @@ struct Tandem_state {
   Cloud_view cloud;
   std::size_t number_of_cells = 0;
   Buffer<Range> cells;
-  std::vector<Range> leaves;            // the same, on the host
-  std::vector<Leaf_shapes> leaf_shapes; // per leaf
-  Buffer<Range> cell_border;            // per leaf, its range of `border`
-  Buffer<std::uint32_t> border;         // points with a neighbor in another leaf
-  Buffer<std::uint32_t> proposal;       // parallel to border
+  Buffer<Leaf_shapes> leaf_shapes; // per leaf
+  Buffer<Range> cell_border;       // per leaf, its range of `border`
+  Buffer<std::uint32_t> border;    // points with a neighbor in another leaf
+  Buffer<std::uint32_t> proposal;  // parallel to border
   Seeds<Backend> seeds;
   std::vector<std::uint32_t> seed_cursor; // per leaf
 

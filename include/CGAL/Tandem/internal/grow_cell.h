@@ -47,6 +47,7 @@ struct Cell_job {
   std::uint32_t seed_count;
   std::uint32_t* seed_cursor;     // candidates before it are used up
   const std::uint32_t* new_shape; // ids that new shapes take
+  bool has_restarted = true;      // maybe: some shape grows again from all of its points
 };
 
 constexpr std::uint32_t max_seeds_in_flight = 16;
@@ -79,10 +80,7 @@ public:
 
   CGAL_TANDEM_HD void run()
   {
-    block_.single([&] {
-      s_.tail = 0;
-      s_.active_count = 0;
-    });
+    block_.single([&] { s_.tail = s_.active_count = 0; });
     s_.table.clear(block_);
     collect_frontier();
     const std::uint32_t old = s_.tail;
@@ -119,8 +117,8 @@ private:
   {
     block_.for_each(job_.cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = job_.cell.first + at;
-      const std::uint32_t s = label_[i];
-      if(s >= first_mark || !((state_[i] & on_frontier) || shapes_.is_restarted[s]))
+      const bool is_on = state_[i] & on_frontier;
+      if((!is_on && !job_.has_restarted) || label_[i] >= first_mark || !(is_on || shapes_.is_restarted[label_[i]]))
         return;
       state_[i] |= on_frontier;
       push(i);

@@ -53,7 +53,7 @@ struct Propose {
 
 // What the leaves have from pass to pass, by leaf or by position.
 struct Leaves_view {
-  const Range* cells;
+  Cells_view cells;
   const Range* border_of; // in `border`
   const std::uint32_t* border;
   const std::uint32_t* proposal;
@@ -76,14 +76,16 @@ struct Grow_cells {
   CGAL_TANDEM_HD void operator()(Block& block, Scratch& scratch, std::uint32_t c) const
   {
     const Range border = leaves.border_of[c];
-    const Cell_job job = {leaves.cells[c],
-                          leaves.border + border.first,
-                          leaves.proposal + border.first,
-                          border.size(),
-                          leaves.seed + leaves.cells[c].first,
-                          leaves.seed_count[c],
-                          leaves.seed_cursor + c,
-                          new_shape + first_new[c]};
+    const Cell_job job = {
+      leaves.cells[c],
+      leaves.border + border.first,
+      leaves.proposal + border.first,
+      border.size(),
+      leaves.seed + leaves.cells[c].first,
+      leaves.seed_count[c],
+      leaves.seed_cursor + c,
+      new_shape + first_new[c],
+      leaves.cells.shapes[c].may_have([&](std::uint32_t s) { return shapes.is_restarted[s] != 0; })};
     Cell_growth<Backend, Block, Scratch>(block, scratch, job, cloud, shapes, labels, options).run();
   }
 };
@@ -152,7 +154,7 @@ void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_
   t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), plane.data(), t.border.data(), t.proposal.data(),
                                               t.options.growth.tolerance});
   const Shapes_view shapes = {plane.data(), rounds.data(), is_restarted.data(), start_gains(t)};
-  const Leaves_view leaves = {t.cells.data(),      t.cell_border.data(), t.border.data(), t.proposal.data(),
+  const Leaves_view leaves = {t.cells_view(),      t.cell_border.data(), t.border.data(), t.proposal.data(),
                               t.seeds.seed.data(), seed_count.data(),    cursor.data()};
   const Grow_cells<Backend> body = {t.cloud, shapes, t.labels(), t.options.growth, leaves, ids.data(), first.data()};
   if(t.options.cell_size <= small_cell)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which shapes have points in which leaf. Most passes between two growth passes are
-// about some of the shapes, so they visit only the leaves that have points of those.
+// about some of the shapes, so they leave out the leaves without points of those.
 
 #ifndef CGAL_TANDEM_INTERNAL_LEAF_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_LEAF_SHAPES_H
@@ -58,40 +58,32 @@ private:
 template <class Backend>
 void list_shapes(Tandem_state<Backend>& t)
 {
-  t.leaf_shapes.resize(t.number_of_cells);
-  auto lists = t.backend.lend_empty(t.leaf_shapes);
   t.backend.template for_each_cell<List_scratch>(t.number_of_cells,
-                                                 List_shapes{t.cells.data(), t.label.data(), lists.data()});
-  lists.take_back();
+                                                 List_shapes{t.cells.data(), t.label.data(), t.leaf_shapes.data()});
 }
 
-// The same after points have been relabeled, by old label.
-template <class Backend>
-void relabel_lists(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target)
-{
-  for(Leaf_shapes& list : t.leaf_shapes) {
+struct Relabel_lists {
+  Leaf_shapes* lists;
+  const std::uint32_t* target; // by old label
+
+  CGAL_TANDEM_HD void operator()(std::size_t c) const
+  {
+    Leaf_shapes& list = lists[c];
     if(list.size > Leaf_shapes::capacity)
-      continue;
+      return;
     std::uint32_t kept = 0;
     for(std::uint32_t i = 0; i < list.size; ++i)
       if(target[list.shape[i]] < first_mark)
         list.shape[kept++] = target[list.shape[i]];
     list.size = kept;
   }
-}
+};
 
-// The leaves that may have points of shapes that are asked for.
-template <class Backend, class Predicate>
-std::vector<Range> leaves_of(const Tandem_state<Backend>& t, Predicate is_asked)
-{
-  std::vector<Range> leaves;
-  for(std::size_t c = 0; c < t.leaves.size(); ++c) {
-    const Leaf_shapes& list = t.leaf_shapes[c];
-    if(list.size > Leaf_shapes::capacity || std::any_of(list.shape, list.shape + list.size, is_asked))
-      leaves.push_back(t.leaves[c]);
-  }
-  return leaves;
-}
+struct Clear_lists {
+  Leaf_shapes* lists;
+
+  CGAL_TANDEM_HD void operator()(std::size_t c) const { lists[c].size = 0; }
+};
 
 } // namespace internal
 } // namespace Tandem

@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
 #define CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
 
+#include <CGAL/Tandem/internal/directions.h>
 #include <CGAL/Tandem/internal/update_shapes.h>
 
 namespace CGAL {
@@ -82,30 +83,29 @@ private:
   std::vector<std::uint32_t> ask_points(const std::vector<std::uint32_t>& query_of,
                                         const std::vector<Misfit_query>& query)
   {
-    const std::vector<Range> leaves = leaves_of(t_, [&](std::uint32_t id) { return query_of[id] != no_index; });
     std::vector<std::uint32_t> count(query.size(), 0);
-    const auto cells = t_.backend.lend(leaves);
     const auto index = t_.backend.lend(query_of);
     const auto queries = t_.backend.lend(query);
     auto counts = t_.backend.lend_out(count);
     t_.backend.template for_each_cell<Count_scratch>(
-      leaves.size(), Count_misfits<Backend>{t_.cloud, cells.data(), t_.label.data(), index.data(), queries.data(),
-                                            counts.data(), t_.options.growth.tolerance});
+      t_.number_of_cells, Count_misfits<Backend>{t_.cloud, t_.cells_view(), t_.label.data(), index.data(),
+                                                 queries.data(), counts.data(), t_.options.growth.tolerance});
     counts.take_back();
     return count;
   }
 
   bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
   {
-    return bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
+    const bool is_same = a.normal == b.normal && a.offset == b.offset;
+    return is_same || bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
   }
 
   bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
   {
     for(const Answer& answer : shape.answers) {
       const std::int64_t change = shape.moments.count - answer.points;
-      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, shape.local, answer.local) ||
-         !is_still(shape, candidate, answer.candidate))
+      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, candidate, answer.candidate) ||
+         !is_still(shape, shape.local, answer.local))
         continue;
       share = answer.misfit_share;
       return true;

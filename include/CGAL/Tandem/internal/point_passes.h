@@ -39,7 +39,7 @@ struct Link_scratch {
 template <class Backend>
 struct Collect_links {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   Labels_view labels;
   const std::uint8_t* is_asked; // by shape
   Link_sink sink;
@@ -47,6 +47,8 @@ struct Collect_links {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Link_scratch& scratch, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return is_asked[s] != 0; }))
+      return;
     const Range cell = cells[c];
     block.for_each(Link_scratch::slots, [&](std::uint32_t i) { scratch.link[i] = {~std::uint64_t(0), 0}; });
     block.for_each(cell.size(), [&](std::uint32_t at) { visit(block, scratch, cell.first + at); });
@@ -94,8 +96,6 @@ enum class Links { all, changed };
 template <class Backend>
 std::vector<Link> append_links(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_asked)
 {
-  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return is_asked[id] != 0; });
-  const auto cells = t.backend.lend(leaves);
   const auto asked = t.backend.lend(is_asked);
   std::size_t capacity = 4 * t.live.size() + 64 * t.number_of_cells;
   for(;;) {
@@ -103,9 +103,9 @@ std::vector<Link> append_links(Tandem_state<Backend>& t, const std::vector<std::
     std::vector<std::uint32_t> size(1, 0);
     auto counter = t.backend.lend_out(size);
     t.backend.template for_each_cell<Link_scratch>(
-      leaves.size(),
+      t.number_of_cells,
       Collect_links<Backend>{
-        t.cloud, cells.data(), t.labels(), asked.data(), {buffer.data(), counter.data(), std::uint32_t(capacity)}});
+        t.cloud, t.cells_view(), t.labels(), asked.data(), {buffer.data(), counter.data(), std::uint32_t(capacity)}});
     counter.take_back();
     if(size[0] <= capacity) {
       std::vector<Link> links(size[0]);
@@ -161,7 +161,7 @@ struct Misfit_query {
 template <class Backend>
 struct Count_misfits {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* query_of; // by shape, no_index if it is not asked
   const Misfit_query* query;
@@ -171,6 +171,8 @@ struct Count_misfits {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return query_of[s] != no_index; }))
+      return;
     const Range cell = cells[c];
     block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
       scratch.shape[i] = no_index;
@@ -203,7 +205,7 @@ struct Count_misfits {
 template <class Backend>
 struct Update_points {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   Labels_view labels;
   const std::uint32_t* target; // these two by old label
   const std::uint8_t* is_checked;
@@ -214,6 +216,8 @@ struct Update_points {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return target[s] != s || is_checked[s] != 0; }))
+      return;
     const Range cell = cells[c];
     const Grid_point& base = cloud.point[cell.first];
     table.clear(block);

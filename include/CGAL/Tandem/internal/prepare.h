@@ -183,7 +183,7 @@ struct Free_all {
 // normals, else in the end game. With the caller's coordinates and normals.
 inline std::size_t bytes_per_point(int k, bool has_normals)
 {
-  const std::size_t caller = sizeof(Grid_point) + (has_normals ? 6 : 3) * sizeof(double);
+  const std::size_t caller = (has_normals ? 6 : 3) * sizeof(double);
   const std::size_t cloud = sizeof(Grid_point) + std::size_t(k + 1) * sizeof(std::uint32_t);
   const std::size_t labels = 2 * sizeof(std::uint32_t) + 1; // and seeds, states
   const std::size_t end_game = sizeof(std::uint64_t) + 5 * sizeof(std::uint32_t);
@@ -201,10 +201,10 @@ void sort_points(Tandem_state<Backend>& t, Import& in, std::size_t cell_size,
   const Code_frame frame = make_code_frame(in.low, in.high);
   const auto sorted = sort_along_curve(t.backend, imported.data(), n, frame,
                                        [&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); });
-  t.leaves = split_leaves(t.backend, sorted, frame, cell_size);
-  t.number_of_cells = t.leaves.size();
-  t.cells.reset(t.leaves.size());
-  t.backend.from_host(t.leaves.data(), t.leaves.size(), t.cells.data());
+  const std::vector<Range> leaves = split_leaves(t.backend, sorted, frame, cell_size);
+  t.number_of_cells = leaves.size();
+  t.cells.reset(leaves.size());
+  t.backend.from_host(leaves.data(), leaves.size(), t.cells.data());
   order.reset(n);
   points.reset(n);
   using Table = typename Backend::Sort_table::View;
@@ -243,6 +243,8 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   t.seeds =
     order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells, {t.options.growth.tolerance, t.options.tight});
   t.seed_cursor.assign(t.number_of_cells, 0);
+  t.leaf_shapes.reset(t.number_of_cells);
+  t.backend.for_each(t.number_of_cells, Clear_lists{t.leaf_shapes.data()});
   t.label.reset(n);
   t.state.reset(n);
   t.backend.for_each(n, Free_all{t.labels()});

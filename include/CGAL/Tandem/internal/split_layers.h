@@ -21,7 +21,7 @@ constexpr int histogram_bins = 64;
 template <class Backend>
 struct Count_distances {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* histogram_of; // by shape, no_index if not asked
   const Plane* plane;                // by histogram
@@ -31,6 +31,8 @@ struct Count_distances {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return histogram_of[s] != no_index; }))
+      return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t s = label[cell.first + at];
@@ -48,14 +50,12 @@ template <class Backend>
 void count_distances(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& histogram_of,
                      const std::vector<Plane>& planes, std::vector<std::uint32_t>& histogram)
 {
-  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return histogram_of[id] != no_index; });
-  const auto cells = t.backend.lend(leaves);
   const auto index = t.backend.lend(histogram_of);
   const auto plane = t.backend.lend(planes);
   auto counts = t.backend.lend_out(histogram);
   t.backend.template for_each_cell<Count_scratch>(
-    leaves.size(), Count_distances<Backend>{t.cloud, cells.data(), t.label.data(), index.data(), plane.data(),
-                                            counts.data(), t.options.growth.tolerance.distance});
+    t.number_of_cells, Count_distances<Backend>{t.cloud, t.cells_view(), t.label.data(), index.data(), plane.data(),
+                                                counts.data(), t.options.growth.tolerance.distance});
   counts.take_back();
 }
 
@@ -86,7 +86,7 @@ inline double find_layer(const std::uint32_t* histogram)
 template <class Backend>
 struct Sum_normals {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* mask; // by shape, as are these
   const Plane* plane;
@@ -95,6 +95,8 @@ struct Sum_normals {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return mask[s] != nobody; }))
+      return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
@@ -115,14 +117,12 @@ struct Sum_normals {
 template <class Backend>
 void sum_normals(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& mask, std::vector<std::int64_t>& sum)
 {
-  const std::vector<Range> leaves = leaves_of(t, [&](std::uint32_t id) { return mask[id] != nobody; });
-  const auto cells = t.backend.lend(leaves);
   const auto masks = t.backend.lend(mask);
   const auto plane = t.backend.lend(t.plane);
   auto sums = t.backend.lend_out(sum);
   t.backend.template for_each_cell<Count_scratch>(
-    leaves.size(),
-    Sum_normals<Backend>{t.cloud, cells.data(), t.label.data(), masks.data(), plane.data(), sums.data()});
+    t.number_of_cells,
+    Sum_normals<Backend>{t.cloud, t.cells_view(), t.label.data(), masks.data(), plane.data(), sums.data()});
   sums.take_back();
 }
 

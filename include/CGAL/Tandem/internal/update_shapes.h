@@ -117,16 +117,13 @@ template <class Backend>
 void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target,
                    const std::vector<std::uint8_t>& is_checked)
 {
-  const std::vector<Range> leaves =
-    leaves_of(t, [&](std::uint32_t id) { return target[id] != id || is_checked[id] != 0; });
-  const auto cells = t.backend.lend(leaves);
   const auto new_label = t.backend.lend(target);
   const auto checked = t.backend.lend(is_checked);
   const auto plane = t.backend.lend(t.plane);
   t.backend.template for_each_cell<Moment_table>(
-    leaves.size(), Update_points<Backend>{t.cloud, cells.data(), t.labels(), new_label.data(), checked.data(),
-                                          plane.data(), start_gains(t), t.options.growth.tolerance});
-  relabel_lists(t, target);
+    t.number_of_cells, Update_points<Backend>{t.cloud, t.cells_view(), t.labels(), new_label.data(), checked.data(),
+                                              plane.data(), start_gains(t), t.options.growth.tolerance});
+  t.backend.for_each(t.number_of_cells, Relabel_lists{t.leaf_shapes.data(), new_label.data()});
   for(const Gain& loss : take_gains(t)) {
     t.shapes[loss.id].moments += loss.sums.moments();
     t.shapes[loss.id].is_dirty = true;

@@ -31,7 +31,10 @@ struct Serial_block {
   template <class Row, class F>
   void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
   {
+    constexpr std::uint32_t ahead = 4;
     for(std::uint32_t s = 0; s < n; ++s) {
+      if(s + ahead < n)
+        __builtin_prefetch(row(s + ahead)); // rows are visited in no order that the processor could guess
       const std::uint32_t* neighbors = row(s);
       for(int j = 0; neighbors != nullptr && j < k; ++j)
         f(s, neighbors[j]);

@@ -48,10 +48,11 @@ public:
   Piece take(std::size_t size)
   {
     prepare();
-    if(used_ + size > bytes)
+    const std::size_t room = (size + 255) / 256 * 256;
+    if(used_ + room > bytes)
       return {};
     const Piece piece = {host_.data() + used_, device_.data() + used_};
-    used_ += (size + 255) / 256 * 256;
+    used_ += room;
     ++pieces_;
     return piece;
   }
