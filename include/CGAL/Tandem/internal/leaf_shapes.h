@@ -85,14 +85,21 @@ bool may_have(const Leaf_shapes& list, Predicate is_asked)
   return list.size > Leaf_shapes::capacity || std::any_of(list.shape, list.shape + list.size, is_asked);
 }
 
+// Of the ranges of all leaves, those that may have points of shapes that are asked for.
+template <class Backend, class Predicate>
+std::vector<Range> ranges_of(const Tandem_state<Backend>& t, const std::vector<Range>& range, Predicate is_asked)
+{
+  std::vector<Range> ranges;
+  for(std::size_t c = 0; c < t.cells.size(); ++c)
+    if(may_have(t.leaf_shapes[c], is_asked))
+      ranges.push_back(range[c]);
+  return ranges;
+}
+
 template <class Backend, class Predicate>
 std::vector<Range> leaves_of(const Tandem_state<Backend>& t, Predicate is_asked)
 {
-  std::vector<Range> leaves;
-  for(std::size_t c = 0; c < t.cells.size(); ++c)
-    if(may_have(t.leaf_shapes[c], is_asked))
-      leaves.push_back(t.cells[c]);
-  return leaves;
+  return ranges_of(t, t.cells, is_asked);
 }
 
 } // namespace internal

@@ -50,32 +50,49 @@ inline std::uint32_t sample_mask(const Shape& shape)
 template <class Backend>
 class Misfit_counter {
 public:
-  explicit Misfit_counter(Tandem_state<Backend>& t) : t_(t) {}
+  // ids: the shapes that may be asked for. Points keep their labels until the last question.
+  Misfit_counter(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
+    : t_(t), mask_(t.shapes.size(), nobody), sample_(t.cloud.size), range_(t.cells.size(), Range{0, 0})
+  {
+    for(std::uint32_t id : ids)
+      mask_[id] = sample_mask(t.shapes[id]);
+    const auto is_sampled = [&](std::uint32_t id) { return mask_[id] != nobody; };
+    const std::vector<Range> leaves = leaves_of(t, is_sampled);
+    std::vector<Range> found(leaves.size());
+    t.backend.template for_each_cell<Count_scratch>(
+      leaves.size(),
+      Collect_samples{t.cloud, leaves.data(), t.label.data(), mask_.data(), sample_.data(), found.data()});
+    auto next = found.begin();
+    for(std::size_t c = 0; c < range_.size(); ++c)
+      if(may_have(t.leaf_shapes[c], is_sampled))
+        range_[c] = *next++;
+  }
 
   std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
   {
     const std::size_t size = t_.shapes.size();
     std::vector<double> shares(ids.size(), 0);
     std::vector<std::size_t> asked;
-    std::vector<std::uint32_t> mask(size, nobody), count(size, 0);
+    std::vector<std::uint32_t> count(size, 0);
+    std::vector<std::uint8_t> is_asked(size, 0);
     std::vector<Plane> before(size), after(size);
     for(std::size_t i = 0; i < ids.size(); ++i) {
       const Shape& shape = t_.shapes[ids[i]];
       if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
         continue;
       asked.push_back(i);
-      mask[ids[i]] = sample_mask(shape);
+      is_asked[ids[i]] = 1;
       before[ids[i]] = rounded(shape.local);
       after[ids[i]] = rounded(candidates[i]);
     }
-    const std::vector<Range> leaves = leaves_of(t_, [&](std::uint32_t id) { return mask[id] != nobody; });
+    const std::vector<Range> ranges = ranges_of(t_, range_, [&](std::uint32_t id) { return is_asked[id] != 0; });
     if(!asked.empty())
       t_.backend.template for_each_cell<Count_scratch>(
-        leaves.size(), Count_misfits<Backend>{t_.cloud, leaves.data(), t_.label.data(), mask.data(), before.data(),
+        ranges.size(), Count_misfits<Backend>{sample_.data(), ranges.data(), is_asked.data(), before.data(),
                                               after.data(), count.data(), t_.options.growth.tolerance});
     for(std::size_t i : asked) {
       Shape& shape = t_.shapes[ids[i]];
-      shares[i] = double(count[ids[i]]) * (double(mask[ids[i]]) + 1) / double(shape.moments.count);
+      shares[i] = double(count[ids[i]]) * (double(mask_[ids[i]]) + 1) / double(shape.moments.count);
       shape.answers[shape.next_answer] = {shape.local, candidates[i], shape.moments.count, shares[i]};
       shape.next_answer = (shape.next_answer + 1) % 4;
     }
@@ -103,6 +120,9 @@ private:
   }
 
   Tandem_state<Backend>& t_;
+  std::vector<std::uint32_t> mask_; // by shape
+  typename Backend::template Buffer<Sample> sample_;
+  std::vector<Range> range_; // of the samples of each leaf
 };
 
 // Unions of shapes with the moments of the whole.
@@ -189,7 +209,7 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std
   std::vector<std::uint32_t> target = identity_targets(t);
   if(ids.empty())
     return target;
-  const std::vector<double> shares = Misfit_counter<Backend>{t}(ids, planes);
+  const std::vector<double> shares = Misfit_counter<Backend>{t, ids}(ids, planes);
   std::vector<std::uint32_t> first(t.shapes.size(), no_index); // per root: the member that stays
   for(std::size_t i = 0; i < ids.size(); ++i) {
     if(shares[i] > misfit_share)

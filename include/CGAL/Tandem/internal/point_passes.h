@@ -139,13 +139,39 @@ struct Count_scratch {
 // so all, every second one, every fourth one ...
 constexpr std::uint32_t nobody = 0xffffffffu;
 
-// Counts the points that fit the first plane of their shape but not the second.
-template <class Backend>
-struct Count_misfits {
+struct Sample {
+  Grid_point point;
+  std::uint32_t shape;
+};
+
+// Copies the points that may be asked to the front of the range of their leaf.
+struct Collect_samples {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* label;
-  const std::uint32_t* mask; // these four by shape
+  const std::uint32_t* mask; // by shape
+  Sample* sample;
+  Range* range; // by leaf: where its samples are, in any order
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.single([&] { range[c] = {cell.first, cell.first}; });
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at;
+      if(label[i] < first_mark && (i & mask[label[i]]) == 0)
+        sample[block.append(range[c].last)] = {cloud.point[i], label[i]};
+    });
+  }
+};
+
+// Counts the samples that fit the first plane of their shape but not the second.
+template <class Backend>
+struct Count_misfits {
+  const Sample* sample;
+  const Range* ranges;
+  const std::uint8_t* is_asked; // these four by shape
   const Plane* before;
   const Plane* after;
   std::uint32_t* count;
@@ -154,17 +180,16 @@ struct Count_misfits {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
-    const Range cell = cells[c];
+    const Range range = ranges[c];
     block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
       scratch.shape[i] = no_index;
       scratch.count[i] = 0;
     });
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t i = cell.first + at;
-      const std::uint32_t s = label[i];
-      if(s >= first_mark || (i & mask[s]) != 0)
+    block.for_each(range.size(), [&](std::uint32_t at) {
+      const Grid_point& p = sample[range.first + at].point;
+      const std::uint32_t s = sample[range.first + at].shape;
+      if(!is_asked[s])
         return;
-      const Grid_point& p = cloud.point[i];
       if(fits(after[s], p, tolerance) || !fits(before[s], p, tolerance))
         return;
       const std::uint32_t slot = s % Count_scratch::slots;
