@@ -28,6 +28,7 @@ struct Fixture {
   std::vector<Grid_point> point;
   std::vector<std::uint32_t> neighbor;
   std::vector<Range> cells;
+  std::vector<Leaf_shapes> lists; // of the labels below
   Cloud_view cloud;
   Tolerance tolerance;
   std::vector<Plane> plane;
@@ -35,6 +36,16 @@ struct Fixture {
   std::vector<std::uint8_t> state;
 
   bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane[s], point[i], tolerance); }
+
+  Cells_view cells_view() const { return {cells.data(), lists.data()}; }
+
+  std::vector<Leaf_shapes> list_shapes(const std::vector<std::uint32_t>& labels) const
+  {
+    std::vector<Leaf_shapes> result(cells.size());
+    Sequential_backend().for_each_cell<List_scratch>(cells.size(),
+                                                     List_shapes{cells.data(), labels.data(), result.data()});
+    return result;
+  }
 
   // f(neighbor) for each neighbor of i.
   template <class F>
@@ -82,6 +93,7 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   f.neighbor.resize(size * std::size_t(k));
   find_neighbors(backend, f.point.data(), std::uint32_t(size), k, f.neighbor.data());
   f.cloud = {f.point.data(), f.neighbor.data(), std::uint32_t(size), k};
+  f.lists = f.list_shapes(f.label);
   f.tolerance = make_tolerance(2500, cosine_deg(25));
   return f;
 }

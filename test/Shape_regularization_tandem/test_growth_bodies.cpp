@@ -101,7 +101,9 @@ private:
     // No points of the border, no seeds.
     const std::vector<Range> border(f_.cells.size(), Range{0, 0});
     const std::vector<std::uint32_t> none(f_.cells.size(), 0);
-    const Leaves_view leaves = {f_.cells.data(), border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
+    const std::vector<Leaf_shapes> lists = f_.list_shapes(label);
+    const Cells_view cells = {f_.cells.data(), lists.data()};
+    const Leaves_view leaves = {cells, border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
     const Grow_cells<Backend> body = {f_.cloud,
                                       {plane.data(), rounds.data(), is_restarted.data(), gain.data()},
                                       {label.data(), state.data()},
@@ -164,7 +166,7 @@ private:
     std::vector<std::uint32_t> label = f_.label;
     backend_.template for_each_cell<Link_scratch>(
       f_.cells.size(), Collect_links<Backend>{f_.cloud,
-                                              f_.cells.data(),
+                                              f_.cells_view(),
                                               {label.data(), state.data()},
                                               is_asked.data(),
                                               {links.data(), &size, std::uint32_t(links.size())}});
@@ -186,24 +188,30 @@ private:
   void test_misfits()
   {
     const std::vector<Plane> after = moved_planes();
-    std::vector<std::uint32_t> query_of, expected;
+    std::vector<std::uint32_t> query_of, mask, expected;
     std::vector<Misfit_query> query;
     for(std::uint32_t s = 0; s < after.size(); ++s) {
       const bool is_asked = s % 4 != 3;
       query_of.push_back(is_asked ? std::uint32_t(query.size()) : no_index);
       if(is_asked)
-        query.push_back({s % 5 == 4 ? nobody : s % 4 == 2 ? 3 : s % 4, f_.plane[s], after[s]});
+        query.push_back({f_.plane[s], after[s]});
+      mask.push_back(s % 5 == 4 ? nobody : s % 4 == 2 ? 3 : s % 4);
     }
     expected.resize(query.size(), 0);
     for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
       const std::uint32_t s = f_.label[i], q = s < first_mark ? query_of[s] : no_index;
-      if(q != no_index && (i & query[q].mask) == 0)
+      if(q != no_index && (i & mask[s]) == 0)
         expected[q] += f_.fits(s, i) && !fits(after[s], f_.point[i], f_.tolerance);
     }
     std::vector<std::uint32_t> count(query.size(), 0);
+    std::vector<Sample> sample(f_.cloud.size);
+    std::vector<Range> range(f_.cells.size());
     backend_.template for_each_cell<Count_scratch>(
-      f_.cells.size(), Count_misfits<Backend>{f_.cloud, f_.cells.data(), f_.label.data(), query_of.data(), query.data(),
-                                              count.data(), f_.tolerance});
+      range.size(),
+      Collect_samples{f_.cloud, f_.cells_view(), f_.label.data(), mask.data(), sample.data(), range.data()});
+    backend_.template for_each_cell<Count_scratch>(
+      range.size(), Count_misfits<Backend>{f_.cells_view(), sample.data(), range.data(), query_of.data(), query.data(),
+                                           count.data(), f_.tolerance});
     check_lists(count, expected, name_ + ": misfits");
     CHECK_AT(f_.cloud.size < 100 || std::count(count.begin(), count.end(), 0u) < long(count.size()),
              name_ + ": no misfits");
@@ -228,7 +236,7 @@ private:
       }
     }
     backend_.template for_each_cell<Moment_table>(f_.cells.size(), Update_points<Backend>{f_.cloud,
-                                                                                          f_.cells.data(),
+                                                                                          f_.cells_view(),
                                                                                           {label.data(), state.data()},
                                                                                           target.data(),
                                                                                           is_checked.data(),

@@ -50,7 +50,17 @@ inline std::uint32_t sample_mask(const Shape& shape)
 template <class Backend>
 class Misfit_counter {
 public:
-  explicit Misfit_counter(Tandem_state<Backend>& t) : t_(t) {}
+  // ids: the shapes that may be asked for. Points keep their labels until the last question.
+  Misfit_counter(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
+    : t_(t), mask_(t.shapes.size(), nobody), sample_(t.cloud.size), range_(t.number_of_cells)
+  {
+    for(std::uint32_t id : ids)
+      mask_[id] = sample_mask(t.shapes[id]);
+    const auto mask = t.backend.lend(mask_);
+    t.backend.template for_each_cell<Count_scratch>(
+      t.number_of_cells,
+      Collect_samples{t.cloud, t.cells_view(), t.label.data(), mask.data(), sample_.data(), range_.data()});
+  }
 
   std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
   {
@@ -63,7 +73,7 @@ public:
       if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
         continue;
       query_of[ids[i]] = std::uint32_t(query.size());
-      query.push_back({sample_mask(shape), rounded(shape.local), rounded(candidates[i])});
+      query.push_back({rounded(shape.local), rounded(candidates[i])});
       asked.push_back(i);
     }
     if(asked.empty())
@@ -72,7 +82,7 @@ public:
     for(std::size_t q = 0; q < asked.size(); ++q) {
       Shape& shape = t_.shapes[ids[asked[q]]];
       double& share = shares[asked[q]];
-      share = double(count[q]) * (double(query[q].mask) + 1) / double(shape.moments.count);
+      share = double(count[q]) * (double(mask_[ids[asked[q]]]) + 1) / double(shape.moments.count);
       shape.answers[shape.next_answer] = {shape.local, candidates[asked[q]], shape.moments.count, share};
       shape.next_answer = (shape.next_answer + 1) % 4;
     }
@@ -88,7 +98,7 @@ private:
     const auto queries = t_.backend.lend(query);
     auto counts = t_.backend.lend_out(count);
     t_.backend.template for_each_cell<Count_scratch>(
-      t_.number_of_cells, Count_misfits<Backend>{t_.cloud, t_.cells_view(), t_.label.data(), index.data(),
+      t_.number_of_cells, Count_misfits<Backend>{t_.cells_view(), sample_.data(), range_.data(), index.data(),
                                                  queries.data(), counts.data(), t_.options.growth.tolerance});
     counts.take_back();
     return count;
@@ -114,6 +124,9 @@ private:
   }
 
   Tandem_state<Backend>& t_;
+  std::vector<std::uint32_t> mask_; // by shape
+  typename Backend::template Buffer<Sample> sample_;
+  typename Backend::template Buffer<Range> range_; // of the samples of each leaf
 };
 
 // Unions of shapes with the moments of the whole.
@@ -200,7 +213,7 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std
   std::vector<std::uint32_t> target = identity_targets(t);
   if(ids.empty())
     return target;
-  const std::vector<double> shares = Misfit_counter<Backend>{t}(ids, planes);
+  const std::vector<double> shares = Misfit_counter<Backend>{t, ids}(ids, planes);
   std::vector<std::uint32_t> first(t.shapes.size(), no_index); // per root: the member that stays
   for(std::size_t i = 0; i < ids.size(); ++i) {
     if(shares[i] > misfit_share)

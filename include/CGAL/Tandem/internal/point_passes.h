@@ -152,17 +152,45 @@ struct Count_scratch {
 // so all, every second one, every fourth one ...
 constexpr std::uint32_t nobody = 0xffffffffu;
 
-struct Misfit_query {
-  std::uint32_t mask;
-  Plane before, after;
+struct Sample {
+  Grid_point point;
+  std::uint32_t shape;
 };
 
-// Counts the points that fit the first plane of their shape but not the second.
-template <class Backend>
-struct Count_misfits {
+// Copies the points that may be asked to the front of the range of their leaf.
+struct Collect_samples {
   Cloud_view cloud;
   Cells_view cells;
   const std::uint32_t* label;
+  const std::uint32_t* mask; // by shape
+  Sample* sample;
+  Range* range; // by leaf: where its samples are, in any order
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.single([&] { range[c] = {cell.first, cell.first}; });
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return mask[s] != nobody; }))
+      return;
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at;
+      if(label[i] < first_mark && (i & mask[label[i]]) == 0)
+        sample[block.append(range[c].last)] = {cloud.point[i], label[i]};
+    });
+  }
+};
+
+struct Misfit_query {
+  Plane before, after;
+};
+
+// Counts the samples that fit the first plane of their shape but not the second.
+template <class Backend>
+struct Count_misfits {
+  Cells_view cells;
+  const Sample* sample;
+  const Range* ranges;           // of samples, by leaf
   const std::uint32_t* query_of; // by shape, no_index if it is not asked
   const Misfit_query* query;
   std::uint32_t* count; // by query
@@ -173,18 +201,15 @@ struct Count_misfits {
   {
     if(!cells.shapes[c].may_have([&](std::uint32_t s) { return query_of[s] != no_index; }))
       return;
-    const Range cell = cells[c];
+    const Range range = ranges[c];
     block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
       scratch.shape[i] = no_index;
       scratch.count[i] = 0;
     });
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t i = cell.first + at;
-      const std::uint32_t q = label[i] < first_mark ? query_of[label[i]] : no_index;
-      if(q == no_index || (i & query[q].mask) != 0)
-        return;
-      const Grid_point& p = cloud.point[i];
-      if(fits(query[q].after, p, tolerance) || !fits(query[q].before, p, tolerance))
+    block.for_each(range.size(), [&](std::uint32_t at) {
+      const Grid_point& p = sample[range.first + at].point;
+      const std::uint32_t q = query_of[sample[range.first + at].shape];
+      if(q == no_index || fits(query[q].after, p, tolerance) || !fits(query[q].before, p, tolerance))
         return;
       const std::uint32_t slot = q % Count_scratch::slots;
       const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, q);

@@ -43,7 +43,7 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
     fits.push_back({shape.scatter, shape.fit});
     is_excluded.push_back(!retry_all && t.round < shape.retry_round && shape.moments.count < shape.retry_count);
   }
-  Misfit_counter<Backend> count(t);
+  Misfit_counter<Backend> count(t, r.id);
   auto verify = [&](const std::vector<int>& indices, const std::vector<Regular_plane>& candidates,
                     std::vector<std::int64_t>& counts) {
     std::vector<std::uint32_t> ids(indices.size());
