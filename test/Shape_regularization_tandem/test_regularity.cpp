@@ -90,7 +90,7 @@ struct Verify {
   }
 };
 
-const Regularity_options all_on = {8, epsilon, epsilon, true, true, true};
+const Regularity_options all_on = {8, epsilon, epsilon, true, true, true, true};
 
 Relations run(const std::vector<Shape_fit>& shapes, double sine = 2, double shift = 1e30,
               const Regularity_options& options = all_on)

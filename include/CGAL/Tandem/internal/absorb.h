@@ -13,6 +13,9 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+#ifndef CH_DIV
+#define CH_DIV 2
+#endif
 constexpr std::uint64_t no_offer = ~std::uint64_t(0);
 
 // Offers of shapes to free points, from both ends of a neighbor relation. The
@@ -130,14 +133,35 @@ struct Choose_largest {
     if(s >= first_mark || !may_lose[s] || (state[i] & is_interior))
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    const std::int64_t farthest = least_distance(i, s) + tolerance.distance / CH_DIV;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]], best = chosen[i];
       if(t >= first_mark || t == best || !may_gain[t])
         continue;
-      const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best);
-      if(is_larger && fits(plane[t], cloud.point[i], tolerance))
+      const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best) || distance(best, i) > farthest;
+      if(is_larger && distance(t, i) <= farthest && fits(plane[t], cloud.point[i], tolerance))
         chosen[i] = t;
     }
+  }
+
+private:
+  CGAL_TANDEM_HD std::int64_t distance(std::uint32_t s, std::size_t i) const
+  {
+    const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
+    return e < 0 ? -e : e;
+  }
+
+  CGAL_TANDEM_HD std::int64_t least_distance(std::size_t i, std::uint32_t s) const
+  {
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    std::int64_t least = distance(s, i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]];
+      if(t >= first_mark || t == s || !may_gain[t] || distance(t, i) >= least || !fits(plane[t], cloud.point[i], tolerance))
+        continue;
+      least = distance(t, i);
+    }
+    return least;
   }
 };
 
