@@ -13,9 +13,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-#ifndef CH_DIV
-#define CH_DIV 2
-#endif
 constexpr std::uint64_t no_offer = ~std::uint64_t(0);
 
 // Offers of shapes to free points, from both ends of a neighbor relation. The
@@ -114,7 +111,8 @@ void absorb(Tandem_state<Backend>& t)
 }
 
 // A point of a shape that may give points away goes to the largest shape among its
-// neighbors' that it fits, if that is larger than its own.
+// neighbors' that it fits, but not to a plane that is farther than the nearest one by
+// more than a quarter of epsilon: layers side by side do not eat each other.
 struct Choose_largest {
   Cloud_view cloud;
   const std::uint32_t* label;
@@ -133,12 +131,13 @@ struct Choose_largest {
     if(s >= first_mark || !may_lose[s] || (state[i] & is_interior))
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
-    const std::int64_t farthest = least_distance(i, s) + tolerance.distance / CH_DIV;
+    const std::int64_t farthest = least_distance(i, s) + tolerance.distance / 4;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]], best = chosen[i];
       if(t >= first_mark || t == best || !may_gain[t])
         continue;
-      const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best) || distance(best, i) > farthest;
+      const bool is_larger =
+        size[t] > size[best] || (size[t] == size[best] && t < best) || distance(best, i) > farthest;
       if(is_larger && distance(t, i) <= farthest && fits(plane[t], cloud.point[i], tolerance))
         chosen[i] = t;
     }
@@ -157,7 +156,8 @@ private:
     std::int64_t least = distance(s, i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]];
-      if(t >= first_mark || t == s || !may_gain[t] || distance(t, i) >= least || !fits(plane[t], cloud.point[i], tolerance))
+      if(t >= first_mark || t == s || !may_gain[t] || distance(t, i) >= least ||
+         !fits(plane[t], cloud.point[i], tolerance))
         continue;
       least = distance(t, i);
     }

@@ -36,13 +36,17 @@ public:
   }
 
 private:
-  // The second step finds what the first one left as the best choice.
-  static constexpr int steps = 2;
-  // Of epsilon, added in quadrature. More than where groups are found: the direction
-  // has been settled, and a shape that joins does not turn it.
-  static constexpr double join_rms = 0.8;
+  // A group whose first choice has gone has another one.
+  static constexpr int steps = 3;
+  // Of epsilon, added in quadrature, and the share of new misfits. More than where groups
+  // are found: a shape that joins does not turn a settled direction, and drags no other
+  // shape along.
+  static constexpr double join_rms = 1;
+  static constexpr double join_misfit_share = 0.4;
+  // A direction less is not worth more points than this share of a mean shape.
+  static constexpr double price_of_direction = 0.25;
   // A larger group is no leftover.
-  static constexpr std::size_t most_members = 4;
+  static constexpr std::size_t most_members = 8;
 
   // Where the members of a group go.
   struct Plan {
@@ -108,7 +112,8 @@ private:
         candidates.push_back(groups[plan.from].members[k]);
         planes.push_back(through_centroid(shapes[candidates.back()], groups[plan.to[k]].direction));
       }
-    const std::vector<char> is_refused = verified.test(candidates, planes);
+    const std::vector<char> is_refused =
+      verified.test(candidates, planes, {join_misfit_share, price_of_direction * mean_size()});
     auto answer = is_refused.begin();
     plans.erase(std::remove_if(plans.begin(), plans.end(),
                                [&](const Plan& plan) {
@@ -117,6 +122,16 @@ private:
                                  return std::find(first, answer, char(1)) != answer;
                                }),
                 plans.end());
+  }
+
+  double mean_size() const
+  {
+    double points = 0, members = 0;
+    for(const Direction_group& g : groups) {
+      points += g.weight;
+      members += double(g.members.size());
+    }
+    return points / (std::max)(members, 1.);
   }
 
   // A group that another one has joined stays, and nobody joins one that has gone.
