@@ -125,8 +125,9 @@ void absorb(Tandem_state<Backend>& t)
 }
 
 // A point of a shape that may give points away goes to the largest shape among its
-// neighbors' that it fits, if that is larger than its own. Points whose neighbors all
-// have their label become interior on the way, if asked for.
+// neighbors' that it fits, but not to a plane that is farther than the nearest one by
+// more than a quarter of epsilon: layers side by side do not eat each other. Points
+// whose neighbors all have their label become interior on the way, if asked for.
 struct Choose_largest {
   Cloud_view cloud;
   const std::uint32_t* label;
@@ -147,17 +148,40 @@ struct Choose_largest {
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
     bool all_same = true;
+    const std::int64_t farthest = may_lose[s] ? least_distance(i, s) + tolerance.distance / 4 : 0;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]], best = chosen[i];
       all_same = all_same && t == s;
       if(t >= first_mark || t == best || !may_gain[t] || !may_lose[s])
         continue;
-      const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best);
-      if(is_larger && fits(plane[t], cloud.point[i], tolerance))
+      const bool is_larger =
+        size[t] > size[best] || (size[t] == size[best] && t < best) || distance(best, i) > farthest;
+      if(is_larger && distance(t, i) <= farthest && fits(plane[t], cloud.point[i], tolerance))
         chosen[i] = t;
     }
     if(marks_interior && all_same)
       state[i] |= is_interior;
+  }
+
+private:
+  CGAL_TANDEM_HD std::int64_t distance(std::uint32_t s, std::size_t i) const
+  {
+    const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
+    return e < 0 ? -e : e;
+  }
+
+  CGAL_TANDEM_HD std::int64_t least_distance(std::size_t i, std::uint32_t s) const
+  {
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    std::int64_t least = distance(s, i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]];
+      if(t >= first_mark || t == s || !may_gain[t] || distance(t, i) >= least ||
+         !fits(plane[t], cloud.point[i], tolerance))
+        continue;
+      least = distance(t, i);
+    }
+    return least;
   }
 };
 

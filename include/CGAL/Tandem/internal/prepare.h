@@ -76,8 +76,13 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.growth.seeds_in_flight = 8;
   o.growth.seed_tries = 64;
   o.growth.core_size = std::uint32_t(p.k_neighbors / 2 + 1);
-  o.regularity = {p.angle_tolerance,        p.maximum_offset / step,    o.maximum_distance,
-                  p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity};
+  o.regularity = {p.angle_tolerance,
+                  p.maximum_offset / step,
+                  o.maximum_distance,
+                  p.regularize_parallelism,
+                  p.regularize_orthogonality,
+                  p.regularize_coplanarity,
+                  false};
   const double certain_angle = (std::max)(p.maximum_angle - packing_margin_deg, 0.);
   o.certain = make_tolerance(o.maximum_distance - distance_margin(in.grid), cosine_deg(certain_angle));
   o.exact = {p.maximum_distance, std::fma(1.0, cosine, rounded_normal_margin)};

@@ -53,7 +53,9 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
     for(std::size_t i = 0; i < ids.size(); ++i)
       counts[i] = std::int64_t(shares[i] * double(t.shapes[ids[i]].moments.count));
   };
-  r.relations = regularize(fits, is_excluded, t.options.regularity, verify);
+  Regularity_options options = t.options.regularity;
+  options.is_last = retry_all;
+  r.relations = regularize(fits, is_excluded, options, verify);
   for(std::size_t i = 0; i < r.id.size(); ++i) {
     Shape& shape = t.shapes[r.id[i]];
     shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];

@@ -4,7 +4,8 @@
 // Layers a little more than epsilon apart can end as one shape: a plane in the
 // middle, or a slanted one that bridges two strips. All points are within epsilon,
 // but along the normal of the points themselves their distances have two peaks,
-// and few between. Such a shape takes the higher peak, and detaches the other.
+// and few between; or the points' normals say that the plane is wrong. Such a shape
+// takes the higher peak, and detaches the other.
 
 #ifndef CGAL_TANDEM_INTERNAL_SPLIT_LAYERS_H
 #define CGAL_TANDEM_INTERNAL_SPLIT_LAYERS_H
@@ -60,14 +61,15 @@ void count_distances(Tandem_state<Backend>& t, const std::vector<std::uint32_t>&
 }
 
 // Where the smoothed histogram has its highest peak, in epsilons; 0 unless that is
-// clearly higher than the middle.
-inline double find_layer(const std::uint32_t* histogram)
+// clearly higher than the middle, or the shape is known to be crooked.
+inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
 {
-  // A Gaussian of sigma = epsilon / 3, at the distance of 0, 1, 2 ... bins
-  static const std::int64_t weight[16] = {1000, 983, 932, 854, 755, 645, 531, 423, 325, 241, 172, 119, 80, 51, 32, 19};
+  // A Gaussian of sigma = epsilon / 6, at the distance of 0, 1, 2 ... bins. (A wider one
+  // hides the gap between layers of noise that are 1.1 epsilon apart.)
+  static const std::int64_t weight[8] = {1000, 932, 755, 531, 325, 172, 80, 32};
   auto density = [&](int bin) {
     std::int64_t sum = 0;
-    for(int b = (std::max)(0, bin - 15); b <= (std::min)(histogram_bins - 1, bin + 15); ++b)
+    for(int b = (std::max)(0, bin - 7); b <= (std::min)(histogram_bins - 1, bin + 7); ++b)
       sum += weight[b < bin ? bin - b : b - bin] * std::int64_t(histogram[b]);
     return sum;
   };
@@ -79,7 +81,7 @@ inline double find_layer(const std::uint32_t* histogram)
       highest = density(bin);
       peak = bin;
     }
-  return highest * 2 >= middle * 3 ? (peak + 0.5) / 16 - 2 : 0;
+  return is_crooked || highest * 2 >= middle * 3 ? (peak + 0.5) / 16 - 2 : 0;
 }
 
 // The sum of the normals of a sample of each shape, each turned to the side of the plane.
@@ -130,6 +132,10 @@ void sum_normals(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& mas
 // to one side of its plane (the sine), or their distances are spread (rms, in epsilons).
 constexpr double suspicious_lean = 0.07;
 constexpr double suspicious_rms = 0.45;
+// By more than about 6 degrees to the best plane through them: it bridges layers,
+// whether or not noise fills the gap between them.
+constexpr double certain_lean = 0.1;
+constexpr std::int64_t crooked_size = 100; // the normals of fewer points, at edges, may lean by themselves
 
 // The planes, along the mean normals of the points, about which the distances of
 // suspicious shapes are to be counted; the entries of `r` that they belong to.
@@ -180,11 +186,14 @@ void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
   }
   count_distances(t, histogram_of, integer_planes, histogram);
   for(std::size_t h = 0; h < entries.size(); ++h) {
-    const double layer = find_layer(histogram.data() + h * histogram_bins);
+    Shape& shape = t.shapes[r.id[entries[h]]];
+    const bool is_crooked =
+      shape.moments.count >= crooked_size && length(cross(planes[h].normal, shape.local.normal)) > certain_lean;
+    const double layer = find_layer(histogram.data() + h * histogram_bins, is_crooked);
     if(layer == 0)
       continue;
     planes[h].offset = std::fma(layer, t.options.maximum_distance, planes[h].offset);
-    t.shapes[r.id[entries[h]]].plane = planes[h];
+    shape.plane = planes[h];
     r.relations.direction_of[entries[h]] = int(r.relations.directions.size()); // it has left its relations
     r.relations.directions.push_back(planes[h].normal);
     r.relations.plane_of[entries[h]] = int(r.relations.planes.size());
