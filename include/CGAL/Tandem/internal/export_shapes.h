@@ -10,6 +10,7 @@
 
 #include <CGAL/Tandem/internal/Engine_result.h>
 #include <CGAL/Tandem/internal/exact_check.h>
+#include <CGAL/Tandem/internal/group_points.h>
 #include <CGAL/Tandem/internal/Import.h>
 
 #include <array>
@@ -31,6 +32,7 @@ struct Shapes_data {
   std::vector<std::uint32_t> normal;  // of each item, packed; empty if normals were given
   Parameters parameters;
   Statistics statistics;
+  Point_groups points; // of the shapes, until Planar_shapes_3 takes them
 };
 
 inline double plane_distance(const Coefficients& p, const double* q)
@@ -203,6 +205,7 @@ Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& 
   data.orthogonal_groups = find_orthogonal_groups(data);
   measure_points(backend, in, result.shape_of, data);
   data.shape_of = by_item(in, std::move(result.shape_of), std::int32_t(-1));
+  data.points = group_points(backend, data.shape_of, data.coefficients.size());
   if(!in.has_normals)
     data.normal = by_item(in, std::move(result.normal), no_normal);
   measure_relations(data);

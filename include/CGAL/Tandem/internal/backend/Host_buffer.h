@@ -4,14 +4,37 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
+#include <new>
 #include <type_traits>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// Asks for large pages where the system has them: the first touch of small ones takes
+// longer than most passes over the points.
+inline void* allocate_pages(std::size_t bytes)
+{
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::size_t page = std::size_t(2) << 20;
+  if(bytes >= 2 * page) {
+    void* const memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
+    if(memory != nullptr)
+      static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
+    return memory;
+  }
+#endif
+  constexpr std::size_t line = 64;
+  return std::aligned_alloc(line, (bytes + line - 1) / line * line);
+}
 
 // An array that is not initialized: each of its pages is first touched by the
 // thread that fills it.
@@ -21,13 +44,17 @@ class Host_buffer {
 
 public:
   Host_buffer() = default;
-  explicit Host_buffer(std::size_t size) : data_(new T[size]), size_(size) {}
+  explicit Host_buffer(std::size_t size) { reset(size); }
 
   // Discards the contents.
   void reset(std::size_t size)
   {
-    data_.reset();
-    data_.reset(new T[size]);
+    release();
+    if(size == 0)
+      return;
+    data_.reset(static_cast<T*>(allocate_pages(size * sizeof(T))));
+    if(data_ == nullptr)
+      throw std::bad_alloc();
     size_ = size;
   }
 
@@ -49,7 +76,11 @@ public:
   const T* end() const { return data_.get() + size_; }
 
 private:
-  std::unique_ptr<T[]> data_;
+  struct Free {
+    void operator()(T* memory) const { std::free(memory); }
+  };
+
+  std::unique_ptr<T[], Free> data_;
   std::size_t size_ = 0;
 };
 
