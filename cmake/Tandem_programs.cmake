@@ -27,6 +27,13 @@ function(tandem_add_program name)
   tandem_set_warnings(${name})
 endfunction()
 
+# Programs that offer the CUDA back end where it is built.
+function(tandem_link_cuda target)
+  if(TARGET Tandem::tandem_cuda)
+    target_link_libraries(${target} PRIVATE Tandem::tandem_cuda)
+  endif()
+endfunction()
+
 function(tandem_set_warnings target)
   if(MSVC)
     target_compile_options(${target} PRIVATE /W3)

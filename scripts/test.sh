@@ -5,7 +5,9 @@
 # Installs what is missing, builds and runs all tests: the release build with TBB, then
 # a choice of them without TBB, under ASan + UBSan, and under TSan; and the benchmark in small,
 # which fails where a result of Tandem is wrong or differs between back ends.
-#   test.sh [release] [sequential] [asan] [tsan] [benchmark]    only these (default: all of them)
+#   test.sh [release] [sequential] [asan] [tsan] [cuda] [benchmark]    only these (default: all of them)
+# Where there is a CUDA compiler, the CUDA back end is built for one architecture, too;
+# its tests are skipped without a device.
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -29,7 +31,7 @@ configuration()
 {
   name=$1; label=$2; shift 2
   echo "== $name"
-  cmake -S "$root" -B "$build/$name" -DTANDEM_BUILD_TESTS=ON -DTANDEM_BUILD_EXAMPLES=ON "$@" > /dev/null ||
+  cmake -S "$root" -B "$build/$name" -DTANDEM_BUILD_TESTS=ON -DTANDEM_BUILD_EXAMPLES=ON -DTANDEM_WITH_CUDA=OFF "$@" > /dev/null ||
     fail "cmake failed for $name"
   cmake --build "$build/$name" -j "$jobs" -- -k > "$build/$name/build.log" 2>&1 ||
     { grep -v "^\[" "$build/$name/build.log" >&2; fail "the build $name failed"; }
@@ -63,6 +65,15 @@ run_tsan()
     -DTANDEM_TESTS=test_thread_backend "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 
+# For the device that is there, or one of the year 2022.
+run_cuda()
+{
+  command -v "${CUDACXX:-nvcc}" > /dev/null || { echo "== cuda: skipped, there is no CUDA compiler"; return; }
+  architecture=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2> /dev/null | head -n 1 | tr -d .)
+  configuration cuda cuda -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_CUDA=ON \
+    "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-90}" -DTANDEM_TESTS=test_cuda
+}
+
 run_benchmark()
 {
   echo "== benchmark"
@@ -71,12 +82,12 @@ run_benchmark()
     { cat "$build/benchmark.log" >&2; fail "the benchmark failed"; }
 }
 
-[ $# -gt 0 ] || set -- release sequential asan tsan benchmark
+[ $# -gt 0 ] || set -- release sequential asan tsan cuda benchmark
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh"
 for part in "$@"; do
   case $part in
-    release | sequential | asan | tsan | benchmark) "run_$part" ;;
-    *) fail "unknown configuration $part; choose of release sequential asan tsan benchmark" ;;
+    release | sequential | asan | tsan | cuda | benchmark) "run_$part" ;;
+    *) fail "unknown configuration $part; choose of release sequential asan tsan cuda benchmark" ;;
   esac
 done
 echo "test.sh: all tests passed ($*)"

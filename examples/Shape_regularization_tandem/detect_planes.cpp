@@ -14,6 +14,7 @@
 #include "write_vg.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/cuda.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/pca_estimate_normals.h>
@@ -60,8 +61,8 @@ CGAL::Tandem::Parameters parameters_of(const Options& o)
 
 void check_backend(const Options& o)
 {
-  if(o.backend == "cuda")
-    throw std::runtime_error("no CUDA device can be used: this program was built without the CUDA back end");
+  if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
+    throw std::runtime_error("no CUDA device can be used: " + CGAL::Tandem::cuda_device_report());
 #ifndef CGAL_LINKED_WITH_TBB
   if(o.backend == "parallel")
     throw std::runtime_error("the parallel back end needs oneTBB: this program was built without it");
@@ -116,6 +117,17 @@ Shapes detect(const Point_set& points, const Options& o, Progress_bar& progress)
 Shapes detect_on_backend(const Point_set& points, const Options& o, Run& run)
 {
   Progress_bar progress(!o.is_quiet);
+  run.threads = 1;
+#ifdef CGAL_TANDEM_USE_CUDA
+  if(o.backend == "cuda") {
+    run.device = CGAL::Tandem::cuda_device_report();
+    return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
+  }
+  if(o.backend == "auto" && CGAL::Tandem::cuda_available()) {
+    run.device = CGAL::Tandem::cuda_device_report();
+    return detect<CGAL::Tandem::Cuda_if_available_tag>(points, o, progress);
+  }
+#endif
 #ifdef CGAL_LINKED_WITH_TBB
   if(o.backend != "sequential") {
     run.threads = tbb::this_task_arena::max_concurrency();
@@ -124,7 +136,6 @@ Shapes detect_on_backend(const Point_set& points, const Options& o, Run& run)
     return detect<CGAL::Parallel_tag>(points, o, progress);
   }
 #endif
-  run.threads = 1;
   return detect<CGAL::Sequential_tag>(points, o, progress);
 }
 

@@ -23,6 +23,7 @@ namespace program {
 struct Run {
   std::string input;
   std::string normals; // "given", "estimated" or how else
+  std::string device = "CPU";
   int threads = 1;
   double read_seconds = 0;
   double normal_seconds = 0; // of normals estimated outside of the library
@@ -204,7 +205,7 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
   json.text("input", run.input);
   json.text("normals", run.normals);
   json.text("backend", s.backend);
-  json.text("device", "CPU");
+  json.text("device", run.device);
   json.count("threads", std::size_t(run.threads));
   json.text("hash", hash_text(shapes));
   json.number("grid_step", s.grid_step);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Models of Backend and Block that take all the liberties that the concepts give:
-// items run in random order, pieces have random sizes, new memory and scratch hold
-// garbage, equal keys are sorted anyhow. What comes out must not notice.
+// items and pieces run in random order, new memory and scratch hold
+// garbage, equal keys are sorted anyhow, tables on loan are copies. What comes out
+// must not notice.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SHUFFLED_BLOCK_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SHUFFLED_BLOCK_H
@@ -13,6 +14,9 @@
 #include <cstring>
 #include <numeric>
 #include <random>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -99,19 +103,47 @@ struct Shuffled_block : Serial_block {
 
 // Not initialized means garbage.
 template <class T>
+void soil(T* data, std::size_t size)
+{
+  std::memset(static_cast<void*>(data), 0xa7, size * sizeof(T));
+}
+
+template <class T>
 class Soiled_buffer : public Host_buffer<T> {
 public:
   Soiled_buffer() = default;
-  explicit Soiled_buffer(std::size_t size) : Host_buffer<T>(size) { soil(); }
+  explicit Soiled_buffer(std::size_t size) : Host_buffer<T>(size) { soil(this->data(), size); }
+  Soiled_buffer(Host_buffer<T>&& filled) : Host_buffer<T>(std::move(filled)) {}
 
   void reset(std::size_t size)
   {
     Host_buffer<T>::reset(size);
-    soil();
+    soil(this->data(), size);
+  }
+};
+
+// As on a device, the functors have a table of their own, so what they write is
+// not seen before take_back(), nor what the host writes after it has lent.
+template <class T>
+class Copied_loan {
+  using Item = std::remove_const_t<T>;
+
+public:
+  enum Contents { copied, garbage };
+
+  Copied_loan(T* table, std::size_t size, Contents contents) : table_(table), copy_(size)
+  {
+    if(contents == copied)
+      std::copy(table, table + size, copy_.data());
   }
 
+  T* data() const { return copy_.get(); }
+
+  void take_back() { std::copy(copy_.begin(), copy_.end(), table_); }
+
 private:
-  void soil() { std::memset(static_cast<void*>(this->data()), 0xa7, this->size() * sizeof(T)); }
+  T* table_;
+  Soiled_buffer<Item> copy_;
 };
 
 class Shuffled_backend : public Sequential_backend {
@@ -130,12 +162,16 @@ public:
   }
 
   template <class F>
+  void for_each_on_host(std::size_t n, F f)
+  {
+    for_each(n, f);
+  }
+
+  template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    std::vector<std::size_t> bound(1, 0);
-    while(bound.back() < n)
-      bound.push_back((std::min)(n, bound.back() + 1 + dice_.below(grain)));
-    dice_.visit(1, bound.size(), [&](std::size_t piece) { f(bound[piece - 1], bound[piece]); });
+    dice_.visit(0, (n + grain - 1) / grain,
+                [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
   }
 
   template <class Scratch, class Body>
@@ -149,13 +185,49 @@ public:
     });
   }
 
-  void sort_by_key(Keyed_index* first, Keyed_index* last)
+  // Equal keys come in random order.
+  void sort(Sort_table& table)
   {
-    dice_.shuffle(first, last);
-    std::sort(first, last, [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
+    using Entry = Sort_table::Entry;
+    dice_.shuffle(table.begin(), table.end());
+    std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges)
+  // Asked twice, in random order.
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    dice_.visit(0, n, [&](std::size_t i) { is_kept(std::uint32_t(i)); });
+    std::vector<std::uint32_t> kept;
+    dice_.visit(0, n, [&](std::size_t i) {
+      if(is_kept(std::uint32_t(i)))
+        kept.push_back(std::uint32_t(i));
+    });
+    std::sort(kept.begin(), kept.end());
+    Buffer<std::uint32_t> result(kept.size());
+    std::copy(kept.begin(), kept.end(), result.begin());
+    return result;
+  }
+
+  template <class T>
+  Copied_loan<const T> lend(const std::vector<T>& table)
+  {
+    return {table.data(), table.size(), Copied_loan<const T>::copied};
+  }
+
+  template <class T>
+  Copied_loan<T> lend_out(std::vector<T>& table)
+  {
+    return {table.data(), table.size(), Copied_loan<T>::copied};
+  }
+
+  template <class T>
+  Copied_loan<T> lend_empty(std::vector<T>& table)
+  {
+    return {table.data(), table.size(), Copied_loan<T>::garbage};
+  }
+
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
   {
     dice_.visit(0, ranges, [&](std::size_t c) {
       dice_.shuffle(key + range[c].first, key + range[c].last);

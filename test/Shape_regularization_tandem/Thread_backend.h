@@ -8,7 +8,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H
 
-#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/backend/Host_loan.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
 #include <algorithm>
@@ -21,11 +21,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-class Thread_backend {
+class Thread_backend : public Host_memory {
 public:
-  template <class T>
-  using Buffer = Host_buffer<T>;
-
   explicit Thread_backend(unsigned threads = 3) : threads_(threads) {}
 
   static const char* name() { return "threads"; }
@@ -37,6 +34,12 @@ public:
       for(std::size_t i = first; i < last; ++i)
         f(i);
     });
+  }
+
+  template <class F>
+  void for_each_on_host(std::size_t n, F f)
+  {
+    for_each(n, f);
   }
 
   template <class F>
@@ -60,13 +63,20 @@ public:
   }
 
   // Equal keys come in an order of their own, as they may.
-  void sort_by_key(Keyed_index* first, Keyed_index* last)
+  void sort(Sort_table& table)
   {
-    std::reverse(first, last);
-    std::sort(first, last, [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
+    using Entry = Sort_table::Entry;
+    std::reverse(table.begin(), table.end());
+    std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges)
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    return compact_on(*this, n, is_kept);
+  }
+
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
   {
     for_each_piece(ranges, 1,
                    [&](std::size_t c, std::size_t) { std::sort(key + range[c].first, key + range[c].last); });

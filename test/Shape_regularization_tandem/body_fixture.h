@@ -9,6 +9,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H
 
 #include "Shuffled_block.h"
+#include "Thread_backend.h"
 #include "test_support.h"
 
 #include <CGAL/Tandem/internal/absorb.h>
@@ -27,6 +28,7 @@ struct Fixture {
   std::vector<Grid_point> point;
   std::vector<std::uint32_t> neighbor;
   std::vector<Range> cells;
+  std::vector<Leaf_shapes> lists; // of the labels below
   Cloud_view cloud;
   Tolerance tolerance;
   std::vector<Plane> plane;
@@ -34,6 +36,16 @@ struct Fixture {
   std::vector<std::uint8_t> state;
 
   bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane[s], point[i], tolerance); }
+
+  Cells_view cells_view() const { return {cells.data(), lists.data()}; }
+
+  std::vector<Leaf_shapes> list_shapes(const std::vector<std::uint32_t>& labels) const
+  {
+    std::vector<Leaf_shapes> result(cells.size());
+    Sequential_backend().for_each_cell<List_scratch>(cells.size(),
+                                                     List_shapes{cells.data(), labels.data(), result.data()});
+    return result;
+  }
 
   // f(neighbor) for each neighbor of i.
   template <class F>
@@ -63,12 +75,12 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   Fixture f;
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(unsorted.data(), size);
-  const auto order = sort_along_curve(backend, unsorted.data(), size, frame);
-  f.cells = split_leaves(order.data(), size, frame, cell_size);
+  auto order = sort_along_curve(backend, unsorted.data(), size, frame);
+  f.cells = split_leaves(backend, order, frame, cell_size);
   scenes::Random random(9);
   for(const scenes::Truth_face& face : scene.faces)
     f.plane.push_back(rounded({{face.normal.x, face.normal.y, face.normal.z}, -face.offset / step}));
-  for(const Keyed_index& o : order) {
+  for(const Host_sort_table::Entry& o : order) {
     f.point.push_back(unsorted[o.index]);
     const std::uint64_t dice = random.bits() % 100;
     const std::int32_t truth = scene.label[o.index];
@@ -81,6 +93,7 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   f.neighbor.resize(size * std::size_t(k));
   find_neighbors(backend, f.point.data(), std::uint32_t(size), k, f.neighbor.data());
   f.cloud = {f.point.data(), f.neighbor.data(), std::uint32_t(size), k};
+  f.lists = f.list_shapes(f.label);
   f.tolerance = make_tolerance(2500, cosine_deg(25));
   return f;
 }
@@ -140,6 +153,7 @@ template <template <class> class Bodies>
 void test_on_all_backends()
 {
   test_on<Bodies>(Sequential_backend());
+  test_on<Bodies>(Thread_backend());
 #ifdef CGAL_LINKED_WITH_TBB
   test_on<Bodies>(Tbb_backend());
 #endif

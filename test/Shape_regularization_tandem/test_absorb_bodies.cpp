@@ -61,6 +61,7 @@ private:
     check_lists(absorbed, expected_absorbed, name_ + ": absorbed points");
   }
 
+  // The largest of the shapes that are not much farther than the nearest one.
   void test_reassignment()
   {
     const std::uint32_t n = f_.cloud.size;
@@ -76,12 +77,19 @@ private:
       const std::uint32_t own = f_.label[i];
       if(own >= first_mark || !may_lose[own])
         continue;
-      std::set<std::pair<std::int64_t, std::uint32_t>> choice = {{-size[own], own}};
+      std::set<std::uint32_t> shapes = {own};
       f_.for_each_neighbor(i, [&](std::uint32_t q) {
         const std::uint32_t t = f_.label[q];
         if(t < first_mark && may_gain[t] && f_.fits(t, i))
-          choice.emplace(-size[t], t);
+          shapes.insert(t);
       });
+      std::int64_t least = f_.distance(own, i);
+      for(std::uint32_t t : shapes)
+        least = (std::min)(least, std::int64_t(f_.distance(t, i)));
+      std::set<std::pair<std::int64_t, std::uint32_t>> choice;
+      for(std::uint32_t t : shapes)
+        if(std::int64_t(f_.distance(t, i)) <= least + f_.tolerance.distance / 4)
+          choice.emplace(-size[t], t);
       expected[i] = choice.begin()->second;
     }
     backend_.for_each(n, Choose_largest{f_.cloud, f_.label.data(), state.data(), f_.plane.data(), size.data(),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The bodies of a round, over the points, against naive versions of them, on several
-// back ends: proposals, growth, links, misfits, and the update of labels.
+// back ends: proposals, growth, shapes of leaves, links, misfits, and the update of labels.
 
 #undef NDEBUG
 
@@ -24,6 +24,7 @@ public:
   {
     test_propose();
     test_growth();
+    test_lists();
     test_links();
     test_misfits();
     test_update();
@@ -97,17 +98,48 @@ private:
     for(std::size_t i = 0; i < label.size(); ++i)
       if(label[i] != expected[i])
         add_point(expected_gain[expected[i]], f_.point[i], 1);
-    std::vector<Cell_job> jobs;
-    for(std::size_t c = 0; c < f_.cells.size(); ++c)
-      jobs.push_back({f_.cells[c], nullptr, nullptr, 0, nullptr, 0, &cursor[c], nullptr});
-    backend_.template for_each_cell<Growth_scratch>(
-      jobs.size(), Grow_cells<Backend>{f_.cloud,
-                                       {plane.data(), rounds.data(), is_restarted.data(), gain.data()},
-                                       {label.data(), state.data()},
-                                       {f_.tolerance, 8, 64, 7},
-                                       jobs.data()});
+    // No points of the border, no seeds.
+    const std::vector<Range> border(f_.cells.size(), Range{0, 0});
+    const std::vector<std::uint32_t> none(f_.cells.size(), 0);
+    const std::vector<Leaf_shapes> lists = f_.list_shapes(label);
+    const Cells_view cells = {f_.cells.data(), lists.data()};
+    const Leaves_view leaves = {cells, border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
+    const Grow_cells<Backend> body = {f_.cloud,
+                                      {plane.data(), rounds.data(), is_restarted.data(), gain.data()},
+                                      {label.data(), state.data()},
+                                      {f_.tolerance, 8, 64, 7},
+                                      leaves,
+                                      nullptr,
+                                      none.data()};
+    if(std::all_of(f_.cells.begin(), f_.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))
+      backend_.template for_each_cell<Growth_scratch<small_cell>>(f_.cells.size(), body);
+    else
+      backend_.template for_each_cell<Growth_scratch<largest_cell>>(f_.cells.size(), body);
     check_lists(label, expected, name_ + ": growth");
     check_moments(gain, expected_gain, name_ + ": growth");
+  }
+
+  // Of few shapes a leaf, and of more than fit into a list.
+  void test_lists()
+  {
+    std::vector<std::uint32_t> many(f_.label);
+    for(std::size_t i = 0; i < many.size(); ++i)
+      many[i] = i % 5 == 0 ? is_free : std::uint32_t(i);
+    for(const std::vector<std::uint32_t>& label : {f_.label, many}) {
+      std::vector<Leaf_shapes> list(f_.cells.size());
+      backend_.template for_each_cell<List_scratch>(f_.cells.size(),
+                                                    List_shapes{f_.cells.data(), label.data(), list.data()});
+      for(std::size_t c = 0; c < list.size(); ++c) {
+        std::set<std::uint32_t> expected(label.begin() + f_.cells[c].first, label.begin() + f_.cells[c].last);
+        expected.erase(expected.lower_bound(first_mark), expected.end());
+        const std::size_t size = list[c].size;
+        const std::set<std::uint32_t> got(list[c].shape,
+                                          list[c].shape + (std::min)(size, std::size_t(Leaf_shapes::capacity)));
+        const bool is_complete = size == expected.size() && got == expected;
+        const bool has_overflown = size > Leaf_shapes::capacity && expected.size() > Leaf_shapes::capacity;
+        CHECK_AT(is_complete || has_overflown, name_ + ": shapes of leaf " + std::to_string(c));
+      }
+    }
   }
 
   void test_links()
@@ -134,7 +166,7 @@ private:
     std::vector<std::uint32_t> label = f_.label;
     backend_.template for_each_cell<Link_scratch>(
       f_.cells.size(), Collect_links<Backend>{f_.cloud,
-                                              f_.cells.data(),
+                                              f_.cells_view(),
                                               {label.data(), state.data()},
                                               is_asked.data(),
                                               {links.data(), &size, std::uint32_t(links.size())}});
@@ -156,17 +188,30 @@ private:
   void test_misfits()
   {
     const std::vector<Plane> after = moved_planes();
-    std::vector<std::uint32_t> mask, count(after.size(), 0), expected(after.size(), 0);
-    for(std::size_t s = 0; s < after.size(); ++s)
-      mask.push_back(s % 4 == 3 ? nobody : std::uint32_t(s % 4));
-    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
-      const std::uint32_t s = f_.label[i];
-      if(s < first_mark && (i & mask[s]) == 0)
-        expected[s] += f_.fits(s, i) && !fits(after[s], f_.point[i], f_.tolerance);
+    std::vector<std::uint32_t> query_of, mask, expected;
+    std::vector<Misfit_query> query;
+    for(std::uint32_t s = 0; s < after.size(); ++s) {
+      const bool is_asked = s % 4 != 3;
+      query_of.push_back(is_asked ? std::uint32_t(query.size()) : no_index);
+      if(is_asked)
+        query.push_back({f_.plane[s], after[s]});
+      mask.push_back(s % 5 == 4 ? nobody : s % 4 == 2 ? 3 : s % 4);
     }
+    expected.resize(query.size(), 0);
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const std::uint32_t s = f_.label[i], q = s < first_mark ? query_of[s] : no_index;
+      if(q != no_index && (i & mask[s]) == 0)
+        expected[q] += f_.fits(s, i) && !fits(after[s], f_.point[i], f_.tolerance);
+    }
+    std::vector<std::uint32_t> count(query.size(), 0);
+    std::vector<Sample> sample(f_.cloud.size);
+    std::vector<Range> range(f_.cells.size());
     backend_.template for_each_cell<Count_scratch>(
-      f_.cells.size(), Count_misfits<Backend>{f_.cloud, f_.cells.data(), f_.label.data(), mask.data(), f_.plane.data(),
-                                              after.data(), count.data(), f_.tolerance});
+      range.size(),
+      Collect_samples{f_.cloud, f_.cells_view(), f_.label.data(), mask.data(), sample.data(), range.data()});
+    backend_.template for_each_cell<Count_scratch>(
+      range.size(), Count_misfits<Backend>{f_.cells_view(), sample.data(), range.data(), query_of.data(), query.data(),
+                                           count.data(), f_.tolerance});
     check_lists(count, expected, name_ + ": misfits");
     CHECK_AT(f_.cloud.size < 100 || std::count(count.begin(), count.end(), 0u) < long(count.size()),
              name_ + ": no misfits");
@@ -191,7 +236,7 @@ private:
       }
     }
     backend_.template for_each_cell<Moment_table>(f_.cells.size(), Update_points<Backend>{f_.cloud,
-                                                                                          f_.cells.data(),
+                                                                                          f_.cells_view(),
                                                                                           {label.data(), state.data()},
                                                                                           target.data(),
                                                                                           is_checked.data(),

@@ -30,11 +30,11 @@ void check_leaves(const std::vector<Grid_point>& points, std::size_t cell_size, 
 {
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(points.data(), points.size());
-  const auto order = sort_along_curve(backend, points.data(), points.size(), frame);
-  const std::vector<Range> leaves = split_leaves(order.data(), points.size(), frame, cell_size);
+  auto order = sort_along_curve(backend, points.data(), points.size(), frame);
+  const std::vector<Range> leaves = split_leaves(backend, order, frame, cell_size);
   std::vector<int> seen(points.size(), 0);
-  for(const Keyed_index& i : order)
-    ++seen[i.index];
+  for(const auto& entry : order)
+    ++seen[entry.index];
   CHECK_AT(std::count(seen.begin(), seen.end(), 1) == long(seen.size()), name + ": the order is no permutation");
   std::uint32_t next = 0;
   for(const Range& leaf : leaves) {
@@ -43,7 +43,7 @@ void check_leaves(const std::vector<Grid_point>& points, std::size_t cell_size, 
     next = leaf.last;
     Box box;
     for(std::uint32_t i = leaf.first; i < leaf.last; ++i)
-      box.add(points[order[i].index]);
+      box.add(points[order.view().index(i)]);
     for(int a = 0; a < 3; ++a)
       CHECK_AT(std::int64_t(box.high[a]) - box.low[a] <= std::int64_t(1) << cell_extent_bits,
                name + ", leaf at " + std::to_string(leaf.first));
@@ -76,6 +76,7 @@ void test_exact_check()
   Parameters parameters = make_parameters(1.3 * 1024 * in.grid.step, 10);
   const Options options = make_options(in, parameters);
   const double epsilon = parameters.maximum_distance;
+  Sequential_backend backend;
   int kept = 0, freed = 0;
   for(int i = 0; i < 20000; ++i) {
     const scenes::Vec n = random.direction(), tilt = unit(add_scaled(n, .9 * random.uniform(), random.direction()));
@@ -96,8 +97,8 @@ void test_exact_check()
     const std::uint32_t origin = 0;
     std::uint32_t label = 0;
     const Plane integer = rounded(plane);
-    const Check_exactly check = {&g, &origin, {p, normal}, &label, &integer, &c, options.certain, options.exact};
-    check(0);
+    check_exactly(backend, {&g, &label, &integer, options.certain}, &label, 1, &origin,
+                  {{p, normal}, &c, options.exact});
     const long double e =
       (long double)(c[0]) * p[0] + (long double)(c[1]) * p[1] + (long double)(c[2]) * p[2] + (long double)(c[3]);
     const long double cosine =

@@ -90,7 +90,7 @@ struct Verify {
   }
 };
 
-const Regularity_options all_on = {8, epsilon, epsilon, true, true, true};
+const Regularity_options all_on = {8, epsilon, epsilon, true, true, true, true};
 
 Relations run(const std::vector<Shape_fit>& shapes, double sine = 2, double shift = 1e30,
               const Regularity_options& options = all_on)
@@ -382,6 +382,29 @@ void test_rollback()
   check_equal(double(e.directions.size()), 4, "directions with an excluded shape");
 }
 
+// Two large shapes and a small one turned by 4.3 degrees, which adds .87 epsilon: too much
+// for a group, not for a leftover, as long as few points object.
+void test_leftovers()
+{
+  auto directions = [](bool is_last, double share, double tilted_count) {
+    Regularity_options o = all_on;
+    o.is_last = is_last;
+    const std::vector<Shape_fit> s = {
+      make_shape({{0, 0, 1}, {0, 0, 0}}), make_shape({{0, 0, 1}, {0, 0, 50 * epsilon}}),
+      make_shape({polar(0, 85.7), {90 * epsilon, 0, 0}, 20 * epsilon, 20 * epsilon, 0.2 * epsilon, tilted_count})};
+    Verify verify{s, 1e-6};
+    verify.share = [=](int) { return share; };
+    const Relations r = regularize(s, std::vector<char>(3, 0), o, verify);
+    check_tables(r, 3, "leftovers");
+    check(is_same(r.directions[r.direction_of[0]], canonical(s[0].fit.normal)), "the large group is not turned");
+    return double(r.directions.size());
+  };
+  check_equal(directions(false, 0.35, 400), 2, "directions while shapes grow");
+  check_equal(directions(true, 0.35, 400), 1, "directions at the end");
+  check_equal(directions(true, 0.45, 400), 2, "directions, too many points object");
+  check_equal(directions(true, 0.35, 1900), 2, "directions, not worth a third of a mean shape");
+}
+
 void test_coplanar()
 {
   auto flat = [](double z, double x) {
@@ -525,6 +548,7 @@ int main()
   test_chained_frames();
   test_village();
   test_rollback();
+  test_leftovers();
   test_coplanar();
   test_switches();
   test_degenerate();

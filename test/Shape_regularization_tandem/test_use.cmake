@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Another project uses Tandem, through find_package after an installation or through
-# add_subdirectory: configured, built and run in WORK_DIR, a folder of its own.
+# add_subdirectory: configured, built and run in WORK_DIR, a folder of its own. USE is
+# find_package, add_subdirectory, or cuda: with the library that BUILD_DIR has.
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
@@ -11,7 +12,8 @@ function(run)
   endif()
 endfunction()
 
-set(common -DCMAKE_CXX_COMPILER=${CXX} -DTANDEM_WITH_TBB=${WITH_TBB})
+set(library Tandem::tandem)
+set(common -DCMAKE_CXX_COMPILER=${CXX} -DTANDEM_WITH_TBB=${WITH_TBB} -DTANDEM_WITH_CUDA=OFF)
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}/user")
 
@@ -20,6 +22,10 @@ if(USE STREQUAL "find_package")
       -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/tandem --target install)
   set(get_tandem "find_package(Tandem 0.1 REQUIRED)")
+elseif(USE STREQUAL "cuda")
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
+  set(get_tandem "find_package(Tandem 0.1 REQUIRED COMPONENTS cuda)")
+  set(library Tandem::tandem_cuda)
 else()
   set(get_tandem "add_subdirectory(\"${TANDEM_DIR}\" tandem)")
 endif()
@@ -29,7 +35,7 @@ cmake_minimum_required(VERSION 3.16)
 project(user LANGUAGES CXX)
 ${get_tandem}
 add_executable(user user.cpp)
-target_link_libraries(user PRIVATE Tandem::tandem)
+target_link_libraries(user PRIVATE ${library})
 ")
 file(WRITE "${WORK_DIR}/user/user.cpp" "
 #include <CGAL/Simple_cartesian.h>
@@ -42,7 +48,7 @@ int main()
     points.emplace_back(Kernel::Point_3(i % 20, i / 20, 0), Kernel::Vector_3(0, 0, 1));
   using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
   using Normals = CGAL::Second_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
-  const auto shapes = CGAL::Tandem::detect_planes<CGAL::Parallel_if_available_tag>(
+  const auto shapes = CGAL::Tandem::detect_planes<CGAL::Tandem::Cuda_if_available_tag>(
     points, CGAL::parameters::point_map(Map()).normal_map(Normals()));
   return shapes.number_of_shapes() == 1 ? 0 : 1;
 }

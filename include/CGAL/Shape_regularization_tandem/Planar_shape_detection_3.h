@@ -6,7 +6,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
-#include <CGAL/Tandem/internal/Engine.h>
+#include <CGAL/Tandem/internal/backend/execution.h>
 
 #include <chrono>
 #include <memory>
@@ -68,13 +68,13 @@ public:
   {
     internal::check_given_parameters(parameters_);
     internal::Stop_watch watch;
-    in_ = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
+    in_ = internal::read_points<Traits>(backend_, points, internal::point_map_of<Traits>(points, np),
                                         internal::normal_map_of<Traits>(points, np), traits_);
     internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
-    internal::place_on_grid(backend_, in_, parameters_.maximum_distance);
+    internal::choose_grid(backend_, in_, parameters_.maximum_distance);
     import_time_ = watch.lap();
     if(in_.size() >= parameters_.minimum_region_size && go_on(0))
-      engine_ = std::make_unique<internal::Engine<Backend>>(backend_, in_, parameters_);
+      engine_ = std::make_unique<Engine>(backend_, in_, parameters_);
   }
 
   // The engine refers to members.
@@ -116,11 +116,12 @@ public:
   Shapes shapes() const
   {
     internal::Stop_watch watch;
-    internal::Shapes_data data = engine_ ? internal::export_shapes(in_, parameters_, engine_->result())
-                                         : internal::export_nothing(in_, parameters_);
+    Backend backend = traits_.backend();
+    internal::Shapes_data data =
+      internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled_;
-    statistics.backend = Backend::name();
+    statistics.backend = engine_ ? engine_->name() : Backend::name();
     Stage_times& times = statistics.times;
     times.sort += import_time_;
     times.finish += watch.lap();
@@ -136,6 +137,7 @@ public:
 
 private:
   using Backend = typename Traits::Backend;
+  using Engine = typename Traits::Engine;
 
   bool go_on(double progress)
   {
@@ -152,7 +154,7 @@ private:
   double import_time_ = 0;
   bool is_finished_ = false;
   bool is_cancelled_ = false;
-  std::unique_ptr<internal::Engine<Backend>> engine_;
+  std::unique_ptr<Engine> engine_;
 };
 
 } // namespace Tandem

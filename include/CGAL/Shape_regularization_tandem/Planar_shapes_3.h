@@ -4,6 +4,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
 
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/export_shapes.h>
 
 #include <cstring>
@@ -77,7 +78,7 @@ public:
     using RT = typename GeomTraits::RT;
     for(const Coefficients& c : data_.coefficients)
       planes_.push_back(construct(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
-    sort_points();
+    take_points();
   }
   /// \endcond
 
@@ -106,7 +107,7 @@ public:
   /// the positions of the points of shape `s` in the caller's range, ascending
   Positions points(std::size_t s) const
   {
-    return Positions(positions_.data() + first_[s], positions_.data() + first_[s + 1]);
+    return Positions(points_.position.data() + points_.first[s], points_.position.data() + points_.first[s + 1]);
   }
   /// @}
 
@@ -209,28 +210,18 @@ public:
 
 private:
   // Labels outside of the shapes are left out; is_valid_result() reports them.
-  void sort_points()
+  void take_points()
   {
-    const std::int32_t shapes = std::int32_t(number_of_shapes());
-    first_.assign(number_of_shapes() + 1, 0);
-    for(std::int32_t s : data_.shape_of)
-      if(s >= 0 && s < shapes)
-        ++first_[s + 1];
-    for(std::size_t s = 1; s < first_.size(); ++s)
-      first_[s] += first_[s - 1];
-    positions_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for(std::size_t i = 0; i < data_.shape_of.size(); ++i) {
-      const std::int32_t s = data_.shape_of[i];
-      if(s >= 0 && s < shapes)
-        positions_[next[s]++] = std::uint32_t(i);
-    }
+    points_ = std::exchange(data_.points, internal::Point_groups());
+    if(!points_.first.empty())
+      return;
+    internal::Sequential_backend backend;
+    points_ = internal::group_points(backend, data_.shape_of, number_of_shapes());
   }
 
   Data data_;
   std::vector<Plane_3> planes_;
-  std::vector<std::size_t> first_; // of each shape, in positions_
-  std::vector<std::uint32_t> positions_;
+  internal::Point_groups points_;
 };
 
 } // namespace Tandem

@@ -4,7 +4,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TANDEM_TRAITS_3_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TANDEM_TRAITS_3_H
 
-#include <CGAL/Shape_regularization_tandem/tags.h>
+#include <CGAL/Tandem/internal/backend/execution.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/number_utils.h>
@@ -14,6 +14,49 @@
 
 namespace CGAL {
 namespace Tandem {
+
+namespace internal {
+
+// The geometry: what does not depend on the back end.
+template <class GeomTraits, class PointRange, class PointMap, class NormalMap>
+class Tandem_geometry_3 {
+public:
+  using Geom_traits = GeomTraits;
+  using Point_range = PointRange;
+  using Point_map = PointMap;
+  using Normal_map = NormalMap;
+
+  using FT = typename GeomTraits::FT;
+  using Point_3 = typename GeomTraits::Point_3;
+  using Vector_3 = typename GeomTraits::Vector_3;
+  using Plane_3 = typename GeomTraits::Plane_3;
+
+  using Compute_x_3 = typename GeomTraits::Compute_x_3;
+  using Compute_y_3 = typename GeomTraits::Compute_y_3;
+  using Compute_z_3 = typename GeomTraits::Compute_z_3;
+  using Construct_plane_3 = typename GeomTraits::Construct_plane_3;
+
+  /// whether normals are given
+  static constexpr bool has_normal_map = !std::is_same<NormalMap, CGAL::Default>::value;
+
+  static_assert(
+    std::is_convertible<typename std::iterator_traits<typename PointRange::const_iterator>::iterator_category,
+                        std::random_access_iterator_tag>::value,
+    "The range of points needs random access iterators.");
+
+  explicit Tandem_geometry_3(const GeomTraits& geom_traits = GeomTraits()) : geom_traits_(geom_traits) {}
+
+  Compute_x_3 compute_x_3_object() const { return geom_traits_.compute_x_3_object(); }
+  Compute_y_3 compute_y_3_object() const { return geom_traits_.compute_y_3_object(); }
+  Compute_z_3 compute_z_3_object() const { return geom_traits_.compute_z_3_object(); }
+  Construct_plane_3 construct_plane_3_object() const { return geom_traits_.construct_plane_3_object(); }
+  const GeomTraits& geom_traits() const { return geom_traits_; }
+
+private:
+  GeomTraits geom_traits_;
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgShapeRegularizationTandemTraits
@@ -32,48 +75,46 @@ or `CGAL::Default` if the normals are to be estimated
 */
 template <class GeomTraits, class PointRange, class PointMap, class NormalMap = CGAL::Default,
           class ConcurrencyTag = CGAL::Parallel_if_available_tag>
-class Tandem_traits_3 {
+class Tandem_traits_3 : public internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap> {
 public:
-  using Geom_traits = GeomTraits;
-  using Point_range = PointRange;
-  using Point_map = PointMap;
-  using Normal_map = NormalMap;
   using Concurrency_tag = ConcurrencyTag;
 
-  using FT = typename GeomTraits::FT;
-  using Point_3 = typename GeomTraits::Point_3;
-  using Vector_3 = typename GeomTraits::Vector_3;
-  using Plane_3 = typename GeomTraits::Plane_3;
+  /// executes what is to be done at the border to the caller
+  using Backend = typename internal::Execution<ConcurrencyTag>::Backend;
+  /// executes the method, on the same back end
+  using Engine = typename internal::Execution<ConcurrencyTag>::Engine;
 
-  using Compute_x_3 = typename GeomTraits::Compute_x_3;
-  using Compute_y_3 = typename GeomTraits::Compute_y_3;
-  using Compute_z_3 = typename GeomTraits::Compute_z_3;
-  using Construct_plane_3 = typename GeomTraits::Construct_plane_3;
-
-  /// executes the bodies of the method
-  using Backend = typename internal::Backend_of<ConcurrencyTag>::type;
-
-  /// whether normals are given
-  static constexpr bool has_normal_map = !std::is_same<NormalMap, CGAL::Default>::value;
-
-  static_assert(
-    std::is_convertible<typename std::iterator_traits<typename PointRange::const_iterator>::iterator_category,
-                        std::random_access_iterator_tag>::value,
-    "The range of points needs random access iterators.");
-
-  explicit Tandem_traits_3(const GeomTraits& geom_traits = GeomTraits()) : geom_traits_(geom_traits) {}
-
-  Compute_x_3 compute_x_3_object() const { return geom_traits_.compute_x_3_object(); }
-  Compute_y_3 compute_y_3_object() const { return geom_traits_.compute_y_3_object(); }
-  Compute_z_3 compute_z_3_object() const { return geom_traits_.compute_z_3_object(); }
-  Construct_plane_3 construct_plane_3_object() const { return geom_traits_.construct_plane_3_object(); }
-  const GeomTraits& geom_traits() const { return geom_traits_; }
+  using internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>::Tandem_geometry_3;
 
   Backend backend() const { return Backend(); }
-
-private:
-  GeomTraits geom_traits_;
 };
+
+#if defined(CGAL_TANDEM_USE_CUDA) || defined(DOXYGEN_RUNNING)
+
+/*!
+\ingroup PkgShapeRegularizationTandemTraits
+
+\brief The traits of the GPU: the same geometry, while the whole method runs in CUDA kernels.
+
+\cgalModels `TandemTraits_3`
+*/
+template <class GeomTraits, class PointRange, class PointMap, class NormalMap>
+class Tandem_traits_3<GeomTraits, PointRange, PointMap, NormalMap, Cuda_tag>
+  : public internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap> {
+public:
+  using Concurrency_tag = Cuda_tag;
+
+  /// executes what is to be done at the border to the caller, on the host
+  using Backend = typename internal::Execution<Cuda_tag>::Backend;
+  /// executes the method on the device
+  using Engine = internal::Cuda_engine;
+
+  using internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>::Tandem_geometry_3;
+
+  Backend backend() const { return Backend(); }
+};
+
+#endif
 
 } // namespace Tandem
 } // namespace CGAL

@@ -19,7 +19,7 @@ template <class Backend>
 double estimate_maximum_distance(Backend& backend, const Import& in)
 {
   const Cloud_measure measure = measure_cloud(backend, in);
-  const Coordinate_box box = bounding_box(in);
+  const Coordinate_box box = bounding_box(backend, in);
   const double estimate = (std::max)(7. / 3 * measure.noise, .74 * measure.spacing);
   const double smallest = std::ldexp(box.extent(), -22); // so that the grid can hold the cloud
   if((std::max)(estimate, smallest) > 0)
@@ -90,9 +90,9 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
   internal::check_given_parameters(p);
   internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
     using Traits = typename std::decay<decltype(traits)>::type;
-    const internal::Import in = internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np),
-                                                              internal::normal_map_of<Traits>(points, np), traits);
     auto backend = traits.backend();
+    const internal::Import in = internal::read_points<Traits>(
+      backend, points, internal::point_map_of<Traits>(points, np), internal::normal_map_of<Traits>(points, np), traits);
     internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
     return 0;
   });

@@ -54,7 +54,7 @@ inline Regularity_options check_plane_options(const Parameters& p, bool has_dist
   if(has_distance)
     check_length("maximum_distance", p.maximum_distance, 1e-270);
   return {p.maximum_angle,          p.maximum_offset,           p.maximum_distance,
-          p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity};
+          p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity, true};
 }
 
 // The plane of each imported point.
@@ -77,7 +77,7 @@ inline double resolve_maximum_distance(const Import& in, const std::vector<int>&
   if(options.maximum_distance > 0)
     return options.maximum_distance;
   const double estimate = (std::max)(estimate_maximum_distance(in, plane_of, planes), options.maximum_offset);
-  const double extent = in.size() > 0 ? bounding_box(in).extent() : 0;
+  const double extent = in.size() > 0 ? box_of(in, 0, in.size()).extent() : 0;
   const double smallest = extent > 0 ? extent * 1e-6 : 1;
   return (std::max)(estimate, smallest);
 }
@@ -279,8 +279,9 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
       {CGAL::to_double(s.a()), CGAL::to_double(s.b()), CGAL::to_double(s.c()), CGAL::to_double(s.d())}));
   }
   const Traits traits(internal::parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
+  internal::Sequential_backend backend;
   internal::Import in =
-    internal::read_points<Traits>(points, internal::point_map_of<Traits>(points, np), CGAL::Default(), traits);
+    internal::read_points<Traits>(backend, points, internal::point_map_of<Traits>(points, np), CGAL::Default(), traits);
   auto plane_of =
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   internal::drop_unassigned(in, plane_of);

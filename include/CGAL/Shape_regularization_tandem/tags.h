@@ -19,19 +19,22 @@ namespace Tandem {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-Asks for the computation on a CUDA device. Besides this tag there are CGAL's
-`Sequential_tag`, `Parallel_tag` and `Parallel_if_available_tag`. All of them give
-the same result, bit for bit.
+Asks for the computation on a CUDA device: the one that is current for the calling
+thread. Without a device `std::runtime_error` is thrown, and `std::length_error` if
+it has not enough memory. Needs the library `Tandem::tandem_cuda`. Besides this tag there
+are CGAL's `Sequential_tag`, `Parallel_tag` and `Parallel_if_available_tag`. All of
+them give the same result, bit for bit.
 */
 struct Cuda_tag {};
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-`Cuda_tag` where the CUDA back end is linked, otherwise `CGAL::Parallel_if_available_tag`.
+`Cuda_tag` where the CUDA back end is linked, a device is there, and the points fit into its
+memory, otherwise `CGAL::Parallel_if_available_tag`.
 */
 #ifdef CGAL_TANDEM_USE_CUDA
-using Cuda_if_available_tag = Cuda_tag;
+struct Cuda_if_available_tag {};
 #else
 using Cuda_if_available_tag = CGAL::Parallel_if_available_tag;
 #endif

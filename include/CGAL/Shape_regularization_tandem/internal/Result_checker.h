@@ -216,8 +216,9 @@ private:
     std::vector<Grid_point> point(n);
     std::vector<std::int32_t> label(n);
     for(std::size_t i = 0; i < n; ++i) {
-      point[i] = in_.point[order[i].index];
-      label[i] = data_.shape_of[in_.item_of(order[i].index)];
+      const std::uint32_t index = order.view().index(i);
+      point[i] = in_.point[index];
+      label[i] = data_.shape_of[in_.item_of(index)];
     }
     std::vector<std::uint32_t> neighbor(n * k);
     find_neighbors(backend, point.data(), std::uint32_t(n), int(k), neighbor.data());

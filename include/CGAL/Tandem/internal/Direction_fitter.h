@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/Verified_planes.h>
 #include <CGAL/Tandem/internal/angles.h>
 #include <CGAL/Tandem/internal/frames.h>
+#include <CGAL/Tandem/internal/join_directions.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -50,6 +51,8 @@ public:
       }
       std::sort(pending.begin(), pending.end());
     }
+    if(options.parallelism && options.is_last)
+      join_leftovers(pending);
   }
 
   const std::vector<Direction_group>& result() const { return groups; }
@@ -142,6 +145,17 @@ private:
     tie();
     remove_members([&](int i, std::size_t g) { return verified.is_too_far(i, groups[g].direction); }, refused);
     return refused;
+  }
+
+  // The shapes that were refused at every level come as groups of one.
+  void join_leftovers(const std::vector<int>& pending)
+  {
+    for(int i : pending) {
+      groups.push_back({{i}, 0, {}, 0, {}, {}, {}, 0, canonical(shapes[i].fit.normal), true});
+      refit(groups.back());
+    }
+    Direction_joiner<Verify>(shapes, options.maximum_distance, sine_deg(options.angle_tolerance_deg), verified, groups)
+      .join();
   }
 
   void refit()

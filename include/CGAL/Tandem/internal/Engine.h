@@ -10,7 +10,6 @@
 #include <CGAL/Tandem/internal/end_game.h>
 #include <CGAL/Tandem/internal/extract_shapes.h>
 #include <CGAL/Tandem/internal/grow_shapes.h>
-#include <CGAL/Tandem/internal/import_cloud.h>
 #include <CGAL/Tandem/internal/prepare.h>
 #include <CGAL/Tandem/internal/split_layers.h>
 
@@ -25,10 +24,13 @@ class Engine {
   static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
 
 public:
-  Engine(Backend& backend, const Import& in, const Parameters& parameters) : in_(in), state_(backend)
+  // Takes the points of the import over; its coordinates and normals have to stay.
+  Engine(Backend& backend, Import& in, const Parameters& parameters) : in_(in), state_(backend)
   {
     prepare(state_, in, parameters, order_, points_, neighbors_, times_);
   }
+
+  static const char* name() { return Backend::name(); }
 
   // One round; false when nothing grows any more.
   bool iterate()
@@ -84,13 +86,17 @@ private:
   static constexpr int most_rounds = 300;
   static constexpr int most_idle_rounds = 5;
 
-  // Shapes of more than two rounds that stopped growing while they are small.
+  // Shapes of more than two rounds that stopped growing while they are small, unless
+  // others are merged into them.
   void give_up_fragments(std::vector<std::uint32_t>& target) const
   {
+    std::vector<std::uint8_t> is_joined(target.size(), 0);
+    for(std::uint32_t id : state_.live)
+      is_joined[target[id]] |= target[id] != id;
     for(std::uint32_t id : state_.live) {
       const Shape& shape = state_.shapes[id];
       if(!shape.is_active && shape.age > 2 && shape.moments.count < state_.options.minimum_fragment_size &&
-         target[id] == id)
+         target[id] == id && !is_joined[id])
         target[id] = is_free;
     }
   }
@@ -107,7 +113,7 @@ private:
     bool is_alive = gained > 0;
     for(std::uint32_t id : state_.live)
       is_alive = is_alive || state_.is_restarted[id];
-    for(std::size_t c = 0; c < state_.cells.size(); ++c)
+    for(std::size_t c = 0; c < state_.number_of_cells; ++c)
       is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
     return is_alive && idle_rounds_ < most_idle_rounds && state_.round < most_rounds;
   }

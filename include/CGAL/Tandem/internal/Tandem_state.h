@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the steps of the loop work on: the cloud, its leaves, the labels, and the
-// table of shapes. Tables of the size of the cloud belong to the back end; those
-// of the size of the shapes are used by the host.
+// table of shapes. Tables of the size of the cloud belong to the back end. Those of
+// the size of the shapes belong to the host, which lends them to the functors.
 
 #ifndef CGAL_TANDEM_INTERNAL_TANDEM_STATE_H
 #define CGAL_TANDEM_INTERNAL_TANDEM_STATE_H
@@ -21,6 +21,7 @@ namespace internal {
 
 // In grid steps and integers; see design section 5 and the constants beside.
 struct Options {
+  std::size_t cell_size; // most points of a leaf
   Growth_options growth;
   Regularity_options regularity;
   double maximum_distance; // epsilon
@@ -34,6 +35,31 @@ struct Options {
   int regularity_period;              // in rounds
 };
 
+// The shapes that may have points in a leaf, in any order; too many to be listed if `size`
+// exceeds the capacity.
+struct Leaf_shapes {
+  static constexpr std::uint32_t capacity = 64;
+  std::uint32_t size;
+  std::uint32_t shape[capacity];
+
+  template <class Predicate>
+  CGAL_TANDEM_HD bool may_have(Predicate is_asked) const
+  {
+    for(std::uint32_t i = 0; i < size && i < capacity; ++i)
+      if(is_asked(shape[i]))
+        return true;
+    return size > capacity;
+  }
+};
+
+// The leaves, as the bodies see them.
+struct Cells_view {
+  const Range* range;
+  const Leaf_shapes* shapes;
+
+  CGAL_TANDEM_HD const Range& operator[](std::uint32_t c) const { return range[c]; }
+};
+
 template <class Backend>
 struct Tandem_state {
   template <class T>
@@ -41,18 +67,20 @@ struct Tandem_state {
 
   explicit Tandem_state(Backend& backend) : backend(backend) {}
 
-  Labels_view labels() { return {label.data(), state.data()}; }
+  Cells_view cells_view() const { return {cells.data(), leaf_shapes.data()}; }
 
-  Shapes_view shapes_view() { return {plane.data(), rounds.data(), is_restarted.data(), gain.data()}; }
+  Labels_view labels() { return {label.data(), state.data()}; }
 
   Backend& backend;
   Options options;
 
   Cloud_view cloud;
-  std::vector<Range> cells;
-  std::vector<Range> cell_border;      // per leaf, its range of `border`
-  std::vector<std::uint32_t> border;   // points with a neighbor in another leaf
-  std::vector<std::uint32_t> proposal; // parallel to border
+  std::size_t number_of_cells = 0;
+  Buffer<Range> cells;
+  Buffer<Leaf_shapes> leaf_shapes; // per leaf
+  Buffer<Range> cell_border;       // per leaf, its range of `border`
+  Buffer<std::uint32_t> border;    // points with a neighbor in another leaf
+  Buffer<std::uint32_t> proposal;  // parallel to border
   Seeds<Backend> seeds;
   std::vector<std::uint32_t> seed_cursor; // per leaf
 
@@ -61,10 +89,10 @@ struct Tandem_state {
 
   std::vector<Shape> shapes;       // by id; those not in `live` hold nothing
   std::vector<std::uint32_t> live; // ascending
-  std::vector<Plane> plane;        // these four: the points' view of the shapes
+  std::vector<Plane> plane;        // these three: the points' view of the shapes
   std::vector<std::uint16_t> rounds;
   std::vector<std::uint8_t> is_restarted;
-  std::vector<Shared_moments> gain;
+  Buffer<Shared_moments> gain; // of each shape, zero between passes
 
   int round = 0;
   std::size_t assigned = 0;   // points that have a shape
@@ -87,14 +115,16 @@ std::vector<std::uint32_t> spare_ids(State& t, std::size_t count)
   t.shapes.resize(size);
   t.plane.resize(size);
   t.rounds.resize(size);
-  t.is_restarted.resize(size);
-  t.gain.resize(size);
-  for(std::uint32_t id : ids) {
-    t.shapes[id] = Shape();
-    t.is_restarted[id] = 0;
-    t.gain[id] = Shared_moments();
-  }
+  t.is_restarted.resize(size, 0);
   return ids;
+}
+
+// Leaves nothing of a shape that has lost its points.
+template <class State>
+void forget_shape(State& t, std::uint32_t id)
+{
+  t.shapes[id] = Shape();
+  t.is_restarted[id] = 0;
 }
 
 } // namespace internal

@@ -24,6 +24,11 @@ constexpr double still_share = 0.02; // of epsilon: a plane that moved less need
 
 } // namespace regularity
 
+// The most points of a shape, as a share of it and at all, that may newly misfit.
+struct Misfit_limit {
+  double share, points;
+};
+
 inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
 
 // The shapes with the plane that their points accepted last: the local fit at first.
@@ -58,7 +63,8 @@ public:
   }
 
   // Asks the points, in one call. Returns for each candidate whether it was refused.
-  std::vector<char> test(const std::vector<int>& candidates, const std::vector<Regular_plane>& planes)
+  std::vector<char> test(const std::vector<int>& candidates, const std::vector<Regular_plane>& planes,
+                         const Misfit_limit& limit = {regularity::misfit_share, 1e300})
   {
     std::vector<int> asked;
     std::vector<Regular_plane> asked_planes;
@@ -76,7 +82,7 @@ public:
     if(!asked.empty())
       verify(asked, asked_planes, counts);
     for(std::size_t a = 0; a < asked.size(); ++a) {
-      if(double(counts[a]) > regularity::misfit_share * shapes[asked[a]].scatter.count)
+      if(double(counts[a]) > (std::min)(limit.share * shapes[asked[a]].scatter.count, limit.points))
         is_refused[position[a]] = 1;
       else
         accepted[asked[a]] = asked_planes[a];

@@ -35,9 +35,14 @@ struct Offer {
       return;
     }
     const std::uint32_t* row = cloud.row(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-      if(label[row[j]] < first_mark)
-        make(label[row[j]], i);
+    std::uint32_t last = is_free; // most neighbors that have a shape have the same one
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t s = label[row[j]];
+      if(s >= first_mark || s == last)
+        continue;
+      last = s;
+      make(s, i);
+    }
   }
 
   // To the free neighbors of an assigned point.
@@ -69,6 +74,12 @@ struct Offer_again {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { offer.from(absorbed[i]); }
 };
 
+struct Clear_offers {
+  std::uint64_t* offer;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { offer[i] = no_offer; }
+};
+
 template <class Backend>
 struct Accept_offers {
   std::uint32_t* label;
@@ -96,48 +107,81 @@ void absorb(Tandem_state<Backend>& t)
   const std::size_t n = t.cloud.size;
   typename Backend::template Buffer<std::uint64_t> offer(n);
   typename Backend::template Buffer<std::uint32_t> absorbed(n);
-  std::uint64_t* offers = offer.data();
-  t.backend.for_each(n, [=](std::size_t i) { offers[i] = no_offer; });
-  const Offer<Backend> first = {t.cloud,        t.label.data(), t.state.data(),
-                                t.plane.data(), offers,         t.options.growth.tolerance};
+  const auto plane = t.backend.lend(t.plane);
+  t.backend.for_each(n, Clear_offers{offer.data()});
+  const Offer<Backend> first = {t.cloud,      t.label.data(), t.state.data(),
+                                plane.data(), offer.data(),   t.options.growth.tolerance};
   t.backend.for_each(n, first);
   for(int round = 0; round < most_rounds; ++round) {
-    std::uint32_t size = 0;
-    t.backend.for_each(n, Accept_offers<Backend>{t.label.data(), t.state.data(), offers, absorbed.data(), &size});
-    if(std::size_t(size) * 100000 <= n)
+    std::vector<std::uint32_t> size(1, 0);
+    auto counter = t.backend.lend_out(size);
+    t.backend.for_each(
+      n, Accept_offers<Backend>{t.label.data(), t.state.data(), offer.data(), absorbed.data(), counter.data()});
+    counter.take_back();
+    if(std::size_t(size[0]) * 100000 <= n)
       break;
-    t.backend.for_each(size, Offer_again<Backend>{first, absorbed.data()});
+    t.backend.for_each(size[0], Offer_again<Backend>{first, absorbed.data()});
   }
 }
 
 // A point of a shape that may give points away goes to the largest shape among its
-// neighbors' that it fits, if that is larger than its own.
+// neighbors' that it fits, but not to a plane that is farther than the nearest one by
+// more than a quarter of epsilon: layers side by side do not eat each other. Points
+// whose neighbors all have their label become interior on the way, if asked for.
 struct Choose_largest {
   Cloud_view cloud;
   const std::uint32_t* label;
-  const std::uint8_t* state;
+  std::uint8_t* state;
   const Plane* plane;
   const std::int64_t* size; // by shape, as are these
   const std::uint8_t* may_lose;
   const std::uint8_t* may_gain;
   std::uint32_t* chosen;
   Tolerance tolerance;
+  bool marks_interior = false;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const std::uint32_t s = label[i];
     chosen[i] = s;
-    if(s >= first_mark || !may_lose[s] || (state[i] & is_interior))
+    if(s >= first_mark || (state[i] & is_interior) || !(may_lose[s] || marks_interior))
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    bool all_same = true;
+    const std::int64_t farthest = may_lose[s] ? least_distance(i, s) + tolerance.distance / 4 : 0;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]], best = chosen[i];
-      if(t >= first_mark || t == best || !may_gain[t])
+      all_same = all_same && t == s;
+      if(t >= first_mark || t == best || !may_gain[t] || !may_lose[s])
         continue;
-      const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best);
-      if(is_larger && fits(plane[t], cloud.point[i], tolerance))
+      const bool is_larger =
+        size[t] > size[best] || (size[t] == size[best] && t < best) || distance(best, i) > farthest;
+      if(is_larger && distance(t, i) <= farthest && fits(plane[t], cloud.point[i], tolerance))
         chosen[i] = t;
     }
+    if(marks_interior && all_same)
+      state[i] |= is_interior;
+  }
+
+private:
+  CGAL_TANDEM_HD std::int64_t distance(std::uint32_t s, std::size_t i) const
+  {
+    const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
+    return e < 0 ? -e : e;
+  }
+
+  CGAL_TANDEM_HD std::int64_t least_distance(std::size_t i, std::uint32_t s) const
+  {
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    std::int64_t least = distance(s, i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]];
+      if(t >= first_mark || t == s || !may_gain[t] || distance(t, i) >= least ||
+         !fits(plane[t], cloud.point[i], tolerance))
+        continue;
+      least = distance(t, i);
+    }
+    return least;
   }
 };
 
@@ -157,15 +201,18 @@ struct Take_chosen {
 // One Jacobi round of reassignment.
 template <class Backend>
 void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose,
-              const std::vector<std::uint8_t>& may_gain)
+              const std::vector<std::uint8_t>& may_gain, bool marks_interior)
 {
   std::vector<std::int64_t> size(t.shapes.size(), 0);
   for(std::uint32_t id : t.live)
     size[id] = t.shapes[id].moments.count;
   typename Backend::template Buffer<std::uint32_t> chosen(t.cloud.size);
+  const auto plane = t.backend.lend(t.plane);
+  const auto sizes = t.backend.lend(size);
+  const auto losing = t.backend.lend(may_lose), gaining = t.backend.lend(may_gain);
   t.backend.for_each(t.cloud.size,
-                     Choose_largest{t.cloud, t.label.data(), t.state.data(), t.plane.data(), size.data(),
-                                    may_lose.data(), may_gain.data(), chosen.data(), t.options.growth.tolerance});
+                     Choose_largest{t.cloud, t.label.data(), t.state.data(), plane.data(), sizes.data(), losing.data(),
+                                    gaining.data(), chosen.data(), t.options.growth.tolerance, marks_interior});
   t.backend.for_each(t.cloud.size, Take_chosen{chosen.data(), t.label.data(), t.state.data()});
 }
 
@@ -196,20 +243,19 @@ template <class Backend>
 void recount(Tandem_state<Backend>& t)
 {
   t.backend.template for_each_cell<Moment_table>(
-    t.cells.size(), Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), t.gain.data()});
-  std::size_t kept = 0;
+    t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), start_gains(t)});
+  list_shapes(t);
+  for(std::uint32_t id : t.live)
+    t.shapes[id].moments = Moments();
   t.assigned = 0;
-  for(std::uint32_t id : t.live) {
-    Shape& shape = t.shapes[id];
-    shape.moments = t.gain[id].moments();
-    shape.box = t.gain[id].box;
+  for(const Gain& gain : take_gains(t)) {
+    Shape& shape = t.shapes[gain.id];
+    shape.moments = gain.sums.moments();
+    shape.box = gain.sums.box;
     shape.is_dirty = true;
-    t.gain[id] = Shared_moments();
     t.assigned += std::size_t(shape.moments.count);
-    if(shape.moments.count > 0)
-      t.live[kept++] = id;
   }
-  t.live.resize(kept);
+  forget_empty_shapes(t);
 }
 
 } // namespace internal

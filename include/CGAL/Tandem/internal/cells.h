@@ -8,13 +8,13 @@
 #define CGAL_TANDEM_INTERNAL_CELLS_H
 
 #include <CGAL/Tandem/internal/Cloud.h>
-#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/Shapes.h>
 #include <CGAL/Tandem/internal/curve.h>
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,115 +41,209 @@ struct Code_frame {
   }
 };
 
-inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
+// Around the points between two corners.
+inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high)
 {
-  constexpr std::int32_t most = (std::numeric_limits<std::int32_t>::max)();
-  std::int32_t low[3] = {most, most, most}, high[3] = {-most, -most, -most};
-  for(std::size_t i = 0; i < n; ++i) {
-    const std::int32_t c[3] = {point[i].x, point[i].y, point[i].z};
-    for(int a = 0; a < 3; ++a) {
-      low[a] = (std::min)(low[a], c[a]);
-      high[a] = (std::max)(high[a], c[a]);
-    }
-  }
-  if(n == 0)
-    return {{0, 0, 0}, 0};
-  Code_frame frame = {{low[0], low[1], low[2]}, 0};
+  Code_frame frame = {{low.x, low.y, low.z}, 0};
   const std::uint32_t extent =
-    (std::max)({std::uint32_t(high[0] - low[0]), std::uint32_t(high[1] - low[1]), std::uint32_t(high[2] - low[2])});
+    (std::max)({std::uint32_t(high.x - low.x), std::uint32_t(high.y - low.y), std::uint32_t(high.z - low.z)});
   while((extent >> frame.shift) >> curve_bits)
     ++frame.shift;
   return frame;
 }
 
-// Sorts the points of one code by (code inside, coordinates, normal, precedes).
-template <class Precedes>
-void sort_equal_codes(Keyed_index* first, Keyed_index* last, const Grid_point* point, const Code_frame& frame,
-                      Precedes precedes)
+// Around all points.
+inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
 {
-  const std::uint64_t code = first->key;
-  for(Keyed_index* e = first; e != last; ++e)
-    e->key = frame.code_inside(point[e->index]);
-  std::sort(first, last, [&](const Keyed_index& a, const Keyed_index& b) {
-    const Grid_point &p = point[a.index], &q = point[b.index];
-    const auto left = std::tie(a.key, p.x, p.y, p.z, p.normal), right = std::tie(b.key, q.x, q.y, q.z, q.normal);
-    return left != right ? left < right : precedes(a.index, b.index);
+  Box box;
+  for(std::size_t i = 0; i < n; ++i)
+    box.add(point[i]);
+  return n > 0 ? make_code_frame({box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0})
+               : Code_frame{{0, 0, 0}, 0};
+}
+
+template <class Table>
+struct Write_codes {
+  const Grid_point* point;
+  Code_frame frame;
+  Table order;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(i, frame.code(point[i]), std::uint32_t(i)); }
+};
+
+template <class Table>
+struct Is_tied {
+  Table order;
+  std::uint32_t size;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  {
+    return (i > 0 && order.key(i - 1) == order.key(i)) || (i + 1 < size && order.key(i + 1) == order.key(i));
+  }
+};
+
+// A point that shares its code with another one.
+struct Tied_point {
+  std::uint64_t code, code_inside;
+  Grid_point point;
+  std::uint32_t index;
+};
+
+template <class Table>
+struct Gather_tied {
+  Table order;
+  const Grid_point* point;
+  Code_frame frame;
+  const std::uint32_t* place;
+  Tied_point* tied;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t index = order.index(place[i]);
+    tied[i] = {order.key(place[i]), frame.code_inside(point[index]), point[index], index};
+  }
+};
+
+template <class Table>
+struct Scatter_tied {
+  Table order;
+  const std::uint32_t* place;
+  const Tied_point* tied;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(place[i], tied[i].code, tied[i].index); }
+};
+
+// Sorts the points of each code by (code inside, coordinates, normal, precedes).
+template <class Backend, class Precedes>
+void sort_tied(Backend& backend, std::vector<Tied_point>& tied, Precedes precedes)
+{
+  std::vector<std::size_t> run;
+  for(std::size_t i = 0; i < tied.size(); ++i)
+    if(i == 0 || tied[i].code != tied[i - 1].code)
+      run.push_back(i);
+  run.push_back(tied.size());
+  backend.for_each_on_host(run.size() - 1, [&](std::size_t r) {
+    std::sort(tied.begin() + std::ptrdiff_t(run[r]), tied.begin() + std::ptrdiff_t(run[r + 1]),
+              [&](const Tied_point& a, const Tied_point& b) {
+                const Grid_point &p = a.point, &q = b.point;
+                const auto left = std::tie(a.code_inside, p.x, p.y, p.z, p.normal),
+                           right = std::tie(b.code_inside, q.x, q.y, q.z, q.normal);
+                return left != right ? left < right : precedes(a.index, b.index);
+              });
   });
-  for(Keyed_index* e = first; e != last; ++e)
-    e->key = code;
 }
 
 // Sorts positions of `point` along the curve. precedes(i, j) decides between points
 // that are the same on the grid: a total order that depends on their position only
 // for exact duplicates, so that the result does not depend on the order of the points.
+// It is asked on the host, as all that concerns the few points of equal codes.
 template <class Backend, class Precedes = std::less<std::uint32_t>>
-typename Backend::template Buffer<Keyed_index> sort_along_curve(Backend& backend, const Grid_point* point,
-                                                                std::size_t n, const Code_frame& frame,
-                                                                Precedes precedes = Precedes())
+typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
+                                              const Code_frame& frame, Precedes precedes = Precedes())
 {
-  typename Backend::template Buffer<Keyed_index> order(n);
-  backend.for_each(n, [&](std::size_t i) { order[i] = {frame.code(point[i]), std::uint32_t(i)}; });
-  backend.sort_by_key(order.begin(), order.end());
-  typename Backend::template Buffer<std::uint8_t> is_tie(
-    n); // with the next one; sorting a run hides its key for a while
-  backend.for_each(n, [&](std::size_t i) { is_tie[i] = i + 1 < n && order[i].key == order[i + 1].key; });
-  backend.for_each(n, [&](std::size_t i) {
-    if(!is_tie[i] || (i > 0 && is_tie[i - 1]))
-      return;
-    std::size_t last = i + 1;
-    while(is_tie[last])
-      ++last;
-    sort_equal_codes(order.begin() + i, order.begin() + last + 1, point, frame, precedes);
-  });
+  using Table = typename Backend::Sort_table::View;
+  typename Backend::Sort_table order(n);
+  backend.for_each(n, Write_codes<Table>{point, frame, order.view()});
+  backend.sort(order);
+  const auto place = backend.compact(n, Is_tied<Table>{order.view(), std::uint32_t(n)});
+  if(place.size() == 0)
+    return order;
+  typename Backend::template Buffer<Tied_point> buffer(place.size());
+  backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
+  std::vector<Tied_point> tied(place.size());
+  backend.to_host(buffer.data(), tied.size(), tied.data());
+  sort_tied(backend, tied, precedes);
+  backend.from_host(tied.data(), tied.size(), buffer.data());
+  backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), buffer.data()});
   return order;
 }
 
-// Splits the root octant until a leaf has at most cell_size points and is at most
-// 2^23 steps wide. Points of one finest octant are cut in the order of the sort.
+// Where the eight octants of a range begin: in bound[9 i] ... bound[9 i + 8].
+template <class Table>
+struct Find_octants {
+  Table order;
+  const Range* range;
+  int bits; // of a code, below the octant
+  std::uint32_t* bound;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const Range r = range[at / 9];
+    const std::uint64_t octant = (order.key(r.first) >> bits >> 3 << 3) + at % 9;
+    std::uint32_t first = r.first, last = r.last;
+    while(first < last) { // the first entry that lies in this octant or behind it
+      const std::uint32_t middle = first + (last - first) / 2;
+      if((order.key(middle) >> bits) < octant)
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    bound[at] = first;
+  }
+};
+
+// The octree leaves, ascending. The root octant is split until a leaf has at most
+// cell_size points and is at most 2^23 steps wide; points of one finest octant are
+// cut in the order of the sort.
+template <class Backend>
 class Leaf_splitter {
 public:
-  Leaf_splitter(const Keyed_index* order, const Code_frame& frame, std::size_t cell_size, std::vector<Range>& leaves)
-    : order_(order), shift_(frame.shift), cell_size_(cell_size), leaves_(leaves)
+  Leaf_splitter(Backend& backend, typename Backend::Sort_table::View order, int shift, std::size_t cell_size)
+    : backend_(backend), order_(order), shift_(shift), cell_size_(cell_size)
   {}
 
-  void split(Range r, int level)
+  std::vector<Range> operator()(std::uint32_t n)
   {
-    if(r.size() == 0)
-      return;
-    const bool is_narrow = curve_bits - level + shift_ <= cell_extent_bits;
-    if(r.size() <= cell_size_ && is_narrow) {
-      leaves_.push_back(r);
-      return;
-    }
-    if(level == curve_bits) {
-      for(std::uint32_t first = r.first; first < r.last; first += std::uint32_t(cell_size_))
-        leaves_.push_back({first, (std::min)(first + std::uint32_t(cell_size_), r.last)});
-      return;
-    }
-    const int bits = 3 * (curve_bits - level - 1);
-    while(r.first < r.last) {
-      const std::uint64_t octant = order_[r.first].key >> bits;
-      const Keyed_index* end = std::partition_point(order_ + r.first, order_ + r.last,
-                                                    [&](const Keyed_index& e) { return (e.key >> bits) == octant; });
-      const std::uint32_t last = std::uint32_t(end - order_);
-      split({r.first, last}, level + 1);
-      r.first = last;
-    }
+    std::vector<Range> open;
+    take({0, n}, 0, open);
+    for(int level = 1; !open.empty(); ++level)
+      split(level, open);
+    std::sort(leaves_.begin(), leaves_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
+    return std::move(leaves_);
   }
 
 private:
-  const Keyed_index* order_;
+  // All octants of a level at once.
+  void split(int level, std::vector<Range>& open)
+  {
+    using Table = typename Backend::Sort_table::View;
+    std::vector<std::uint32_t> bound(9 * open.size());
+    auto ranges = backend_.lend(open);
+    auto bounds = backend_.lend_empty(bound);
+    backend_.for_each(bound.size(),
+                      Find_octants<Table>{order_, ranges.data(), 3 * (curve_bits - level), bounds.data()});
+    bounds.take_back();
+    std::vector<Range> next;
+    for(std::size_t i = 0; i < bound.size(); ++i)
+      if(i % 9 < 8)
+        take({bound[i], bound[i + 1]}, level, next);
+    open.swap(next);
+  }
+
+  void take(const Range& r, int level, std::vector<Range>& open)
+  {
+    const bool is_narrow = curve_bits - level + shift_ <= cell_extent_bits;
+    if(r.size() > 0 && r.size() <= cell_size_ && is_narrow)
+      leaves_.push_back(r);
+    else if(r.size() > 0 && level < curve_bits)
+      open.push_back(r);
+    else
+      for(std::uint32_t first = r.first; first < r.last; first += std::uint32_t(cell_size_))
+        leaves_.push_back({first, (std::min)(first + std::uint32_t(cell_size_), r.last)});
+  }
+
+  Backend& backend_;
+  typename Backend::Sort_table::View order_;
   int shift_;
   std::size_t cell_size_;
-  std::vector<Range>& leaves_;
+  std::vector<Range> leaves_;
 };
 
-inline std::vector<Range> split_leaves(const Keyed_index* order, std::size_t n, const Code_frame& frame,
-                                       std::size_t cell_size)
+template <class Backend>
+std::vector<Range> split_leaves(Backend& backend, const typename Backend::Sort_table& order, const Code_frame& frame,
+                                std::size_t cell_size)
 {
-  std::vector<Range> leaves;
-  Leaf_splitter(order, frame, cell_size, leaves).split({0, std::uint32_t(n)}, 0);
-  return leaves;
+  return Leaf_splitter<Backend>(backend, order.view(), frame.shift, cell_size)(std::uint32_t(order.size()));
 }
 
 } // namespace internal

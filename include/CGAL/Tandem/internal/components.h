@@ -79,19 +79,33 @@ private:
   }
 };
 
+struct Own_component {
+  std::uint32_t* component;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = std::uint32_t(i); }
+};
+
+template <class Backend>
+struct Find_root {
+  std::uint32_t* component;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    std::uint32_t root = component[i];
+    while(Backend::atomic_load(component[root]) != root)
+      root = Backend::atomic_load(component[root]);
+    Backend::atomic_min(component[i], root);
+  }
+};
+
 // component[i] is the smallest position of the component of point i. Free points
 // are components of their own.
 template <class Backend>
 void find_components(Backend& backend, const Cloud_view& cloud, const std::uint32_t* label, std::uint32_t* component)
 {
-  backend.for_each(cloud.size, [=](std::size_t i) { component[i] = std::uint32_t(i); });
+  backend.for_each(cloud.size, Own_component{component});
   backend.for_each(cloud.size, Unite_neighbors<Backend>{cloud, label, component});
-  backend.for_each(cloud.size, [=](std::size_t i) {
-    std::uint32_t root = component[i];
-    while(Backend::atomic_load(component[root]) != root)
-      root = Backend::atomic_load(component[root]);
-    Backend::atomic_min(component[i], root);
-  });
+  backend.for_each(cloud.size, Find_root<Backend>{component});
 }
 
 } // namespace internal

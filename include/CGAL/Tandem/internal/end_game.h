@@ -83,7 +83,7 @@ void consolidate(Tandem_state<Backend>& t)
       refit_fragments(t, is_fragment);
     detach_misfits(t, is_fragment);
     absorb(t);
-    reassign(t, shapes_below(t, t.options.minimum_region_size), all_shapes(t));
+    reassign(t, shapes_below(t, t.options.minimum_region_size), all_shapes(t), false);
     recount(t);
     if(t.live.size() * 50 >= shapes_before * 49 && t.assigned * 1000 < assigned_before * 1001)
       break;
@@ -114,8 +114,7 @@ void reassign_to_larger(Tandem_state<Backend>& t)
     std::vector<std::uint8_t> may_lose(t.shapes.size(), 1);
     for(std::uint32_t id : t.live)
       may_lose[id] = 2 * t.shapes[id].moments.count >= 3 * t.options.minimum_region_size;
-    collect_links(t, least_links, Links::all); // marks interior points, which cannot change
-    reassign(t, may_lose, all_shapes(t));
+    reassign(t, may_lose, all_shapes(t), true);
     recount(t);
   }
   drop_small(t);
@@ -123,11 +122,16 @@ void reassign_to_larger(Tandem_state<Backend>& t)
 
 // The loop takes a point for interior once all of its neighbors have had its label;
 // some have lost it since.
+struct Forget_interior {
+  std::uint8_t* state;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { state[i] &= std::uint8_t(~is_interior); }
+};
+
 template <class Backend>
 void forget_interior(Tandem_state<Backend>& t)
 {
-  std::uint8_t* state = t.state.data();
-  t.backend.for_each(t.cloud.size, [=](std::size_t i) { state[i] &= std::uint8_t(~is_interior); });
+  t.backend.for_each(t.cloud.size, Forget_interior{t.state.data()});
 }
 
 // Planes are final afterwards.

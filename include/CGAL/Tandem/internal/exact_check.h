@@ -9,6 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_EXACT_CHECK_H
 
 #include <CGAL/Tandem/internal/Cloud.h>
+#include <CGAL/Tandem/internal/Engine_result.h>
 #include <CGAL/Tandem/internal/Shapes.h>
 
 #include <array>
@@ -16,8 +17,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-using Coefficients = std::array<double, 4>; // a x + b y + c z + d = 0, of unit normal
 
 // The caller's points and, if there are any, unit normals: 3 doubles each.
 struct Caller_view {
@@ -60,29 +59,78 @@ struct Exact_bounds {
 
 constexpr double rounded_normal_margin = 2e-7;
 
-// Frees the points that are not within the bounds of their shape.
-struct Check_exactly {
+// The integer test with its margins leaves open whether the point is within the bounds.
+struct Is_uncertain {
   const Grid_point* point;
-  const std::uint32_t* origin; // imported point of each sorted one
-  Caller_view caller;
-  std::uint32_t* label;
-  const Plane* plane; // by shape, as are these
-  const Coefficients* coefficients;
-  Tolerance certain; // the bounds of the engine, less all rounding
-  Exact_bounds bounds;
+  const std::uint32_t* label;
+  const Plane* plane; // by shape
+  Tolerance certain;  // the bounds of the engine, less all rounding
 
-  void operator()(std::size_t i) const
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
   {
-    const std::uint32_t s = label[i];
-    if(s >= first_mark || fits(plane[s], point[i], certain))
-      return;
-    const std::size_t at = 3 * std::size_t(origin[i]);
-    const std::array<double, 3> packed = unpacked_normal(point[i].normal);
-    const double* normal = caller.normals != nullptr ? caller.normals + at : packed.data();
-    if(!bounds.is_near(coefficients[s], caller.coordinates + at) || !bounds.is_aligned(coefficients[s], normal))
-      label[i] = is_locked;
+    return label[i] < first_mark && !fits(plane[label[i]], point[i], certain);
   }
 };
+
+struct Uncertain_point {
+  std::uint32_t shape, origin, normal; // origin: the imported point
+};
+
+struct Gather_uncertain {
+  const Grid_point* point;
+  const std::uint32_t* label;
+  const std::uint32_t* origin;
+  const std::uint32_t* place;
+  Uncertain_point* uncertain;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    uncertain[i] = {label[place[i]], origin[place[i]], point[place[i]].normal};
+  }
+};
+
+struct Lock_refused {
+  const std::uint32_t* place;
+  const std::uint8_t* is_refused;
+  std::uint32_t* label;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(is_refused[i])
+      label[place[i]] = is_locked;
+  }
+};
+
+// The test itself, on the host, where the caller's coordinates are.
+struct Check_exactly {
+  Caller_view caller;
+  const Coefficients* plane; // by shape
+  Exact_bounds bounds;
+
+  bool is_within(const Uncertain_point& u) const
+  {
+    const std::size_t at = 3 * std::size_t(u.origin);
+    const std::array<double, 3> packed = unpacked_normal(u.normal);
+    const double* normal = caller.normals != nullptr ? caller.normals + at : packed.data();
+    return bounds.is_near(plane[u.shape], caller.coordinates + at) && bounds.is_aligned(plane[u.shape], normal);
+  }
+};
+
+// Frees the points that are not within the bounds of their shape.
+template <class Backend>
+void check_exactly(Backend& backend, const Is_uncertain& is_uncertain, std::uint32_t* label, std::size_t size,
+                   const std::uint32_t* origin, const Check_exactly& check)
+{
+  const auto place = backend.compact(size, is_uncertain);
+  typename Backend::template Buffer<Uncertain_point> buffer(place.size());
+  backend.for_each(place.size(), Gather_uncertain{is_uncertain.point, label, origin, place.data(), buffer.data()});
+  std::vector<Uncertain_point> uncertain(place.size());
+  backend.to_host(buffer.data(), uncertain.size(), uncertain.data());
+  std::vector<std::uint8_t> is_refused(uncertain.size());
+  backend.for_each_on_host(uncertain.size(), [&](std::size_t i) { is_refused[i] = !check.is_within(uncertain[i]); });
+  const auto refused = backend.lend(is_refused);
+  backend.for_each(place.size(), Lock_refused{place.data(), refused.data(), label});
+}
 
 } // namespace internal
 } // namespace Tandem

@@ -8,9 +8,10 @@
 #ifndef CGAL_TANDEM_INTERNAL_EXPORT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_EXPORT_SHAPES_H
 
-#include <CGAL/Shape_regularization_tandem/Statistics.h>
+#include <CGAL/Tandem/internal/Engine_result.h>
 #include <CGAL/Tandem/internal/exact_check.h>
-#include <CGAL/Tandem/internal/import_cloud.h>
+#include <CGAL/Tandem/internal/group_points.h>
+#include <CGAL/Tandem/internal/Import.h>
 
 #include <array>
 #include <utility>
@@ -31,6 +32,7 @@ struct Shapes_data {
   std::vector<std::uint32_t> normal;  // of each item, packed; empty if normals were given
   Parameters parameters;
   Statistics statistics;
+  Point_groups points; // of the shapes, until Planar_shapes_3 takes them
 };
 
 inline double plane_distance(const Coefficients& p, const double* q)
@@ -116,29 +118,39 @@ inline std::size_t direction_freedom(std::size_t directions, const std::vector<s
   return freedom;
 }
 
-// Sums over the points of the shapes. Distances are summed as integers, in 2^-20
-// of epsilon, so that their mean does not depend on the order of the points.
-inline void measure_points(const Import& in, const std::vector<std::int32_t>& shape_of, Shapes_data& data)
+// Sums over the points of the shapes. Distances are summed as integers, so that
+// their mean does not depend on the order of the points.
+template <class Backend>
+void measure_points(Backend& backend, const Import& in, const std::vector<std::int32_t>& shape_of, Shapes_data& data)
 {
   const double unit_distance = data.parameters.maximum_distance / double(1 << 20);
   std::vector<std::int64_t> votes(data.coefficients.size(), 0);
-  std::int64_t sum = 0;
-  std::size_t assigned = 0;
-  for(std::size_t i = 0; i < shape_of.size(); ++i) {
-    const std::int32_t s = shape_of[i];
-    if(s < 0)
-      continue;
-    ++assigned;
-    sum += std::int64_t(plane_distance(data.coefficients[s], in.position(i)) / unit_distance + .5);
-    if(in.has_normals)
-      votes[s] += normal_dot(data.coefficients[s], in.normal(i)) < 0 ? -1 : 1;
-  }
+  std::int64_t distance = 0, assigned = 0;
+  const std::size_t grain = (std::max)(std::size_t(1) << 16, votes.size()); // so that clearing `own` costs little
+  backend.for_each_piece(shape_of.size(), grain, [&](std::size_t first, std::size_t last) {
+    std::vector<std::int64_t> own(votes.size(), 0);
+    std::int64_t sum = 0, points = 0;
+    for(std::size_t i = first; i < last; ++i) {
+      const std::int32_t s = shape_of[i];
+      if(s < 0)
+        continue;
+      ++points;
+      sum += std::int64_t(plane_distance(data.coefficients[s], in.position(i)) / unit_distance + .5);
+      if(in.has_normals)
+        own[s] += normal_dot(data.coefficients[s], in.normal(i)) < 0 ? -1 : 1;
+    }
+    for(std::size_t s = 0; s < own.size(); ++s)
+      if(own[s] != 0)
+        Backend::atomic_add(votes[s], own[s]);
+    Backend::atomic_add(distance, sum);
+    Backend::atomic_add(assigned, points);
+  });
   for(std::size_t s = 0; s < votes.size(); ++s)
     data.is_flipped.push_back(votes[s] < 0);
   Statistics& statistics = data.statistics;
-  statistics.number_of_assigned_points = assigned;
+  statistics.number_of_assigned_points = std::size_t(assigned);
   statistics.coverage = in.number_of_items > 0 ? double(assigned) / double(in.number_of_items) : 0;
-  statistics.mean_distance = assigned > 0 ? double(sum) / double(assigned) * unit_distance : 0;
+  statistics.mean_distance = assigned > 0 ? double(distance) / double(assigned) * unit_distance : 0;
 }
 
 inline void measure_relations(Shapes_data& data)
@@ -155,40 +167,47 @@ inline void measure_relations(Shapes_data& data)
                             : 0;
 }
 
-// Of a result that has no shapes, because nothing ran.
-inline Shapes_data export_nothing(const Import& in, const Parameters& parameters)
+// From the imported points to the items of the caller's range.
+template <class T>
+std::vector<T> by_item(const Import& in, std::vector<T>&& values, T missing)
+{
+  if(in.item.empty() && values.size() == in.number_of_items)
+    return std::move(values);
+  std::vector<T> result(in.number_of_items, missing);
+  for(std::size_t i = 0; i < values.size(); ++i)
+    result[in.item_of(i)] = values[i];
+  return result;
+}
+
+inline Shapes_data start_export(const Import& in, const Parameters& parameters)
 {
   Shapes_data data;
   data.parameters = parameters;
-  data.shape_of.assign(in.number_of_items, -1);
   data.statistics.number_of_points = in.number_of_items;
   data.statistics.number_of_ignored_coordinates = in.number_of_ignored_coordinates;
   data.statistics.number_of_ignored_normals = in.number_of_ignored_normals;
   data.statistics.grid_step = in.grid.step;
   data.statistics.is_grid_coarse = in.grid.is_coarse;
   data.statistics.has_estimated_normals = !in.has_normals;
-  if(!in.has_normals)
-    data.normal.assign(in.number_of_items, no_normal);
   return data;
 }
 
-// Engine_result as in Engine.h.
-template <class Engine_result>
-Shapes_data export_shapes(const Import& in, const Parameters& parameters, const Engine_result& result)
+// Of an empty result, too. The result is emptied.
+template <class Backend>
+Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& parameters, Engine_result&& result)
 {
-  Shapes_data data = export_nothing(in, parameters);
-  for(const auto& shape : result.shapes) {
+  Shapes_data data = start_export(in, parameters);
+  for(const Engine_shape& shape : result.shapes) {
     data.coefficients.push_back(shape.plane);
     data.parallel_group.push_back(shape.direction);
     data.coplanar_group.push_back(shape.plane_group);
   }
   data.orthogonal_groups = find_orthogonal_groups(data);
-  for(std::size_t i = 0; i < result.shape_of.size(); ++i)
-    data.shape_of[in.item_of(i)] = result.shape_of[i];
+  measure_points(backend, in, result.shape_of, data);
+  data.shape_of = by_item(in, std::move(result.shape_of), std::int32_t(-1));
+  data.points = group_points(backend, data.shape_of, data.coefficients.size());
   if(!in.has_normals)
-    for(std::size_t i = 0; i < result.normal.size(); ++i)
-      data.normal[in.item_of(i)] = result.normal[i];
-  measure_points(in, result.shape_of, data);
+    data.normal = by_item(in, std::move(result.normal), no_normal);
   measure_relations(data);
   Statistics& statistics = data.statistics;
   statistics.number_of_rounds = result.rounds;

@@ -7,33 +7,16 @@
 #ifndef CGAL_TANDEM_INTERNAL_EXTRACT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_EXTRACT_SHAPES_H
 
+#include <CGAL/Tandem/internal/Engine_result.h>
 #include <CGAL/Tandem/internal/clutter.h>
 #include <CGAL/Tandem/internal/components.h>
 #include <CGAL/Tandem/internal/exact_check.h>
-#include <CGAL/Tandem/internal/import_cloud.h>
+#include <CGAL/Tandem/internal/Import.h>
 #include <CGAL/Tandem/internal/regularize_shapes.h>
-#include <CGAL/Shape_regularization_tandem/Statistics.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-struct Engine_shape {
-  Coefficients plane; // common to the shapes of a plane group; its normal to those of a direction
-  int direction;      // parallel group
-  int plane_group;    // coplanar group
-};
-
-struct Engine_result {
-  std::vector<Engine_shape> shapes;   // by falling number of points
-  std::vector<std::int32_t> shape_of; // per imported point, -1 = none
-  std::vector<std::uint32_t> normal;  // per imported point, the packed normal that was used
-  std::size_t rounds = 0;
-  bool is_cancelled = false;
-  bool is_coarse = false;
-  Stage_times times;
-  std::size_t peak_bytes = 0;
-};
 
 // The planes of the relations in the caller's coordinates, by plane of the relations.
 inline std::vector<Coefficients> caller_planes(const Relations& relations, const Grid& grid)
@@ -44,44 +27,156 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
   return planes;
 }
 
+// The entry of the relations that each point belongs to. Shapes without an entry are
+// too small to be part of a result.
+struct Take_entries {
+  const std::uint32_t* source;
+  const std::uint32_t* entry_of; // by shape
+  std::uint32_t* label;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t entry = source[i] < first_mark ? entry_of[source[i]] : no_index;
+    label[i] = entry != no_index ? entry : is_free;
+  }
+};
+
+struct Free_dropped {
+  const std::uint8_t* is_dropped; // by label
+  std::uint32_t* label;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(label[i] < first_mark && is_dropped[label[i]])
+      label[i] = is_free;
+  }
+};
+
+struct Fill {
+  std::uint32_t* target;
+  std::uint32_t value;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = value; }
+};
+
+// The number of points of each component of labeled points, at its root.
+template <class Backend>
+struct Count_components {
+  const Range* cells;
+  const std::uint32_t* label;
+  const std::uint32_t* component;
+  std::uint32_t* size;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
+      scratch.shape[i] = no_index;
+      scratch.count[i] = 0;
+    });
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      if(label[cell.first + at] >= first_mark)
+        return;
+      const std::uint32_t root = component[cell.first + at];
+      const std::uint32_t slot = root % Count_scratch::slots;
+      const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, root);
+      if(owner == no_index || owner == root)
+        block.append(scratch.count[slot]);
+      else
+        Backend::atomic_add(size[root], 1u);
+    });
+    block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
+      if(scratch.count[i] > 0)
+        Backend::atomic_add(size[scratch.shape[i]], scratch.count[i]);
+    });
+  }
+};
+
+struct Is_large_root {
+  const std::uint32_t* label;
+  const std::uint32_t* component;
+  const std::uint32_t* size;
+  std::uint64_t least;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  {
+    return component[i] == i && label[i] < first_mark && size[i] >= least;
+  }
+};
+
+struct Component {
+  std::uint32_t root, entry, size;
+};
+
+struct Gather_components {
+  const std::uint32_t* root;
+  const std::uint32_t* label;
+  const std::uint32_t* size;
+  Component* component;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
+};
+
+struct Number_roots {
+  const Component* component; // in the order of the shapes
+  std::uint32_t* number;      // by root
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { number[component[i].root] = std::uint32_t(i); }
+};
+
+// In the order of the imported points.
+struct Write_shapes {
+  const std::uint32_t* component;
+  const std::uint32_t* number;
+  const std::uint32_t* order;
+  std::int32_t* shape_of;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { shape_of[order[i]] = std::int32_t(number[component[i]]); }
+};
+
+struct Write_normals {
+  const Grid_point* point;
+  const std::uint32_t* order;
+  std::uint32_t* normal;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { normal[order[i]] = point[i].normal; }
+};
+
 template <class Backend>
 class Shape_extractor {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
 public:
   Shape_extractor(Tandem_state<Backend>& t, const Shape_relations& relations, const Import& in,
                   const std::uint32_t* order)
-    : t_(t), relations_(relations), in_(in), order_(order), label_(t.cloud.size), entry_of_(t.shapes.size(), no_index)
-  {
-    for(std::uint32_t i = 0; i < relations.id.size(); ++i)
-      entry_of_[relations.id[i]] = i;
-  }
+    : t_(t), relations_(relations), in_(in), order_(order), label_(t.cloud.size)
+  {}
 
   Engine_result extract()
   {
-    copy_labels();
-    check_exactly();
+    take_entries();
+    check_points();
     drop_clutter();
     Engine_result result;
-    result.shape_of.assign(in_.size(), -1);
-    result.normal.resize(in_.has_normals ? 0 : in_.size());
     name_shapes(result);
-    for(std::size_t i = 0; i < result.normal.size(); ++i)
-      result.normal[order_[i]] = t_.cloud.point[i].normal;
+    if(!in_.has_normals)
+      write_normals(result);
     return result;
   }
 
 private:
-  // Shapes without an entry in the relations are too small to be part of a result.
-  void copy_labels()
+  void take_entries()
   {
-    const std::uint32_t* source = t_.label.data();
-    std::uint32_t* target = label_.data();
-    const std::uint32_t* entry = entry_of_.data();
-    t_.backend.for_each(t_.cloud.size, [=](std::size_t i) {
-      target[i] = source[i] < first_mark && entry[source[i]] != no_index ? entry[source[i]] : is_free;
-    });
+    std::vector<std::uint32_t> entry_of(t_.shapes.size(), no_index);
+    for(std::uint32_t i = 0; i < relations_.id.size(); ++i)
+      entry_of[relations_.id[i]] = i;
+    const auto entries = t_.backend.lend(entry_of);
+    t_.backend.for_each(t_.cloud.size, Take_entries{t_.label.data(), entries.data(), label_.data()});
   }
 
-  void check_exactly()
+  void check_points()
   {
     const Relations& relations = relations_.relations;
     const std::vector<Coefficients> planes = caller_planes(relations, in_.grid);
@@ -90,8 +185,9 @@ private:
       coefficients_.push_back(planes[std::size_t(relations.plane_of[i])]);
     }
     const Caller_view caller = {in_.coordinates.data(), in_.has_normals ? in_.normals.data() : nullptr};
-    t_.backend.for_each(t_.cloud.size, Check_exactly{t_.cloud.point, order_, caller, label_.data(), plane_.data(),
-                                                     coefficients_.data(), t_.options.certain, t_.options.exact});
+    const auto plane = t_.backend.lend(plane_);
+    check_exactly(t_.backend, Is_uncertain{t_.cloud.point, label_.data(), plane.data(), t_.options.certain},
+                  label_.data(), t_.cloud.size, order_, Check_exactly{caller, coefficients_.data(), t_.options.exact});
   }
 
   // Of the distances of the points to the plane of an entry, in epsilons.
@@ -108,63 +204,85 @@ private:
     std::vector<std::uint8_t> is_crisp(plane_.size()), is_dropped(plane_.size());
     for(std::size_t i = 0; i < plane_.size(); ++i)
       is_crisp[i] = rms(i) < crisp_rms;
-    t_.backend.for_each_piece(t_.cloud.size, 4096,
-                              Count_neighbors<Backend>{t_.cloud, label_.data(), plane_.data(), is_crisp.data(),
-                                                       counts.data(), t_.options.growth.tolerance.distance});
+    const auto plane = t_.backend.lend(plane_);
+    const auto crisp = t_.backend.lend(is_crisp);
+    auto sums = t_.backend.lend_out(counts);
+    t_.backend.template for_each_cell<Neighbor_scratch>(
+      t_.number_of_cells, Count_neighbors<Backend>{t_.cloud, t_.cells.data(), label_.data(), plane.data(), crisp.data(),
+                                                   sums.data(), t_.options.growth.tolerance.distance});
+    sums.take_back();
     for(std::size_t i = 0; i < plane_.size(); ++i)
       is_dropped[i] = is_clutter(counts[i], rms(i));
-    std::uint32_t* label = label_.data();
-    const std::uint8_t* dropped = is_dropped.data();
-    t_.backend.for_each(t_.cloud.size, [=](std::size_t i) {
-      if(label[i] < first_mark && dropped[label[i]])
-        label[i] = is_free;
-    });
+    const auto dropped = t_.backend.lend(is_dropped);
+    t_.backend.for_each(t_.cloud.size, Free_dropped{dropped.data(), label_.data()});
   }
 
   // The components that are large enough, by falling size, then by position.
-  std::vector<std::uint32_t> large_components(const std::uint32_t* component)
+  std::vector<Component> large_components(const std::uint32_t* component)
   {
-    std::vector<std::uint32_t> size(t_.cloud.size, 0), roots;
-    for(std::size_t i = 0; i < t_.cloud.size; ++i)
-      ++size[component[i]];
-    for(std::uint32_t i = 0; i < t_.cloud.size; ++i)
-      if(component[i] == i && label_[i] < first_mark && size[i] >= std::uint64_t(t_.options.minimum_region_size))
-        roots.push_back(i);
-    std::sort(roots.begin(), roots.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
-    return roots;
+    Buffer<std::uint32_t> size(t_.cloud.size);
+    t_.backend.for_each(t_.cloud.size, Fill{size.data(), 0});
+    t_.backend.template for_each_cell<Count_scratch>(
+      t_.number_of_cells, Count_components<Backend>{t_.cells.data(), label_.data(), component, size.data()});
+    const auto root = t_.backend.compact(t_.cloud.size, Is_large_root{label_.data(), component, size.data(),
+                                                                      std::uint64_t(t_.options.minimum_region_size)});
+    Buffer<Component> buffer(root.size());
+    t_.backend.for_each(root.size(), Gather_components{root.data(), label_.data(), size.data(), buffer.data()});
+    std::vector<Component> components(root.size());
+    t_.backend.to_host(buffer.data(), components.size(), components.data());
+    std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
+      return a.size != b.size ? a.size > b.size : a.root < b.root;
+    });
+    return components;
   }
 
   void name_shapes(Engine_result& result)
   {
-    typename Backend::template Buffer<std::uint32_t> component(t_.cloud.size);
+    const std::size_t n = t_.cloud.size;
+    Buffer<std::uint32_t> component(n);
     find_components(t_.backend, t_.cloud, label_.data(), component.data());
-    const std::vector<std::uint32_t> roots = large_components(component.data());
-    std::vector<std::int32_t> shape_of_root(t_.cloud.size, -1);
-    std::vector<int> direction(relations_.relations.directions.size(), -1),
-      plane(relations_.relations.planes.size(), -1);
+    const std::vector<Component> components = large_components(component.data());
+    number_groups(components, result);
+    Buffer<std::uint32_t> number(n);
+    t_.backend.for_each(n, Fill{number.data(), no_index});
+    const auto named = t_.backend.lend(components);
+    t_.backend.for_each(components.size(), Number_roots{named.data(), number.data()});
+    Buffer<std::int32_t> shape_of(n);
+    t_.backend.for_each(n, Write_shapes{component.data(), number.data(), order_, shape_of.data()});
+    result.shape_of.resize(n);
+    t_.backend.to_host(shape_of.data(), n, result.shape_of.data());
+  }
+
+  // Directions and planes in the order in which the shapes have them first.
+  void number_groups(const std::vector<Component>& components, Engine_result& result) const
+  {
+    const Relations& relations = relations_.relations;
+    std::vector<int> direction(relations.directions.size(), -1), plane(relations.planes.size(), -1);
     int directions = 0, planes = 0;
-    for(std::uint32_t root : roots) {
-      const std::uint32_t entry = label_[root];
-      const std::size_t d = std::size_t(relations_.relations.direction_of[entry]);
-      const std::size_t p = std::size_t(relations_.relations.plane_of[entry]);
+    for(const Component& c : components) {
+      const std::size_t d = std::size_t(relations.direction_of[c.entry]);
+      const std::size_t p = std::size_t(relations.plane_of[c.entry]);
       direction[d] = direction[d] < 0 ? directions++ : direction[d];
       plane[p] = plane[p] < 0 ? planes++ : plane[p];
-      shape_of_root[root] = std::int32_t(result.shapes.size());
-      result.shapes.push_back({coefficients_[entry], direction[d], plane[p]});
+      result.shapes.push_back({coefficients_[c.entry], direction[d], plane[p]});
     }
-    for(std::size_t i = 0; i < t_.cloud.size; ++i)
-      result.shape_of[order_[i]] = shape_of_root[component[i]];
+  }
+
+  void write_normals(Engine_result& result)
+  {
+    Buffer<std::uint32_t> normal(t_.cloud.size);
+    t_.backend.for_each(t_.cloud.size, Write_normals{t_.cloud.point, order_, normal.data()});
+    result.normal.resize(t_.cloud.size);
+    t_.backend.to_host(normal.data(), normal.size(), result.normal.data());
   }
 
   Tandem_state<Backend>& t_;
   const Shape_relations& relations_;
   const Import& in_;
   const std::uint32_t* order_;
-  typename Backend::template Buffer<std::uint32_t> label_; // entry of the relations
-  std::vector<std::uint32_t> entry_of_;                    // by shape
-  std::vector<Plane> plane_;                               // by entry
-  std::vector<Coefficients> coefficients_;                 // by entry
+  Buffer<std::uint32_t> label_;            // entry of the relations
+  std::vector<Plane> plane_;               // by entry
+  std::vector<Coefficients> coefficients_; // by entry
 };
 
 template <class Backend>

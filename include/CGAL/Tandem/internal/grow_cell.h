@@ -20,9 +20,9 @@ namespace internal {
 // What the shapes look like to the points during one round: plain arrays, by shape.
 struct Shapes_view {
   Plane* plane;
-  std::uint16_t* rounds;      // breadth-first rounds of this pass
-  std::uint8_t* is_restarted; // all of its points are on the frontier
-  Shared_moments* gain;       // what the pass adds
+  std::uint16_t* rounds;            // breadth-first rounds of this pass
+  const std::uint8_t* is_restarted; // all of its points are on the frontier
+  Shared_moments* gain;             // what the pass adds
 };
 
 struct Labels_view {
@@ -47,12 +47,18 @@ struct Cell_job {
   std::uint32_t seed_count;
   std::uint32_t* seed_cursor;     // candidates before it are used up
   const std::uint32_t* new_shape; // ids that new shapes take
+  bool has_restarted = true;      // maybe: some shape grows again from all of its points
 };
 
 constexpr std::uint32_t max_seeds_in_flight = 16;
 
+// Points of a leaf, at most: the queue of a small one fits into fast memory.
+constexpr std::uint32_t small_cell = 8192;
+constexpr std::uint32_t largest_cell = 65536;
+
+template <std::uint32_t CellSize>
 struct Growth_scratch {
-  std::uint16_t queue[65536]; // cell-relative points; each is queued at most once
+  std::uint16_t queue[CellSize]; // cell-relative points; each is queued at most once
   std::uint32_t tail;
   Moment_table table;
   std::uint32_t active[max_seeds_in_flight]; // shapes on the frontier of this leaf, ascending
@@ -61,12 +67,12 @@ struct Growth_scratch {
   std::uint32_t core_count;
 };
 
-template <class Backend, class Block>
+template <class Backend, class Block, class Scratch>
 class Cell_growth {
   static_assert(Is_block<Block>::value, "the block is no model of the concept Block");
 
 public:
-  CGAL_TANDEM_HD Cell_growth(Block& block, Growth_scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
+  CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
                              const Shapes_view& shapes, const Labels_view& labels, const Growth_options& options)
     : block_(block), s_(scratch), job_(job), cloud_(cloud), shapes_(shapes), options_(options), label_(labels.label),
       state_(labels.state)
@@ -74,10 +80,7 @@ public:
 
   CGAL_TANDEM_HD void run()
   {
-    block_.single([&] {
-      s_.tail = 0;
-      s_.active_count = 0;
-    });
+    block_.single([&] { s_.tail = s_.active_count = 0; });
     s_.table.clear(block_);
     collect_frontier();
     const std::uint32_t old = s_.tail;
@@ -114,8 +117,8 @@ private:
   {
     block_.for_each(job_.cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = job_.cell.first + at;
-      const std::uint32_t s = label_[i];
-      if(s >= first_mark || !((state_[i] & on_frontier) || shapes_.is_restarted[s]))
+      const bool is_on = state_[i] & on_frontier;
+      if((!is_on && !job_.has_restarted) || label_[i] >= first_mark || !(is_on || shapes_.is_restarted[label_[i]]))
         return;
       state_[i] |= on_frontier;
       push(i);
@@ -284,7 +287,7 @@ private:
   }
 
   Block& block_;
-  Growth_scratch& s_;
+  Scratch& s_;
   const Cell_job job_;
   const Cloud_view cloud_;
   const Shapes_view shapes_;

@@ -35,12 +35,12 @@ std::vector<Grid_point> sample_leaves(Backend& backend, const Host_buffer<Grid_p
 {
   const Code_frame frame = make_code_frame(point.data(), point.size());
   const auto order = sort_along_curve(backend, point.data(), point.size(), frame);
-  const std::vector<Range> leaves = split_leaves(order.data(), point.size(), frame, measured_leaf);
+  const std::vector<Range> leaves = split_leaves(backend, order, frame, measured_leaf);
   const std::size_t stride = (point.size() + measured_points - 1) / measured_points;
   std::vector<Grid_point> sample;
   for(std::size_t l = 0; l < leaves.size(); l += stride)
     for(std::uint32_t i = leaves[l].first; i < leaves[l].last; ++i)
-      sample.push_back(point[order[i].index]);
+      sample.push_back(point[order.view().index(i)]);
   return sample;
 }
 
@@ -106,7 +106,7 @@ inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
 template <class Backend>
 Cloud_measure measure_cloud(Backend& backend, const Import& in)
 {
-  const Coordinate_box box = bounding_box(in);
+  const Coordinate_box box = bounding_box(backend, in);
   if(!(box.extent() > 0))
     return Cloud_measure();
   const Grid grid = make_grid(box, std::ldexp(box.extent(), -16)); // 2^27 steps

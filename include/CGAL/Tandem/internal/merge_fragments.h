@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
 #define CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
 
+#include <CGAL/Tandem/internal/directions.h>
 #include <CGAL/Tandem/internal/update_shapes.h>
 
 namespace CGAL {
@@ -49,49 +50,72 @@ inline std::uint32_t sample_mask(const Shape& shape)
 template <class Backend>
 class Misfit_counter {
 public:
-  explicit Misfit_counter(Tandem_state<Backend>& t) : t_(t) {}
+  // ids: the shapes that may be asked for. Points keep their labels until the last question.
+  Misfit_counter(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
+    : t_(t), mask_(t.shapes.size(), nobody), sample_(t.cloud.size), range_(t.number_of_cells)
+  {
+    for(std::uint32_t id : ids)
+      mask_[id] = sample_mask(t.shapes[id]);
+    const auto mask = t.backend.lend(mask_);
+    t.backend.template for_each_cell<Count_scratch>(
+      t.number_of_cells,
+      Collect_samples{t.cloud, t.cells_view(), t.label.data(), mask.data(), sample_.data(), range_.data()});
+  }
 
   std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
   {
-    const std::size_t size = t_.shapes.size();
     std::vector<double> shares(ids.size(), 0);
     std::vector<std::size_t> asked;
-    std::vector<std::uint32_t> mask(size, nobody), count(size, 0);
-    std::vector<Plane> before(size), after(size);
+    std::vector<std::uint32_t> query_of(t_.shapes.size(), no_index);
+    std::vector<Misfit_query> query;
     for(std::size_t i = 0; i < ids.size(); ++i) {
       const Shape& shape = t_.shapes[ids[i]];
       if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
         continue;
+      query_of[ids[i]] = std::uint32_t(query.size());
+      query.push_back({rounded(shape.local), rounded(candidates[i])});
       asked.push_back(i);
-      mask[ids[i]] = sample_mask(shape);
-      before[ids[i]] = rounded(shape.local);
-      after[ids[i]] = rounded(candidates[i]);
     }
-    if(!asked.empty())
-      t_.backend.template for_each_cell<Count_scratch>(
-        t_.cells.size(), Count_misfits<Backend>{t_.cloud, t_.cells.data(), t_.label.data(), mask.data(), before.data(),
-                                                after.data(), count.data(), t_.options.growth.tolerance});
-    for(std::size_t i : asked) {
-      Shape& shape = t_.shapes[ids[i]];
-      shares[i] = double(count[ids[i]]) * (double(mask[ids[i]]) + 1) / double(shape.moments.count);
-      shape.answers[shape.next_answer] = {shape.local, candidates[i], shape.moments.count, shares[i]};
+    if(asked.empty())
+      return shares;
+    const std::vector<std::uint32_t> count = ask_points(query_of, query);
+    for(std::size_t q = 0; q < asked.size(); ++q) {
+      Shape& shape = t_.shapes[ids[asked[q]]];
+      double& share = shares[asked[q]];
+      share = double(count[q]) * (double(mask_[ids[asked[q]]]) + 1) / double(shape.moments.count);
+      shape.answers[shape.next_answer] = {shape.local, candidates[asked[q]], shape.moments.count, share};
       shape.next_answer = (shape.next_answer + 1) % 4;
     }
     return shares;
   }
 
 private:
+  std::vector<std::uint32_t> ask_points(const std::vector<std::uint32_t>& query_of,
+                                        const std::vector<Misfit_query>& query)
+  {
+    std::vector<std::uint32_t> count(query.size(), 0);
+    const auto index = t_.backend.lend(query_of);
+    const auto queries = t_.backend.lend(query);
+    auto counts = t_.backend.lend_out(count);
+    t_.backend.template for_each_cell<Count_scratch>(
+      t_.number_of_cells, Count_misfits<Backend>{t_.cells_view(), sample_.data(), range_.data(), index.data(),
+                                                 queries.data(), counts.data(), t_.options.growth.tolerance});
+    counts.take_back();
+    return count;
+  }
+
   bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
   {
-    return bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
+    const bool is_same = a.normal == b.normal && a.offset == b.offset;
+    return is_same || bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
   }
 
   bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
   {
     for(const Answer& answer : shape.answers) {
       const std::int64_t change = shape.moments.count - answer.points;
-      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, shape.local, answer.local) ||
-         !is_still(shape, candidate, answer.candidate))
+      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, candidate, answer.candidate) ||
+         !is_still(shape, shape.local, answer.local))
         continue;
       share = answer.misfit_share;
       return true;
@@ -100,6 +124,9 @@ private:
   }
 
   Tandem_state<Backend>& t_;
+  std::vector<std::uint32_t> mask_; // by shape
+  typename Backend::template Buffer<Sample> sample_;
+  typename Backend::template Buffer<Range> range_; // of the samples of each leaf
 };
 
 // Unions of shapes with the moments of the whole.
@@ -186,7 +213,7 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std
   std::vector<std::uint32_t> target = identity_targets(t);
   if(ids.empty())
     return target;
-  const std::vector<double> shares = Misfit_counter<Backend>{t}(ids, planes);
+  const std::vector<double> shares = Misfit_counter<Backend>{t, ids}(ids, planes);
   std::vector<std::uint32_t> first(t.shapes.size(), no_index); // per root: the member that stays
   for(std::size_t i = 0; i < ids.size(); ++i) {
     if(shares[i] > misfit_share)

@@ -18,7 +18,7 @@ namespace internal {
 template <class Tree, int K>
 class Leaf_search {
 public:
-  Leaf_search(const Tree& tree, int k) : tree_(tree), found_(tree.leaves(), k), wing_(std::uint32_t(k + 11) / 12) {}
+  Leaf_search(const Tree& tree, int k) : tree_(tree), found_(tree.leaves(), k), wing_(std::uint32_t(k + 15) / 12) {}
 
   // k indices for each point of the leaf.
   void operator()(std::uint32_t leaf, std::uint32_t* out)
@@ -55,7 +55,8 @@ private:
       found_.scan(i, tree_.points_in_leaf(i));
   }
 
-  // Depth first, nearest child first.
+  // Depth first, smallest indices first: of equally near points those are the neighbors. (Nearest
+  // first would gain nothing, as the window has been scanned already.)
   void search(std::uint32_t* out)
   {
     Node stack[maximum_levels * branching];
@@ -63,39 +64,60 @@ private:
     stack[size++] = {0, 0, tree_.levels() - 1};
     while(size > 0) {
       const Node node = stack[--size];
-      if(node.squared > found_.limit() || (found_.is_settled() && !may_contain_neighbor(node)))
+      if(is_too_far(node))
         continue;
-      if(node.level > 0)
+      if(node.level > 1)
         size = push_children(node, stack, size);
-      else if(node.index < window_.first || node.index >= window_.last)
-        found_.scan(node.index, tree_.points_in_leaf(node.index));
+      else if(node.level == 1)
+        scan_children(node);
+      else
+        scan(node.index);
     }
     found_.write(out);
   }
 
-  bool may_contain_neighbor(const Node& n) const
+  bool is_too_far(const Node& n) const
   {
-    return found_.may_contain_neighbor(tree_.box(n.level, n.index), tree_.first_point(n.level, n.index));
+    return n.squared > found_.limit() ||
+           (found_.is_settled() &&
+            !found_.may_contain_neighbor(tree_.box(n.level, n.index), tree_.first_point(n.level, n.index)));
   }
 
-  // The nearest comes to the top; of equally near ones the first, which has the smallest indices.
+  // Sets `squared` and returns which of the children are near enough.
+  unsigned near_children(const Node& parent, float* squared) const
+  {
+    const std::uint32_t count = (std::min)(branching, tree_.count(parent.level - 1) - parent.index * branching);
+    const Float8 squared8 = squared_distance8(tree_.siblings(parent.level - 1, parent.index), found_.box());
+    store8(squared, squared8);
+    return less_equal8(squared8, fill8(found_.limit())) & ((1u << count) - 1);
+  }
+
+  // The first child comes to the top.
   int push_children(const Node& parent, Node* stack, int size) const
   {
-    const int level = parent.level - 1, bottom = size;
-    const std::uint32_t first = parent.index * branching;
-    const std::uint32_t count = (std::min)(branching, tree_.count(level) - first);
-    const Float8 squared8 = squared_distance8(tree_.siblings(level, parent.index), found_.box());
     float squared[8];
-    store8(squared, squared8);
-    unsigned near = less_equal8(squared8, fill8(found_.limit())) & ((1u << count) - 1);
-    for(; near != 0; near &= near - 1) {
-      const std::uint32_t child = std::uint32_t(__builtin_ctz(near));
-      int i = size++;
-      for(; i > bottom && stack[i - 1].squared <= squared[child]; --i)
-        stack[i] = stack[i - 1];
-      stack[i] = {squared[child], first + child, level};
-    }
+    const unsigned near = near_children(parent, squared);
+    for(int child = int(branching) - 1; child >= 0; --child)
+      if(near >> child & 1u)
+        stack[size++] = {squared[child], parent.index * branching + std::uint32_t(child), parent.level - 1};
     return size;
+  }
+
+  void scan_children(const Node& parent)
+  {
+    float squared[8];
+    for(unsigned near = near_children(parent, squared); near != 0; near &= near - 1) {
+      const int child = __builtin_ctz(near);
+      const Node leaf = {squared[child], parent.index * branching + std::uint32_t(child), 0};
+      if(!is_too_far(leaf))
+        scan(leaf.index);
+    }
+  }
+
+  void scan(std::uint32_t leaf)
+  {
+    if(leaf < window_.first || leaf >= window_.last)
+      found_.scan(leaf, tree_.points_in_leaf(leaf));
   }
 
   const Tree& tree_;

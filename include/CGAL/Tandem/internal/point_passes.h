@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_POINT_PASSES_H
 #define CGAL_TANDEM_INTERNAL_POINT_PASSES_H
 
-#include <CGAL/Tandem/internal/Tandem_state.h>
+#include <CGAL/Tandem/internal/leaf_shapes.h>
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ struct Link_scratch {
 template <class Backend>
 struct Collect_links {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   Labels_view labels;
   const std::uint8_t* is_asked; // by shape
   Link_sink sink;
@@ -47,6 +47,8 @@ struct Collect_links {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Link_scratch& scratch, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return is_asked[s] != 0; }))
+      return;
     const Range cell = cells[c];
     block.for_each(Link_scratch::slots, [&](std::uint32_t i) { scratch.link[i] = {~std::uint64_t(0), 0}; });
     block.for_each(cell.size(), [&](std::uint32_t at) { visit(block, scratch, cell.first + at); });
@@ -90,6 +92,30 @@ private:
 // All touching shapes, or only those of which one has changed since they were last asked for.
 enum class Links { all, changed };
 
+// In any order, those of each leaf on their own.
+template <class Backend>
+std::vector<Link> append_links(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_asked)
+{
+  const auto asked = t.backend.lend(is_asked);
+  std::size_t capacity = 4 * t.live.size() + 64 * t.number_of_cells;
+  for(;;) {
+    typename Backend::template Buffer<Link> buffer(capacity);
+    std::vector<std::uint32_t> size(1, 0);
+    auto counter = t.backend.lend_out(size);
+    t.backend.template for_each_cell<Link_scratch>(
+      t.number_of_cells,
+      Collect_links<Backend>{
+        t.cloud, t.cells_view(), t.labels(), asked.data(), {buffer.data(), counter.data(), std::uint32_t(capacity)}});
+    counter.take_back();
+    if(size[0] <= capacity) {
+      std::vector<Link> links(size[0]);
+      t.backend.to_host(buffer.data(), links.size(), links.data());
+      return links;
+    }
+    capacity = 2 * std::size_t(size[0]);
+  }
+}
+
 // The links between live shapes with at least `least` relations, by falling
 // number of relations, then by ids.
 template <class Backend>
@@ -100,19 +126,7 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
     is_asked[id] = which == Links::all || t.shapes[id].is_changed;
     t.shapes[id].is_changed = false;
   }
-  std::vector<Link> links(4 * t.live.size() + 64 * t.cells.size());
-  std::uint32_t size = 0;
-  for(;;) {
-    size = 0;
-    t.backend.template for_each_cell<Link_scratch>(
-      t.cells.size(),
-      Collect_links<Backend>{
-        t.cloud, t.cells.data(), t.labels(), is_asked.data(), {links.data(), &size, std::uint32_t(links.size())}});
-    if(size <= links.size())
-      break;
-    links.resize(2 * std::size_t(size));
-  }
-  links.resize(size);
+  std::vector<Link> links = append_links(t, is_asked);
   std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
   std::size_t kept = 0;
   for(std::size_t i = 0; i < links.size();) {
@@ -130,7 +144,7 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
 
 struct Count_scratch {
   static constexpr std::uint32_t slots = 64;
-  std::uint32_t shape[slots];
+  std::uint32_t shape[slots]; // or query, or root of a component
   std::uint32_t count[slots];
 };
 
@@ -138,40 +152,71 @@ struct Count_scratch {
 // so all, every second one, every fourth one ...
 constexpr std::uint32_t nobody = 0xffffffffu;
 
-// Counts the points that fit the first plane of their shape but not the second.
+struct Sample {
+  Grid_point point;
+  std::uint32_t shape;
+};
+
+// Copies the points that may be asked to the front of the range of their leaf.
+struct Collect_samples {
+  Cloud_view cloud;
+  Cells_view cells;
+  const std::uint32_t* label;
+  const std::uint32_t* mask; // by shape
+  Sample* sample;
+  Range* range; // by leaf: where its samples are, in any order
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.single([&] { range[c] = {cell.first, cell.first}; });
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return mask[s] != nobody; }))
+      return;
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at;
+      if(label[i] < first_mark && (i & mask[label[i]]) == 0)
+        sample[block.append(range[c].last)] = {cloud.point[i], label[i]};
+    });
+  }
+};
+
+struct Misfit_query {
+  Plane before, after;
+};
+
+// Counts the samples that fit the first plane of their shape but not the second.
 template <class Backend>
 struct Count_misfits {
-  Cloud_view cloud;
-  const Range* cells;
-  const std::uint32_t* label;
-  const std::uint32_t* mask; // these four by shape
-  const Plane* before;
-  const Plane* after;
-  std::uint32_t* count;
+  Cells_view cells;
+  const Sample* sample;
+  const Range* ranges;           // of samples, by leaf
+  const std::uint32_t* query_of; // by shape, no_index if it is not asked
+  const Misfit_query* query;
+  std::uint32_t* count; // by query
   Tolerance tolerance;
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
-    const Range cell = cells[c];
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return query_of[s] != no_index; }))
+      return;
+    const Range range = ranges[c];
     block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
       scratch.shape[i] = no_index;
       scratch.count[i] = 0;
     });
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t i = cell.first + at;
-      const std::uint32_t s = label[i];
-      if(s >= first_mark || (i & mask[s]) != 0)
+    block.for_each(range.size(), [&](std::uint32_t at) {
+      const Grid_point& p = sample[range.first + at].point;
+      const std::uint32_t q = query_of[sample[range.first + at].shape];
+      if(q == no_index || fits(query[q].after, p, tolerance) || !fits(query[q].before, p, tolerance))
         return;
-      const Grid_point& p = cloud.point[i];
-      if(fits(after[s], p, tolerance) || !fits(before[s], p, tolerance))
-        return;
-      const std::uint32_t slot = s % Count_scratch::slots;
-      const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, s);
-      if(owner == no_index || owner == s)
+      const std::uint32_t slot = q % Count_scratch::slots;
+      const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, q);
+      if(owner == no_index || owner == q)
         block.append(scratch.count[slot]);
       else
-        Backend::atomic_add(count[s], 1u);
+        Backend::atomic_add(count[q], 1u);
     });
     block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
       if(scratch.count[i] > 0)
@@ -185,7 +230,7 @@ struct Count_misfits {
 template <class Backend>
 struct Update_points {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   Labels_view labels;
   const std::uint32_t* target; // these two by old label
   const std::uint8_t* is_checked;
@@ -196,6 +241,8 @@ struct Update_points {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return target[s] != s || is_checked[s] != 0; }))
+      return;
     const Range cell = cells[c];
     const Grid_point& base = cloud.point[cell.first];
     table.clear(block);

@@ -12,7 +12,7 @@
 #include <CGAL/Tandem/internal/angles.h>
 #include <CGAL/Tandem/internal/cells.h>
 #include <CGAL/Tandem/internal/estimate_normals.h>
-#include <CGAL/Tandem/internal/import_cloud.h>
+#include <CGAL/Tandem/internal/Import.h>
 #include <CGAL/Tandem/internal/neighbors.h>
 
 #include <chrono>
@@ -65,6 +65,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   Options o;
   const double step = in.grid.step;
   const double cosine = cosine_deg(p.maximum_angle);
+  o.cell_size = p.cell_size;
   o.maximum_distance = p.maximum_distance / step;
   o.squared_cosine = cosine * cosine;
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
@@ -75,8 +76,13 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.growth.seeds_in_flight = 8;
   o.growth.seed_tries = 64;
   o.growth.core_size = std::uint32_t(p.k_neighbors / 2 + 1);
-  o.regularity = {p.angle_tolerance,        p.maximum_offset / step,    o.maximum_distance,
-                  p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity};
+  o.regularity = {p.angle_tolerance,
+                  p.maximum_offset / step,
+                  o.maximum_distance,
+                  p.regularize_parallelism,
+                  p.regularize_orthogonality,
+                  p.regularize_coplanarity,
+                  false};
   const double certain_angle = (std::max)(p.maximum_angle - packing_margin_deg, 0.);
   o.certain = make_tolerance(o.maximum_distance - distance_margin(in.grid), cosine_deg(certain_angle));
   o.exact = {p.maximum_distance, std::fma(1.0, cosine, rounded_normal_margin)};
@@ -84,36 +90,106 @@ inline Options make_options(const Import& in, const Parameters& p)
   return o;
 }
 
+// The leaf of a point is the last one that begins at or before it.
+struct Is_border {
+  Cloud_view cloud;
+  const Range* cells;
+  std::uint32_t size;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  {
+    std::uint32_t first = 0, last = size;
+    while(last - first > 1) {
+      const std::uint32_t middle = first + (last - first) / 2;
+      (cells[middle].first <= i ? first : last) = middle;
+    }
+    const Range cell = cells[first];
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+      if(row[j] < cell.first || row[j] >= cell.last)
+        return true;
+    return false;
+  }
+};
+
+// The entries of `border` that lie in each leaf.
+struct Find_cell_borders {
+  const Range* cells;
+  const std::uint32_t* border;
+  std::uint32_t size;
+  Range* cell_border;
+
+  CGAL_TANDEM_HD void operator()(std::size_t c) const
+  {
+    cell_border[c] = {lower_bound(cells[c].first), lower_bound(cells[c].last)};
+  }
+
+private:
+  CGAL_TANDEM_HD std::uint32_t lower_bound(std::uint32_t point) const
+  {
+    std::uint32_t first = 0, last = size;
+    while(first < last) {
+      const std::uint32_t middle = first + (last - first) / 2;
+      if(border[middle] < point)
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    return first;
+  }
+};
+
 // The points that have a neighbor in another leaf, leaf by leaf.
 template <class Backend>
 void find_border(Tandem_state<Backend>& t)
 {
-  std::vector<std::vector<std::uint32_t>> found(t.cells.size());
-  t.backend.for_each_piece(t.cells.size(), 1, [&](std::size_t c, std::size_t) {
-    const Range cell = t.cells[c];
-    for(std::uint32_t i = cell.first; i < cell.last; ++i) {
-      const std::uint32_t* row = t.cloud.row(i);
-      bool is_inside = true;
-      for(int j = 0; j < t.cloud.k && row[j] != no_index; ++j)
-        is_inside = is_inside && row[j] >= cell.first && row[j] < cell.last;
-      if(!is_inside)
-        found[c].push_back(i);
-    }
-  });
-  t.cell_border.resize(t.cells.size());
-  for(std::size_t c = 0; c < t.cells.size(); ++c) {
-    t.cell_border[c].first = std::uint32_t(t.border.size());
-    t.border.insert(t.border.end(), found[c].begin(), found[c].end());
-    t.cell_border[c].last = std::uint32_t(t.border.size());
-  }
-  t.proposal.resize(t.border.size());
+  const std::uint32_t cells = std::uint32_t(t.number_of_cells);
+  t.border = t.backend.compact(t.cloud.size, Is_border{t.cloud, t.cells.data(), cells});
+  t.cell_border.reset(cells);
+  t.backend.for_each(
+    cells, Find_cell_borders{t.cells.data(), t.border.data(), std::uint32_t(t.border.size()), t.cell_border.data()});
+  t.proposal.reset(t.border.size());
 }
+
+// The points on the grid, for the functors; a back end may have an overload of its own.
+template <class Backend>
+typename Backend::template Buffer<Grid_point> import_points(Backend& backend, Import& in)
+{
+  typename Backend::template Buffer<Grid_point> point(in.size());
+  const Place_on_grid place(in);
+  backend.for_each_on_host(in.size(), [&](std::size_t i) { point[i] = place(i); });
+  return point;
+}
+
+template <class Table>
+struct Gather_sorted {
+  Table sorted;
+  const Grid_point* source;
+  std::uint32_t* order;
+  Grid_point* point;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    order[i] = sorted.index(i);
+    point[i] = source[order[i]];
+  }
+};
+
+struct Free_all {
+  Labels_view labels;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    labels.label[i] = is_free;
+    labels.state[i] = 0;
+  }
+};
 
 // The tables of the size of the cloud, when they are largest: in the estimation of
 // normals, else in the end game. With the caller's coordinates and normals.
 inline std::size_t bytes_per_point(int k, bool has_normals)
 {
-  const std::size_t caller = sizeof(Grid_point) + (has_normals ? 6 : 3) * sizeof(double);
+  const std::size_t caller = (has_normals ? 6 : 3) * sizeof(double);
   const std::size_t cloud = sizeof(Grid_point) + std::size_t(k + 1) * sizeof(std::uint32_t);
   const std::size_t labels = 2 * sizeof(std::uint32_t) + 1; // and seeds, states
   const std::size_t end_game = sizeof(std::uint64_t) + 5 * sizeof(std::uint32_t);
@@ -122,7 +198,27 @@ inline std::size_t bytes_per_point(int k, bool has_normals)
 }
 
 template <class Backend>
-void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& parameters,
+void sort_points(Tandem_state<Backend>& t, Import& in, std::size_t cell_size,
+                 typename Backend::template Buffer<std::uint32_t>& order,
+                 typename Backend::template Buffer<Grid_point>& points)
+{
+  const std::size_t n = in.size();
+  const auto imported = import_points(t.backend, in);
+  const Code_frame frame = make_code_frame(in.low, in.high);
+  const auto sorted = sort_along_curve(t.backend, imported.data(), n, frame,
+                                       [&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); });
+  const std::vector<Range> leaves = split_leaves(t.backend, sorted, frame, cell_size);
+  t.number_of_cells = leaves.size();
+  t.cells.reset(leaves.size());
+  t.backend.from_host(leaves.data(), leaves.size(), t.cells.data());
+  order.reset(n);
+  points.reset(n);
+  using Table = typename Backend::Sort_table::View;
+  t.backend.for_each(n, Gather_sorted<Table>{sorted.view(), imported.data(), order.data(), points.data()});
+}
+
+template <class Backend>
+void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
              typename Backend::template Buffer<std::uint32_t>& order,
              typename Backend::template Buffer<Grid_point>& points,
              typename Backend::template Buffer<std::uint32_t>& neighbors, Stage_times& times)
@@ -134,17 +230,7 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
   if(n == 0)
     return;
   Stage_timer sort(times.sort);
-  const Code_frame frame = make_code_frame(in.point.data(), n);
-  auto sorted = sort_along_curve(t.backend, in.point.data(), n, frame,
-                                 [&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); });
-  t.cells = split_leaves(sorted.data(), n, frame, parameters.cell_size);
-  order.reset(n);
-  points.reset(n);
-  t.backend.for_each(n, [&](std::size_t i) {
-    order[i] = sorted[i].index;
-    points[i] = in.point[sorted[i].index];
-  });
-  sorted.release();
+  sort_points(t, in, parameters.cell_size, order, points);
   sort.stop();
 
   Stage_timer search(times.neighbors);
@@ -160,14 +246,14 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
 
   Stage_timer growth(times.growth);
   find_border(t);
-  t.seeds = order_seeds(t.backend, t.cloud, t.cells, t.options.growth.tolerance, t.options.tight);
-  t.seed_cursor.assign(t.cells.size(), 0);
+  t.seeds =
+    order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells, {t.options.growth.tolerance, t.options.tight});
+  t.seed_cursor.assign(t.number_of_cells, 0);
+  t.leaf_shapes.reset(t.number_of_cells);
+  t.backend.for_each(t.number_of_cells, Clear_lists{t.leaf_shapes.data()});
   t.label.reset(n);
   t.state.reset(n);
-  t.backend.for_each(n, [&](std::size_t i) {
-    t.label[i] = is_free;
-    t.state[i] = 0;
-  });
+  t.backend.for_each(n, Free_all{t.labels()});
   t.peak_bytes = n * bytes_per_point(k, in.has_normals) + 8 * t.border.size();
 }
 

@@ -45,7 +45,7 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
     const bool is_waiting = t.round < shape.retry_round && shape.moments.count < shape.retry_count;
     is_excluded.push_back(!is_due || (!retry_all && is_waiting));
   }
-  Misfit_counter<Backend> count(t);
+  Misfit_counter<Backend> count(t, r.id);
   auto verify = [&](const std::vector<int>& indices, const std::vector<Regular_plane>& candidates,
                     std::vector<std::int64_t>& counts) {
     std::vector<std::uint32_t> ids(indices.size());
@@ -55,7 +55,9 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
     for(std::size_t i = 0; i < ids.size(); ++i)
       counts[i] = std::int64_t(shares[i] * double(t.shapes[ids[i]].moments.count));
   };
-  r.relations = regularize(fits, is_excluded, t.options.regularity, verify);
+  Regularity_options options = t.options.regularity;
+  options.is_last = retry_all;
+  r.relations = regularize(fits, is_excluded, options, verify);
   for(std::size_t i = 0; i < r.id.size(); ++i) {
     Shape& shape = t.shapes[r.id[i]];
     shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];

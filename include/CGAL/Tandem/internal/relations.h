@@ -28,6 +28,7 @@ struct Regularity_options {
   double maximum_offset;      // sigma of the coplanarity
   double maximum_distance;    // epsilon
   bool parallelism, orthogonality, coplanarity;
+  bool is_last; // nothing grows any more: leftovers join settled directions
 };
 
 // normal . g = offset

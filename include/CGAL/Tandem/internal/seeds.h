@@ -37,11 +37,14 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
     return p;
   const Plane plane = own_plane(cloud.point[i]);
   const std::uint32_t* row = cloud.row(i);
-  for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-    if(fits(plane, cloud.point[row[j]], tolerance)) {
-      ++p.fitting;
-      p.close += fits(plane, cloud.point[row[j]], tight);
-    }
+  for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+    const std::int64_t e = signed_distance(plane, cloud.point[row[j]]);
+    const std::int64_t distance = e < 0 ? -e : e;
+    const Squared_cosine cosine = squared_cosine(plane, cloud.point[row[j]]);
+    // as fits(), twice; no branches, since half of them would be mispredicted
+    p.fitting += int(distance <= tolerance.distance) & int(cosine.is_at_least(tolerance.squared_cosine));
+    p.close += int(distance <= tight.distance) & int(cosine.is_at_least(tight.squared_cosine));
+  }
   return p;
 }
 
@@ -54,6 +57,10 @@ struct Seeds {
 
 constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
 
+struct Seed_bounds {
+  Tolerance tolerance, tight;
+};
+
 struct Box_scratch {
   Box box;
 };
@@ -64,7 +71,7 @@ struct Rate_seeds {
   Cloud_view cloud;
   const Range* cells;
   std::uint64_t* key;
-  Tolerance tolerance, tight;
+  Seed_bounds bounds;
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Box_scratch& scratch, std::uint32_t c) const
@@ -79,7 +86,7 @@ struct Rate_seeds {
 private:
   CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
   {
-    const Planarity score = planarity(cloud, i, tolerance, tight);
+    const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);
     if(2 * score.fitting < cloud.k)
       return not_a_seed;
     const Grid_point& p = cloud.point[i];
@@ -111,19 +118,20 @@ struct Take_seeds {
   }
 };
 
+// The cells are a table of the back end.
 template <class Backend>
-Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const std::vector<Range>& cells,
-                           const Tolerance& tolerance, const Tolerance& tight)
+Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const Range* cells, std::size_t size,
+                           const Seed_bounds& bounds)
 {
   typename Backend::template Buffer<std::uint64_t> key(cloud.size);
   Seeds<Backend> seeds;
   seeds.seed.reset(cloud.size);
-  seeds.count.resize(cells.size());
-  backend.template for_each_cell<Box_scratch>(cells.size(),
-                                              Rate_seeds{cloud, cells.data(), key.data(), tolerance, tight});
-  backend.sort_ranges(key.data(), cells.data(), cells.size());
-  backend.template for_each_cell<Box_scratch>(
-    cells.size(), Take_seeds{cells.data(), key.data(), seeds.seed.data(), seeds.count.data()});
+  seeds.count.resize(size);
+  auto count = backend.lend_empty(seeds.count);
+  backend.template for_each_cell<Box_scratch>(size, Rate_seeds{cloud, cells, key.data(), bounds});
+  backend.sort_ranges(key.data(), cells, size, cloud.size);
+  backend.template for_each_cell<Box_scratch>(size, Take_seeds{cells, key.data(), seeds.seed.data(), count.data()});
+  count.take_back();
   return seeds;
 }
 

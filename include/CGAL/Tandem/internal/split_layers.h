@@ -4,7 +4,8 @@
 // Layers a little more than epsilon apart can end as one shape: a plane in the
 // middle, or a slanted one that bridges two strips. All points are within epsilon,
 // but along the normal of the points themselves their distances have two peaks,
-// and few between. Such a shape takes the higher peak, and detaches the other.
+// and few between; or the points' normals say that the plane is wrong. Such a shape
+// takes the higher peak, and detaches the other.
 
 #ifndef CGAL_TANDEM_INTERNAL_SPLIT_LAYERS_H
 #define CGAL_TANDEM_INTERNAL_SPLIT_LAYERS_H
@@ -21,7 +22,7 @@ constexpr int histogram_bins = 64;
 template <class Backend>
 struct Count_distances {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* histogram_of; // by shape, no_index if not asked
   const Plane* plane;                // by histogram
@@ -31,6 +32,8 @@ struct Count_distances {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return histogram_of[s] != no_index; }))
+      return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t s = label[cell.first + at];
@@ -44,15 +47,29 @@ struct Count_distances {
   }
 };
 
-// Where the smoothed histogram has its highest peak, in epsilons; 0 unless that is
-// clearly higher than the middle.
-inline double find_layer(const std::uint32_t* histogram)
+template <class Backend>
+void count_distances(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& histogram_of,
+                     const std::vector<Plane>& planes, std::vector<std::uint32_t>& histogram)
 {
-  // A Gaussian of sigma = epsilon / 3, at the distance of 0, 1, 2 ... bins
-  static const std::int64_t weight[16] = {1000, 983, 932, 854, 755, 645, 531, 423, 325, 241, 172, 119, 80, 51, 32, 19};
+  const auto index = t.backend.lend(histogram_of);
+  const auto plane = t.backend.lend(planes);
+  auto counts = t.backend.lend_out(histogram);
+  t.backend.template for_each_cell<Count_scratch>(
+    t.number_of_cells, Count_distances<Backend>{t.cloud, t.cells_view(), t.label.data(), index.data(), plane.data(),
+                                                counts.data(), t.options.growth.tolerance.distance});
+  counts.take_back();
+}
+
+// Where the smoothed histogram has its highest peak, in epsilons; 0 unless that is
+// clearly higher than the middle, or the shape is known to be crooked.
+inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
+{
+  // A Gaussian of sigma = epsilon / 6, at the distance of 0, 1, 2 ... bins. (A wider one
+  // hides the gap between layers of noise that are 1.1 epsilon apart.)
+  static const std::int64_t weight[8] = {1000, 932, 755, 531, 325, 172, 80, 32};
   auto density = [&](int bin) {
     std::int64_t sum = 0;
-    for(int b = (std::max)(0, bin - 15); b <= (std::min)(histogram_bins - 1, bin + 15); ++b)
+    for(int b = (std::max)(0, bin - 7); b <= (std::min)(histogram_bins - 1, bin + 7); ++b)
       sum += weight[b < bin ? bin - b : b - bin] * std::int64_t(histogram[b]);
     return sum;
   };
@@ -64,14 +81,14 @@ inline double find_layer(const std::uint32_t* histogram)
       highest = density(bin);
       peak = bin;
     }
-  return highest * 2 >= middle * 3 ? (peak + 0.5) / 16 - 2 : 0;
+  return is_crooked || highest * 2 >= middle * 3 ? (peak + 0.5) / 16 - 2 : 0;
 }
 
 // The sum of the normals of a sample of each shape, each turned to the side of the plane.
 template <class Backend>
 struct Sum_normals {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* mask; // by shape, as are these
   const Plane* plane;
@@ -80,6 +97,8 @@ struct Sum_normals {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return mask[s] != nobody; }))
+      return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
@@ -97,10 +116,26 @@ struct Sum_normals {
   }
 };
 
+template <class Backend>
+void sum_normals(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& mask, std::vector<std::int64_t>& sum)
+{
+  const auto masks = t.backend.lend(mask);
+  const auto plane = t.backend.lend(t.plane);
+  auto sums = t.backend.lend_out(sum);
+  t.backend.template for_each_cell<Count_scratch>(
+    t.number_of_cells,
+    Sum_normals<Backend>{t.cloud, t.cells_view(), t.label.data(), masks.data(), plane.data(), sums.data()});
+  sums.take_back();
+}
+
 // A shape may be two layers if its points' normals lean by more than about 4 degrees
 // to one side of its plane (the sine), or their distances are spread (rms, in epsilons).
 constexpr double suspicious_lean = 0.07;
 constexpr double suspicious_rms = 0.45;
+// By more than about 6 degrees to the best plane through them: it bridges layers,
+// whether or not noise fills the gap between them.
+constexpr double certain_lean = 0.1;
+constexpr std::int64_t crooked_size = 100; // the normals of fewer points, at edges, may lean by themselves
 
 // The planes, along the mean normals of the points, about which the distances of
 // suspicious shapes are to be counted; the entries of `r` that they belong to.
@@ -118,9 +153,7 @@ std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape
     t.plane[id] = rounded(shape.plane);
     shape.layered_count = shape.moments.count;
   }
-  t.backend.template for_each_cell<Count_scratch>(
-    t.cells.size(),
-    Sum_normals<Backend>{t.cloud, t.cells.data(), t.label.data(), mask.data(), t.plane.data(), sum.data()});
+  sum_normals(t, mask, sum);
   const double most = suspicious_rms * t.options.maximum_distance;
   std::vector<std::size_t> entries;
   for(std::size_t i = 0; i < r.id.size(); ++i) {
@@ -151,16 +184,16 @@ void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
     histogram_of[r.id[entries[h]]] = std::uint32_t(h);
     integer_planes.push_back(rounded(planes[h]));
   }
-  t.backend.template for_each_cell<Count_scratch>(
-    t.cells.size(),
-    Count_distances<Backend>{t.cloud, t.cells.data(), t.label.data(), histogram_of.data(), integer_planes.data(),
-                             histogram.data(), t.options.growth.tolerance.distance});
+  count_distances(t, histogram_of, integer_planes, histogram);
   for(std::size_t h = 0; h < entries.size(); ++h) {
-    const double layer = find_layer(histogram.data() + h * histogram_bins);
+    Shape& shape = t.shapes[r.id[entries[h]]];
+    const bool is_crooked =
+      shape.moments.count >= crooked_size && length(cross(planes[h].normal, shape.local.normal)) > certain_lean;
+    const double layer = find_layer(histogram.data() + h * histogram_bins, is_crooked);
     if(layer == 0)
       continue;
     planes[h].offset = std::fma(layer, t.options.maximum_distance, planes[h].offset);
-    t.shapes[r.id[entries[h]]].plane = planes[h];
+    shape.plane = planes[h];
     r.relations.direction_of[entries[h]] = int(r.relations.directions.size()); // it has left its relations
     r.relations.directions.push_back(planes[h].normal);
     r.relations.plane_of[entries[h]] = int(r.relations.planes.size());

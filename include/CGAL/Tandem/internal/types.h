@@ -59,16 +59,13 @@ CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
 {
   if(code == no_normal)
     return {0, 0, 0};
-  std::int32_t u = std::int16_t(code & 0xffffu);
-  std::int32_t v = std::int16_t(code >> 16);
+  const std::int32_t u = std::int16_t(code & 0xffffu);
+  const std::int32_t v = std::int16_t(code >> 16);
   const std::int32_t au = u < 0 ? -u : u;
   const std::int32_t av = v < 0 ? -v : v;
   const std::int32_t w = 32767 - au - av;
-  if(w < 0) {
-    u = u < 0 ? av - 32767 : 32767 - av;
-    v = v < 0 ? au - 32767 : 32767 - au;
-  }
-  return {u, v, w};
+  const std::int32_t folded = w < 0 ? -w : 0; // no branch: which side it is cannot be predicted
+  return {u < 0 ? u + folded : u - folded, v < 0 ? v + folded : v - folded, w};
 }
 
 // nx x + ny y + nz z + d = 0, with |(nx, ny, nz)| = 2^28 up to rounding.
@@ -95,14 +92,30 @@ CGAL_TANDEM_HD inline bool is_near(const Plane& s, const Grid_point& p, std::int
   return (e < 0 ? -e : e) <= distance;
 }
 
-// Unoriented: |cos| between the normals against alpha, squared.
-CGAL_TANDEM_HD inline bool is_aligned(const Plane& s, const Grid_point& p, std::int64_t squared_cosine)
+// The cosine of the angle between the normals, squared, as a fraction of numbers
+// below 2^62 and 2^30.
+struct Squared_cosine {
+  std::int64_t squared_dot, squared_length;
+
+  CGAL_TANDEM_HD bool is_at_least(std::int64_t squared_cosine) const
+  {
+    return squared_dot > 0 && squared_dot >= squared_length * squared_cosine;
+  }
+};
+
+CGAL_TANDEM_HD inline Squared_cosine squared_cosine(const Plane& s, const Grid_point& p)
 {
   const Int_vector m = decode_normal(p.normal);
   const std::int64_t product = std::int64_t(s.nx) * m.x + std::int64_t(s.ny) * m.y + std::int64_t(s.nz) * m.z;
   const std::int64_t dot = (product < 0 ? -product : product) >> 12; // < 2^31
   const std::int64_t length2 = std::int64_t(m.x) * m.x + std::int64_t(m.y) * m.y + std::int64_t(m.z) * m.z;
-  return dot > 0 && dot * dot >= length2 * squared_cosine; // both < 2^62
+  return {dot * dot, length2};
+}
+
+// Unoriented: |cos| between the normals against alpha, squared.
+CGAL_TANDEM_HD inline bool is_aligned(const Plane& s, const Grid_point& p, std::int64_t least_squared_cosine)
+{
+  return squared_cosine(s, p).is_at_least(least_squared_cosine);
 }
 
 CGAL_TANDEM_HD inline bool fits(const Plane& s, const Grid_point& p, const Tolerance& t)

@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_UPDATE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_UPDATE_SHAPES_H
 
+#include <CGAL/Tandem/internal/gains.h>
 #include <CGAL/Tandem/internal/point_passes.h>
 
 namespace CGAL {
@@ -20,18 +21,44 @@ constexpr double restart_motion = 0.1;
 
 inline Regular_plane plane_through(const Vector& normal, const Vector& point) { return {normal, dot(normal, point)}; }
 
+struct Local_fit {
+  Scatter scatter;
+  Fit fit;
+};
+
+struct Fit_planes {
+  const Moments* moments;
+  Local_fit* local;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    local[i].scatter = make_scatter(moments[i]);
+    local[i].fit = fit_plane(local[i].scatter);
+  }
+};
+
 template <class Backend>
 void refit_shapes(Tandem_state<Backend>& t)
 {
-  t.backend.for_each(t.live.size(), [&](std::size_t l) {
-    Shape& shape = t.shapes[t.live[l]];
-    if(!shape.is_dirty)
-      return;
-    shape.scatter = make_scatter(shape.moments);
-    shape.fit = fit_plane(shape.scatter);
+  std::vector<std::uint32_t> dirty;
+  std::vector<Moments> moments;
+  for(std::uint32_t id : t.live)
+    if(t.shapes[id].is_dirty) {
+      dirty.push_back(id);
+      moments.push_back(t.shapes[id].moments);
+    }
+  std::vector<Local_fit> local(dirty.size());
+  const auto source = t.backend.lend(moments);
+  auto target = t.backend.lend_empty(local);
+  t.backend.for_each(dirty.size(), Fit_planes{source.data(), target.data()});
+  target.take_back();
+  for(std::size_t i = 0; i < dirty.size(); ++i) {
+    Shape& shape = t.shapes[dirty[i]];
+    shape.scatter = local[i].scatter;
+    shape.fit = local[i].fit;
     shape.local = plane_through(shape.fit.normal, shape.scatter.centroid);
     shape.is_dirty = false;
-  });
+  }
 }
 
 // Which shape each shape becomes: itself, another one, or is_free.
@@ -67,8 +94,20 @@ void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
     } else {
       t.assigned -= std::size_t(shape.moments.count);
     }
-    shape = Shape();
+    forget_shape(t, id);
   }
+  t.live.resize(kept);
+}
+
+template <class Backend>
+void forget_empty_shapes(Tandem_state<Backend>& t)
+{
+  std::size_t kept = 0;
+  for(std::uint32_t id : t.live)
+    if(t.shapes[id].moments.count > 0)
+      t.live[kept++] = id;
+    else
+      forget_shape(t, id);
   t.live.resize(kept);
 }
 
@@ -78,23 +117,19 @@ template <class Backend>
 void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target,
                    const std::vector<std::uint8_t>& is_checked)
 {
+  const auto new_label = t.backend.lend(target);
+  const auto checked = t.backend.lend(is_checked);
+  const auto plane = t.backend.lend(t.plane);
   t.backend.template for_each_cell<Moment_table>(
-    t.cells.size(), Update_points<Backend>{t.cloud, t.cells.data(), t.labels(), target.data(), is_checked.data(),
-                                           t.plane.data(), t.gain.data(), t.options.growth.tolerance});
-  std::size_t kept = 0;
-  for(std::uint32_t id : t.live) {
-    Shape& shape = t.shapes[id];
-    Shared_moments& loss = t.gain[id];
-    if(loss.count != 0) {
-      shape.moments += loss.moments();
-      shape.is_dirty = true;
-      t.assigned -= std::size_t(-loss.count);
-      loss = Shared_moments();
-    }
-    if(shape.moments.count > 0)
-      t.live[kept++] = id;
+    t.number_of_cells, Update_points<Backend>{t.cloud, t.cells_view(), t.labels(), new_label.data(), checked.data(),
+                                              plane.data(), start_gains(t), t.options.growth.tolerance});
+  t.backend.for_each(t.number_of_cells, Relabel_lists{t.leaf_shapes.data(), new_label.data()});
+  for(const Gain& loss : take_gains(t)) {
+    t.shapes[loss.id].moments += loss.sums.moments();
+    t.shapes[loss.id].is_dirty = true;
+    t.assigned -= std::size_t(-loss.sums.count);
   }
-  t.live.resize(kept);
+  forget_empty_shapes(t);
 }
 
 // Hands the planes over to the points, checks the points of the shapes whose plane

@@ -4,14 +4,37 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
+#include <new>
 #include <type_traits>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// Asks for large pages where the system has them: the first touch of small ones takes
+// longer than most passes over the points.
+inline void* allocate_pages(std::size_t bytes)
+{
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::size_t page = std::size_t(2) << 20;
+  if(bytes >= 2 * page) {
+    void* const memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
+    if(memory != nullptr)
+      static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
+    return memory;
+  }
+#endif
+  constexpr std::size_t line = 64;
+  return std::aligned_alloc(line, (bytes + line - 1) / line * line);
+}
 
 // An array that is not initialized: each of its pages is first touched by the
 // thread that fills it.
@@ -21,13 +44,17 @@ class Host_buffer {
 
 public:
   Host_buffer() = default;
-  explicit Host_buffer(std::size_t size) : data_(new T[size]), size_(size) {}
+  explicit Host_buffer(std::size_t size) { reset(size); }
 
   // Discards the contents.
   void reset(std::size_t size)
   {
-    data_.reset();
-    data_.reset(new T[size]);
+    release();
+    if(size == 0)
+      return;
+    data_.reset(static_cast<T*>(allocate_pages(size * sizeof(T))));
+    if(data_ == nullptr)
+      throw std::bad_alloc();
     size_ = size;
   }
 
@@ -37,6 +64,7 @@ public:
     size_ = 0;
   }
 
+  T* get() const { return data_.get(); }
   T* data() { return data_.get(); }
   const T* data() const { return data_.get(); }
   std::size_t size() const { return size_; }
@@ -48,14 +76,39 @@ public:
   const T* end() const { return data_.get() + size_; }
 
 private:
-  std::unique_ptr<T[]> data_;
+  struct Free {
+    void operator()(T* memory) const { std::free(memory); }
+  };
+
+  std::unique_ptr<T[], Free> data_;
   std::size_t size_ = 0;
 };
 
-// What the sort along the curve moves.
-struct Keyed_index {
-  std::uint64_t key;
-  std::uint32_t index;
+// Keys with the index that each belongs to, as a back end sorts them.
+class Host_sort_table {
+public:
+  struct Entry {
+    std::uint64_t key;
+    std::uint32_t index;
+  };
+
+  struct View {
+    Entry* entry;
+
+    std::uint64_t key(std::size_t i) const { return entry[i].key; }
+    std::uint32_t index(std::size_t i) const { return entry[i].index; }
+    void set(std::size_t i, std::uint64_t key, std::uint32_t index) const { entry[i] = {key, index}; }
+  };
+
+  explicit Host_sort_table(std::size_t size) : entries_(size) {}
+
+  View view() const { return {entries_.get()}; }
+  std::size_t size() const { return entries_.size(); }
+  Entry* begin() { return entries_.begin(); }
+  Entry* end() { return entries_.end(); }
+
+private:
+  Host_buffer<Entry> entries_;
 };
 
 } // namespace internal

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
 
-#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/backend/Host_loan.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
@@ -19,11 +19,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-class Sequential_backend {
+class Sequential_backend : public Host_memory {
 public:
-  template <class T>
-  using Buffer = Host_buffer<T>;
-
   static const char* name() { return "sequential"; }
 
   // f(i) for i in [0, n), in any order.
@@ -34,7 +31,14 @@ public:
       f(i);
   }
 
-  // f(first, last) for consecutive pieces of [0, n) of at most `grain` items.
+  // The same, where f uses what only the host has.
+  template <class F>
+  void for_each_on_host(std::size_t n, F f)
+  {
+    for_each(n, f);
+  }
+
+  // f(first, last) for the pieces of [0, n) that begin at the multiples of `grain`.
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
@@ -54,15 +58,23 @@ public:
   }
 
   // Ascending by key; the order of equal keys is not defined.
-  void sort_by_key(Keyed_index* first, Keyed_index* last)
+  void sort(Sort_table& table)
   {
+    using Entry = Sort_table::Entry;
     boost::sort::spreadsort::integer_sort(
-      first, last, [](const Keyed_index& e, unsigned shift) { return e.key >> shift; },
-      [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
+      table.begin(), table.end(), [](const Entry& e, unsigned shift) { return e.key >> shift; },
+      [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
-  // In each of the ranges, ascending.
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges)
+  // The i in [0, n) with is_kept(i), ascending. is_kept may be asked twice.
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    return compact_on(*this, n, is_kept);
+  }
+
+  // In each of the ranges, ascending. Together they are [0, size).
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
   {
     for(std::size_t c = 0; c < ranges; ++c)
       std::sort(key + range[c].first, key + range[c].last);

@@ -31,7 +31,10 @@ struct Serial_block {
   template <class Row, class F>
   void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
   {
+    constexpr std::uint32_t ahead = 4;
     for(std::uint32_t s = 0; s < n; ++s) {
+      if(s + ahead < n)
+        __builtin_prefetch(row(s + ahead)); // rows are visited in no order that the processor could guess
       const std::uint32_t* neighbors = row(s);
       for(int j = 0; neighbors != nullptr && j < k; ++j)
         f(s, neighbors[j]);
@@ -75,6 +78,8 @@ struct Serial_block {
       target = value;
     return old;
   }
+
+  void add(std::uint32_t& target, std::uint32_t value) { target += value; }
 
   // A position of its own for each caller. The order of positions is arbitrary.
   std::uint32_t append(std::uint32_t& size) { return size++; }

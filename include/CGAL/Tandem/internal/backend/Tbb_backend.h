@@ -8,7 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
 
-#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/backend/Host_loan.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
 #include <tbb/blocked_range.h>
@@ -23,17 +23,23 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-class Tbb_backend {
+class Tbb_backend : public Host_memory {
 public:
-  template <class T>
-  using Buffer = Host_buffer<T>;
-
   static const char* name() { return "parallel"; }
 
   template <class F>
   void for_each(std::size_t n, F f)
   {
     for_each_piece(n, 4096, [&](std::size_t first, std::size_t last) {
+      for(std::size_t i = first; i < last; ++i)
+        f(i);
+    });
+  }
+
+  template <class F>
+  void for_each_on_host(std::size_t n, F f)
+  {
+    for_each_piece(n, 64, [&](std::size_t first, std::size_t last) {
       for(std::size_t i = first; i < last; ++i)
         f(i);
     });
@@ -56,12 +62,19 @@ public:
     });
   }
 
-  void sort_by_key(Keyed_index* first, Keyed_index* last)
+  void sort(Sort_table& table)
   {
-    tbb::parallel_sort(first, last, [](const Keyed_index& a, const Keyed_index& b) { return a.key < b.key; });
+    using Entry = Sort_table::Entry;
+    tbb::parallel_sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges)
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    return compact_on(*this, n, is_kept);
+  }
+
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
   {
     tbb::parallel_for(std::size_t(0), ranges,
                       [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });

@@ -9,7 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_BACKEND_CONCEPTS_H
 
 #include <CGAL/Tandem/internal/Shapes.h>
-#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/backend/Host_loan.h>
 
 #include <type_traits>
 #include <utility>
@@ -21,10 +21,6 @@ namespace archetypes {
 
 struct Item_functor {
   void operator()(std::size_t) const {}
-};
-
-struct Piece_functor {
-  void operator()(std::size_t, std::size_t) const {}
 };
 
 struct Scratch {};
@@ -64,6 +60,7 @@ struct Is_block<
            decltype(std::uint32_t(std::declval<Block&>().find_first(0u, 0u, archetypes::Predicate()))),
            decltype(std::uint32_t(std::declval<Block&>().min(0u, archetypes::Value()))),
            decltype(std::uint32_t(std::declval<Block&>().fetch_min(std::declval<std::uint32_t&>(), 0u))),
+           decltype(std::declval<Block&>().add(std::declval<std::uint32_t&>(), 0u)),
            decltype(std::uint32_t(std::declval<Block&>().append(std::declval<std::uint32_t&>()))),
            decltype(std::uint32_t(std::declval<Block&>().exchange_if(std::declval<std::uint32_t&>(), 0u, 0u))),
            decltype(bool(std::declval<Block&>().count_pair(std::declval<std::uint64_t&>(),
@@ -82,12 +79,19 @@ struct Is_backend<
   std::void_t<
     typename Backend::template Buffer<std::uint32_t>, decltype(static_cast<const char*>(Backend::name())),
     decltype(std::declval<Backend&>().for_each(std::size_t(0), archetypes::Item_functor())),
-    decltype(std::declval<Backend&>().for_each_piece(std::size_t(0), std::size_t(1), archetypes::Piece_functor())),
     decltype(std::declval<Backend&>().template for_each_cell<archetypes::Scratch>(std::size_t(0),
                                                                                   archetypes::Cell_body())),
-    decltype(std::declval<Backend&>().sort_by_key(std::declval<Keyed_index*>(), std::declval<Keyed_index*>())),
+    typename Backend::Sort_table::View,
+    decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
+    decltype(std::size_t(std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()).size())),
+    decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
+    decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),
+    decltype(std::declval<Backend&>().lend_out(std::declval<std::vector<int>&>()).take_back()),
+    decltype(std::declval<Backend&>().lend_empty(std::declval<std::vector<int>&>()).take_back()),
+    decltype(std::declval<Backend&>().to_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
+    decltype(std::declval<Backend&>().from_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
     decltype(std::declval<Backend&>().sort_ranges(std::declval<std::uint64_t*>(), std::declval<const Range*>(),
-                                                  std::size_t(0))),
+                                                  std::size_t(0), std::size_t(0))),
     decltype(std::uint32_t(Backend::atomic_add(std::declval<std::uint32_t&>(), 0u))),
     decltype(Backend::atomic_min(std::declval<std::uint64_t&>(), std::uint64_t(0))),
     decltype(Backend::atomic_max(std::declval<std::int32_t&>(), std::int32_t(0))),

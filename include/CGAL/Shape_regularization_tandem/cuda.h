@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_CUDA_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_CUDA_H
+
+#ifdef CGAL_TANDEM_USE_CUDA
+#include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
+#endif
+
+#include <string>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+whether the CUDA back end is linked and there is a device for it. Does not throw.
+*/
+inline bool cuda_available()
+{
+#ifdef CGAL_TANDEM_USE_CUDA
+  return internal::is_cuda_available();
+#else
+  return false;
+#endif
+}
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+name, memory and compute capability of the device that a call with `Cuda_tag` would use, or why there is none
+*/
+inline std::string cuda_device_report()
+{
+#ifdef CGAL_TANDEM_USE_CUDA
+  return internal::cuda_device_report();
+#else
+  return "built without CUDA";
+#endif
+}
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+gives back the memory, of the host and of the devices, that calls with `Cuda_tag` have kept so that the next
+one need not ask for it. May be called at any time.
+*/
+inline void release_memory()
+{
+#ifdef CGAL_TANDEM_USE_CUDA
+  internal::release_cuda_memory();
+#endif
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_CUDA_H

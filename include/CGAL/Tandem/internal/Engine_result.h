@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the engine hands over. Plain data: all back ends see it.
+
+#ifndef CGAL_TANDEM_INTERNAL_ENGINE_RESULT_H
+#define CGAL_TANDEM_INTERNAL_ENGINE_RESULT_H
+
+#include <CGAL/Shape_regularization_tandem/Statistics.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+using Coefficients = std::array<double, 4>; // a x + b y + c z + d = 0, of unit normal
+
+struct Engine_shape {
+  Coefficients plane; // common to the shapes of a plane group; its normal to those of a direction
+  int direction;      // parallel group
+  int plane_group;    // coplanar group
+};
+
+struct Engine_result {
+  std::vector<Engine_shape> shapes;   // by falling number of points
+  std::vector<std::int32_t> shape_of; // per imported point, -1 = none
+  std::vector<std::uint32_t> normal;  // per imported point, the packed normal that was used
+  std::size_t rounds = 0;
+  bool is_cancelled = false;
+  bool is_coarse = false;
+  Stage_times times;
+  std::size_t peak_bytes = 0;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ENGINE_RESULT_H

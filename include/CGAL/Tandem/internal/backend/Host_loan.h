@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_LOAN_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_HOST_LOAN_H
+
+#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A table of the host as the functors of a back end see it: here, the same memory.
+template <class T>
+class Host_loan {
+public:
+  explicit Host_loan(T* data) : data_(data) {}
+
+  T* data() const { return data_; }
+
+  // Afterwards the table has what the functors wrote.
+  void take_back() {}
+
+private:
+  T* data_;
+};
+
+// The part of the concept Backend that is about memory, for back ends whose
+// functors run on the host.
+class Host_memory {
+public:
+  template <class T>
+  using Buffer = Host_buffer<T>;
+  using Sort_table = Host_sort_table;
+
+  // To read; the table must stay as it is while the loan lives.
+  template <class T>
+  Host_loan<const T> lend(const std::vector<T>& table)
+  {
+    return Host_loan<const T>(table.data());
+  }
+
+  // To read and write, until take_back() of the loan.
+  template <class T>
+  Host_loan<T> lend_out(std::vector<T>& table)
+  {
+    return Host_loan<T>(table.data());
+  }
+
+  // The same, if the functors write it before they read it.
+  template <class T>
+  Host_loan<T> lend_empty(std::vector<T>& table)
+  {
+    return Host_loan<T>(table.data());
+  }
+
+  // n items from a buffer to the host, and back.
+  template <class T>
+  void to_host(const T* source, std::size_t n, T* target)
+  {
+    copy(source, n, target);
+  }
+
+  template <class T>
+  void from_host(const T* source, std::size_t n, T* target)
+  {
+    copy(source, n, target);
+  }
+
+protected:
+  // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece().
+  template <class Backend, class F>
+  static Host_buffer<std::uint32_t> compact_on(Backend& backend, std::size_t n, F is_kept)
+  {
+    constexpr std::size_t grain = 16384;
+    std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
+    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+      std::size_t kept = 0;
+      for(std::size_t i = first; i < last; ++i)
+        kept += is_kept(std::uint32_t(i));
+      place[first / grain + 1] = kept;
+    });
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    Host_buffer<std::uint32_t> result(place.back());
+    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+      std::size_t to = place[first / grain];
+      for(std::size_t i = first; i < last && to < place[first / grain + 1]; ++i)
+        if(is_kept(std::uint32_t(i)))
+          result[to++] = std::uint32_t(i);
+    });
+    return result;
+  }
+
+private:
+  template <class T>
+  static void copy(const T* source, std::size_t n, T* target)
+  {
+    if(n > 0)
+      std::memcpy(target, source, n * sizeof(T));
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_HOST_LOAN_H

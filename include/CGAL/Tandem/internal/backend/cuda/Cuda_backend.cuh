@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The model of Backend on a CUDA device: the current one of the calling thread.
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_BACKEND_CUH
+#define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_BACKEND_CUH
+
+#include <CGAL/Tandem/internal/backend/cuda/Device_loan.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Device_sort_table.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/kernels.cuh>
+
+#include <cub/device/device_segmented_sort.cuh>
+#include <cub/device/device_select.cuh>
+#include <thrust/iterator/counting_iterator.h>
+#include <thrust/iterator/transform_iterator.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+struct First_of_range {
+  __host__ __device__ std::int64_t operator()(const Range& r) const { return r.first; }
+};
+
+struct Last_of_range {
+  __host__ __device__ std::int64_t operator()(const Range& r) const { return r.last; }
+};
+
+class Cuda_backend {
+public:
+  template <class T>
+  using Buffer = Device_buffer<T>;
+  using Sort_table = Device_sort_table;
+
+  static const char* name() { return "cuda"; }
+
+  template <class F>
+  void for_each(std::size_t n, F f)
+  {
+    if(n == 0)
+      return;
+    Table_arena::of_thread().flush();
+    const std::size_t blocks = (std::min)((n + item_lanes - 1) / item_lanes, std::size_t(1) << 20);
+    run_items<<<unsigned(blocks), item_lanes, 0, stream_of_thread()>>>(n, f);
+    CGAL_TANDEM_CUDA_LAUNCHED();
+  }
+
+  template <class F>
+  void for_each_on_host(std::size_t n, F f)
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      f(i);
+  }
+
+  template <class Scratch, class Body>
+  void for_each_cell(std::size_t cells, Body body)
+  {
+    if(cells == 0)
+      return;
+    Table_arena::of_thread().flush();
+    if constexpr(sizeof(Scratch) <= shared_bytes)
+      run_cells<Scratch><<<unsigned(cells), cell_lanes, sizeof(Scratch), stream_of_thread()>>>(body);
+    else {
+      const std::size_t blocks = (std::min)(cells, blocks_in_turns);
+      Device_buffer<Scratch> scratch(blocks);
+      run_cells_in_turns<Scratch>
+        <<<unsigned(blocks), cell_lanes, 0, stream_of_thread()>>>(std::uint32_t(cells), body, scratch.data());
+    }
+    CGAL_TANDEM_CUDA_LAUNCHED();
+  }
+
+  void sort(Sort_table& table) { table.sort(); }
+
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size)
+  {
+    if(ranges == 0)
+      return;
+    Table_arena::of_thread().flush();
+    Device_buffer<std::uint64_t> other(size);
+    cub::DoubleBuffer<std::uint64_t> keys(key, other.data());
+    const auto first = thrust::make_transform_iterator(range, First_of_range());
+    const auto last = thrust::make_transform_iterator(range, Last_of_range());
+    with_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceSegmentedSort::SortKeys(memory, bytes, keys, std::int64_t(size), std::int64_t(ranges), first,
+                                                last, stream_of_thread());
+    });
+    if(keys.Current() != key)
+      CGAL_TANDEM_CUDA(
+        cudaMemcpyAsync(key, keys.Current(), size * sizeof(*key), cudaMemcpyDeviceToDevice, stream_of_thread()));
+  }
+
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    Table_arena::of_thread().flush();
+    Buffer<std::uint32_t> kept(n);
+    Buffer<std::int64_t> counter(1);
+    const thrust::counting_iterator<std::uint32_t> all(0);
+    with_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceSelect::If(memory, bytes, all, kept.data(), counter.data(), std::int64_t(n), is_kept,
+                                   stream_of_thread());
+    });
+    std::int64_t size = 0;
+    copy_to_host(counter.data(), 1, &size);
+    Buffer<std::uint32_t> result{std::size_t(size)};
+    if(size > 0)
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(result.data(), kept.data(), std::size_t(size) * sizeof(std::uint32_t),
+                                       cudaMemcpyDeviceToDevice, stream_of_thread()));
+    return result;
+  }
+
+  template <class T>
+  Device_loan<T> lend(const std::vector<T>& table)
+  {
+    return Device_loan<T>(table);
+  }
+
+  template <class T>
+  Device_loan_out<T> lend_out(std::vector<T>& table)
+  {
+    return Device_loan_out<T>(table, true);
+  }
+
+  template <class T>
+  Device_loan_out<T> lend_empty(std::vector<T>& table)
+  {
+    return Device_loan_out<T>(table, false);
+  }
+
+  template <class T>
+  void to_host(const T* source, std::size_t n, T* target)
+  {
+    copy_to_host(source, n, target);
+  }
+
+  template <class T>
+  void from_host(const T* source, std::size_t n, T* target)
+  {
+    copy_to_device(source, n, target);
+  }
+
+  template <class T>
+  __device__ static T atomic_add(T& target, T value)
+  {
+    return device_add(target, value);
+  }
+
+  template <class T>
+  __device__ static void atomic_min(T& target, T value)
+  {
+    device_min(target, value);
+  }
+
+  template <class T>
+  __device__ static void atomic_max(T& target, T value)
+  {
+    device_max(target, value);
+  }
+
+  template <class T>
+  __device__ static T atomic_load(const T& target)
+  {
+    return *static_cast<const volatile T*>(&target);
+  }
+
+  template <class T>
+  __device__ static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    return device_exchange_if(target, expected, value);
+  }
+
+private:
+  static constexpr std::size_t shared_bytes = 48 << 10; // what a block has on all devices
+  static constexpr std::size_t blocks_in_turns = 512;
+
+  // Algorithms of CUB are called twice: how much memory they need, then with it.
+  template <class Call>
+  static void with_memory(Call call)
+  {
+    std::size_t bytes = 0;
+    CGAL_TANDEM_CUDA(call(nullptr, bytes));
+    Device_buffer<unsigned char> memory(bytes + 1);
+    CGAL_TANDEM_CUDA(call(memory.data(), bytes));
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_BACKEND_CUH

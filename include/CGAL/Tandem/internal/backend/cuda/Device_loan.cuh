@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_LOAN_CUH
+#define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_LOAN_CUH
+
+#include <CGAL/Tandem/internal/backend/cuda/Table_arena.cuh>
+
+#include <cstring>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A table of the host on the device: in the arena, or if it is too large for that in
+// memory of its own.
+template <class T>
+class Table_on_device {
+public:
+  Table_on_device(const T* table, std::size_t size, bool is_read) : bytes_(size * sizeof(T))
+  {
+    piece_ = Table_arena::of_thread().take(bytes_);
+    if(piece_.host != nullptr && is_read)
+      std::memcpy(piece_.host, table, bytes_);
+    if(piece_.host != nullptr)
+      return;
+    own_.reset(size);
+    if(is_read)
+      copy_to_device(table, size, own_.data());
+  }
+
+  ~Table_on_device()
+  {
+    if(piece_.host != nullptr)
+      Table_arena::of_thread().give_back();
+  }
+
+  Table_on_device(const Table_on_device&) = delete;
+  Table_on_device& operator=(const Table_on_device&) = delete;
+
+  T* data() const { return piece_.host != nullptr ? reinterpret_cast<T*>(piece_.device) : const_cast<T*>(own_.data()); }
+
+  void fetch(T* table)
+  {
+    if(piece_.host == nullptr)
+      return copy_to_host(own_.data(), own_.size(), table);
+    if(bytes_ == 0)
+      return;
+    Table_arena::of_thread().fetch(piece_, bytes_);
+    std::memcpy(table, piece_.host, bytes_);
+  }
+
+private:
+  std::size_t bytes_;
+  Table_arena::Piece piece_;
+  Device_buffer<T> own_;
+};
+
+// To read.
+template <class T>
+class Device_loan {
+public:
+  explicit Device_loan(const std::vector<T>& table) : table_(table.data(), table.size(), true) {}
+
+  const T* data() const { return table_.data(); }
+
+private:
+  Table_on_device<T> table_;
+};
+
+// To write, or to read and write; the host has the changes after take_back().
+template <class T>
+class Device_loan_out {
+public:
+  Device_loan_out(std::vector<T>& table, bool is_read) : host_(table), table_(table.data(), table.size(), is_read) {}
+
+  T* data() const { return table_.data(); }
+
+  void take_back() { table_.fetch(host_.data()); }
+
+private:
+  std::vector<T>& host_;
+  Table_on_device<T> table_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_LOAN_CUH

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Copies between host and device on the stream of the thread.
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_COPY_CUH
+#define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_COPY_CUH
+
+#include <CGAL/Tandem/internal/backend/cuda/Device_buffer.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Pinned_memory.cuh>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Small tables go through the pinned memory of the thread: what is copied from it
+// must stay until the stream has come that far.
+class Staging {
+public:
+  static Staging& of_thread()
+  {
+    thread_local Staging staging;
+    return staging;
+  }
+
+  // Waits where there is no room. At most Pinned_block::bytes.
+  char* take(std::size_t bytes)
+  {
+    if(block_ == nullptr)
+      block_ = std::make_unique<Pinned_block>();
+    if(used_ + bytes > Pinned_block::bytes)
+      synchronize();
+    char* const memory = block_->data() + used_;
+    used_ += (bytes + 63) / 64 * 64;
+    return memory;
+  }
+
+  void synchronize()
+  {
+    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+    used_ = 0;
+  }
+
+private:
+  std::unique_ptr<Pinned_block> block_;
+  std::size_t used_ = 0;
+};
+
+// Everything that this thread has asked for is done.
+inline void synchronize() { Staging::of_thread().synchronize(); }
+
+// The source may be changed afterwards.
+template <class T>
+void copy_to_device(const T* source, std::size_t n, T* target)
+{
+  if(n == 0)
+    return;
+  const std::size_t bytes = n * sizeof(T);
+  const void* from = source;
+  if(bytes <= Pinned_block::bytes) {
+    char* const memory = Staging::of_thread().take(bytes);
+    std::memcpy(memory, source, bytes);
+    from = memory;
+  }
+  CGAL_TANDEM_CUDA(cudaMemcpyAsync(target, from, bytes, cudaMemcpyHostToDevice, stream_of_thread()));
+}
+
+class Event {
+public:
+  Event() { CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming)); }
+  ~Event() { static_cast<void>(cudaEventDestroy(event_)); }
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
+
+  void record() { CGAL_TANDEM_CUDA(cudaEventRecord(event_, stream_of_thread())); }
+  void wait() { CGAL_TANDEM_CUDA(cudaEventSynchronize(event_)); }
+
+private:
+  cudaEvent_t event_ = nullptr;
+};
+
+// In two halves of the pinned memory: one is emptied while the other one is filled.
+inline void copy_large_to_host(const char* source, std::size_t bytes, char* target)
+{
+  constexpr std::size_t half = Pinned_block::bytes / 2;
+  Pinned_block block;
+  Event filled[2];
+  const std::size_t pieces = (bytes + half - 1) / half;
+  const auto size = [&](std::size_t piece) { return (std::min)(half, bytes - piece * half); };
+  for(std::size_t piece = 0; piece <= pieces; ++piece) {
+    if(piece < pieces) {
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(block.data() + piece % 2 * half, source + piece * half, size(piece),
+                                       cudaMemcpyDeviceToHost, stream_of_thread()));
+      filled[piece % 2].record();
+    }
+    if(piece > 0) {
+      filled[(piece - 1) % 2].wait();
+      std::memcpy(target + (piece - 1) * half, block.data() + (piece - 1) % 2 * half, size(piece - 1));
+    }
+  }
+}
+
+// Waits for the items.
+template <class T>
+void copy_to_host(const T* source, std::size_t n, T* target)
+{
+  if(n == 0)
+    return synchronize();
+  const std::size_t bytes = n * sizeof(T);
+  if(bytes > Pinned_block::bytes)
+    return copy_large_to_host(reinterpret_cast<const char*>(source), bytes, reinterpret_cast<char*>(target));
+  char* const memory = Staging::of_thread().take(bytes);
+  CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, bytes, cudaMemcpyDeviceToHost, stream_of_thread()));
+  synchronize();
+  std::memcpy(target, memory, bytes);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_CUDA_COPY_CUH

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The border to the CUDA back end: plain data, seen by both compilers. What is
+// declared here is in the library tandem_cuda.
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_API_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_API_H
+
+#include <CGAL/Tandem/internal/Engine_result.h>
+#include <CGAL/Tandem/internal/Import.h>
+
+#include <memory>
+#include <string>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Engine<Cuda_backend> on the device that is current when it is made. It may be used
+// by one thread at a time, whatever the current device of that is.
+class Cuda_engine {
+public:
+  // Throws std::runtime_error without a device and for failures of it, std::length_error
+  // if the device has not enough memory.
+  Cuda_engine(Import& in, const Parameters& parameters);
+
+  // What the engines of the host are made of; that of the host has nothing to do.
+  template <class Backend>
+  Cuda_engine(Backend&, Import& in, const Parameters& parameters) : Cuda_engine(in, parameters)
+  {}
+
+  ~Cuda_engine();
+  Cuda_engine(const Cuda_engine&) = delete;
+  Cuda_engine& operator=(const Cuda_engine&) = delete;
+
+  static const char* name() { return "cuda"; }
+
+  bool iterate();
+  void finish();
+  double progress() const;
+  Engine_result result();
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+bool is_cuda_available();
+std::string cuda_device_report();
+void release_cuda_memory();
+
+// The number of points for which the current device has memory now.
+std::size_t cuda_capacity(std::size_t k_neighbors, bool has_normals);
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_API_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The whole loop, compiled for the device.
+
+#pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
+
+#include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Cuda_neighbors.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// What the device does in its own way. Both are defined without reference to it.
+inline Device_buffer<Grid_point> import_points(Cuda_backend&, Import& in)
+{
+  Device_buffer<Grid_point> point(in.size());
+  fill_from_host(point.data(), in.size(), Place_on_grid(in));
+  return point;
+}
+
+inline void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
+{
+  Device_buffer<unsigned char> scratch(neighbor_scratch_bytes(n));
+  find_neighbors_cuda(point, n, k, out, scratch.data(), stream_of_thread());
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#include <CGAL/Tandem/internal/Engine.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Makes a device the current one for a while.
+class Device_guard {
+public:
+  explicit Device_guard(int device) : before_(current_device())
+  {
+    if(device != before_)
+      CGAL_TANDEM_CUDA(cudaSetDevice(device));
+  }
+
+  ~Device_guard() { static_cast<void>(cudaSetDevice(before_)); }
+  Device_guard(const Device_guard&) = delete;
+  Device_guard& operator=(const Device_guard&) = delete;
+
+private:
+  int before_;
+};
+
+struct Cuda_engine::Implementation {
+  Implementation(Import& in, const Parameters& parameters) : device(current_device()), engine(backend, in, parameters)
+  {
+    synchronize();
+  }
+
+  int device;
+  Cuda_backend backend;
+  Engine<Cuda_backend> engine;
+};
+
+namespace {
+
+// In the largest stage; see bytes_per_point() for the tables of the host.
+std::size_t device_bytes_per_point(std::size_t k_neighbors, bool has_normals)
+{
+  return 16 + 4 + 4 * k_neighbors + (has_normals ? 44 : 108);
+}
+
+void require_device()
+{
+  if(!is_cuda_available())
+    throw std::runtime_error("Cuda_tag: there is no CUDA device; use Cuda_if_available_tag, or another tag");
+}
+
+void require_memory(std::size_t points, std::size_t k_neighbors, bool has_normals)
+{
+  const std::size_t capacity = cuda_capacity(k_neighbors, has_normals);
+  if(points > capacity)
+    throw std::length_error("the cloud has " + to_text(points) + " points, the CUDA device has memory for " +
+                            to_text(capacity) + ": use fewer points, a smaller k_neighbors or another tag");
+}
+
+} // namespace
+
+Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
+{
+  require_device();
+  require_memory(in.size(), parameters.k_neighbors, in.has_normals);
+  implementation_ = std::make_unique<Implementation>(in, parameters);
+}
+
+Cuda_engine::~Cuda_engine()
+{
+  if(implementation_ == nullptr)
+    return;
+  int before = 0;
+  static_cast<void>(cudaGetDevice(&before));
+  static_cast<void>(cudaSetDevice(implementation_->device));
+  implementation_.reset();
+  static_cast<void>(cudaSetDevice(before));
+}
+
+bool Cuda_engine::iterate()
+{
+  const Device_guard guard(implementation_->device);
+  const bool is_going_on = implementation_->engine.iterate();
+  synchronize();
+  return is_going_on;
+}
+
+void Cuda_engine::finish()
+{
+  const Device_guard guard(implementation_->device);
+  implementation_->engine.finish();
+  synchronize();
+}
+
+double Cuda_engine::progress() const { return implementation_->engine.progress(); }
+
+Engine_result Cuda_engine::result()
+{
+  const Device_guard guard(implementation_->device);
+  return implementation_->engine.result();
+}
+
+bool is_cuda_available()
+{
+  int devices = 0;
+  const bool is_available = cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0;
+  static_cast<void>(cudaGetLastError());
+  return is_available;
+}
+
+std::string cuda_device_report()
+{
+  if(!is_cuda_available())
+    return "no CUDA device";
+  cudaDeviceProp properties;
+  CGAL_TANDEM_CUDA(cudaGetDeviceProperties(&properties, current_device()));
+  return std::string(properties.name) + ", " + std::to_string(properties.totalGlobalMem >> 20) +
+         " MiB, compute capability " + std::to_string(properties.major) + "." + std::to_string(properties.minor);
+}
+
+void release_cuda_memory()
+{
+  Pinned_block::release();
+  Memory_pools::trim();
+}
+
+std::size_t cuda_capacity(std::size_t k_neighbors, bool has_normals)
+{
+  std::size_t free = 0, total = 0;
+  CGAL_TANDEM_CUDA(cudaMemGetInfo(&free, &total));
+  std::uint64_t reserved = 0, used = 0;
+  const cudaMemPool_t pool = Memory_pools::of_device(current_device());
+  CGAL_TANDEM_CUDA(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrReservedMemCurrent, &reserved));
+  CGAL_TANDEM_CUDA(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrUsedMemCurrent, &used));
+  const std::size_t there = free + std::size_t(reserved - used);
+  const std::size_t tables = std::size_t(64) << 20; // of leaves and shapes
+  return there > tables ? (there - tables) / device_bytes_per_point(k_neighbors, has_normals) : 0;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL

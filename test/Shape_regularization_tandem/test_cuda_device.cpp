@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuda_tag as a guest of its process: several threads, the current device, memory that
+// is kept and given back, memory that is too small.
+//   test_cuda_device [RUNS]   checks, too, that so many runs do not lose memory
+
+#undef NDEBUG
+
+#include "cuda_support.h"
+
+#include <cuda_runtime_api.h>
+
+#include <cstdlib>
+#include <thread>
+
+using CGAL::Tandem::Cuda_if_available_tag;
+
+std::size_t free_memory()
+{
+  std::size_t free = 0, total = 0;
+  CHECK(cudaMemGetInfo(&free, &total) == cudaSuccess);
+  return free;
+}
+
+// All at the same time, each thread with a cloud of its own and once with the first.
+void test_threads()
+{
+  constexpr std::size_t number = 6;
+  const char* names[number] = {"house", "village", "indoor", "part", "cube", "staircase"};
+  const Parameters parameters = make_parameters(.03, 40);
+  std::vector<Cloud> clouds;
+  std::vector<std::uint64_t> expected;
+  for(const char* name : names) {
+    clouds.push_back(make_cloud(name, 20000));
+    expected.push_back(detect(clouds.back(), parameters).hash());
+  }
+  std::vector<int> wrong(number, 0);
+  std::vector<std::thread> threads;
+  for(std::size_t t = 0; t < number; ++t)
+    threads.emplace_back([&, t] {
+      for(int run = 0; run < 4; ++run) {
+        wrong[t] += detect<Cuda_tag>(clouds[t], parameters).hash() != expected[t];
+        wrong[t] += detect<Cuda_tag>(clouds[0], parameters).hash() != expected[0];
+      }
+    });
+  for(std::thread& thread : threads)
+    thread.join();
+  for(std::size_t t = 0; t < number; ++t)
+    check_equal(wrong[t], 0, "wrong results of thread " + std::to_string(t));
+}
+
+// A detection that is made by one thread and finished by another one.
+void test_moves_between_threads()
+{
+  const Cloud cloud = make_cloud("house", 20000);
+  const auto list = CGAL::Tandem::parameters::settings(make_parameters(.05, 40))
+                      .point_map(First<Kernel>())
+                      .normal_map(Second<Kernel>());
+  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Cuda_tag>;
+  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(cloud, list);
+  std::thread([&] { detection.detect(); }).join();
+  CHECK(detection.shapes().hash() == detect(cloud, make_parameters(.05, 40)).hash());
+}
+
+// On each device there is; the current one stays what it was.
+void test_current_device()
+{
+  int devices = 0;
+  CHECK(cudaGetDeviceCount(&devices) == cudaSuccess);
+  const Cloud cloud = make_cloud("house", 10000);
+  const std::uint64_t expected = detect(cloud, make_parameters(.05, 40)).hash();
+  for(int device = devices - 1; device >= 0; --device) {
+    CHECK(cudaSetDevice(device) == cudaSuccess);
+    CHECK_AT(detect<Cuda_tag>(cloud, make_parameters(.05, 40)).hash() == expected, std::to_string(device));
+    int now = -1;
+    CHECK(cudaGetDevice(&now) == cudaSuccess);
+    check_equal(now, device, "current device");
+    CHECK(cudaGetLastError() == cudaSuccess);
+  }
+}
+
+// What a run keeps for the next one is given back, as often as asked for.
+void test_release()
+{
+  const Cloud cloud = make_cloud("village", 300000);
+  CGAL::Tandem::release_memory();
+  const Shapes first = detect<Cuda_tag>(cloud, make_parameters(.05, 100));
+  const std::size_t before = free_memory();
+  CGAL::Tandem::release_memory();
+  const std::size_t released = free_memory();
+  CHECK_AT(released > before, std::to_string(before) + " bytes free before release_memory()");
+  CGAL::Tandem::release_memory();
+  check_equal(free_memory(), released, "free memory after the second release_memory()");
+  CHECK(detect<Cuda_tag>(cloud, make_parameters(.05, 100)).hash() == first.hash());
+}
+
+// Another user of the device leaves memory for about fifty thousand points.
+void test_too_large_cloud()
+{
+  const Cloud cloud = make_cloud("house", 120000);
+  const Parameters parameters = make_parameters(.05, 100);
+  const std::uint64_t expected = detect(cloud, parameters).hash();
+  CGAL::Tandem::release_memory();
+  const std::size_t left = std::size_t(70) << 20;
+  void* block = nullptr;
+  CHECK(free_memory() > left && cudaMalloc(&block, free_memory() - left) == cudaSuccess);
+  check_throws<std::length_error>([&] { detect<Cuda_tag>(cloud, parameters); },
+                                  {"the cloud has 120000 points", "the CUDA device has memory for", "k_neighbors"},
+                                  __LINE__);
+  const Shapes on_host = detect<Cuda_if_available_tag>(cloud, parameters);
+  CHECK(on_host.hash() == expected && on_host.statistics().backend != std::string("cuda"));
+  CHECK(cudaFree(block) == cudaSuccess);
+  const Shapes on_device = detect<Cuda_if_available_tag>(cloud, parameters);
+  CHECK(on_device.hash() == expected && on_device.statistics().backend == std::string("cuda"));
+}
+
+// The first runs find out how much memory is kept.
+void test_loop(int runs)
+{
+  const Cloud cloud = make_cloud("house", 20000);
+  const Parameters parameters = make_parameters(.05, 40);
+  const std::uint64_t expected = detect(cloud, parameters).hash();
+  std::size_t settled = 0;
+  for(int run = 0; run < runs; ++run) {
+    const Given given = run % 2 == 0 ? Given::normals : Given::nothing;
+    const std::uint64_t hash = detect<Cuda_tag>(cloud, parameters, given).hash();
+    CHECK_AT(given == Given::nothing || hash == expected, "run " + std::to_string(run));
+    if(run == 9)
+      settled = free_memory();
+  }
+  if(runs > 10)
+    check_equal(free_memory(), settled, "free memory after " + std::to_string(runs) + " runs");
+}
+
+int main(int argc, char** argv)
+{
+  if(!has_device())
+    return exit_skipped;
+  if(argc > 1) {
+    test_loop(std::atoi(argv[1]));
+    return report();
+  }
+  test_threads();
+  test_moves_between_threads();
+  test_current_device();
+  test_release();
+  test_too_large_cloud();
+  test_loop(30);
+  return report();
+}
