@@ -25,6 +25,9 @@
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
+# The CUDA back end takes minutes to compile: only for the device that is there.
+cuda=-DTANDEM_WITH_CUDA=OFF
+if nvidia-smi > /dev/null 2>&1; then cuda="-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=native"; fi
 build=${TANDEM_BUILD_DIR:-$root/build/benchmark}
 jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 program=$build/benchmark/Shape_regularization_tandem/tandem_benchmark
@@ -43,7 +46,8 @@ install()
 build_program()
 {
   mkdir -p "$result/clouds"
-  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=OFF \
+  # shellcheck disable=SC2086
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release $cuda -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=OFF \
     -DTANDEM_BUILD_BENCHMARKS=ON > "$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
   echo "Building the benchmark (a few minutes) ..."
   cmake --build "$build" -j "$jobs" --target tandem_benchmark > "$build/build.log" 2>&1 ||

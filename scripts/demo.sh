@@ -11,6 +11,9 @@
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
+# The CUDA back end takes minutes to compile: only for the device that is there.
+cuda=-DTANDEM_WITH_CUDA=OFF
+if nvidia-smi > /dev/null 2>&1; then cuda="-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=native"; fi
 build=${TANDEM_BUILD_DIR:-$root/build/release}
 result=$build/demo
 cloud=$result/building.ply
@@ -29,7 +32,7 @@ mkdir -p "$result"
 install_packages
 "$root/scripts/sample_cloud.sh" "$cloud"
 
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON \
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release $cuda -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON \
   -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" > "$result/cmake.log" 2>&1 ||
   { cat "$result/cmake.log" >&2; fail "cmake failed"; }
 echo "Building detect_planes (a minute or so) ..."
