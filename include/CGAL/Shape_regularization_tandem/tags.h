@@ -49,7 +49,7 @@ struct Backend_of {
                 "or use Cuda_if_available_tag.");
   static_assert(!std::is_convertible<Tag, CGAL::Parallel_tag>::value,
                 "Parallel_tag is enabled but TBB is unavailable.");
-  static_assert(std::is_convertible<Tag, CGAL::Sequential_tag>::value,
+  static_assert(std::is_convertible<Tag, CGAL::Sequential_tag>::value || std::is_same<Tag, Cuda_tag>::value,
                 "The concurrency tag is one of Sequential_tag, Parallel_tag, Parallel_if_available_tag, Cuda_tag, "
                 "Cuda_if_available_tag.");
   using type = Sequential_backend;
