@@ -4,8 +4,9 @@
 #
 # Installs what is missing, builds and runs all tests: the release build with TBB, then
 # a choice of them without TBB, under ASan + UBSan, and under TSan; and the benchmark in small,
-# which fails where a result of Tandem is wrong or differs between back ends.
-#   test.sh [release] [sequential] [asan] [tsan] [cuda] [benchmark]    only these (default: all of them)
+# which fails where a result of Tandem is wrong or differs between back ends. The manual has to
+# build without a warning.
+#   test.sh [release] [sequential] [asan] [tsan] [cuda] [benchmark] [doc]    only these (default: all of them)
 # Where there is a CUDA compiler, the CUDA back end is built for one architecture, too;
 # its tests are skipped without a device.
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
@@ -82,12 +83,18 @@ run_benchmark()
     { cat "$build/benchmark.log" >&2; fail "the benchmark failed"; }
 }
 
-[ $# -gt 0 ] || set -- release sequential asan tsan cuda benchmark
+run_doc()
+{
+  echo "== doc"
+  "$root/scripts/doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual has warnings"; }
+}
+
+[ $# -gt 0 ] || set -- release sequential asan tsan cuda benchmark doc
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh"
 for part in "$@"; do
   case $part in
-    release | sequential | asan | tsan | cuda | benchmark) "run_$part" ;;
-    *) fail "unknown configuration $part; choose of release sequential asan tsan cuda benchmark" ;;
+    release | sequential | asan | tsan | cuda | benchmark | doc) "run_$part" ;;
+    *) fail "unknown configuration $part; choose of release sequential asan tsan cuda benchmark doc" ;;
   esac
 done
 echo "test.sh: all tests passed ($*)"

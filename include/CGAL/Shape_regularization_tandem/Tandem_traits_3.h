@@ -77,6 +77,7 @@ template <class GeomTraits, class PointRange, class PointMap, class NormalMap = 
           class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 class Tandem_traits_3 : public internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap> {
 public:
+  /// what executes, as it was asked for
   using Concurrency_tag = ConcurrencyTag;
 
   /// executes what is to be done at the border to the caller
@@ -84,8 +85,11 @@ public:
   /// executes the method, on the same back end
   using Engine = typename internal::Execution<ConcurrencyTag>::Engine;
 
+  /// \cond SKIP_IN_MANUAL
   using internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>::Tandem_geometry_3;
+  /// \endcond
 
+  /// a new back end
   Backend backend() const { return Backend(); }
 };
 
@@ -102,6 +106,7 @@ template <class GeomTraits, class PointRange, class PointMap, class NormalMap>
 class Tandem_traits_3<GeomTraits, PointRange, PointMap, NormalMap, Cuda_tag>
   : public internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap> {
 public:
+  /// a CUDA device
   using Concurrency_tag = Cuda_tag;
 
   /// executes what is to be done at the border to the caller, on the host
@@ -109,8 +114,11 @@ public:
   /// executes the method on the device
   using Engine = internal::Cuda_engine;
 
+  /// \cond SKIP_IN_MANUAL
   using internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>::Tandem_geometry_3;
+  /// \endcond
 
+  /// a new back end
   Backend backend() const { return Backend(); }
 };
 
