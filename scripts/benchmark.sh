@@ -27,7 +27,11 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 # The CUDA back end takes minutes to compile: only for the device that is there.
 cuda=-DTANDEM_WITH_CUDA=OFF
-if nvidia-smi > /dev/null 2>&1; then cuda="-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=native"; fi
+architecture=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2> /dev/null | head -n 1 | tr -d .)
+case $architecture in
+  '' | *[!0-9]*) ;;
+  *) cuda="-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=$architecture" ;;
+esac
 build=${TANDEM_BUILD_DIR:-$root/build/benchmark}
 jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 program=$build/benchmark/Shape_regularization_tandem/tandem_benchmark

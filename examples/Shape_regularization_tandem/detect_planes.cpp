@@ -114,29 +114,36 @@ Shapes detect(const Point_set& points, const Options& o, Progress_bar& progress)
   return CGAL::Tandem::detect_planes<Tag>(points, all);
 }
 
-Shapes detect_on_backend(const Point_set& points, const Options& o, Run& run)
+Shapes detect_on_backend(const Point_set& points, const Options& o)
 {
   Progress_bar progress(!o.is_quiet);
-  run.threads = 1;
 #ifdef CGAL_TANDEM_USE_CUDA
-  if(o.backend == "cuda") {
-    run.device = CGAL::Tandem::cuda_device_report();
+  if(o.backend == "cuda")
     return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
-  }
-  if(o.backend == "auto" && CGAL::Tandem::cuda_available()) {
-    run.device = CGAL::Tandem::cuda_device_report();
+  if(o.backend == "auto")
     return detect<CGAL::Tandem::Cuda_if_available_tag>(points, o, progress);
-  }
 #endif
 #ifdef CGAL_LINKED_WITH_TBB
-  if(o.backend != "sequential") {
-    run.threads = tbb::this_task_arena::max_concurrency();
-    if(o.threads)
-      run.threads = (std::min)(run.threads, int(*o.threads));
+  if(o.backend != "sequential")
     return detect<CGAL::Parallel_tag>(points, o, progress);
-  }
 #endif
   return detect<CGAL::Sequential_tag>(points, o, progress);
+}
+
+// What the back end that was chosen in the end ran on.
+void name_device(const Shapes& shapes, const Options& o, Run& run)
+{
+  if(shapes.statistics().backend == "cuda")
+    run.device = CGAL::Tandem::cuda_device_report();
+#ifdef CGAL_LINKED_WITH_TBB
+  if(shapes.statistics().backend != "parallel")
+    return;
+  run.threads = tbb::this_task_arena::max_concurrency();
+  if(o.threads)
+    run.threads = (std::min)(run.threads, int(*o.threads));
+#else
+  static_cast<void>(o);
+#endif
 }
 
 // The files that are asked for, opened before the work starts, so that a bad name costs no time.
@@ -207,7 +214,8 @@ void run(const Options& o)
   Output_files files(o);
   prepare_normals(points, o, run);
 
-  const Shapes shapes = detect_on_backend(points, o, run);
+  const Shapes shapes = detect_on_backend(points, o);
+  name_device(shapes, o, run);
   if(shapes.is_cancelled() || is_interrupted())
     throw Interrupted();
   files.write(points, shapes, run);

@@ -169,7 +169,7 @@ void test_rounds()
 {
   for(const char* name : {"house", "staircase", "village"}) {
     const Cloud cloud = make_cloud(name, 20000);
-    Parameters parameters = make_parameters(.03, 40);
+    Parameters parameters = make_parameters(.3, 40);
     parameters.cell_size = 1000;
     compare_rounds<Second<Kernel>>(name, cloud, parameters);
     compare_rounds<CGAL::Default>(name + std::string(", own normals"), cloud, parameters);

@@ -53,8 +53,13 @@ inline Regularity_options check_plane_options(const Parameters& p, bool has_dist
   check_length("maximum_offset", p.maximum_offset, 0);
   if(has_distance)
     check_length("maximum_distance", p.maximum_distance, 1e-270);
-  return {p.maximum_angle,          p.maximum_offset,           p.maximum_distance,
-          p.regularize_parallelism, p.regularize_orthogonality, p.regularize_coplanarity, true};
+  return {p.maximum_angle,
+          p.maximum_offset,
+          p.maximum_distance,
+          p.regularize_parallelism,
+          p.regularize_orthogonality,
+          p.regularize_coplanarity,
+          true};
 }
 
 // The plane of each imported point.

@@ -52,8 +52,10 @@ class Misfit_counter {
 public:
   // ids: the shapes that may be asked for. Points keep their labels until the last question.
   Misfit_counter(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
-    : t_(t), mask_(t.shapes.size(), nobody), sample_(t.cloud.size), range_(t.number_of_cells)
+    : t_(t), mask_(t.shapes.size(), nobody), sample_(ids.empty() ? 0 : t.cloud.size), range_(t.number_of_cells)
   {
+    if(ids.empty())
+      return;
     for(std::uint32_t id : ids)
       mask_[id] = sample_mask(t.shapes[id]);
     const auto mask = t.backend.lend(mask_);

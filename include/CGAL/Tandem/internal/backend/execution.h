@@ -13,6 +13,7 @@
 #endif
 
 #include <memory>
+#include <stdexcept>
 
 namespace CGAL {
 namespace Tandem {
@@ -33,7 +34,7 @@ class Cuda_or_host_engine {
 public:
   Cuda_or_host_engine(Backend& backend, Import& in, const Parameters& parameters)
   {
-    if(is_cuda_available() && in.size() <= cuda_capacity(parameters.k_neighbors, in.has_normals))
+    if(fits_on_device(in, parameters))
       device_ = std::make_unique<Cuda_engine>(in, parameters);
     else
       host_ = std::make_unique<Engine<Backend>>(backend, in, parameters);
@@ -46,6 +47,16 @@ public:
   Engine_result result() { return device_ ? device_->result() : host_->result(); }
 
 private:
+  // A device may be there, but busy or reserved.
+  static bool fits_on_device(const Import& in, const Parameters& parameters)
+  {
+    try {
+      return is_cuda_available() && in.size() <= cuda_capacity(parameters, in.has_normals);
+    } catch(const std::runtime_error&) {
+      return false;
+    }
+  }
+
   std::unique_ptr<Cuda_engine> device_;
   std::unique_ptr<Engine<Backend>> host_;
 };

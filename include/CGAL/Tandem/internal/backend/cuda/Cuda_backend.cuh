@@ -173,7 +173,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t shared_bytes = 48 << 10; // what a block has on all devices
+  static constexpr std::size_t shared_bytes = 47 << 10; // what a block has on all devices, less its own
   static constexpr std::size_t blocks_in_turns = 512;
 
   // Algorithms of CUB are called twice: how much memory they need, then with it.

@@ -20,7 +20,7 @@ class Table_on_device {
 public:
   Table_on_device(const T* table, std::size_t size, bool is_read) : bytes_(size * sizeof(T))
   {
-    piece_ = Table_arena::of_thread().take(bytes_);
+    piece_ = arena_.take(bytes_);
     if(piece_.host != nullptr && is_read)
       std::memcpy(piece_.host, table, bytes_);
     if(piece_.host != nullptr)
@@ -33,7 +33,7 @@ public:
   ~Table_on_device()
   {
     if(piece_.host != nullptr)
-      Table_arena::of_thread().give_back();
+      arena_.give_back();
   }
 
   Table_on_device(const Table_on_device&) = delete;
@@ -47,11 +47,12 @@ public:
       return copy_to_host(own_.data(), own_.size(), table);
     if(bytes_ == 0)
       return;
-    Table_arena::of_thread().fetch(piece_, bytes_);
+    arena_.fetch(piece_, bytes_);
     std::memcpy(table, piece_.host, bytes_);
   }
 
 private:
+  Table_arena& arena_ = Table_arena::of_thread();
   std::size_t bytes_;
   Table_arena::Piece piece_;
   Device_buffer<T> own_;

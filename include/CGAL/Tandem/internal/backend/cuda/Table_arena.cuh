@@ -37,6 +37,7 @@ public:
     int before = 0;
     static_cast<void>(cudaGetDevice(&before));
     static_cast<void>(cudaSetDevice(device_number_));
+    static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
     device_.release();
     static_cast<void>(cudaSetDevice(before));
   }
@@ -73,6 +74,7 @@ public:
   // What functors wrote is there on the host, too.
   void fetch(const Piece& piece, std::size_t size)
   {
+    flush(); // there may have been nothing to run
     CGAL_TANDEM_CUDA(cudaMemcpyAsync(piece.host, piece.device, size, cudaMemcpyDeviceToHost, stream_of_thread()));
     synchronize();
     is_sending_ = false;

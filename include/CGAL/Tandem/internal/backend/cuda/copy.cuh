@@ -27,6 +27,13 @@ public:
     return staging;
   }
 
+  Staging() = default;
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  // After a failure there may be copies under way.
+  ~Staging() { static_cast<void>(cudaStreamSynchronize(stream_of_thread())); }
+
   // Waits where there is no room. At most Pinned_block::bytes.
   char* take(std::size_t bytes)
   {
@@ -67,12 +74,21 @@ void copy_to_device(const T* source, std::size_t n, T* target)
     from = memory;
   }
   CGAL_TANDEM_CUDA(cudaMemcpyAsync(target, from, bytes, cudaMemcpyHostToDevice, stream_of_thread()));
+  if(from == source)
+    synchronize();
 }
 
+// Waits at its end for what it has recorded.
 class Event {
 public:
   Event() { CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming)); }
-  ~Event() { static_cast<void>(cudaEventDestroy(event_)); }
+
+  ~Event()
+  {
+    static_cast<void>(cudaEventSynchronize(event_));
+    static_cast<void>(cudaEventDestroy(event_));
+  }
+
   Event(const Event&) = delete;
   Event& operator=(const Event&) = delete;
 

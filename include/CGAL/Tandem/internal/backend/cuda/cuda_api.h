@@ -46,12 +46,13 @@ private:
   std::unique_ptr<Implementation> implementation_;
 };
 
+// Whether the current device can run the kernels of the library.
 bool is_cuda_available();
 std::string cuda_device_report();
 void release_cuda_memory();
 
 // The number of points for which the current device has memory now.
-std::size_t cuda_capacity(std::size_t k_neighbors, bool has_normals);
+std::size_t cuda_capacity(const Parameters& parameters, bool has_normals);
 
 } // namespace internal
 } // namespace Tandem

@@ -69,9 +69,11 @@ struct Cuda_engine::Implementation {
 namespace {
 
 // In the largest stage; see bytes_per_point() for the tables of the host.
-std::size_t device_bytes_per_point(std::size_t k_neighbors, bool has_normals)
+std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
 {
-  return 16 + 4 + 4 * k_neighbors + (has_normals ? 44 : 108);
+  constexpr std::size_t leaf = 3584;                 // lists, links, sums of new shapes
+  const std::size_t leaves = 4 * leaf / p.cell_size; // many are far from full
+  return 16 + 4 + 4 * p.k_neighbors + (has_normals ? 44 : 108) + leaves + 1;
 }
 
 void require_device()
@@ -80,9 +82,9 @@ void require_device()
     throw std::runtime_error("Cuda_tag: there is no CUDA device; use Cuda_if_available_tag, or another tag");
 }
 
-void require_memory(std::size_t points, std::size_t k_neighbors, bool has_normals)
+void require_memory(std::size_t points, const Parameters& parameters, bool has_normals)
 {
-  const std::size_t capacity = cuda_capacity(k_neighbors, has_normals);
+  const std::size_t capacity = cuda_capacity(parameters, has_normals);
   if(points > capacity)
     throw std::length_error("the cloud has " + to_text(points) + " points, the CUDA device has memory for " +
                             to_text(capacity) + ": use fewer points, a smaller k_neighbors or another tag");
@@ -93,7 +95,7 @@ void require_memory(std::size_t points, std::size_t k_neighbors, bool has_normal
 Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
 {
   require_device();
-  require_memory(in.size(), parameters.k_neighbors, in.has_normals);
+  require_memory(in.size(), parameters, in.has_normals);
   implementation_ = std::make_unique<Implementation>(in, parameters);
 }
 
@@ -133,8 +135,12 @@ Engine_result Cuda_engine::result()
 
 bool is_cuda_available()
 {
-  int devices = 0;
-  const bool is_available = cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0;
+  int devices = 0, device = 0, has_pools = 0;
+  cudaFuncAttributes attributes; // of a kernel: the device can run it
+  const bool is_available =
+    cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0 && cudaGetDevice(&device) == cudaSuccess &&
+    cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device) == cudaSuccess && has_pools != 0 &&
+    cudaFuncGetAttributes(&attributes, reinterpret_cast<const void*>(&run_items<Forget_interior>)) == cudaSuccess;
   static_cast<void>(cudaGetLastError());
   return is_available;
 }
@@ -151,11 +157,14 @@ std::string cuda_device_report()
 
 void release_cuda_memory()
 {
+  if(!is_cuda_available())
+    return;
+  CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
   Pinned_block::release();
   Memory_pools::trim();
 }
 
-std::size_t cuda_capacity(std::size_t k_neighbors, bool has_normals)
+std::size_t cuda_capacity(const Parameters& parameters, bool has_normals)
 {
   std::size_t free = 0, total = 0;
   CGAL_TANDEM_CUDA(cudaMemGetInfo(&free, &total));
@@ -165,7 +174,7 @@ std::size_t cuda_capacity(std::size_t k_neighbors, bool has_normals)
   CGAL_TANDEM_CUDA(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrUsedMemCurrent, &used));
   const std::size_t there = free + std::size_t(reserved - used);
   const std::size_t tables = std::size_t(64) << 20; // of leaves and shapes
-  return there > tables ? (there - tables) / device_bytes_per_point(k_neighbors, has_normals) : 0;
+  return there > tables ? (there - tables) / device_bytes_per_point(parameters, has_normals) : 0;
 }
 
 } // namespace internal
