@@ -87,6 +87,7 @@ struct Tied_point {
   std::uint64_t code, code_inside;
   Grid_point point;
   std::uint32_t index;
+  std::uint32_t gap = 0; // without it there were bytes that nobody writes
 };
 
 template <class Table>

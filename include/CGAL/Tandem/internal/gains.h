@@ -15,6 +15,7 @@ namespace internal {
 
 struct Gain {
   std::uint32_t id;
+  std::uint32_t gap = 0; // without it there were bytes that nobody writes
   Shared_moments sums;
 };
 
@@ -37,7 +38,7 @@ struct Move_gains {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    gain[i] = {id[i], sums[id[i]]};
+    gain[i] = {id[i], 0, sums[id[i]]};
     sums[id[i]] = Shared_moments();
   }
 };

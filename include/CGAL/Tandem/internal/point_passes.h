@@ -19,6 +19,7 @@ namespace internal {
 struct Link {
   std::uint64_t pair; // smaller id << 32 | larger id
   std::uint32_t count;
+  std::uint32_t gap = 0; // without it there were bytes that nobody writes
 
   std::uint32_t first() const { return std::uint32_t(pair >> 32); }
   std::uint32_t second() const { return std::uint32_t(pair); }

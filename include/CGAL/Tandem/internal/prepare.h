@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/Tandem_state.h>
 #include <CGAL/Tandem/internal/angles.h>
 #include <CGAL/Tandem/internal/cells.h>
+#include <CGAL/Tandem/internal/leaf_shapes.h>
 #include <CGAL/Tandem/internal/estimate_normals.h>
 #include <CGAL/Tandem/internal/Import.h>
 #include <CGAL/Tandem/internal/neighbors.h>
