@@ -26,12 +26,9 @@ set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 # The CUDA back end takes minutes to compile: only for the device that is there.
-cuda=-DTANDEM_WITH_CUDA=OFF
-architecture=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2> /dev/null | head -n 1 | tr -d .)
-case $architecture in
-  '' | *[!0-9]*) ;;
-  *) cuda="-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=$architecture" ;;
-esac
+architecture=$("$root/scripts/cuda_architecture.sh")
+cuda=${architecture:+-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=$architecture}
+cuda=${cuda:--DTANDEM_WITH_CUDA=OFF}
 build=${TANDEM_BUILD_DIR:-$root/build/benchmark}
 jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 program=$build/benchmark/Shape_regularization_tandem/tandem_benchmark

@@ -12,12 +12,9 @@ set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 # The CUDA back end takes minutes to compile: only for the device that is there.
-cuda=-DTANDEM_WITH_CUDA=OFF
-architecture=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2> /dev/null | head -n 1 | tr -d .)
-case $architecture in
-  '' | *[!0-9]*) ;;
-  *) cuda="-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=$architecture" ;;
-esac
+architecture=$("$root/scripts/cuda_architecture.sh")
+cuda=${architecture:+-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=$architecture}
+cuda=${cuda:--DTANDEM_WITH_CUDA=OFF}
 build=${TANDEM_BUILD_DIR:-$root/build/release}
 result=$build/demo
 cloud=$result/building.ply
@@ -36,6 +33,7 @@ mkdir -p "$result"
 install_packages
 "$root/scripts/sample_cloud.sh" "$cloud"
 
+# shellcheck disable=SC2086
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release $cuda -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON \
   -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" > "$result/cmake.log" 2>&1 ||
   { cat "$result/cmake.log" >&2; fail "cmake failed"; }

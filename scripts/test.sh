@@ -70,10 +70,9 @@ run_tsan()
 run_cuda()
 {
   command -v "${CUDACXX:-nvcc}" > /dev/null || { echo "== cuda: skipped, there is no CUDA compiler"; return; }
-  architecture=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2> /dev/null | head -n 1 | tr -d .)
-  case $architecture in '' | *[!0-9]*) architecture=90 ;; esac
+  architecture=$("$root/scripts/cuda_architecture.sh")
   configuration cuda cuda -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_CUDA=ON \
-    "-DCMAKE_CUDA_ARCHITECTURES=$architecture" -DTANDEM_TESTS=test_cuda \
+    "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-90}" -DTANDEM_TESTS=test_cuda \
     -DTANDEM_EXAMPLES=detect_planes_on_device
 }
 

@@ -9,8 +9,7 @@
 #define BOOST_TEST_MODULE scenes
 #include <boost/test/included/unit_test.hpp>
 
-#include "../../benchmark/Shape_regularization_tandem/plane_relations.h"
-#include "scenes.h"
+#include "scene_relations.h"
 
 #include <cstring>
 #include <set>
@@ -19,20 +18,11 @@
 namespace scenes = CGAL::Tandem::scenes;
 using CGAL::Tandem::benchmark::Plane;
 using CGAL::Tandem::benchmark::Plane_relations;
-using CGAL::Tandem::benchmark::relaxed_relations;
 using scenes::Options;
 using scenes::Scene;
 using scenes::Vec;
 
 namespace {
-
-Plane_relations relations(const Scene& scene)
-{
-  std::vector<Plane> planes;
-  for(const scenes::Truth_face& f : scene.faces)
-    planes.push_back({f.normal, f.offset});
-  return Plane_relations(planes, relaxed_relations(scene.diagonal, {0, 0, 0}));
-}
 
 Options options(std::size_t points)
 {

@@ -10,7 +10,7 @@
 #define BOOST_TEST_MODULE twins
 #include <boost/test/included/unit_test.hpp>
 
-#include "../../benchmark/Shape_regularization_tandem/plane_relations.h"
+#include "scene_relations.h"
 #include "scene_twins.h"
 
 #include <cstring>
@@ -21,7 +21,6 @@
 namespace scenes = CGAL::Tandem::scenes;
 using CGAL::Tandem::benchmark::Plane;
 using CGAL::Tandem::benchmark::Plane_relations;
-using CGAL::Tandem::benchmark::relaxed_relations;
 using scenes::Scene;
 using scenes::Twin;
 using scenes::Vec;
@@ -32,14 +31,6 @@ double face_distance(const Scene& scene, std::size_t i, const Vec& p)
 {
   const scenes::Truth_face& f = scene.faces[std::size_t(scene.label[i])];
   return std::abs(dot(f.normal, p) + f.offset);
-}
-
-Plane_relations relations(const Scene& scene)
-{
-  std::vector<Plane> planes;
-  for(const scenes::Truth_face& f : scene.faces)
-    planes.push_back({f.normal, f.offset});
-  return Plane_relations(planes, relaxed_relations(scene.diagonal, {0, 0, 0}));
 }
 
 std::uint64_t hash(const Scene& scene)

@@ -171,15 +171,7 @@ struct Find_octants {
   {
     const Range r = range[at / 9];
     const std::uint64_t octant = (order.key(r.first) >> bits >> 3 << 3) + at % 9;
-    std::uint32_t first = r.first, last = r.last;
-    while(first < last) { // the first entry that lies in this octant or behind it
-      const std::uint32_t middle = first + (last - first) / 2;
-      if((order.key(middle) >> bits) < octant)
-        first = middle + 1;
-      else
-        last = middle;
-    }
-    bound[at] = first;
+    bound[at] = partition_point(r.first, r.last, [&](std::uint32_t i) { return (order.key(i) >> bits) < octant; });
   }
 };
 

@@ -71,25 +71,12 @@ struct Count_components {
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
     const Range cell = cells[c];
-    block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
-      scratch.shape[i] = no_index;
-      scratch.count[i] = 0;
-    });
+    scratch.clear(block);
     block.for_each(cell.size(), [&](std::uint32_t at) {
-      if(label[cell.first + at] >= first_mark)
-        return;
-      const std::uint32_t root = component[cell.first + at];
-      const std::uint32_t slot = root % Count_scratch::slots;
-      const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, root);
-      if(owner == no_index || owner == root)
-        block.append(scratch.count[slot]);
-      else
-        Backend::atomic_add(size[root], 1u);
+      if(label[cell.first + at] < first_mark)
+        scratch.template add<Backend>(block, component[cell.first + at], size);
     });
-    block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
-      if(scratch.count[i] > 0)
-        Backend::atomic_add(size[scratch.shape[i]], scratch.count[i]);
-    });
+    scratch.template flush<Backend>(block, size);
   }
 };
 

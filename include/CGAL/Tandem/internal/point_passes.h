@@ -143,10 +143,41 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
   return links;
 }
 
+// Numbers of points of a leaf, by shape or whatever they are counted by. A key whose
+// slot another one has is counted in the table of all at once.
 struct Count_scratch {
   static constexpr std::uint32_t slots = 64;
-  std::uint32_t shape[slots]; // or query, or root of a component
+  std::uint32_t key[slots];
   std::uint32_t count[slots];
+
+  template <class Block>
+  CGAL_TANDEM_HD void clear(Block& block)
+  {
+    block.for_each(slots, [&](std::uint32_t i) {
+      key[i] = no_index;
+      count[i] = 0;
+    });
+  }
+
+  template <class Backend, class Block>
+  CGAL_TANDEM_HD void add(Block& block, std::uint32_t k, std::uint32_t* total)
+  {
+    const std::uint32_t slot = k % slots;
+    const std::uint32_t owner = block.exchange_if(key[slot], no_index, k);
+    if(owner == no_index || owner == k)
+      block.append(count[slot]);
+    else
+      Backend::atomic_add(total[k], 1u);
+  }
+
+  template <class Backend, class Block>
+  CGAL_TANDEM_HD void flush(Block& block, std::uint32_t* total)
+  {
+    block.for_each(slots, [&](std::uint32_t i) {
+      if(count[i] > 0)
+        Backend::atomic_add(total[key[i]], count[i]);
+    });
+  }
 };
 
 // Which points of a shape are asked: those whose position has no bit of the mask,
@@ -203,26 +234,14 @@ struct Count_misfits {
     if(!cells.shapes[c].may_have([&](std::uint32_t s) { return query_of[s] != no_index; }))
       return;
     const Range range = ranges[c];
-    block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
-      scratch.shape[i] = no_index;
-      scratch.count[i] = 0;
-    });
+    scratch.clear(block);
     block.for_each(range.size(), [&](std::uint32_t at) {
       const Grid_point& p = sample[range.first + at].point;
       const std::uint32_t q = query_of[sample[range.first + at].shape];
-      if(q == no_index || fits(query[q].after, p, tolerance) || !fits(query[q].before, p, tolerance))
-        return;
-      const std::uint32_t slot = q % Count_scratch::slots;
-      const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, q);
-      if(owner == no_index || owner == q)
-        block.append(scratch.count[slot]);
-      else
-        Backend::atomic_add(count[q], 1u);
+      if(q != no_index && !fits(query[q].after, p, tolerance) && fits(query[q].before, p, tolerance))
+        scratch.template add<Backend>(block, q, count);
     });
-    block.for_each(Count_scratch::slots, [&](std::uint32_t i) {
-      if(scratch.count[i] > 0)
-        Backend::atomic_add(count[scratch.shape[i]], scratch.count[i]);
-    });
+    scratch.template flush<Backend>(block, count);
   }
 };
 

@@ -99,12 +99,7 @@ struct Is_border {
 
   CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
   {
-    std::uint32_t first = 0, last = size;
-    while(last - first > 1) {
-      const std::uint32_t middle = first + (last - first) / 2;
-      (cells[middle].first <= i ? first : last) = middle;
-    }
-    const Range cell = cells[first];
+    const Range cell = cells[partition_point(0, size, [&](std::uint32_t c) { return cells[c].first <= i; }) - 1];
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
       if(row[j] < cell.first || row[j] >= cell.last)
@@ -122,21 +117,13 @@ struct Find_cell_borders {
 
   CGAL_TANDEM_HD void operator()(std::size_t c) const
   {
-    cell_border[c] = {lower_bound(cells[c].first), lower_bound(cells[c].last)};
+    cell_border[c] = {first_from(cells[c].first), first_from(cells[c].last)};
   }
 
 private:
-  CGAL_TANDEM_HD std::uint32_t lower_bound(std::uint32_t point) const
+  CGAL_TANDEM_HD std::uint32_t first_from(std::uint32_t point) const
   {
-    std::uint32_t first = 0, last = size;
-    while(first < last) {
-      const std::uint32_t middle = first + (last - first) / 2;
-      if(border[middle] < point)
-        first = middle + 1;
-      else
-        last = middle;
-    }
-    return first;
+    return partition_point(0, size, [&](std::uint32_t b) { return border[b] < point; });
   }
 };
 

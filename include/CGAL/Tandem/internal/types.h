@@ -47,6 +47,20 @@ struct Range {
   CGAL_TANDEM_HD std::uint32_t size() const { return last - first; }
 };
 
+// The first i in [first, last) without f(i), or last. f holds up to some place, and not from there on.
+template <class F>
+CGAL_TANDEM_HD std::uint32_t partition_point(std::uint32_t first, std::uint32_t last, F f)
+{
+  while(first < last) {
+    const std::uint32_t middle = first + (last - first) / 2;
+    if(f(middle))
+      first = middle + 1;
+    else
+      last = middle;
+  }
+  return first;
+}
+
 struct Int_vector {
   std::int32_t x, y, z;
 };
