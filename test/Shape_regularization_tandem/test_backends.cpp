@@ -132,19 +132,19 @@ private:
       if(f_.label[i] < first_mark)
         expected[f_.label[i]] -= 1;
     for(int pass = 0; pass < 2; ++pass) {
-      Shared_moments* sums = start_gains(t);
+      Shared_moments* sums = start_gains(t, t.shapes.size());
       for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
         if(f_.label[i] < first_mark)
           add_point(sums[f_.label[i]], f_.point[i], -1);
       got.clear();
       std::uint32_t last = 0;
-      for(const Gain& gain : take_gains(t)) {
+      for(const Gain& gain : take_gains(t, t.shapes.size())) {
         CHECK_AT(got.empty() || gain.id > last, name_ + ": order of gains");
         got[last = gain.id] = gain.sums.count;
       }
       CHECK_AT(got == expected && !got.empty(), name_ + ": gains of pass " + std::to_string(pass));
     }
-    CHECK_AT(take_gains(t).empty(), name_ + ": gains without a pass");
+    CHECK_AT(take_gains(t, t.shapes.size()).empty(), name_ + ": gains without a pass");
   }
 
   void test_component_sizes()

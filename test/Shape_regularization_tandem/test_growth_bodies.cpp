@@ -109,7 +109,6 @@ private:
                                       {label.data(), state.data()},
                                       {f_.tolerance, 8, 64, 7},
                                       leaves,
-                                      nullptr,
                                       none.data()};
     if(std::all_of(f_.cells.begin(), f_.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))
       backend_.template for_each_cell<Growth_scratch<small_cell>>(f_.cells.size(), body);

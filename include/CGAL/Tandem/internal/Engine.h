@@ -84,7 +84,7 @@ private:
   static constexpr double misfit_share = 0.05;
   // The bounds of the loop: rounds, and rounds in a row with next to no gain.
   static constexpr int most_rounds = 300;
-  static constexpr int most_idle_rounds = 5;
+  static constexpr int most_idle_rounds = 3;
 
   // Shapes of more than two rounds that stopped growing while they are small, unless
   // others are merged into them.

@@ -87,7 +87,7 @@ struct Tandem_state {
   Buffer<std::uint32_t> label;
   Buffer<std::uint8_t> state;
 
-  std::vector<Shape> shapes;       // by id; those not in `live` hold nothing
+  std::vector<Shape> shapes;       // by id, which changes in grow_shapes() only; those not in `live` hold nothing
   std::vector<std::uint32_t> live; // ascending
   std::vector<Plane> plane;        // these three: the points' view of the shapes
   std::vector<std::uint16_t> rounds;
@@ -98,26 +98,6 @@ struct Tandem_state {
   std::size_t assigned = 0;   // points that have a shape
   std::size_t peak_bytes = 0; // of the tables of the size of the cloud
 };
-
-// The ids that no shape uses, ascending, as many as asked for.
-template <class State>
-std::vector<std::uint32_t> spare_ids(State& t, std::size_t count)
-{
-  std::vector<std::uint32_t> ids;
-  std::size_t next_live = 0;
-  for(std::uint32_t id = 0; ids.size() < count; ++id) {
-    if(next_live < t.live.size() && t.live[next_live] == id)
-      ++next_live;
-    else
-      ids.push_back(id);
-  }
-  const std::size_t size = (std::max)(ids.empty() ? 0 : std::size_t(ids.back()) + 1, t.shapes.size());
-  t.shapes.resize(size);
-  t.plane.resize(size);
-  t.rounds.resize(size);
-  t.is_restarted.resize(size, 0);
-  return ids;
-}
 
 // Leaves nothing of a shape that has lost its points.
 template <class State>

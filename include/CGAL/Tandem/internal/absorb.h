@@ -243,12 +243,12 @@ template <class Backend>
 void recount(Tandem_state<Backend>& t)
 {
   t.backend.template for_each_cell<Moment_table>(
-    t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), start_gains(t)});
+    t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), start_gains(t, t.shapes.size())});
   list_shapes(t);
   for(std::uint32_t id : t.live)
     t.shapes[id].moments = Moments();
   t.assigned = 0;
-  for(const Gain& gain : take_gains(t)) {
+  for(const Gain& gain : take_gains(t, t.shapes.size())) {
     Shape& shape = t.shapes[gain.id];
     shape.moments = gain.sums.moments();
     shape.box = gain.sums.box;

@@ -43,12 +43,13 @@ struct Move_gains {
   }
 };
 
-// The sums of all shapes, zero, to be handed to the functors of a pass.
+// The sums of all shapes, zero, to be handed to the functors of a pass. A growth pass has more
+// ids than shapes.
 template <class Backend>
-Shared_moments* start_gains(Tandem_state<Backend>& t)
+Shared_moments* start_gains(Tandem_state<Backend>& t, std::size_t ids)
 {
-  if(t.gain.size() < t.shapes.size()) {
-    t.gain.reset(t.shapes.size() + t.shapes.size() / 2);
+  if(t.gain.size() < ids) {
+    t.gain.reset(ids + ids / 2);
     t.backend.for_each(t.gain.size(), Clear_sums{t.gain.data()});
   }
   return t.gain.data();
@@ -56,9 +57,9 @@ Shared_moments* start_gains(Tandem_state<Backend>& t)
 
 // After the pass: the sums of the shapes with a gain, by id.
 template <class Backend>
-std::vector<Gain> take_gains(Tandem_state<Backend>& t)
+std::vector<Gain> take_gains(Tandem_state<Backend>& t, std::size_t ids)
 {
-  const auto id = t.backend.compact(t.shapes.size(), Has_gain{t.gain.data()});
+  const auto id = t.backend.compact(ids, Has_gain{t.gain.data()});
   typename Backend::template Buffer<Gain> buffer(id.size());
   t.backend.for_each(id.size(), Move_gains{id.data(), t.gain.data(), buffer.data()});
   std::vector<Gain> gains(id.size());

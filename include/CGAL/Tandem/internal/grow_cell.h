@@ -45,9 +45,9 @@ struct Cell_job {
   std::uint32_t border_size;
   const std::uint32_t* seed; // candidates
   std::uint32_t seed_count;
-  std::uint32_t* seed_cursor;     // candidates before it are used up
-  const std::uint32_t* new_shape; // ids that new shapes take
-  bool has_restarted = true;      // maybe: some shape grows again from all of its points
+  std::uint32_t* seed_cursor; // candidates before it are used up
+  std::uint32_t new_shape;    // the ids from here on are those of new shapes
+  bool has_restarted = true;  // maybe: some shape grows again from all of its points
 };
 
 constexpr std::uint32_t max_seeds_in_flight = 16;
@@ -191,12 +191,12 @@ private:
     const std::uint32_t first = s_.tail;
     std::uint32_t at = skip_used_candidates();
     int room = options_.seeds_in_flight - int(s_.active_count);
-    const std::uint32_t* shape = job_.new_shape;
+    std::uint32_t shape = job_.new_shape;
     for(int tries = options_.seed_tries; room > 0 && tries > 0;) {
       at = block_.find_first(at, job_.seed_count, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); });
       if(at == job_.seed_count)
         break;
-      if(begin_shape(job_.seed[at], *shape)) {
+      if(begin_shape(job_.seed[at], shape)) {
         ++shape;
         --room;
       } else {

@@ -9,6 +9,10 @@
 #include <CGAL/Tandem/internal/gains.h>
 #include <CGAL/Tandem/internal/leaf_shapes.h>
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -69,8 +73,7 @@ struct Grow_cells {
   Labels_view labels;
   Growth_options options;
   Leaves_view leaves;
-  const std::uint32_t* new_shape;
-  const std::uint32_t* first_new; // of each leaf, in new_shape
+  const std::uint32_t* new_shape; // by leaf: the first of the ids for what begins there
 
   template <class Block, class Scratch>
   CGAL_TANDEM_HD void operator()(Block& block, Scratch& scratch, std::uint32_t c) const
@@ -84,79 +87,44 @@ struct Grow_cells {
       leaves.seed + leaves.cells[c].first,
       leaves.seed_count[c],
       leaves.seed_cursor + c,
-      new_shape + first_new[c],
+      new_shape[c],
       leaves.cells.shapes[c].may_have([&](std::uint32_t s) { return shapes.is_restarted[s] != 0; })};
     Cell_growth<Backend, Block, Scratch>(block, scratch, job, cloud, shapes, labels, options).run();
   }
 };
 
-// As many new shapes as may begin in each leaf: where its ids begin in the list of all.
+// Ids for as many shapes as may begin in each leaf, behind those of the shapes that there are:
+// where those of each leaf begin, and at last the end of all ids.
 template <class Backend>
-std::vector<std::uint32_t> number_new_shapes(Tandem_state<Backend>& t, std::vector<std::uint32_t>& new_ids)
+std::vector<std::uint32_t> new_ids(const Tandem_state<Backend>& t)
 {
-  std::vector<std::uint32_t> first(t.number_of_cells);
-  std::uint32_t wanted = 0;
-  for(std::size_t c = 0; c < first.size(); ++c) {
-    first[c] = wanted;
-    wanted += t.seed_cursor[c] < t.seeds.count[c] ? std::uint32_t(t.options.growth.seeds_in_flight) : 0;
-  }
-  new_ids = spare_ids(t, wanted);
+  std::vector<std::uint32_t> first(t.number_of_cells + 1);
+  first[0] = std::uint32_t(t.shapes.size());
+  for(std::size_t c = 0; c < t.number_of_cells; ++c)
+    first[c + 1] =
+      first[c] + (t.seed_cursor[c] < t.seeds.count[c] ? std::uint32_t(t.options.growth.seeds_in_flight) : 0);
   return first;
 }
 
-// A growth pass later: what the shape gained, and its part in the next pass.
 template <class Backend>
-void take_gain(Tandem_state<Backend>& t, std::uint32_t id, const Shared_moments* gain)
+void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& first_id)
 {
-  Shape& shape = t.shapes[id];
-  shape.gained = gain != nullptr ? gain->count : 0;
-  if(gain != nullptr) {
-    shape.moments += gain->moments();
-    shape.box.add(gain->box);
-    shape.is_dirty = shape.is_changed = true;
-    t.assigned += std::size_t(gain->count);
-  }
-  shape.is_active = shape.gained > 0;
-  ++shape.age;
-  t.is_restarted[id] = 0;
-  t.rounds[id] = std::uint16_t(shape.age < 9 ? 1 << shape.age : most_growth_rounds);
-}
-
-// Of all shapes; those that have just begun become live.
-template <class Backend>
-void take_all_gains(Tandem_state<Backend>& t)
-{
-  const std::vector<Gain> gains = take_gains(t);
-  std::vector<std::uint32_t> live;
-  auto next = gains.begin();
-  for(std::size_t l = 0; l < t.live.size() || next != gains.end();) {
-    const std::uint32_t id = l < t.live.size() ? t.live[l] : no_index;
-    const bool has_gain = next != gains.end() && next->id <= id;
-    live.push_back(has_gain ? next->id : id);
-    take_gain(t, live.back(), has_gain ? &next->sums : nullptr);
-    l += live.back() == id;
-    next += has_gain;
-  }
-  t.live.swap(live);
-}
-
-template <class Backend>
-void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_ids,
-                const std::vector<std::uint32_t>& first_new)
-{
-  auto plane = t.backend.lend_out(t.plane);
-  auto rounds = t.backend.lend_out(t.rounds);
+  const std::size_t ids = first_id.back();
+  typename Backend::template Buffer<Plane> plane(ids);
+  typename Backend::template Buffer<std::uint16_t> rounds(ids);
+  t.backend.from_host(t.plane.data(), t.plane.size(), plane.data());
+  t.backend.from_host(t.rounds.data(), t.rounds.size(), rounds.data());
+  t.is_restarted.resize(ids, 0);
   auto cursor = t.backend.lend_out(t.seed_cursor);
   const auto is_restarted = t.backend.lend(t.is_restarted);
   const auto seed_count = t.backend.lend(t.seeds.count);
-  const auto ids = t.backend.lend(new_ids);
-  const auto first = t.backend.lend(first_new);
+  const auto first = t.backend.lend(first_id);
   t.backend.for_each(t.border.size(), Propose{t.cloud, t.label.data(), plane.data(), t.border.data(), t.proposal.data(),
                                               t.options.growth.tolerance});
-  const Shapes_view shapes = {plane.data(), rounds.data(), is_restarted.data(), start_gains(t)};
+  const Shapes_view shapes = {plane.data(), rounds.data(), is_restarted.data(), start_gains(t, ids)};
   const Leaves_view leaves = {t.cells_view(),      t.cell_border.data(), t.border.data(), t.proposal.data(),
                               t.seeds.seed.data(), seed_count.data(),    cursor.data()};
-  const Grow_cells<Backend> body = {t.cloud, shapes, t.labels(), t.options.growth, leaves, ids.data(), first.data()};
+  const Grow_cells<Backend> body = {t.cloud, shapes, t.labels(), t.options.growth, leaves, first.data()};
   if(t.options.cell_size <= small_cell)
     t.backend.template for_each_cell<Growth_scratch<small_cell>>(t.number_of_cells, body);
   else
@@ -164,15 +132,81 @@ void grow_cells(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& new_
   cursor.take_back();
 }
 
-// Returns the number of points that were gained.
+struct Take_ids {
+  const std::uint32_t* new_id; // by old id
+  std::uint32_t* label;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(label[i] < first_mark)
+      label[i] = new_id[label[i]];
+  }
+};
+
+// The shapes are those that were live, and those of the gains behind them. Their ids become
+// 0, 1, 2 ..., in the tables, the labels and the gains.
+template <class Backend>
+void number_shapes(Tandem_state<Backend>& t, std::size_t ids, std::vector<Gain>& gains)
+{
+  std::vector<std::uint32_t> new_id(ids, is_free);
+  std::uint32_t next = 0;
+  const std::size_t old_ids = t.shapes.size();
+  for(std::uint32_t id : t.live) {
+    if(id != next)
+      t.shapes[next] = std::move(t.shapes[id]);
+    new_id[id] = next++;
+  }
+  for(Gain& gain : gains) {
+    if(gain.id >= old_ids)
+      new_id[gain.id] = next++;
+    gain.id = new_id[gain.id];
+  }
+  if(next > t.live.size() || next < old_ids) {
+    const auto numbers = t.backend.lend(new_id);
+    t.backend.for_each(t.cloud.size, Take_ids{numbers.data(), t.label.data()});
+  }
+  for(std::uint32_t id = std::uint32_t(t.live.size()); id < (std::min)(std::size_t(next), old_ids); ++id)
+    t.shapes[id] = Shape();
+  t.shapes.resize(next);
+  t.plane.resize(next);
+  t.rounds.resize(next);
+  t.is_restarted.assign(next, 0);
+  t.live.resize(next);
+  std::iota(t.live.begin(), t.live.end(), 0u);
+}
+
+// What the shapes gained, and their part in the next pass.
+template <class Backend>
+void take_all_gains(Tandem_state<Backend>& t, const std::vector<Gain>& gains)
+{
+  for(Shape& shape : t.shapes)
+    shape.gained = 0;
+  for(const Gain& gain : gains) {
+    Shape& shape = t.shapes[gain.id];
+    shape.gained = gain.sums.count;
+    shape.moments += gain.sums.moments();
+    shape.box.add(gain.sums.box);
+    shape.is_dirty = shape.is_changed = true;
+    t.assigned += std::size_t(shape.gained);
+  }
+  for(std::size_t id = 0; id < t.shapes.size(); ++id) {
+    Shape& shape = t.shapes[id];
+    shape.is_active = shape.gained > 0;
+    ++shape.age;
+    t.rounds[id] = std::uint16_t(shape.age < 9 ? 1 << shape.age : most_growth_rounds);
+  }
+}
+
+// Returns the number of points that were gained. Afterwards the ids of the shapes have no gaps.
 template <class Backend>
 std::size_t grow_shapes(Tandem_state<Backend>& t)
 {
   const std::size_t before = t.assigned;
-  std::vector<std::uint32_t> new_ids;
-  const std::vector<std::uint32_t> first_new = number_new_shapes(t, new_ids);
-  grow_cells(t, new_ids, first_new);
-  take_all_gains(t);
+  const std::vector<std::uint32_t> first_id = new_ids(t);
+  grow_cells(t, first_id);
+  std::vector<Gain> gains = take_gains(t, first_id.back());
+  number_shapes(t, first_id.back(), gains);
+  take_all_gains(t, gains);
   list_shapes(t);
   return t.assigned - before;
 }

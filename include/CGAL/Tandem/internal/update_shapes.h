@@ -121,10 +121,11 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
   const auto checked = t.backend.lend(is_checked);
   const auto plane = t.backend.lend(t.plane);
   t.backend.template for_each_cell<Moment_table>(
-    t.number_of_cells, Update_points<Backend>{t.cloud, t.cells_view(), t.labels(), new_label.data(), checked.data(),
-                                              plane.data(), start_gains(t), t.options.growth.tolerance});
+    t.number_of_cells,
+    Update_points<Backend>{t.cloud, t.cells_view(), t.labels(), new_label.data(), checked.data(), plane.data(),
+                           start_gains(t, t.shapes.size()), t.options.growth.tolerance});
   t.backend.for_each(t.number_of_cells, Relabel_lists{t.leaf_shapes.data(), new_label.data()});
-  for(const Gain& loss : take_gains(t)) {
+  for(const Gain& loss : take_gains(t, t.shapes.size())) {
     t.shapes[loss.id].moments += loss.sums.moments();
     t.shapes[loss.id].is_dirty = true;
     t.assigned -= std::size_t(-loss.sums.count);
