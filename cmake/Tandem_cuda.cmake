@@ -30,6 +30,14 @@ function(tandem_add_cuda_library)
     CUDA_STANDARD 17 CUDA_STANDARD_REQUIRED ON CUDA_RUNTIME_LIBRARY Static POSITION_INDEPENDENT_CODE ON)
   target_compile_options(tandem_cuda PRIVATE
     --expt-relaxed-constexpr --fmad=false "SHELL:--default-stream per-thread" "SHELL:-Xcompiler -Wall,-Wextra")
+  # What the host does between two kernels has many of these; without the instruction each one is
+  # a call. Processors without it are told so when a program asks for the device.
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_options(tandem_cuda PRIVATE "SHELL:-Xcompiler -mfma,-ffp-contract=off")
+  endif()
+  if(TARGET CGAL::TBB_support)
+    target_link_libraries(tandem_cuda PRIVATE "$<BUILD_INTERFACE:CGAL::TBB_support>")
+  endif()
   target_include_directories(tandem_cuda PRIVATE "${PROJECT_SOURCE_DIR}/include")
   target_compile_definitions(tandem_cuda INTERFACE CGAL_TANDEM_USE_CUDA=1)
   target_link_libraries(tandem_cuda INTERFACE tandem PRIVATE CUDA::cudart_static)

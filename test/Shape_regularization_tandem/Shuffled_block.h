@@ -11,6 +11,7 @@
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 
+#include <algorithm>
 #include <cstring>
 #include <numeric>
 #include <random>
@@ -159,6 +160,12 @@ public:
   void for_each(std::size_t n, F f)
   {
     dice_.visit(0, n, f);
+  }
+
+  template <class Iterator, class Less>
+  void sort_on_host(Iterator first, Iterator last, Less less)
+  {
+    std::sort(first, last, less);
   }
 
   template <class F>

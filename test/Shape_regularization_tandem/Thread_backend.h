@@ -36,6 +36,12 @@ public:
     });
   }
 
+  template <class Iterator, class Less>
+  void sort_on_host(Iterator first, Iterator last, Less less)
+  {
+    std::sort(first, last, less);
+  }
+
   template <class F>
   void for_each_on_host(std::size_t n, F f)
   {

@@ -75,6 +75,13 @@ struct Verify {
   int calls = 0;
   std::function<double(int)> share = [](int) { return 1.0; };
 
+  template <class F>
+  void for_each(std::size_t n, F f) const // in any order
+  {
+    for(std::size_t i = n; i > 0; --i)
+      f(i - 1);
+  }
+
   void operator()(const std::vector<int>& list, const std::vector<Regular_plane>& planes,
                   std::vector<std::int64_t>& counts)
   {
@@ -180,7 +187,8 @@ void test_mean_shift()
     check_close(shift.density(normal[i]) / dense, 1, 0.01, "density of normal " + std::to_string(i));
   }
   check_equal(double(shift.modes().size()), 3, "modes");
-  check_equal(double(cluster_directions(normal, weight, radius).size()), 3, "groups of normals");
+  const std::vector<Shape_fit> none;
+  check_equal(double(cluster_directions(normal, weight, radius, Verify{none}).size()), 3, "groups of normals");
   for(const Vector& m : shift.modes()) { // no direction around a mode is denser
     const Plane_basis b(m);
     for(int k = 0; k < 8; ++k) {

@@ -37,6 +37,7 @@ public:
   void fit(std::vector<int> pending)
   {
     was_refused.assign(shapes.size(), 0);
+    refused_cost.assign(shapes.size(), 0);
     for(int level = 0; level < regularity::levels && !pending.empty(); ++level) {
       const double parallel_sine = sine_deg(options.angle_tolerance_deg * regularity::parallel_share[level]);
       const double right_sine = sine_deg(options.angle_tolerance_deg * regularity::right_share[level]);
@@ -116,7 +117,7 @@ private:
         normal.push_back(shapes[i].fit.normal);
         weight.push_back(shapes[i].scatter.count);
       }
-      clusters = cluster_directions(normal, weight, parallel_sine);
+      clusters = cluster_directions(normal, weight, parallel_sine, verified);
     } else {
       for(std::size_t k = 0; k < pending.size(); ++k)
         clusters.push_back({int(k)});
@@ -137,13 +138,15 @@ private:
     for(int step = 0; step < 3; ++step) {
       refit();
       const std::size_t before = refused.size();
-      remove_members([&](int i, std::size_t g) { return verified.is_too_far(i, groups[g].fitted); }, refused);
+      remove_members([&](int i, std::size_t g, std::size_t) { return verified.is_too_far(i, groups[g].fitted); },
+                     refused);
       if(refused.size() == before)
         break;
     }
     refit();
     tie();
-    remove_members([&](int i, std::size_t g) { return verified.is_too_far(i, groups[g].direction); }, refused);
+    remove_members([&](int i, std::size_t g, std::size_t) { return verified.is_too_far(i, groups[g].direction); },
+                   refused);
     return refused;
   }
 
@@ -202,21 +205,28 @@ private:
       }
     const std::vector<char> is_refused = verified.test(candidates, planes);
     std::vector<int> refused;
-    std::size_t k = 0; // members are visited in the same order
-    remove_members([&](int, std::size_t) { return is_refused[k++] != 0; }, refused);
+    remove_members([&](int, std::size_t, std::size_t k) { return is_refused[k] != 0; }, refused);
     return refused;
   }
 
+  // is_refused(shape, group, place), where the place counts the members of all groups.
   template <class Predicate>
   void remove_members(Predicate is_refused, std::vector<int>& refused)
   {
-    refused_cost.resize(shapes.size(), 0);
+    std::vector<std::size_t> group_of;
+    std::vector<int> member;
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      member.insert(member.end(), groups[g].members.begin(), groups[g].members.end());
+      group_of.resize(member.size(), g);
+    }
+    std::vector<char> is_out(member.size());
+    verified.for_each(member.size(), [&](std::size_t k) { is_out[k] = is_refused(member[k], group_of[k], k); });
+    std::size_t k = 0;
     for(std::size_t g = 0; g < groups.size(); ++g) {
       std::vector<int> kept;
       for(int i : groups[g].members) {
-        const bool is_out = is_refused(i, g);
-        (is_out ? refused : kept).push_back(i);
-        if(is_out)
+        (is_out[k] ? refused : kept).push_back(i);
+        if(is_out[k++])
           refused_cost[i] = verified.added(i, groups[g].fitted);
       }
       if(kept.size() < groups[g].members.size()) {

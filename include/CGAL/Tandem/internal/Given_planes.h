@@ -75,6 +75,13 @@ public:
   // Planes without a unit normal or with points that determine no plane take part in nothing.
   const std::vector<char>& is_excluded() const { return is_excluded_; }
 
+  template <class F>
+  void for_each(std::size_t n, F f) const
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      f(i);
+  }
+
   // The callback of the regularity step.
   void operator()(const std::vector<int>& shapes, const std::vector<Regular_plane>& candidates,
                   std::vector<std::int64_t>& counts) const

@@ -79,23 +79,26 @@ struct Answer {
   double misfit_share = 0;
 };
 
-struct Shape {
+// Points, with the plane that fits them best.
+struct Fitted_moments {
   Moments moments;
+  Scatter scatter;          // of moments, with ...
+  Fit fit;                  // ... its local plane
+  Regular_plane local = {}; // the local plane again
+};
+
+struct Shape : Fitted_moments {
   Box box;
-  Scatter scatter;              // of moments, with ...
-  Fit fit;                      // ... its local plane
-  Regular_plane local = {};     // the local plane again
   Regular_plane plane = {};     // local or regular
   Regular_plane checked = {};   // the plane when the points were last checked against it
   Regular_plane restarted = {}; // the plane when the whole shape was last put on the frontier
-  std::int64_t gained = 0;      // points that the last round added
   int age = 0;                  // rounds since it began
   int rollbacks = 0;
   int retry_round = 0;            // not regularized before this round ...
   std::int64_t retry_count = 0;   // ... or before it has this many points
   std::int64_t layered_count = 0; // points when it was last examined for layers
-  Answer answers[4];              // the latest ones, in turn
-  int next_answer = 0;
+  std::vector<Answer> answers;    // the latest ones, in turn
+  std::size_t next_answer = 0;
   bool is_active = false;
   bool is_changed = true; // its points or its plane have changed since its links were collected
   bool is_dirty = true;   // its points have changed since it was fitted
@@ -119,6 +122,16 @@ public:
       i = parent_[i] = parent_[parent_[i]];
     return i;
   }
+
+  // The same without a shorter path for the next time.
+  std::uint32_t root(std::uint32_t i) const
+  {
+    while(parent_[i] != i)
+      i = parent_[i];
+    return i;
+  }
+
+  bool is_root(std::uint32_t i) const { return parent_[i] == i; }
 
   void set_parent(std::uint32_t child, std::uint32_t parent) { parent_[child] = parent; }
 

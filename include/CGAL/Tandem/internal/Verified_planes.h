@@ -5,7 +5,8 @@
 // regularity step proposes. Point-sized work is left to a callback
 //   verify(shapes, planes, counts): counts[k] = number of points of shapes[k]
 //   that fit its local plane, but not planes[k]
-// which is called a few times with all shapes that are in question.
+// which is called a few times with all shapes that are in question. It also runs
+//   verify.for_each(n, f): f(i) for i in [0, n), in any order, maybe many at a time.
 
 #ifndef CGAL_TANDEM_INTERNAL_VERIFIED_PLANES_H
 #define CGAL_TANDEM_INTERNAL_VERIFIED_PLANES_H
@@ -38,8 +39,15 @@ public:
   Verified_planes(const std::vector<Shape_fit>& shapes, double maximum_distance, Verify& verify)
     : shapes(shapes), maximum_distance(maximum_distance), verify(verify)
   {
-    for(const Shape_fit& s : shapes)
-      accepted.push_back(through_centroid(s, canonical(s.fit.normal)));
+    accepted.resize(shapes.size());
+    for_each(shapes.size(),
+             [&](std::size_t i) { accepted[i] = through_centroid(shapes[i], canonical(shapes[i].fit.normal)); });
+  }
+
+  template <class F>
+  void for_each(std::size_t n, F f) const
+  {
+    verify.for_each(n, f);
   }
 
   // Whether the direction adds too much to the distance of the points (from the moments alone).
@@ -66,14 +74,18 @@ public:
   std::vector<char> test(const std::vector<int>& candidates, const std::vector<Regular_plane>& planes,
                          const Misfit_limit& limit = {regularity::misfit_share, 1e300})
   {
+    enum : char { still, refused, open };
+    std::vector<char> answer(candidates.size());
+    for_each(candidates.size(), [&](std::size_t k) {
+      const int i = candidates[k];
+      const bool is_still = motion(i, planes[k]) <= regularity::still_share * maximum_distance;
+      answer[k] = is_shifted_too_far(i, planes[k]) ? refused : is_still ? still : open;
+    });
     std::vector<int> asked;
     std::vector<Regular_plane> asked_planes;
     std::vector<std::size_t> position;
-    std::vector<char> is_refused(candidates.size(), 0);
     for(std::size_t k = 0; k < candidates.size(); ++k)
-      if(is_shifted_too_far(candidates[k], planes[k]))
-        is_refused[k] = 1;
-      else if(motion(candidates[k], planes[k]) > regularity::still_share * maximum_distance) {
+      if(answer[k] == open) {
         asked.push_back(candidates[k]);
         asked_planes.push_back(planes[k]);
         position.push_back(k);
@@ -82,12 +94,15 @@ public:
     if(!asked.empty())
       verify(asked, asked_planes, counts);
     for(std::size_t a = 0; a < asked.size(); ++a) {
-      if(double(counts[a]) > (std::min)(limit.share * shapes[asked[a]].scatter.count, limit.points))
-        is_refused[position[a]] = 1;
-      else
+      const bool is_refused =
+        double(counts[a]) > (std::min)(limit.share * shapes[asked[a]].scatter.count, limit.points);
+      answer[position[a]] = is_refused ? refused : still;
+      if(!is_refused)
         accepted[asked[a]] = asked_planes[a];
     }
-    return is_refused;
+    for(char& a : answer)
+      a = a == refused;
+    return answer;
   }
 
 private:

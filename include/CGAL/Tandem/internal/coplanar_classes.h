@@ -37,7 +37,7 @@ public:
     std::stable_sort(pending.begin(), pending.end(), [&](int a, int b) { return direction[a] < direction[b]; });
     double radius = maximum_offset;
     for(int round = 0; round < rounds && !pending.empty(); ++round, radius *= 0.5) {
-      add_classes(pending, plane, radius);
+      add_classes(verified, pending, plane, radius);
       pending = ask_points(verified, plane);
     }
     add_singles(plane);
@@ -63,25 +63,33 @@ private:
   };
 
   // pending is sorted by direction; single shapes need no class.
-  void add_classes(const std::vector<int>& pending, const std::vector<Regular_plane>& plane, double radius)
+  template <class Verified>
+  void add_classes(const Verified& verified, const std::vector<int>& pending, const std::vector<Regular_plane>& plane,
+                   double radius)
   {
-    for(std::size_t first = 0, last; first < pending.size(); first = last) {
+    std::vector<std::size_t> first; // of each direction, and the end
+    for(std::size_t k = 0; k < pending.size(); ++k)
+      if(k == 0 || direction[pending[k]] != direction[pending[k - 1]])
+        first.push_back(k);
+    first.push_back(pending.size());
+    std::vector<std::vector<std::vector<int>>> clusters(first.size() - 1);
+    verified.for_each(clusters.size(), [&](std::size_t d) {
       std::vector<double> offset, weight;
-      for(last = first; last < pending.size() && direction[pending[last]] == direction[pending[first]]; ++last) {
-        offset.push_back(plane[pending[last]].offset);
-        weight.push_back(shapes[pending[last]].scatter.count);
+      for(std::size_t k = first[d]; k < first[d + 1]; ++k) {
+        offset.push_back(plane[pending[k]].offset);
+        weight.push_back(shapes[pending[k]].scatter.count);
       }
-      if(offset.size() < 2)
-        continue;
-      for(std::vector<int>& c : cluster_offsets(offset, weight, radius)) {
+      if(offset.size() > 1)
+        clusters[d] = cluster_offsets(offset, weight, radius);
+    });
+    for(std::size_t d = 0; d < clusters.size(); ++d)
+      for(std::vector<int>& c : clusters[d]) {
         for(int& k : c)
-          k = pending[first + k];
+          k = pending[first[d] + std::size_t(k)];
         if(c.size() > 1)
           classes.push_back({c, 0});
       }
-    }
-    for(Class& c : classes)
-      c.offset = mean_offset(c, plane);
+    verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
   }
 
   double mean_offset(const Class& c, const std::vector<Regular_plane>& plane) const

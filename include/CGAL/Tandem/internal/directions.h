@@ -195,9 +195,11 @@ inline Direction_bins make_direction_bins(const std::vector<Vector>& normals, co
 }
 
 // Groups of normals within the radius (a sine) of a mode, as lists of positions.
-// What no mode reaches is clustered again, and forms a group of its own at last.
-inline std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& normals,
-                                                        const std::vector<double>& weights, double radius)
+// What no mode reaches is clustered again, and forms a group of its own at last. The
+// loops run on executor.for_each(n, f).
+template <class Executor>
+std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& normals, const std::vector<double>& weights,
+                                                 double radius, const Executor& executor)
 {
   std::vector<std::vector<int>> groups;
   std::vector<int> rest(normals.size());
@@ -215,12 +217,13 @@ inline std::vector<std::vector<int>> cluster_directions(const std::vector<Vector
     const Direction_index index(modes, radius);
     const std::size_t start = groups.size();
     groups.resize(start + modes.size());
+    std::vector<std::pair<double, std::size_t>> nearest(rest.size(), {2.0, 0});
+    executor.for_each(rest.size(), [&](std::size_t k) {
+      index.near(n[k], [&](std::size_t m, double q) { nearest[k] = (std::min)(nearest[k], {q, m}); });
+    });
     std::vector<int> left;
-    for(int i : rest) {
-      std::pair<double, std::size_t> nearest(2.0, 0);
-      index.near(normals[i], [&](std::size_t m, double q) { nearest = (std::min)(nearest, {q, m}); });
-      (nearest.first <= 1 ? groups[start + nearest.second] : left).push_back(i);
-    }
+    for(std::size_t k = 0; k < rest.size(); ++k)
+      (nearest[k].first <= 1 ? groups[start + nearest[k].second] : left).push_back(rest[k]);
     rest.swap(left);
   }
   for(int i : rest)

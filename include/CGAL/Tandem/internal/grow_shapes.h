@@ -179,22 +179,20 @@ void number_shapes(Tandem_state<Backend>& t, std::size_t ids, std::vector<Gain>&
 template <class Backend>
 void take_all_gains(Tandem_state<Backend>& t, const std::vector<Gain>& gains)
 {
-  for(Shape& shape : t.shapes)
-    shape.gained = 0;
-  for(const Gain& gain : gains) {
-    Shape& shape = t.shapes[gain.id];
-    shape.gained = gain.sums.count;
-    shape.moments += gain.sums.moments();
-    shape.box.add(gain.sums.box);
-    shape.is_dirty = shape.is_changed = true;
-    t.assigned += std::size_t(shape.gained);
-  }
-  for(std::size_t id = 0; id < t.shapes.size(); ++id) {
+  t.backend.for_each_on_host(t.shapes.size(), [&](std::size_t id) {
     Shape& shape = t.shapes[id];
-    shape.is_active = shape.gained > 0;
+    shape.is_active = false;
     ++shape.age;
     t.rounds[id] = std::uint16_t(shape.age < 9 ? 1 << shape.age : most_growth_rounds);
-  }
+  });
+  t.backend.for_each_on_host(gains.size(), [&](std::size_t g) {
+    Shape& shape = t.shapes[gains[g].id];
+    shape.moments += gains[g].sums.moments();
+    shape.box.add(gains[g].sums.box);
+    shape.is_active = shape.is_dirty = shape.is_changed = true;
+  });
+  for(const Gain& gain : gains)
+    t.assigned += std::size_t(gain.sums.count);
 }
 
 // Returns the number of points that were gained. Afterwards the ids of the shapes have no gaps.

@@ -36,6 +36,9 @@ inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane
 // tolerable. (Whether a point stays is asked of each one.)
 constexpr std::int64_t sample_size = 512;
 
+// Of each shape, at most.
+constexpr std::size_t remembered_answers = 4;
+
 inline std::uint32_t sample_mask(const Shape& shape)
 {
   std::uint32_t mask = 0;
@@ -70,10 +73,15 @@ public:
     std::vector<std::size_t> asked;
     std::vector<std::uint32_t> query_of(t_.shapes.size(), no_index);
     std::vector<Misfit_query> query;
-    for(std::size_t i = 0; i < ids.size(); ++i) {
+    std::vector<char> is_known(ids.size());
+    t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
       const Shape& shape = t_.shapes[ids[i]];
-      if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
+      is_known[i] = is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]);
+    });
+    for(std::size_t i = 0; i < ids.size(); ++i) {
+      if(is_known[i])
         continue;
+      const Shape& shape = t_.shapes[ids[i]];
       query_of[ids[i]] = std::uint32_t(query.size());
       query.push_back({rounded(shape.local), rounded(candidates[i])});
       asked.push_back(i);
@@ -85,8 +93,9 @@ public:
       Shape& shape = t_.shapes[ids[asked[q]]];
       double& share = shares[asked[q]];
       share = double(count[q]) * (double(mask_[ids[asked[q]]]) + 1) / double(shape.moments.count);
+      shape.answers.resize((std::min)(shape.answers.size() + 1, remembered_answers));
       shape.answers[shape.next_answer] = {shape.local, candidates[asked[q]], shape.moments.count, share};
-      shape.next_answer = (shape.next_answer + 1) % 4;
+      shape.next_answer = (shape.next_answer + 1) % remembered_answers;
     }
     return shares;
   }
@@ -131,44 +140,12 @@ private:
   typename Backend::template Buffer<Range> range_; // of the samples of each leaf
 };
 
-// Unions of shapes with the moments of the whole.
-class Clusters {
-public:
-  explicit Clusters(const std::vector<Shape>& shapes)
-    : unions_(shapes.size()), shapes_(shapes), whole_(shapes.size(), -1)
-  {}
-
-  std::uint32_t root(std::uint32_t id) { return unions_.root(id); }
-
-  const Shape& whole(std::uint32_t root) const
-  {
-    return whole_[root] < 0 ? shapes_[root] : merged_[std::size_t(whole_[root])];
-  }
-
-  // The larger one, then the one with the smaller id, stays the root.
-  void unite(std::uint32_t a, std::uint32_t b, Shape&& joint)
-  {
-    const std::int64_t na = whole(a).moments.count, nb = whole(b).moments.count;
-    if(na < nb || (na == nb && b < a))
-      std::swap(a, b);
-    unions_.set_parent(b, a);
-    whole_[a] = int(merged_.size());
-    merged_.push_back(std::move(joint));
-  }
-
-private:
-  Unions unions_;
-  const std::vector<Shape>& shapes_;
-  std::vector<int> whole_; // index into merged_, by root
-  std::vector<Shape> merged_;
-};
-
 struct Joint_fit_test {
   double squared_cosine;
   double maximum_distance;
 
   // Moments only: no point is looked at.
-  bool operator()(const Shape& a, const Shape& b, Shape& joint) const
+  bool operator()(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
   {
     const double cosine = dot(a.fit.normal, b.fit.normal);
     if((std::min)(a.moments.count, b.moments.count) > reliable_normal_size && cosine * cosine < squared_cosine)
@@ -181,12 +158,85 @@ struct Joint_fit_test {
     return is_tolerable(a, joint.local) && is_tolerable(b, joint.local);
   }
 
-  bool is_tolerable(const Shape& s, const Regular_plane& plane) const
+private:
+  bool is_tolerable(const Fitted_moments& s, const Regular_plane& plane) const
   {
     const double most = tolerated_rms * maximum_distance, little = negligible_rms * maximum_distance;
     const double more = excess(s.scatter, s.fit, plane);
     return more <= most * most * s.scatter.count && more <= std::fma(little * little, s.scatter.count, s.fit.smallest);
   }
+};
+
+// Unions of shapes with the moments of the whole.
+class Clusters {
+public:
+  explicit Clusters(const std::vector<Shape>& shapes)
+    : unions_(shapes.size()), shapes_(shapes), whole_(shapes.size(), -1)
+  {}
+
+  std::uint32_t root(std::uint32_t id) { return unions_.root(id); }
+
+  const Fitted_moments& whole(std::uint32_t root) const
+  {
+    return whole_[root] < 0 ? shapes_[root] : merged_[std::size_t(whole_[root])];
+  }
+
+  // Link by link. The next ones are tried ahead, many at a time; where a union has come
+  // between, once more.
+  template <class Backend>
+  void unite_along(Backend& backend, const std::vector<Link>& links, const Joint_fit_test& test)
+  {
+    constexpr std::size_t ahead = 256;
+    std::vector<Trial> trials((std::min)(links.size(), ahead));
+    for(std::size_t first = 0; first < links.size(); first += ahead) {
+      const std::size_t size = (std::min)(links.size() - first, ahead);
+      backend.for_each_on_host(size, [&](std::size_t i) { make_trial(links[first + i], test, trials[i]); });
+      for(std::size_t i = 0; i < size; ++i) {
+        if(!is_current(trials[i]))
+          make_trial(links[first + i], test, trials[i]);
+        if(trials[i].is_union)
+          unite(trials[i]);
+      }
+    }
+  }
+
+private:
+  struct Trial {
+    std::uint32_t a, b;
+    int whole_a, whole_b;
+    bool is_union;
+    Fitted_moments joint;
+  };
+
+  void make_trial(const Link& link, const Joint_fit_test& test, Trial& t) const
+  {
+    t.a = unions_.root(link.first());
+    t.b = unions_.root(link.second());
+    t.whole_a = whole_[t.a];
+    t.whole_b = whole_[t.b];
+    t.is_union = t.a != t.b && test(whole(t.a), whole(t.b), t.joint);
+  }
+
+  bool is_current(const Trial& t) const
+  {
+    return unions_.is_root(t.a) && unions_.is_root(t.b) && whole_[t.a] == t.whole_a && whole_[t.b] == t.whole_b;
+  }
+
+  // The larger one, then the one with the smaller id, stays the root.
+  void unite(const Trial& t)
+  {
+    const std::int64_t na = whole(t.a).moments.count, nb = whole(t.b).moments.count;
+    const bool stays_a = na > nb || (na == nb && t.a < t.b);
+    const std::uint32_t root = stays_a ? t.a : t.b;
+    unions_.set_parent(stays_a ? t.b : t.a, root);
+    whole_[root] = int(merged_.size());
+    merged_.push_back(t.joint);
+  }
+
+  Unions unions_;
+  const std::vector<Shape>& shapes_;
+  std::vector<int> whole_; // index into merged_, by root
+  std::vector<Fitted_moments> merged_;
 };
 
 // The targets of a joint-fit merge along the links. Of each union, shapes of which
@@ -196,17 +246,11 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std
                                              double misfit_share)
 {
   Clusters clusters(t.shapes);
-  const Joint_fit_test test = {t.options.squared_cosine, t.options.maximum_distance};
-  for(const Link& link : links) {
-    const std::uint32_t a = clusters.root(link.first()), b = clusters.root(link.second());
-    Shape joint;
-    if(a != b && test(clusters.whole(a), clusters.whole(b), joint))
-      clusters.unite(a, b, std::move(joint));
-  }
+  clusters.unite_along(t.backend, links, {t.options.squared_cosine, t.options.maximum_distance});
   std::vector<std::uint32_t> ids;
   std::vector<Regular_plane> planes;
   for(std::uint32_t id : t.live) {
-    const Shape& whole = clusters.whole(clusters.root(id));
+    const Fitted_moments& whole = clusters.whole(clusters.root(id));
     if(whole.moments.count == t.shapes[id].moments.count)
       continue;
     ids.push_back(id);

@@ -128,7 +128,7 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
     t.shapes[id].is_changed = false;
   }
   std::vector<Link> links = append_links(t, is_asked);
-  std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
+  t.backend.sort_on_host(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
   std::size_t kept = 0;
   for(std::size_t i = 0; i < links.size();) {
     Link sum = {links[i].pair, 0};
@@ -138,8 +138,9 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
       links[kept++] = sum;
   }
   links.resize(kept);
-  std::sort(links.begin(), links.end(),
-            [](const Link& a, const Link& b) { return a.count != b.count ? a.count > b.count : a.pair < b.pair; });
+  t.backend.sort_on_host(links.begin(), links.end(), [](const Link& a, const Link& b) {
+    return a.count != b.count ? a.count > b.count : a.pair < b.pair;
+  });
   return links;
 }
 

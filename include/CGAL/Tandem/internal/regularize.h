@@ -74,12 +74,13 @@ Relations regularize(const std::vector<Shape_fit>& shapes, const std::vector<cha
   Verified_planes<Verify> verified(shapes, options.maximum_distance, verify);
   Direction_fitter<Verify> fitter(shapes, options, verified);
   fitter.fit(active);
-  std::vector<Regular_plane> plane;
-  for(const Shape_fit& s : shapes)
-    plane.push_back(through_centroid(s, canonical(s.fit.normal)));
+  std::vector<Vector> normal(shapes.size());
+  verify.for_each(shapes.size(), [&](std::size_t i) { normal[i] = canonical(shapes[i].fit.normal); });
   for(const Direction_group& g : fitter.result())
     for(int i : g.members)
-      plane[i] = through_centroid(shapes[i], g.direction);
+      normal[i] = g.direction;
+  std::vector<Regular_plane> plane(shapes.size());
+  verify.for_each(shapes.size(), [&](std::size_t i) { plane[i] = through_centroid(shapes[i], normal[i]); });
   const std::vector<int> direction = shared_directions(fitter.result(), shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);
   if(options.coplanarity && options.maximum_offset > 0)

@@ -28,6 +28,36 @@ inline void schedule_retry(Shape& shape, int round)
   shape.retry_count = shape.moments.count + shape.moments.count / 4;
 }
 
+// What the points say to the regularity step: see Verified_planes.h.
+template <class Backend>
+class Point_verifier {
+public:
+  // ids: of the shapes of the step.
+  Point_verifier(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids) : t_(t), ids_(ids), count_(t, ids) {}
+
+  void operator()(const std::vector<int>& shapes, const std::vector<Regular_plane>& candidates,
+                  std::vector<std::int64_t>& counts)
+  {
+    std::vector<std::uint32_t> ids(shapes.size());
+    for(std::size_t i = 0; i < ids.size(); ++i)
+      ids[i] = ids_[std::size_t(shapes[i])];
+    const std::vector<double> shares = count_(ids, candidates);
+    for(std::size_t i = 0; i < ids.size(); ++i)
+      counts[i] = std::int64_t(shares[i] * double(t_.shapes[ids[i]].moments.count));
+  }
+
+  template <class F>
+  void for_each(std::size_t n, F f) const
+  {
+    t_.backend.for_each_on_host(n, f);
+  }
+
+private:
+  Tandem_state<Backend>& t_;
+  const std::vector<std::uint32_t>& ids_;
+  Misfit_counter<Backend> count_;
+};
+
 template <class Backend>
 Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
 {
@@ -45,16 +75,7 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
     const bool is_waiting = t.round < shape.retry_round && shape.moments.count < shape.retry_count;
     is_excluded.push_back(!is_due || (!retry_all && is_waiting));
   }
-  Misfit_counter<Backend> count(t, r.id);
-  auto verify = [&](const std::vector<int>& indices, const std::vector<Regular_plane>& candidates,
-                    std::vector<std::int64_t>& counts) {
-    std::vector<std::uint32_t> ids(indices.size());
-    for(std::size_t i = 0; i < ids.size(); ++i)
-      ids[i] = r.id[std::size_t(indices[i])];
-    const std::vector<double> shares = count(ids, candidates);
-    for(std::size_t i = 0; i < ids.size(); ++i)
-      counts[i] = std::int64_t(shares[i] * double(t.shapes[ids[i]].moments.count));
-  };
+  Point_verifier<Backend> verify(t, r.id);
   Regularity_options options = t.options.regularity;
   options.is_last = retry_all;
   r.relations = regularize(fits, is_excluded, options, verify);

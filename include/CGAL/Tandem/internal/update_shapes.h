@@ -21,44 +21,20 @@ constexpr double restart_motion = 0.1;
 
 inline Regular_plane plane_through(const Vector& normal, const Vector& point) { return {normal, dot(normal, point)}; }
 
-struct Local_fit {
-  Scatter scatter;
-  Fit fit;
-};
-
-struct Fit_planes {
-  const Moments* moments;
-  Local_fit* local;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    local[i].scatter = make_scatter(moments[i]);
-    local[i].fit = fit_plane(local[i].scatter);
-  }
-};
-
 template <class Backend>
 void refit_shapes(Tandem_state<Backend>& t)
 {
   std::vector<std::uint32_t> dirty;
-  std::vector<Moments> moments;
   for(std::uint32_t id : t.live)
-    if(t.shapes[id].is_dirty) {
+    if(t.shapes[id].is_dirty)
       dirty.push_back(id);
-      moments.push_back(t.shapes[id].moments);
-    }
-  std::vector<Local_fit> local(dirty.size());
-  const auto source = t.backend.lend(moments);
-  auto target = t.backend.lend_empty(local);
-  t.backend.for_each(dirty.size(), Fit_planes{source.data(), target.data()});
-  target.take_back();
-  for(std::size_t i = 0; i < dirty.size(); ++i) {
+  t.backend.for_each_on_host(dirty.size(), [&](std::size_t i) {
     Shape& shape = t.shapes[dirty[i]];
-    shape.scatter = local[i].scatter;
-    shape.fit = local[i].fit;
+    shape.scatter = make_scatter(shape.moments);
+    shape.fit = fit_plane(shape.scatter);
     shape.local = plane_through(shape.fit.normal, shape.scatter.centroid);
     shape.is_dirty = false;
-  }
+  });
 }
 
 // Which shape each shape becomes: itself, another one, or is_free.
@@ -141,7 +117,8 @@ void apply_planes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
   const double epsilon = t.options.maximum_distance;
   std::vector<std::uint8_t> is_moved(t.shapes.size(), 0), is_checked(t.shapes.size(), 0);
   bool is_any = false;
-  for(std::uint32_t id : t.live) {
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
+    const std::uint32_t id = t.live[l];
     Shape& shape = t.shapes[id];
     t.plane[id] = rounded(shape.plane);
     is_moved[id] = bound_motion(shape.box, shape.checked, shape.plane) > negligible_motion * epsilon;
@@ -154,7 +131,7 @@ void apply_planes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
       shape.checked = shape.plane;
       shape.is_changed = true;
     }
-  }
+  });
   for(std::size_t id = 0; id < target.size(); ++id) {
     is_checked[id] = target[id] < first_mark && (target[id] != id || is_moved[target[id]]);
     is_any = is_any || is_checked[id] || target[id] != id;

@@ -38,6 +38,12 @@ public:
     for_each(n, f);
   }
 
+  template <class Iterator, class Less>
+  void sort_on_host(Iterator first, Iterator last, Less less)
+  {
+    std::sort(first, last, less);
+  }
+
   // f(first, last) for the pieces of [0, n) that begin at the multiples of `grain`.
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)

@@ -39,10 +39,16 @@ public:
   template <class F>
   void for_each_on_host(std::size_t n, F f)
   {
-    for_each_piece(n, 64, [&](std::size_t first, std::size_t last) {
+    for_each_piece(n, 16, [&](std::size_t first, std::size_t last) {
       for(std::size_t i = first; i < last; ++i)
         f(i);
     });
+  }
+
+  template <class Iterator, class Less>
+  void sort_on_host(Iterator first, Iterator last, Less less)
+  {
+    tbb::parallel_sort(first, last, less);
   }
 
   template <class F>

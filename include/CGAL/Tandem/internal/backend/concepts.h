@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/Shapes.h>
 #include <CGAL/Tandem/internal/backend/Host_loan.h>
 
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -85,6 +86,7 @@ struct Is_backend<
     decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
     decltype(std::size_t(std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()).size())),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
+    decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>())),
     decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),
     decltype(std::declval<Backend&>().lend_out(std::declval<std::vector<int>&>()).take_back()),
     decltype(std::declval<Backend&>().lend_empty(std::declval<std::vector<int>&>()).take_back()),

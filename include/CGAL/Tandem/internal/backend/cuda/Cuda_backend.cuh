@@ -6,6 +6,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_BACKEND_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_BACKEND_CUH
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#else
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#endif
 #include <CGAL/Tandem/internal/backend/cuda/Device_loan.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Device_sort_table.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/kernels.cuh>
@@ -29,6 +34,13 @@ struct Last_of_range {
   __host__ __device__ std::int64_t operator()(const Range& r) const { return r.last; }
 };
 
+// What works on the tables of the host.
+#ifdef CGAL_LINKED_WITH_TBB
+using Host_side = Tbb_backend;
+#else
+using Host_side = Sequential_backend;
+#endif
+
 class Cuda_backend {
 public:
   template <class T>
@@ -51,8 +63,13 @@ public:
   template <class F>
   void for_each_on_host(std::size_t n, F f)
   {
-    for(std::size_t i = 0; i < n; ++i)
-      f(i);
+    host_.for_each_on_host(n, f);
+  }
+
+  template <class Iterator, class Less>
+  void sort_on_host(Iterator first, Iterator last, Less less)
+  {
+    host_.sort_on_host(first, last, less);
   }
 
   template <class Scratch, class Body>
@@ -173,6 +190,8 @@ public:
   }
 
 private:
+  Host_side host_;
+
   static constexpr std::size_t shared_bytes = 47 << 10; // what a block has on all devices, less its own
   static constexpr std::size_t blocks_in_turns = 512;
 

@@ -76,8 +76,20 @@ std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
   return 16 + 4 + 4 * p.k_neighbors + (has_normals ? 44 : 108) + leaves + 1;
 }
 
+// This file is compiled for processors that fuse products and sums in one instruction.
+bool has_fused_multiply_add()
+{
+#ifdef __FMA__
+  return __builtin_cpu_supports("fma");
+#else
+  return true;
+#endif
+}
+
 void require_device()
 {
+  if(!has_fused_multiply_add())
+    throw std::runtime_error("Cuda_tag: the processor lacks the instruction FMA; use another tag");
   if(!is_cuda_available())
     throw std::runtime_error("Cuda_tag: there is no CUDA device; use Cuda_if_available_tag, or another tag");
 }
@@ -138,7 +150,8 @@ bool is_cuda_available()
   int devices = 0, device = 0, has_pools = 0;
   cudaFuncAttributes attributes; // of a kernel: the device can run it
   const bool is_available =
-    cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0 && cudaGetDevice(&device) == cudaSuccess &&
+    has_fused_multiply_add() && cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0 &&
+    cudaGetDevice(&device) == cudaSuccess &&
     cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device) == cudaSuccess && has_pools != 0 &&
     cudaFuncGetAttributes(&attributes, reinterpret_cast<const void*>(&run_items<Forget_interior>)) == cudaSuccess;
   static_cast<void>(cudaGetLastError());
