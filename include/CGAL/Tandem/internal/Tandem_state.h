@@ -88,6 +88,7 @@ struct Tandem_state {
   Buffer<std::uint8_t> state;
 
   std::vector<Shape> shapes;       // by id, which changes in grow_shapes() only; those not in `live` hold nothing
+  std::vector<Shape> next_shapes;  // where they get new ids; what it holds between is of no use
   std::vector<std::uint32_t> live; // ascending
   std::vector<Plane> plane;        // these three: the points' view of the shapes
   std::vector<std::uint16_t> rounds;
@@ -103,7 +104,7 @@ struct Tandem_state {
 template <class State>
 void forget_shape(State& t, std::uint32_t id)
 {
-  t.shapes[id] = Shape();
+  t.shapes[id].moments = Moments();
   t.is_restarted[id] = 0;
 }
 

@@ -11,9 +11,9 @@
 #include <CGAL/Tandem/internal/offsets.h>
 #include <CGAL/Tandem/internal/relations.h>
 
-#include <tuple>
-
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 namespace CGAL {
 namespace Tandem {
@@ -30,11 +30,7 @@ public:
   template <class Verified>
   void fit(Verified& verified, std::vector<Regular_plane>& plane, std::vector<int>& class_of)
   {
-    std::vector<int> pending;
-    for(std::size_t i = 0; i < shapes.size(); ++i)
-      if(direction[i] >= 0)
-        pending.push_back(int(i));
-    std::stable_sort(pending.begin(), pending.end(), [&](int a, int b) { return direction[a] < direction[b]; });
+    std::vector<int> pending = by_direction();
     double radius = maximum_offset;
     for(int round = 0; round < rounds && !pending.empty(); ++round, radius *= 0.5) {
       add_classes(verified, pending, plane, radius);
@@ -61,6 +57,22 @@ private:
     std::vector<int> members; // by rising offset
     double offset;
   };
+
+  // The shapes that share a direction, one direction after the other.
+  std::vector<int> by_direction() const
+  {
+    const int directions = direction.empty() ? 0 : *std::max_element(direction.begin(), direction.end()) + 1;
+    std::vector<std::size_t> place(std::size_t(directions) + 1, 0);
+    for(int d : direction)
+      if(d >= 0)
+        ++place[std::size_t(d) + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    std::vector<int> sorted(place.back());
+    for(std::size_t i = 0; i < direction.size(); ++i)
+      if(direction[i] >= 0)
+        sorted[place[std::size_t(direction[i])]++] = int(i);
+    return sorted;
+  }
 
   // pending is sorted by direction; single shapes need no class.
   template <class Verified>

@@ -149,29 +149,27 @@ template <class Backend>
 void number_shapes(Tandem_state<Backend>& t, std::size_t ids, std::vector<Gain>& gains)
 {
   std::vector<std::uint32_t> new_id(ids, is_free);
-  std::uint32_t next = 0;
-  const std::size_t old_ids = t.shapes.size();
-  for(std::uint32_t id : t.live) {
-    if(id != next)
-      t.shapes[next] = std::move(t.shapes[id]);
-    new_id[id] = next++;
-  }
+  const std::size_t old_ids = t.shapes.size(), old_live = t.live.size();
+  for(std::size_t l = 0; l < old_live; ++l)
+    new_id[t.live[l]] = std::uint32_t(l);
+  std::size_t live = old_live;
   for(Gain& gain : gains) {
     if(gain.id >= old_ids)
-      new_id[gain.id] = next++;
+      new_id[gain.id] = std::uint32_t(live++);
     gain.id = new_id[gain.id];
   }
-  if(next > t.live.size() || next < old_ids) {
+  if(live > old_live || old_live < old_ids) {
     const auto numbers = t.backend.lend(new_id);
     t.backend.for_each(t.cloud.size, Take_ids{numbers.data(), t.label.data()});
+    t.next_shapes.resize(live);
+    t.backend.for_each_on_host(
+      live, [&](std::size_t id) { t.next_shapes[id] = id < old_live ? std::move(t.shapes[t.live[id]]) : Shape(); });
+    t.shapes.swap(t.next_shapes);
   }
-  for(std::uint32_t id = std::uint32_t(t.live.size()); id < (std::min)(std::size_t(next), old_ids); ++id)
-    t.shapes[id] = Shape();
-  t.shapes.resize(next);
-  t.plane.resize(next);
-  t.rounds.resize(next);
-  t.is_restarted.assign(next, 0);
-  t.live.resize(next);
+  t.plane.resize(live);
+  t.rounds.resize(live);
+  t.is_restarted.assign(live, 0);
+  t.live.resize(live);
   std::iota(t.live.begin(), t.live.end(), 0u);
 }
 

@@ -186,8 +186,8 @@ public:
   template <class Backend>
   void unite_along(Backend& backend, const std::vector<Link>& links, const Joint_fit_test& test)
   {
-    constexpr std::size_t ahead = 256;
-    std::vector<Trial> trials((std::min)(links.size(), ahead));
+    const std::size_t ahead = (std::min)((std::max)(links.size() / 32, std::size_t(64)), std::size_t(4096));
+    std::vector<Trial> trials(ahead);
     for(std::size_t first = 0; first < links.size(); first += ahead) {
       const std::size_t size = (std::min)(links.size() - first, ahead);
       backend.for_each_on_host(size, [&](std::size_t i) { make_trial(links[first + i], test, trials[i]); });

@@ -155,19 +155,24 @@ std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape
   }
   sum_normals(t, mask, sum);
   const double most = suspicious_rms * t.options.maximum_distance;
-  std::vector<std::size_t> entries;
-  for(std::size_t i = 0; i < r.id.size(); ++i) {
-    const Shape& shape = t.shapes[r.id[i]];
+  std::vector<Vector> mean(r.id.size());
+  std::vector<char> is_suspicious(r.id.size(), 0);
+  t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
     if(mask[r.id[i]] == nobody)
-      continue;
+      return;
+    const Shape& shape = t.shapes[r.id[i]];
     const std::int64_t* s = sum.data() + 3 * r.id[i];
-    const Vector mean = unit({double(s[0]), double(s[1]), double(s[2])});
+    mean[i] = unit({double(s[0]), double(s[1]), double(s[2])});
     const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
-    if(length(cross(mean, shape.plane.normal)) <= suspicious_lean && squares <= most * most * shape.scatter.count)
-      continue;
-    entries.push_back(i);
-    planes.push_back(plane_through(mean, shape.scatter.centroid));
-  }
+    is_suspicious[i] =
+      length(cross(mean[i], shape.plane.normal)) > suspicious_lean || squares > most * most * shape.scatter.count;
+  });
+  std::vector<std::size_t> entries;
+  for(std::size_t i = 0; i < r.id.size(); ++i)
+    if(is_suspicious[i]) {
+      entries.push_back(i);
+      planes.push_back(plane_through(mean[i], t.shapes[r.id[i]].scatter.centroid));
+    }
   return entries;
 }
 
