@@ -123,16 +123,6 @@ public:
     return i;
   }
 
-  // The same without a shorter path for the next time.
-  std::uint32_t root(std::uint32_t i) const
-  {
-    while(parent_[i] != i)
-      i = parent_[i];
-    return i;
-  }
-
-  bool is_root(std::uint32_t i) const { return parent_[i] == i; }
-
   void set_parent(std::uint32_t child, std::uint32_t parent) { parent_[child] = parent; }
 
 private:

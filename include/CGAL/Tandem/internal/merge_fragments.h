@@ -140,103 +140,113 @@ private:
   typename Backend::template Buffer<Range> range_; // of the samples of each leaf
 };
 
+// Of moments only: no point is looked at.
 struct Joint_fit_test {
   double squared_cosine;
   double maximum_distance;
 
-  // Moments only: no point is looked at.
-  bool operator()(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
+  bool are_aligned(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const double cosine = dot(a.fit.normal, b.fit.normal);
-    if((std::min)(a.moments.count, b.moments.count) > reliable_normal_size && cosine * cosine < squared_cosine)
-      return false;
-    joint.moments = a.moments;
-    joint.moments += b.moments;
-    joint.scatter = make_scatter(joint.moments);
-    joint.fit = fit_plane(joint.scatter);
-    joint.local = plane_through(joint.fit.normal, joint.scatter.centroid);
-    return is_tolerable(a, joint.local) && is_tolerable(b, joint.local);
+    return (std::min)(a.moments.count, b.moments.count) <= reliable_normal_size || cosine * cosine >= squared_cosine;
   }
 
-private:
-  bool is_tolerable(const Fitted_moments& s, const Regular_plane& plane) const
+  bool is_tolerable(const Fitted_moments& m, const Regular_plane& plane) const
   {
     const double most = tolerated_rms * maximum_distance, little = negligible_rms * maximum_distance;
-    const double more = excess(s.scatter, s.fit, plane);
-    return more <= most * most * s.scatter.count && more <= std::fma(little * little, s.scatter.count, s.fit.smallest);
+    const double more = excess(m.scatter, m.fit, plane);
+    return more <= most * most * m.scatter.count && more <= std::fma(little * little, m.scatter.count, m.fit.smallest);
+  }
+
+  bool operator()(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
+  {
+    joint.moments = a.moments;
+    joint.moments += b.moments;
+    refit(joint);
+    return is_tolerable(a, joint.local) && is_tolerable(b, joint.local);
   }
 };
 
-// Unions of shapes with the moments of the whole.
+// Unions of shapes with the moments of the whole. A small shape that tolerates the plane of
+// a large one joins it without a new fit: the plane of both together is not worse for it.
+// The large one is fitted again when it has grown by a quarter.
 class Clusters {
 public:
-  explicit Clusters(const std::vector<Shape>& shapes)
-    : unions_(shapes.size()), shapes_(shapes), whole_(shapes.size(), -1)
+  Clusters(const std::vector<Shape>& shapes, const Joint_fit_test& test)
+    : unions_(shapes.size()), shapes_(shapes), test_(test), whole_(shapes.size(), -1)
   {}
+
+  void unite_along(const std::vector<Link>& links)
+  {
+    for(const Link& link : links)
+      try_to_unite(unions_.root(link.first()), unions_.root(link.second()));
+    for(Whole& w : merged_)
+      refresh(w);
+  }
 
   std::uint32_t root(std::uint32_t id) { return unions_.root(id); }
 
   const Fitted_moments& whole(std::uint32_t root) const
   {
-    return whole_[root] < 0 ? shapes_[root] : merged_[std::size_t(whole_[root])];
-  }
-
-  // Link by link. The next ones are tried ahead, many at a time; where a union has come
-  // between, once more.
-  template <class Backend>
-  void unite_along(Backend& backend, const std::vector<Link>& links, const Joint_fit_test& test)
-  {
-    const std::size_t ahead = (std::min)((std::max)(links.size() / 32, std::size_t(64)), std::size_t(4096));
-    std::vector<Trial> trials(ahead);
-    for(std::size_t first = 0; first < links.size(); first += ahead) {
-      const std::size_t size = (std::min)(links.size() - first, ahead);
-      backend.for_each_on_host(size, [&](std::size_t i) { make_trial(links[first + i], test, trials[i]); });
-      for(std::size_t i = 0; i < size; ++i) {
-        if(!is_current(trials[i]))
-          make_trial(links[first + i], test, trials[i]);
-        if(trials[i].is_union)
-          unite(trials[i]);
-      }
-    }
+    return whole_[root] < 0 ? static_cast<const Fitted_moments&>(shapes_[root]) : merged_[std::size_t(whole_[root])];
   }
 
 private:
-  struct Trial {
-    std::uint32_t a, b;
-    int whole_a, whole_b;
-    bool is_union;
-    Fitted_moments joint;
+  struct Whole : Fitted_moments {
+    std::int64_t fitted_count; // points when it was fitted
   };
 
-  void make_trial(const Link& link, const Joint_fit_test& test, Trial& t) const
-  {
-    t.a = unions_.root(link.first());
-    t.b = unions_.root(link.second());
-    t.whole_a = whole_[t.a];
-    t.whole_b = whole_[t.b];
-    t.is_union = t.a != t.b && test(whole(t.a), whole(t.b), t.joint);
-  }
-
-  bool is_current(const Trial& t) const
-  {
-    return unions_.is_root(t.a) && unions_.is_root(t.b) && whole_[t.a] == t.whole_a && whole_[t.b] == t.whole_b;
-  }
-
   // The larger one, then the one with the smaller id, stays the root.
-  void unite(const Trial& t)
+  void try_to_unite(std::uint32_t a, std::uint32_t b)
   {
-    const std::int64_t na = whole(t.a).moments.count, nb = whole(t.b).moments.count;
-    const bool stays_a = na > nb || (na == nb && t.a < t.b);
-    const std::uint32_t root = stays_a ? t.a : t.b;
-    unions_.set_parent(stays_a ? t.b : t.a, root);
-    whole_[root] = int(merged_.size());
-    merged_.push_back(t.joint);
+    if(a == b)
+      return;
+    if(size(a) < size(b) || (size(a) == size(b) && b < a))
+      std::swap(a, b);
+    if(!test_.are_aligned(whole(a), whole(b)))
+      return;
+    if(4 * size(b) < size(a) && test_.is_tolerable(whole(b), whole(a).local)) {
+      Whole& w = own_whole(a);
+      w.moments += whole(b).moments;
+      if(4 * w.moments.count > 5 * w.fitted_count)
+        refresh(w);
+    } else {
+      for(std::uint32_t c : {a, b})
+        if(whole_[c] >= 0)
+          refresh(merged_[std::size_t(whole_[c])]);
+      Fitted_moments joint;
+      if(!test_(whole(a), whole(b), joint))
+        return;
+      static_cast<Fitted_moments&>(own_whole(a)) = joint;
+      own_whole(a).fitted_count = joint.moments.count;
+    }
+    unions_.set_parent(b, a);
+  }
+
+  std::int64_t size(std::uint32_t root) const { return whole(root).moments.count; }
+
+  Whole& own_whole(std::uint32_t root)
+  {
+    if(whole_[root] < 0) {
+      whole_[root] = int(merged_.size());
+      merged_.push_back({shapes_[root], shapes_[root].moments.count});
+    }
+    return merged_[std::size_t(whole_[root])];
+  }
+
+  static void refresh(Whole& w)
+  {
+    if(w.fitted_count == w.moments.count)
+      return;
+    refit(w);
+    w.fitted_count = w.moments.count;
   }
 
   Unions unions_;
   const std::vector<Shape>& shapes_;
+  const Joint_fit_test test_;
   std::vector<int> whole_; // index into merged_, by root
-  std::vector<Fitted_moments> merged_;
+  std::vector<Whole> merged_;
 };
 
 // The targets of a joint-fit merge along the links. Of each union, shapes of which
@@ -245,8 +255,8 @@ template <class Backend>
 std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std::vector<Link>& links,
                                              double misfit_share)
 {
-  Clusters clusters(t.shapes);
-  clusters.unite_along(t.backend, links, {t.options.squared_cosine, t.options.maximum_distance});
+  Clusters clusters(t.shapes, {t.options.squared_cosine, t.options.maximum_distance});
+  clusters.unite_along(links);
   std::vector<std::uint32_t> ids;
   std::vector<Regular_plane> planes;
   for(std::uint32_t id : t.live) {

@@ -21,6 +21,14 @@ constexpr double restart_motion = 0.1;
 
 inline Regular_plane plane_through(const Vector& normal, const Vector& point) { return {normal, dot(normal, point)}; }
 
+// The best plane of the points.
+inline void refit(Fitted_moments& m)
+{
+  m.scatter = make_scatter(m.moments);
+  m.fit = fit_plane(m.scatter);
+  m.local = plane_through(m.fit.normal, m.scatter.centroid);
+}
+
 template <class Backend>
 void refit_shapes(Tandem_state<Backend>& t)
 {
@@ -29,11 +37,8 @@ void refit_shapes(Tandem_state<Backend>& t)
     if(t.shapes[id].is_dirty)
       dirty.push_back(id);
   t.backend.for_each_on_host(dirty.size(), [&](std::size_t i) {
-    Shape& shape = t.shapes[dirty[i]];
-    shape.scatter = make_scatter(shape.moments);
-    shape.fit = fit_plane(shape.scatter);
-    shape.local = plane_through(shape.fit.normal, shape.scatter.centroid);
-    shape.is_dirty = false;
+    refit(t.shapes[dirty[i]]);
+    t.shapes[dirty[i]].is_dirty = false;
   });
 }
 
