@@ -138,15 +138,13 @@ private:
     for(int step = 0; step < 3; ++step) {
       refit();
       const std::size_t before = refused.size();
-      remove_members([&](int i, std::size_t g, std::size_t) { return verified.is_too_far(i, groups[g].fitted); },
-                     refused);
+      remove_refused([&](int i, const Direction_group& g) { return verified.is_too_far(i, g.fitted); }, refused);
       if(refused.size() == before)
         break;
     }
     refit();
     tie();
-    remove_members([&](int i, std::size_t g, std::size_t) { return verified.is_too_far(i, groups[g].direction); },
-                   refused);
+    remove_refused([&](int i, const Direction_group& g) { return verified.is_too_far(i, g.direction); }, refused);
     return refused;
   }
 
@@ -194,45 +192,63 @@ private:
     }
   }
 
+  // The members of all groups, group by group.
+  struct Members {
+    std::vector<int> shape;
+    std::vector<std::size_t> group;
+  };
+
+  Members all_members() const
+  {
+    Members m;
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      m.shape.insert(m.shape.end(), groups[g].members.begin(), groups[g].members.end());
+      m.group.resize(m.shape.size(), g);
+    }
+    return m;
+  }
+
   std::vector<int> ask_points()
   {
-    std::vector<int> candidates;
-    std::vector<Regular_plane> planes;
-    for(const Direction_group& g : groups)
-      for(int i : g.members) {
-        candidates.push_back(i);
-        planes.push_back(through_centroid(shapes[i], g.direction));
-      }
-    const std::vector<char> is_refused = verified.test(candidates, planes);
+    const Members m = all_members();
+    std::vector<Regular_plane> planes(m.shape.size());
+    verified.for_each(planes.size(), [&](std::size_t k) {
+      planes[k] = through_centroid(shapes[m.shape[k]], groups[m.group[k]].direction);
+    });
     std::vector<int> refused;
-    remove_members([&](int, std::size_t, std::size_t k) { return is_refused[k] != 0; }, refused);
+    remove_members(verified.test(m.shape, planes), refused);
     return refused;
   }
 
-  // is_refused(shape, group, place), where the place counts the members of all groups.
+  // is_refused(shape, group)
   template <class Predicate>
-  void remove_members(Predicate is_refused, std::vector<int>& refused)
+  void remove_refused(Predicate is_refused, std::vector<int>& refused)
   {
-    std::vector<std::size_t> group_of;
-    std::vector<int> member;
+    const Members m = all_members();
+    std::vector<char> is_out(m.shape.size());
+    verified.for_each(is_out.size(), [&](std::size_t k) { is_out[k] = is_refused(m.shape[k], groups[m.group[k]]); });
+    remove_members(is_out, refused);
+  }
+
+  // is_out: of all members, group by group.
+  void remove_members(const std::vector<char>& is_out, std::vector<int>& refused)
+  {
+    auto out = is_out.begin();
     for(std::size_t g = 0; g < groups.size(); ++g) {
-      member.insert(member.end(), groups[g].members.begin(), groups[g].members.end());
-      group_of.resize(member.size(), g);
-    }
-    std::vector<char> is_out(member.size());
-    verified.for_each(member.size(), [&](std::size_t k) { is_out[k] = is_refused(member[k], group_of[k], k); });
-    std::size_t k = 0;
-    for(std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<int>& members = groups[g].members;
+      const auto end = out + std::ptrdiff_t(members.size());
+      if(std::find(out, end, char(1)) == end) {
+        out = end;
+        continue;
+      }
       std::vector<int> kept;
-      for(int i : groups[g].members) {
-        (is_out[k] ? refused : kept).push_back(i);
-        if(is_out[k++])
+      for(int i : members) {
+        (*out ? refused : kept).push_back(i);
+        if(*out++)
           refused_cost[i] = verified.added(i, groups[g].fitted);
       }
-      if(kept.size() < groups[g].members.size()) {
-        groups[g].members.swap(kept);
-        is_dirty[g] = 1;
-      }
+      members.swap(kept);
+      is_dirty[g] = 1;
     }
     drop_empty();
   }

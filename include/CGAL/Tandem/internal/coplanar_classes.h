@@ -129,10 +129,12 @@ private:
   template <class Verified>
   void join_neighbors(Verified& verified, const std::vector<Regular_plane>& plane, int start)
   {
-    std::sort(classes.begin(), classes.end(), [&](const Class& a, const Class& b) {
+    auto is_before = [&](const Class& a, const Class& b) {
       return std::make_tuple(direction[a.members.front()], a.offset, a.members.front()) <
              std::make_tuple(direction[b.members.front()], b.offset, b.members.front());
-    });
+    };
+    if(!std::is_sorted(classes.begin(), classes.end(), is_before)) // a joint mostly stays where its parts were
+      std::sort(classes.begin(), classes.end(), is_before);
     std::vector<std::pair<std::size_t, Class>> joints; // with the first of the two
     std::vector<int> candidates;
     std::vector<Regular_plane> planes;
