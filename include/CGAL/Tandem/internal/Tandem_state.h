@@ -52,6 +52,12 @@ struct Leaf_shapes {
   }
 };
 
+// A point that is asked whether it fits a plane.
+struct Sample {
+  Grid_point point;
+  std::uint32_t shape;
+};
+
 // The leaves, as the bodies see them.
 struct Cells_view {
   const Range* range;
@@ -94,6 +100,7 @@ struct Tandem_state {
   std::vector<std::uint16_t> rounds;
   std::vector<std::uint8_t> is_restarted;
   Buffer<Shared_moments> gain; // of each shape, zero between passes
+  Buffer<Sample> sample;       // of a Misfit_counter; what it holds between is of no use
 
   int round = 0;
   std::size_t assigned = 0;   // points that have a shape

@@ -81,6 +81,7 @@ void consolidate(Tandem_state<Backend>& t)
                 links.end());
     if(merge_fragments(t, links, consolidation_misfit_share))
       refit_fragments(t, is_fragment);
+    t.sample.reset(0); // others need the memory
     detach_misfits(t, is_fragment);
     absorb(t);
     reassign(t, shapes_below(t, t.options.minimum_region_size), all_shapes(t), false);
@@ -97,6 +98,7 @@ Shape_relations settle(Tandem_state<Backend>& t)
   recount(t);
   refit_shapes(t);
   const Shape_relations relations = regularize_shapes(t, true);
+  t.sample.reset(0); // others need the memory
   const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links, Links::all));
   merge_shapes(t, target);
   update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));

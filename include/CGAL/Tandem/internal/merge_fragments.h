@@ -55,16 +55,18 @@ class Misfit_counter {
 public:
   // ids: the shapes that may be asked for. Points keep their labels until the last question.
   Misfit_counter(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
-    : t_(t), mask_(t.shapes.size(), nobody), sample_(ids.empty() ? 0 : t.cloud.size), range_(t.number_of_cells)
+    : t_(t), mask_(t.shapes.size(), nobody), range_(t.number_of_cells)
   {
     if(ids.empty())
       return;
+    if(t.sample.size() == 0)
+      t.sample.reset(t.cloud.size);
     for(std::uint32_t id : ids)
       mask_[id] = sample_mask(t.shapes[id]);
     const auto mask = t.backend.lend(mask_);
     t.backend.template for_each_cell<Count_scratch>(
       t.number_of_cells,
-      Collect_samples{t.cloud, t.cells_view(), t.label.data(), mask.data(), sample_.data(), range_.data()});
+      Collect_samples{t.cloud, t.cells_view(), t.label.data(), mask.data(), t.sample.data(), range_.data()});
   }
 
   std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
@@ -109,7 +111,7 @@ private:
     const auto queries = t_.backend.lend(query);
     auto counts = t_.backend.lend_out(count);
     t_.backend.template for_each_cell<Count_scratch>(
-      t_.number_of_cells, Count_misfits<Backend>{t_.cells_view(), sample_.data(), range_.data(), index.data(),
+      t_.number_of_cells, Count_misfits<Backend>{t_.cells_view(), t_.sample.data(), range_.data(), index.data(),
                                                  queries.data(), counts.data(), t_.options.growth.tolerance});
     counts.take_back();
     return count;
@@ -135,8 +137,7 @@ private:
   }
 
   Tandem_state<Backend>& t_;
-  std::vector<std::uint32_t> mask_; // by shape
-  typename Backend::template Buffer<Sample> sample_;
+  std::vector<std::uint32_t> mask_;                // by shape
   typename Backend::template Buffer<Range> range_; // of the samples of each leaf
 };
 

@@ -185,11 +185,6 @@ struct Count_scratch {
 // so all, every second one, every fourth one ...
 constexpr std::uint32_t nobody = 0xffffffffu;
 
-struct Sample {
-  Grid_point point;
-  std::uint32_t shape;
-};
-
 // Copies the points that may be asked to the front of the range of their leaf.
 struct Collect_samples {
   Cloud_view cloud;

@@ -39,7 +39,8 @@ public:
   template <class F>
   void for_each_on_host(std::size_t n, F f)
   {
-    for_each_piece(n, 16, [&](std::size_t first, std::size_t last) {
+    const std::size_t grain = n < 256 ? 256 : 16; // few of them take less time than to wake a thread
+    for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
       for(std::size_t i = first; i < last; ++i)
         f(i);
     });
