@@ -126,7 +126,10 @@ private:
         f_.for_each_neighbor(r, take);
       }
     }
-    find_components(backend_, f_.cloud, f_.label.data(), component.data());
+    Tandem_state<Backend> t(backend_);
+    take_cloud(f_, t);
+    find_border(t);
+    find_components(t, f_.label.data(), component.data());
     check_lists(component, expected, name_ + ": components");
   }
 

@@ -70,6 +70,9 @@ struct Serial_block {
     f();
   }
 
+  // What other lanes may change at the same time.
+  std::uint32_t load(const std::uint32_t& target) { return target; }
+
   // target = min(target, value); returns the old target.
   std::uint32_t fetch_min(std::uint32_t& target, std::uint32_t value)
   {

@@ -59,6 +59,7 @@ struct Is_block<
            decltype(std::declval<Block&>().for_each_neighbor(0u, 0, archetypes::Row(), archetypes::Neighbor_functor())),
            decltype(std::uint32_t(std::declval<Block&>().find_first(0u, 0u, archetypes::Predicate()))),
            decltype(std::uint32_t(std::declval<Block&>().min(0u, archetypes::Value()))),
+           decltype(std::uint32_t(std::declval<Block&>().load(std::declval<const std::uint32_t&>()))),
            decltype(std::uint32_t(std::declval<Block&>().fetch_min(std::declval<std::uint32_t&>(), 0u))),
            decltype(std::declval<Block&>().add(std::declval<std::uint32_t&>(), 0u)),
            decltype(std::uint32_t(std::declval<Block&>().append(std::declval<std::uint32_t&>()))),

@@ -96,6 +96,11 @@ struct Cuda_block {
     __syncthreads();
   }
 
+  __device__ std::uint32_t load(const std::uint32_t& target)
+  {
+    return *static_cast<const volatile std::uint32_t*>(&target);
+  }
+
   __device__ std::uint32_t fetch_min(std::uint32_t& target, std::uint32_t value) { return atomicMin(&target, value); }
 
   __device__ void add(std::uint32_t& target, std::uint32_t value) { atomicAdd(&target, value); }
