@@ -209,6 +209,14 @@ public:
     return result;
   }
 
+  template <class T, class F>
+  std::vector<T> collect(std::size_t n, F f)
+  {
+    std::vector<T> items = Sequential_backend::collect<T>(n, f);
+    dice_.shuffle(items.begin(), items.end());
+    return items;
+  }
+
   template <class T>
   Copied_loan<const T> lend(const std::vector<T>& table)
   {

@@ -9,6 +9,9 @@
 
 #include <CGAL/Tandem/internal/Tandem_state.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -25,21 +28,17 @@ struct Clear_sums {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { sums[i] = Shared_moments(); }
 };
 
-struct Has_gain {
-  const Shared_moments* sums;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return sums[id].count != 0; }
-};
-
-struct Move_gains {
-  const std::uint32_t* id;
+// Takes the sums of a shape that a pass has met.
+struct Take_sums {
   Shared_moments* sums;
-  Gain* gain;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD bool operator()(std::uint32_t id, Gain& gain) const
   {
-    gain[i] = {id[i], 0, sums[id[i]]};
-    sums[id[i]] = Shared_moments();
+    if(sums[id].box.low[0] > sums[id].box.high[0])
+      return false;
+    gain = {id, 0, sums[id]};
+    sums[id] = Shared_moments();
+    return true;
   }
 };
 
@@ -54,15 +53,12 @@ Shared_moments* start_gains(Tandem_state<Backend>& t)
   return t.gain.data();
 }
 
-// After the pass: the sums of the shapes with a gain, by id.
+// After the pass: the sums of the shapes that it has met, by id.
 template <class Backend>
 std::vector<Gain> take_gains(Tandem_state<Backend>& t)
 {
-  const auto id = t.backend.compact(t.shapes.size(), Has_gain{t.gain.data()});
-  typename Backend::template Buffer<Gain> buffer(id.size());
-  t.backend.for_each(id.size(), Move_gains{id.data(), t.gain.data(), buffer.data()});
-  std::vector<Gain> gains(id.size());
-  t.backend.to_host(buffer.data(), gains.size(), gains.data());
+  std::vector<Gain> gains = t.backend.template collect<Gain>(t.shapes.size(), Take_sums{t.gain.data()});
+  std::sort(gains.begin(), gains.end(), [](const Gain& a, const Gain& b) { return a.id < b.id; });
   return gains;
 }
 

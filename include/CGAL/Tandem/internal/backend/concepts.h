@@ -35,6 +35,10 @@ struct Predicate {
   bool operator()(std::uint32_t) const { return false; }
 };
 
+struct Maker {
+  bool operator()(std::uint32_t, int&) const { return false; }
+};
+
 struct Value {
   std::uint32_t operator()(std::uint32_t) const { return 0; }
 };
@@ -85,6 +89,7 @@ struct Is_backend<
     typename Backend::Sort_table::View,
     decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
     decltype(std::size_t(std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()).size())),
+    decltype(std::size_t(std::declval<Backend&>().template collect<int>(std::size_t(0), archetypes::Maker()).size())),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
     decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),
     decltype(std::declval<Backend&>().lend_out(std::declval<std::vector<int>&>()).take_back()),
