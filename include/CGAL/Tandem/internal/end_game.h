@@ -90,11 +90,11 @@ void consolidate(Tandem_state<Backend>& t)
   }
 }
 
-// A last regularity step over all shapes; returns the relations, by shape.
+// A last regularity step over all shapes, which have just been counted; returns the
+// relations, by shape.
 template <class Backend>
 Shape_relations settle(Tandem_state<Backend>& t)
 {
-  recount(t);
   refit_shapes(t);
   const Shape_relations relations = regularize_shapes(t, true);
   const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links, Links::all));
@@ -115,8 +115,9 @@ void reassign_to_larger(Tandem_state<Backend>& t)
     for(std::uint32_t id : t.live)
       may_lose[id] = 2 * t.shapes[id].moments.count >= 3 * t.options.minimum_region_size;
     reassign(t, may_lose, all_shapes(t), true);
-    recount(t);
+    forget_empty_shapes(t);
   }
+  list_shapes(t);
   drop_small(t);
 }
 
