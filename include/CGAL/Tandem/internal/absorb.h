@@ -252,12 +252,22 @@ struct Sum_moments {
   {
     const Range cell = cells[c];
     const Grid_point& base = cloud.point[cell.first];
+    const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, base, sum); };
     table.clear(block);
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t i = cell.first + at;
-      if(label[i] < first_mark)
-        table.template add<Backend>(block, label[i], cloud.point[i], base, 1, sum);
-    });
+    block.template accumulate<Shape_run>(
+      cell.size(),
+      [&](std::uint32_t at, Shape_run& run) {
+        const std::uint32_t i = cell.first + at;
+        if(label[i] >= first_mark)
+          return;
+        if(label[i] != run.shape) {
+          add(run);
+          run = Shape_run();
+          run.shape = label[i];
+        }
+        run.add(cloud.point[i], base, 1);
+      },
+      add);
     table.template flush<Backend>(block, base, sum);
   }
 };

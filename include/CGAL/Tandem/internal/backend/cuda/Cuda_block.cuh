@@ -25,6 +25,18 @@ struct Cuda_block {
     __syncthreads();
   }
 
+  template <class Sum, class F, class Add>
+  __device__ void accumulate(std::uint32_t n, F f, Add add)
+  {
+    __syncthreads();
+    Sum sum;
+    for(std::uint32_t i = threadIdx.x; i < n; i += Lanes)
+      f(i, sum);
+    __syncwarp(); // the lanes of a warp add what they have for the same target together
+    add(sum);
+    __syncthreads();
+  }
+
   // A lane takes one neighbor at a time, so that those of a source are read together.
   template <class Row, class F>
   __device__ void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
@@ -122,10 +134,8 @@ struct Cuda_block {
     return true;
   }
 
-  __device__ void add_moments(Cell_moments& target, std::int64_t x, std::int64_t y, std::int64_t z, int sign)
+  __device__ void add_moments(Cell_moments& target, Cell_moments m)
   {
-    Cell_moments m;
-    m.add(x, y, z, sign);
     if(!gather_from_peers(&target, m))
       return;
     device_add(target.count, m.count);
@@ -135,14 +145,13 @@ struct Cuda_block {
       device_add(target.product[i], m.product[i]);
   }
 
-  __device__ void add_box(Box& target, const Grid_point& p)
+  __device__ void add_box(Box& target, const Box& b)
   {
-    const std::int32_t c[3] = {p.x, p.y, p.z};
     for(int a = 0; a < 3; ++a) {
-      if(c[a] < target.low[a]) // it only ever falls, so an old value does no harm
-        atomicMin(&target.low[a], c[a]);
-      if(c[a] > target.high[a])
-        atomicMax(&target.high[a], c[a]);
+      if(b.low[a] < target.low[a]) // it only ever falls, so an old value does no harm
+        atomicMin(&target.low[a], b.low[a]);
+      if(b.high[a] > target.high[a])
+        atomicMax(&target.high[a], b.high[a]);
     }
   }
 
