@@ -89,8 +89,6 @@ struct Moment_table {
   {
     for(std::uint32_t probe = 0; probe < 8; ++probe) {
       const std::uint32_t slot = (s + probe) % slots;
-      if(block.load(shape[slot]) == s) // all lanes at once may read it
-        return slot;
       const std::uint32_t old = block.exchange_if(shape[slot], no_index, s);
       if(old == no_index || old == s)
         return slot;

@@ -33,7 +33,8 @@ struct Leaf_parents {
   std::uint32_t* parent;
 
   CGAL_TANDEM_HD std::uint32_t load(std::uint32_t i) const { return block.load(parent[i]); }
-  CGAL_TANDEM_HD void lower(std::uint32_t i, std::uint32_t value) const { block.fetch_min(parent[i], value); }
+  // Not the least of what threads write at once, but one of the points above i, which is enough.
+  CGAL_TANDEM_HD void lower(std::uint32_t i, std::uint32_t value) const { parent[i] = value; }
   CGAL_TANDEM_HD bool set(std::uint32_t i, std::uint32_t value) const
   {
     return block.exchange_if(parent[i], i, value) == i;
@@ -83,31 +84,19 @@ struct Ties {
   Cloud_view cloud;
   const std::uint32_t* label;
 
-  // unite(p, q) for points of the range: the first one of the row with a label stands for all.
+  // unite(p, q) for the neighbor q of r, where p is the point of the row that stands for all with
+  // its label. Both are in the range.
   template <class Unite>
-  CGAL_TANDEM_HD void operator()(std::uint32_t r, const Range& range, Unite unite) const
+  CGAL_TANDEM_HD void operator()(std::uint32_t r, std::uint32_t q, const Range& range, Unite unite) const
   {
-    const std::uint32_t* row = cloud.row(r);
-    for(int j = -1; j < cloud.k; ++j) {
-      const std::uint32_t q = at(row, r, j);
-      if(q == no_index)
-        return;
-      if(q < range.first || q >= range.last || label[q] >= first_mark)
-        continue;
-      for(int i = -1; i < j; ++i) {
-        const std::uint32_t p = at(row, r, i);
-        if(p < range.first || p >= range.last || label[p] != label[q])
-          continue;
-        unite(p, q);
-        break;
-      }
-    }
-  }
-
-private:
-  CGAL_TANDEM_HD static std::uint32_t at(const std::uint32_t* row, std::uint32_t r, int j)
-  {
-    return j < 0 ? r : row[j];
+    if(q < range.first || q >= range.last || label[q] >= first_mark)
+      return;
+    if(label[r] == label[q])
+      return unite(r, q); // a point is in the range with its neighbors
+    const std::uint32_t* p = cloud.row(r);
+    while(*p < range.first || *p >= range.last || label[*p] != label[q])
+      ++p; // it ends at q
+    unite(*p, q);
   }
 };
 
@@ -129,25 +118,62 @@ struct Unite_in_leaf {
     const Range cell = cells[c];
     const Union_find<Leaf_parents<Block>> points = {{block, scratch.parent}};
     block.for_each(cell.size(), [&](std::uint32_t at) { scratch.parent[at] = at; });
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      ties(cell.first + at, cell,
-           [&](std::uint32_t p, std::uint32_t q) { points.unite(p - cell.first, q - cell.first); });
-    });
+    block.for_each_neighbor(
+      cell.size(), ties.cloud.k, [&](std::uint32_t at) { return ties.cloud.row(cell.first + at); },
+      [&](std::uint32_t at, std::uint32_t q) {
+        ties(cell.first + at, q, cell,
+             [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
+      });
     block.for_each(cell.size(), [&](std::uint32_t at) { component[cell.first + at] = cell.first + points.root(at); });
   }
 };
 
-// What the points with a neighbor in another leaf tie together.
+struct Pair_scratch {
+  static constexpr std::uint32_t slots = 256;
+  std::uint64_t pair[slots];
+  std::uint32_t count[slots];
+};
+
+// What the points with a neighbor in another leaf tie together. Next to all of them tie the
+// same few pairs of roots, each of which is united once.
 template <class Backend>
 struct Unite_at_border {
   Ties ties;
+  const Range* border_of; // of each leaf, in `border`
   const std::uint32_t* border;
   std::uint32_t* component;
 
-  CGAL_TANDEM_HD void operator()(std::size_t b) const
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Pair_scratch& scratch, std::uint32_t c) const
   {
     const Union_find<Shared_parents<Backend>> points = {{component}};
-    ties(border[b], {0, ties.cloud.size}, [&](std::uint32_t p, std::uint32_t q) { points.unite(p, q); });
+    const Range range = border_of[c];
+    block.for_each(Pair_scratch::slots, [&](std::uint32_t i) { scratch.pair[i] = none; });
+    const auto note = [&](std::uint32_t p, std::uint32_t q) {
+      p = points.parents.load(p);
+      q = points.parents.load(q);
+      if(p != q && !is_noted(block, scratch, std::uint64_t(p) << 32 | q))
+        points.unite(p, q);
+    };
+    block.for_each_neighbor(
+      range.size(), ties.cloud.k, [&](std::uint32_t b) { return ties.cloud.row(border[range.first + b]); },
+      [&](std::uint32_t b, std::uint32_t q) {
+        ties(border[range.first + b], q, {0, ties.cloud.size}, note);
+      });
+    block.for_each(Pair_scratch::slots, [&](std::uint32_t i) {
+      if(scratch.pair[i] != none)
+        points.unite(std::uint32_t(scratch.pair[i] >> 32), std::uint32_t(scratch.pair[i]));
+    });
+  }
+
+private:
+  static constexpr std::uint64_t none = ~std::uint64_t(0);
+
+  template <class Block>
+  CGAL_TANDEM_HD static bool is_noted(Block& block, Pair_scratch& scratch, std::uint64_t pair)
+  {
+    const std::uint32_t slot = std::uint32_t((pair * 0x9e3779b97f4a7c15u) >> 56);
+    return block.count_pair(scratch.pair[slot], scratch.count[slot], pair);
   }
 };
 
@@ -177,7 +203,8 @@ void find_components(Tandem_state<Backend>& t, const std::uint32_t* label, std::
     t.backend.template for_each_cell<Union_scratch<small_cell>>(t.number_of_cells, inside);
   else
     t.backend.template for_each_cell<Union_scratch<largest_cell>>(t.number_of_cells, inside);
-  t.backend.for_each(t.border.size(), Unite_at_border<Backend>{ties, t.border.data(), component});
+  t.backend.template for_each_cell<Pair_scratch>(
+    t.number_of_cells, Unite_at_border<Backend>{ties, t.cell_border.data(), t.border.data(), component});
   t.backend.for_each(t.cloud.size, Find_root<Backend>{component});
 }
 

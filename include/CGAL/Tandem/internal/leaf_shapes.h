@@ -46,10 +46,7 @@ private:
   CGAL_TANDEM_HD static bool is_new(Block& block, List_scratch& scratch, std::uint32_t s)
   {
     for(std::uint32_t probe = 0; probe < List_scratch::slots; ++probe) {
-      std::uint32_t& slot = scratch.shape[(s + probe) % List_scratch::slots];
-      if(block.load(slot) == s) // all lanes at once may read it
-        return false;
-      const std::uint32_t old = block.exchange_if(slot, no_index, s);
+      const std::uint32_t old = block.exchange_if(scratch.shape[(s + probe) % List_scratch::slots], no_index, s);
       if(old == no_index || old == s)
         return old == no_index;
     }

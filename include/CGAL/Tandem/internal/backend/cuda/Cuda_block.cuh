@@ -43,11 +43,17 @@ struct Cuda_block {
   {
     __syncthreads();
     const std::uint32_t width = std::uint32_t(k);
-    for(std::uint32_t item = threadIdx.x; item < n * width; item += Lanes) {
-      const std::uint32_t s = item / width;
+    std::uint32_t s = threadIdx.x / width, j = threadIdx.x % width;
+    while(s < n) {
       const std::uint32_t* neighbors = row(s);
       if(neighbors != nullptr)
-        f(s, neighbors[item - s * width]);
+        f(s, neighbors[j]);
+      s += Lanes / width;
+      j += Lanes % width;
+      if(j >= width) {
+        j -= width;
+        ++s;
+      }
     }
     __syncthreads();
   }
@@ -119,15 +125,19 @@ struct Cuda_block {
 
   __device__ std::uint32_t append(std::uint32_t& size) { return atomicAdd(&size, 1u); }
 
+  // Reads first: most lanes come too late, and can find that out all at once.
   __device__ std::uint32_t exchange_if(std::uint32_t& target, std::uint32_t expected, std::uint32_t value)
   {
-    return atomicCAS(&target, expected, value);
+    const std::uint32_t now = load(target);
+    return now != expected ? now : atomicCAS(&target, expected, value);
   }
 
   __device__ bool count_pair(std::uint64_t& slot, std::uint32_t& count, std::uint64_t value)
   {
     const std::uint64_t none = ~std::uint64_t(0);
-    const std::uint64_t owner = device_exchange_if(slot, none, value);
+    std::uint64_t owner = *static_cast<const volatile std::uint64_t*>(&slot);
+    if(owner == none)
+      owner = device_exchange_if(slot, none, value);
     if(owner != none && owner != value)
       return false;
     atomicAdd(&count, 1u);
