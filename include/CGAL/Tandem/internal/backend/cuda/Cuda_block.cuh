@@ -20,8 +20,7 @@ struct Cuda_block {
   __device__ void for_each(std::uint32_t n, F f)
   {
     __syncthreads();
-    for(std::uint32_t i = threadIdx.x; i < n; i += Lanes)
-      f(i);
+    in_step(n, f);
     __syncthreads();
   }
 
@@ -30,30 +29,38 @@ struct Cuda_block {
   {
     __syncthreads();
     Sum sum;
-    for(std::uint32_t i = threadIdx.x; i < n; i += Lanes)
-      f(i, sum);
-    __syncwarp(); // the lanes of a warp add what they have for the same target together
+    in_step(n, [&](std::uint32_t i) { f(i, sum); });
     add(sum);
     __syncthreads();
   }
 
-  // A lane takes one neighbor at a time, so that those of a source are read together.
+  // A lane takes one neighbor at a time, so that those of a source are read together. It reads the
+  // next one before it is done with the last.
   template <class Row, class F>
   __device__ void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
   {
     __syncthreads();
     const std::uint32_t width = std::uint32_t(k);
-    std::uint32_t s = threadIdx.x / width, j = threadIdx.x % width;
-    while(s < n) {
-      const std::uint32_t* neighbors = row(s);
-      if(neighbors != nullptr)
-        f(s, neighbors[j]);
-      s += Lanes / width;
+    std::uint32_t next = threadIdx.x / width, j = threadIdx.x % width, q = no_index;
+    const std::uint32_t* neighbors = nullptr;
+    const auto read = [&] {
+      neighbors = next < n ? row(next) : nullptr;
+      q = neighbors != nullptr ? neighbors[j] : no_index;
+    };
+    read();
+    for(std::uint32_t first = 0; first < n * width; first += Lanes) {
+      const bool is_visited = neighbors != nullptr;
+      const std::uint32_t s = next, neighbor = q;
+      next += Lanes / width;
       j += Lanes % width;
       if(j >= width) {
         j -= width;
-        ++s;
+        ++next;
       }
+      read();
+      if(is_visited)
+        f(s, neighbor);
+      __syncwarp();
     }
     __syncthreads();
   }
@@ -166,6 +173,18 @@ struct Cuda_block {
   }
 
 private:
+  // f(i) for the items of this lane. Where lanes have gone different ways, those of a warp wait for
+  // each other after each item: else they go on one by one to the end.
+  template <class F>
+  __device__ static void in_step(std::uint32_t n, F f)
+  {
+    for(std::uint32_t first = 0; first < n; first += Lanes) {
+      if(first + threadIdx.x < n)
+        f(first + threadIdx.x);
+      __syncwarp();
+    }
+  }
+
   // Of the lanes of a warp with the same target, the first one gets the sum of all, in a
   // tree; false for the others.
   __device__ static bool gather_from_peers(const void* target, Cell_moments& m)
