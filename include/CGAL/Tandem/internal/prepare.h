@@ -93,6 +93,7 @@ inline Options make_options(const Import& in, const Parameters& p)
 
 struct No_scratch {};
 
+// Whether the points of a leaf have a neighbor in another one.
 struct Mark_border {
   Cloud_view cloud;
   const Range* cells;
