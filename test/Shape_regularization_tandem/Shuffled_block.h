@@ -63,6 +63,15 @@ struct Shuffled_block : Serial_block {
     dice.visit(0, n, [&](std::size_t i) { f(std::uint32_t(i)); });
   }
 
+  // Which lane an item comes to is random, too.
+  template <class Sum, class F, class Add>
+  void accumulate(std::uint32_t n, F f, Add add)
+  {
+    Sum sum[3];
+    for_each(n, [&](std::uint32_t i) { f(i, sum[dice.below(3)]); });
+    for_each(3, [&](std::uint32_t lane) { add(sum[lane]); });
+  }
+
   template <class Row, class F>
   void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
   {
@@ -214,6 +223,14 @@ public:
     Buffer<std::uint32_t> result(kept.size());
     std::copy(kept.begin(), kept.end(), result.begin());
     return result;
+  }
+
+  template <class T, class F>
+  std::vector<T> collect(std::size_t n, F f)
+  {
+    std::vector<T> items = Sequential_backend::collect<T>(n, f);
+    dice_.shuffle(items.begin(), items.end());
+    return items;
   }
 
   template <class T>

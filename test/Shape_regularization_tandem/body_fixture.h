@@ -98,6 +98,18 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   return f;
 }
 
+template <class Backend>
+void take_cloud(const Fixture& f, Tandem_state<Backend>& t)
+{
+  t.cloud = f.cloud;
+  t.number_of_cells = f.cells.size();
+  t.cells.reset(f.cells.size());
+  std::copy(f.cells.begin(), f.cells.end(), t.cells.data());
+  t.options.cell_size = 0;
+  for(const Range& cell : f.cells)
+    t.options.cell_size = (std::max)(t.options.cell_size, std::size_t(cell.size()));
+}
+
 template <class T>
 void check_lists(const std::vector<T>& got, const std::vector<T>& expected, const std::string& name)
 {

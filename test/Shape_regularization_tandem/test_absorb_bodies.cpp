@@ -24,6 +24,7 @@ public:
   {
     test_offers();
     test_reassignment();
+    test_take_chosen();
     test_components();
     test_sums();
   }
@@ -97,6 +98,28 @@ private:
     check_lists(chosen, expected, name_ + ": reassignment");
   }
 
+  // Every third point goes to the next shape.
+  void test_take_chosen()
+  {
+    const std::uint32_t shapes = std::uint32_t(f_.plane.size());
+    std::vector<std::uint32_t> label = f_.label, chosen = label;
+    std::vector<std::uint8_t> state(label.size(), is_interior | no_seed), expected_state = state;
+    std::vector<Shared_moments> change(shapes), expected(shapes);
+    for(std::uint32_t i = 0; i < f_.cloud.size; i += 3)
+      if(label[i] < first_mark && shapes > 1) {
+        chosen[i] = (label[i] + 1) % shapes;
+        expected_state[i] = no_seed;
+        add_point(expected[label[i]], f_.point[i], -1);
+        add_point(expected[chosen[i]], f_.point[i], 1);
+      }
+    backend_.template for_each_cell<Moment_table>(
+      f_.cells.size(),
+      Take_chosen<Backend>{f_.cloud, f_.cells.data(), chosen.data(), {label.data(), state.data()}, change.data()});
+    check_lists(label, chosen, name_ + ": labels that were chosen");
+    check_lists(state, expected_state, name_ + ": states of points that change");
+    check_moments(change, expected, name_ + ": points that change");
+  }
+
   // By repeated propagation of the smallest position.
   void test_components()
   {
@@ -126,7 +149,10 @@ private:
         f_.for_each_neighbor(r, take);
       }
     }
-    find_components(backend_, f_.cloud, f_.label.data(), component.data());
+    Tandem_state<Backend> t(backend_);
+    take_cloud(f_, t);
+    find_border(t);
+    find_components(t, f_.label.data(), component.data());
     check_lists(component, expected, name_ + ": components");
   }
 

@@ -105,21 +105,13 @@ private:
           expected.push_back(i);
       }
     Tandem_state<Backend> t(backend_);
-    take_cloud(t);
+    take_cloud(f_, t);
     find_border(t);
     check_lists(to_vector(t.border), expected, name_ + ": border");
     for(std::size_t c = 0; c < f_.cells.size(); ++c)
       for(std::uint32_t b = t.cell_border[c].first; b < t.cell_border[c].last; ++b)
         CHECK_AT(t.border[b] >= f_.cells[c].first && t.border[b] < f_.cells[c].last, name_ + ": border of a leaf");
     CHECK_AT(t.cell_border[f_.cells.size() - 1].last == expected.size(), name_ + ": border of the last leaf");
-  }
-
-  void take_cloud(Tandem_state<Backend>& t) const
-  {
-    t.cloud = f_.cloud;
-    t.number_of_cells = f_.cells.size();
-    t.cells.reset(f_.cells.size());
-    std::copy(f_.cells.begin(), f_.cells.end(), t.cells.data());
   }
 
   // Twice: what has been taken is zero again.

@@ -51,6 +51,20 @@ CGAL_TANDEM_HD void atomic_add(Shared_moments& target, const Moments& m, const B
   }
 }
 
+// The sum of points that come one after the other and are of one shape.
+struct Shape_run {
+  std::uint32_t shape = no_index;
+  Cell_moments moments;
+  Box box;
+
+  // base: any point of the leaf.
+  CGAL_TANDEM_HD void add(const Grid_point& p, const Grid_point& base, int sign)
+  {
+    moments.add(std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z, sign);
+    box.add(p);
+  }
+};
+
 // Open addressing with a bounded probe: what finds no place goes to the shape at once.
 struct Moment_table {
   static constexpr std::uint32_t slots = 64;
@@ -82,23 +96,27 @@ struct Moment_table {
     return slots;
   }
 
-  // base: any point of the leaf.
+  // base: that of the run.
+  template <class Backend, class Block>
+  CGAL_TANDEM_HD void add(Block& block, const Shape_run& run, const Grid_point& base, Shared_moments* target)
+  {
+    if(run.shape == no_index)
+      return;
+    const std::uint32_t slot = claim(block, run.shape);
+    if(slot == slots)
+      return atomic_add<Backend>(target[run.shape], shifted(run.moments, base.x, base.y, base.z), run.box);
+    block.add_moments(moments[slot], run.moments);
+    block.add_box(box[slot], run.box);
+  }
+
   template <class Backend, class Block>
   CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, const Grid_point& base, int sign,
                           Shared_moments* target)
   {
-    const std::uint32_t slot = claim(block, s);
-    if(slot == slots) {
-      Moments m;
-      m.add(p, sign);
-      Box b;
-      b.add(p);
-      atomic_add<Backend>(target[s], m, b);
-      return;
-    }
-    block.add_moments(moments[slot], std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z,
-                      sign);
-    block.add_box(box[slot], p);
+    Shape_run run;
+    run.shape = s;
+    run.add(p, base, sign);
+    add<Backend>(block, run, base, target);
   }
 
   template <class Backend, class Block>

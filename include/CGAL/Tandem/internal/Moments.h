@@ -35,6 +35,16 @@ struct Cell_moments {
     product[4] += sign * (y * z);
     product[5] += sign * (z * z);
   }
+
+  CGAL_TANDEM_HD Cell_moments& operator+=(const Cell_moments& m)
+  {
+    count += m.count;
+    for(int i = 0; i < 3; ++i)
+      sum[i] += m.sum[i];
+    for(int i = 0; i < 6; ++i)
+      product[i] += m.product[i];
+    return *this;
+  }
 };
 
 // Sums in grid coordinates: products of up to 2^56 times 2^31 points need 128 bits.

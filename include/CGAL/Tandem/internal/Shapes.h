@@ -44,11 +44,11 @@ struct Box {
     }
   }
 
-  void add(const Box& b)
+  CGAL_TANDEM_HD void add(const Box& b)
   {
     for(int a = 0; a < 3; ++a) {
-      low[a] = (std::min)(low[a], b.low[a]);
-      high[a] = (std::max)(high[a], b.high[a]);
+      low[a] = b.low[a] < low[a] ? b.low[a] : low[a];
+      high[a] = b.high[a] > high[a] ? b.high[a] : high[a];
     }
   }
 };

@@ -185,20 +185,37 @@ private:
   }
 };
 
+// Sums what the shapes lose and gain by it.
+template <class Backend>
 struct Take_chosen {
+  Cloud_view cloud;
+  const Range* cells;
   const std::uint32_t* chosen;
-  std::uint32_t* label;
-  std::uint8_t* state;
+  Labels_view labels;
+  Shared_moments* change;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
   {
-    if(label[i] != chosen[i])
-      state[i] &= std::uint8_t(~is_interior);
-    label[i] = chosen[i];
+    const Range cell = cells[c];
+    const Grid_point& base = cloud.point[cell.first];
+    table.clear(block);
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at;
+      const std::uint32_t old = labels.label[i], s = chosen[i];
+      if(old == s)
+        return;
+      labels.label[i] = s;
+      labels.state[i] &= std::uint8_t(~is_interior);
+      table.template add<Backend>(block, old, cloud.point[i], base, -1, change);
+      table.template add<Backend>(block, s, cloud.point[i], base, 1, change);
+    });
+    table.template flush<Backend>(block, base, change);
   }
 };
 
-// One Jacobi round of reassignment.
+// One Jacobi round of reassignment. Keeps the moments of the shapes right, if they are; their
+// boxes only grow, and they may become empty.
 template <class Backend>
 void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose,
               const std::vector<std::uint8_t>& may_gain, bool marks_interior)
@@ -213,7 +230,15 @@ void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_los
   t.backend.for_each(t.cloud.size,
                      Choose_largest{t.cloud, t.label.data(), t.state.data(), plane.data(), sizes.data(), losing.data(),
                                     gaining.data(), chosen.data(), t.options.growth.tolerance, marks_interior});
-  t.backend.for_each(t.cloud.size, Take_chosen{chosen.data(), t.label.data(), t.state.data()});
+  t.backend.template for_each_cell<Moment_table>(
+    t.number_of_cells,
+    Take_chosen<Backend>{t.cloud, t.cells.data(), chosen.data(), t.labels(), start_gains(t, t.shapes.size())});
+  for(const Gain& change : take_gains(t, t.shapes.size())) {
+    Shape& shape = t.shapes[change.id];
+    shape.moments += change.sums.moments();
+    shape.box.add(change.sums.box);
+    shape.is_dirty = true;
+  }
 }
 
 template <class Backend>
@@ -228,12 +253,22 @@ struct Sum_moments {
   {
     const Range cell = cells[c];
     const Grid_point& base = cloud.point[cell.first];
+    const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, base, sum); };
     table.clear(block);
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t i = cell.first + at;
-      if(label[i] < first_mark)
-        table.template add<Backend>(block, label[i], cloud.point[i], base, 1, sum);
-    });
+    block.template accumulate<Shape_run>(
+      cell.size(),
+      [&](std::uint32_t at, Shape_run& run) {
+        const std::uint32_t i = cell.first + at;
+        if(label[i] >= first_mark)
+          return;
+        if(label[i] != run.shape) {
+          add(run);
+          run = Shape_run();
+          run.shape = label[i];
+        }
+        run.add(cloud.point[i], base, 1);
+      },
+      add);
     table.template flush<Backend>(block, base, sum);
   }
 };

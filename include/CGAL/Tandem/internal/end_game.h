@@ -91,11 +91,11 @@ void consolidate(Tandem_state<Backend>& t)
   }
 }
 
-// A last regularity step over all shapes; returns the relations, by shape.
+// A last regularity step over all shapes, which have just been counted; returns the
+// relations, by shape.
 template <class Backend>
 Shape_relations settle(Tandem_state<Backend>& t)
 {
-  recount(t);
   refit_shapes(t);
   const Shape_relations relations = regularize_shapes(t, true);
   t.sample.reset(0); // others need the memory
@@ -117,8 +117,9 @@ void reassign_to_larger(Tandem_state<Backend>& t)
     for(std::uint32_t id : t.live)
       may_lose[id] = 2 * t.shapes[id].moments.count >= 3 * t.options.minimum_region_size;
     reassign(t, may_lose, all_shapes(t), true);
-    recount(t);
+    forget_empty_shapes(t);
   }
+  list_shapes(t);
   drop_small(t);
 }
 

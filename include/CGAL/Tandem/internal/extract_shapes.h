@@ -227,7 +227,7 @@ private:
   {
     const std::size_t n = t_.cloud.size;
     Buffer<std::uint32_t> component(n);
-    find_components(t_.backend, t_.cloud, label_.data(), component.data());
+    find_components(t_, label_.data(), component.data());
     const std::vector<Component> components = large_components(component.data());
     number_groups(components, result);
     Buffer<std::uint32_t> number(n);

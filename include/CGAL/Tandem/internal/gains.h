@@ -9,6 +9,9 @@
 
 #include <CGAL/Tandem/internal/Tandem_state.h>
 
+#include <functional>
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -25,21 +28,17 @@ struct Clear_sums {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { sums[i] = Shared_moments(); }
 };
 
-struct Has_gain {
-  const Shared_moments* sums;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return sums[id].count != 0; }
-};
-
-struct Move_gains {
-  const std::uint32_t* id;
+// Takes the sums of a shape that a pass has met.
+struct Take_sums {
   Shared_moments* sums;
-  Gain* gain;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD bool operator()(std::uint32_t id, Gain& gain) const
   {
-    gain[i] = {id[i], 0, sums[id[i]]};
-    sums[id[i]] = Shared_moments();
+    if(sums[id].box.low[0] > sums[id].box.high[0])
+      return false;
+    gain = {id, 0, sums[id]};
+    sums[id] = Shared_moments();
+    return true;
   }
 };
 
@@ -55,15 +54,17 @@ Shared_moments* start_gains(Tandem_state<Backend>& t, std::size_t ids)
   return t.gain.data();
 }
 
-// After the pass: the sums of the shapes with a gain, by id.
+// After the pass: the sums of the shapes that it has met, by id.
 template <class Backend>
 std::vector<Gain> take_gains(Tandem_state<Backend>& t, std::size_t ids)
 {
-  const auto id = t.backend.compact(ids, Has_gain{t.gain.data()});
-  typename Backend::template Buffer<Gain> buffer(id.size());
-  t.backend.for_each(id.size(), Move_gains{id.data(), t.gain.data(), buffer.data()});
-  std::vector<Gain> gains(id.size());
-  t.backend.to_host(buffer.data(), gains.size(), gains.data());
+  const std::vector<Gain> found = t.backend.template collect<Gain>(ids, Take_sums{t.gain.data()});
+  std::vector<std::uint64_t> order(found.size()); // to sort by id what is small
+  for(std::size_t i = 0; i < found.size(); ++i)
+    order[i] = std::uint64_t(found[i].id) << 32 | i;
+  t.backend.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
+  std::vector<Gain> gains(found.size());
+  t.backend.for_each_on_host(gains.size(), [&](std::size_t i) { gains[i] = found[order[i] & 0xffffffffu]; });
   return gains;
 }
 

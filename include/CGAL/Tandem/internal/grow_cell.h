@@ -65,6 +65,7 @@ struct Growth_scratch {
   std::uint32_t active_count;
   std::uint32_t core[65];
   std::uint32_t core_count;
+  Cell_moments core_sums;
 };
 
 template <class Backend, class Block, class Scratch>
@@ -81,16 +82,17 @@ public:
   CGAL_TANDEM_HD void run()
   {
     block_.single([&] { s_.tail = s_.active_count = 0; });
-    s_.table.clear(block_);
     collect_frontier();
     const std::uint32_t old = s_.tail;
     join_proposals();
-    if(*job_.seed_cursor < job_.seed_count)
+    const bool has_seeds = *job_.seed_cursor < job_.seed_count;
+    if(has_seeds)
       list_active();
     expand(0, s_.tail);
-    begin_shapes();
-    add_gain(old, s_.tail);
-    s_.table.template flush<Backend>(block_, base(), shapes_.gain);
+    if(has_seeds)
+      begin_shapes();
+    if(old < s_.tail)
+      add_gain(old, s_.tail);
   }
 
 private:
@@ -151,18 +153,17 @@ private:
       block_.for_each_neighbor(
         tail - head, cloud_.k, [&](std::uint32_t source) { return row_if_going_on(head + source, round); },
         [&](std::uint32_t source, std::uint32_t q) { propose(label_[queued(head + source)], q); });
-      block_.for_each(tail - head, [&](std::uint32_t source) {
-        const std::uint32_t i = queued(head + source);
-        if(round < shapes_.rounds[label_[i]])
+      const std::uint32_t sources = tail - head;
+      block_.for_each(s_.tail - head, [&](std::uint32_t at) {
+        const std::uint32_t i = queued(head + at);
+        if(at >= sources) {
+          label_[i] &= ~first_mark;
+          state_[i] |= on_frontier;
+        } else if(round < shapes_.rounds[label_[i]])
           state_[i] &= std::uint8_t(~on_frontier);
       });
       head = tail;
       tail = s_.tail;
-      block_.for_each(tail - head, [&](std::uint32_t at) {
-        const std::uint32_t q = queued(head + at);
-        label_[q] &= ~first_mark;
-        state_[q] |= on_frontier;
-      });
     }
   }
 
@@ -235,55 +236,69 @@ private:
   // plane through them, are the core of a new shape. False if they are too few.
   CGAL_TANDEM_HD bool begin_shape(std::uint32_t seed, std::uint32_t shape)
   {
+    bool is_core = gather_core(seed, own_plane(cloud_.point[seed]));
+    if(is_core) {
+      fit_core(shapes_.plane[shape]);
+      is_core = gather_core(seed, shapes_.plane[shape]);
+    }
     block_.single([&] {
-      gather_core(seed, own_plane(cloud_.point[seed]));
-      if(s_.core_count >= options_.core_size) {
-        shapes_.plane[shape] = core_plane();
-        gather_core(seed, shapes_.plane[shape]);
-      }
       state_[seed] |= no_seed;
-      if(s_.core_count < options_.core_size)
-        return;
-      shapes_.rounds[shape] = 1;
-      s_.active[s_.active_count++] = shape;
-      for(std::uint32_t c = 0; c < s_.core_count; ++c) {
-        label_[s_.core[c]] = shape;
-        state_[s_.core[c]] |= on_frontier;
-        push(s_.core[c]);
+      if(is_core) {
+        shapes_.rounds[shape] = 1;
+        s_.active[s_.active_count++] = shape;
       }
+    });
+    if(!is_core)
+      return false;
+    block_.for_each(s_.core_count, [&](std::uint32_t c) {
+      label_[s_.core[c]] = shape;
+      state_[s_.core[c]] |= on_frontier;
+      push(s_.core[c]);
+    });
+    return true;
+  }
+
+  // True if there are enough for a shape.
+  CGAL_TANDEM_HD bool gather_core(std::uint32_t seed, const Plane& plane)
+  {
+    const std::uint32_t* row = cloud_.row(seed);
+    block_.single([&] { s_.core_count = 0; });
+    block_.for_each(std::uint32_t(cloud_.k) + 1, [&](std::uint32_t j) {
+      const std::uint32_t q = j == 0 ? seed : row[j - 1];
+      if(is_own_free(q) && fits(plane, cloud_.point[q], options_.tolerance))
+        s_.core[block_.append(s_.core_count)] = q;
     });
     return s_.core_count >= options_.core_size;
   }
 
-  CGAL_TANDEM_HD void gather_core(std::uint32_t seed, const Plane& plane)
-  {
-    const std::uint32_t* row = cloud_.row(seed);
-    s_.core_count = 0;
-    if(fits(plane, cloud_.point[seed], options_.tolerance))
-      s_.core[s_.core_count++] = seed;
-    for(int j = 0; j < cloud_.k; ++j)
-      if(is_own_free(row[j]) && fits(plane, cloud_.point[row[j]], options_.tolerance))
-        s_.core[s_.core_count++] = row[j];
-  }
-
-  CGAL_TANDEM_HD Plane core_plane() const
+  CGAL_TANDEM_HD void fit_core(Plane& plane)
   {
     const Grid_point& o = base();
-    Cell_moments sums;
-    for(std::uint32_t c = 0; c < s_.core_count; ++c) {
-      const Grid_point& p = cloud_.point[s_.core[c]];
-      sums.add(std::int64_t(p.x) - o.x, std::int64_t(p.y) - o.y, std::int64_t(p.z) - o.z);
-    }
-    const Scatter scatter = make_scatter(shifted(sums, o.x, o.y, o.z));
-    return make_plane(fit_plane(scatter).normal, scatter.centroid);
+    block_.single([&] { s_.core_sums = Cell_moments(); });
+    block_.template accumulate<Cell_moments>(
+      s_.core_count,
+      [&](std::uint32_t c, Cell_moments& sums) {
+        const Grid_point& p = cloud_.point[s_.core[c]];
+        sums.add(std::int64_t(p.x) - o.x, std::int64_t(p.y) - o.y, std::int64_t(p.z) - o.z);
+      },
+      [&](const Cell_moments& sums) {
+        if(sums.count > 0)
+          block_.add_moments(s_.core_sums, sums);
+      });
+    block_.single([&] {
+      const Scatter scatter = make_scatter(shifted(s_.core_sums, o.x, o.y, o.z));
+      plane = make_plane(fit_plane(scatter).normal, scatter.centroid);
+    });
   }
 
   CGAL_TANDEM_HD void add_gain(std::uint32_t first, std::uint32_t last)
   {
+    s_.table.clear(block_);
     block_.for_each(last - first, [&](std::uint32_t at) {
       const std::uint32_t i = queued(first + at);
       s_.table.template add<Backend>(block_, label_[i], cloud_.point[i], base(), 1, shapes_.gain);
     });
+    s_.table.template flush<Backend>(block_, base(), shapes_.gain);
   }
 
   Block& block_;

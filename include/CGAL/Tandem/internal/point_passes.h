@@ -275,7 +275,7 @@ struct Update_points {
         labels.label[i] = labels.state[i] & detached_once ? is_locked : is_free;
         labels.state[i] = std::uint8_t((labels.state[i] | detached_once) & ~(on_frontier | is_interior));
         table.template add<Backend>(block, s, cloud.point[i], base, -1, loss);
-      } else {
+      } else if(s != old) {
         labels.label[i] = s;
       }
     });

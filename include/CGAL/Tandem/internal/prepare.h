@@ -91,21 +91,32 @@ inline Options make_options(const Import& in, const Parameters& p)
   return o;
 }
 
-// The leaf of a point is the last one that begins at or before it.
-struct Is_border {
+struct No_scratch {};
+
+// Whether the points of a leaf have a neighbor in another one.
+struct Mark_border {
   Cloud_view cloud;
   const Range* cells;
-  std::uint32_t size;
+  std::uint8_t* is_border;
 
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
   {
-    const Range cell = cells[partition_point(0, size, [&](std::uint32_t c) { return cells[c].first <= i; }) - 1];
-    const std::uint32_t* row = cloud.row(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-      if(row[j] < cell.first || row[j] >= cell.last)
-        return true;
-    return false;
+    const Range cell = cells[c];
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t* row = cloud.row(cell.first + at);
+      bool has_other = false;
+      for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
+        has_other |= row[j] < cell.first || row[j] >= cell.last;
+      is_border[cell.first + at] = has_other;
+    });
   }
+};
+
+struct Is_marked {
+  const std::uint8_t* mark;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return mark[i] != 0; }
 };
 
 // The entries of `border` that lie in each leaf.
@@ -132,7 +143,9 @@ template <class Backend>
 void find_border(Tandem_state<Backend>& t)
 {
   const std::uint32_t cells = std::uint32_t(t.number_of_cells);
-  t.border = t.backend.compact(t.cloud.size, Is_border{t.cloud, t.cells.data(), cells});
+  typename Backend::template Buffer<std::uint8_t> mark(t.cloud.size);
+  t.backend.template for_each_cell<No_scratch>(cells, Mark_border{t.cloud, t.cells.data(), mark.data()});
+  t.border = t.backend.compact(t.cloud.size, Is_marked{mark.data()});
   t.cell_border.reset(cells);
   t.backend.for_each(
     cells, Find_cell_borders{t.cells.data(), t.border.data(), std::uint32_t(t.border.size()), t.cell_border.data()});

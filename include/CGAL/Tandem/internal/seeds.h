@@ -78,7 +78,9 @@ struct Rate_seeds {
   {
     const Range cell = cells[c];
     block.single([&] { scratch.box = Box(); });
-    block.for_each(cell.size(), [&](std::uint32_t at) { block.add_box(scratch.box, cloud.point[cell.first + at]); });
+    block.template accumulate<Box>(
+      cell.size(), [&](std::uint32_t at, Box& box) { box.add(cloud.point[cell.first + at]); },
+      [&](const Box& box) { block.add_box(scratch.box, box); });
     const Box box = scratch.box;
     block.for_each(cell.size(), [&](std::uint32_t at) { key[cell.first + at] = rate(cell.first + at, at, box); });
   }

@@ -71,6 +71,19 @@ public:
     copy(source, n, target);
   }
 
+  // The items that f(i, item) fills in for i in [0, n) where it says so, in any order: few,
+  // for the host.
+  template <class T, class F>
+  std::vector<T> collect(std::size_t n, F f)
+  {
+    std::vector<T> items;
+    T item;
+    for(std::size_t i = 0; i < n; ++i)
+      if(f(std::uint32_t(i), item))
+        items.push_back(item);
+    return items;
+  }
+
 protected:
   // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece().
   template <class Backend, class F>

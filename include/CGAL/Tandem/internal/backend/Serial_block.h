@@ -70,6 +70,9 @@ struct Serial_block {
     f();
   }
 
+  // What other lanes may change at the same time.
+  std::uint32_t load(const std::uint32_t& target) { return target; }
+
   // target = min(target, value); returns the old target.
   std::uint32_t fetch_min(std::uint32_t& target, std::uint32_t value)
   {
@@ -105,13 +108,20 @@ struct Serial_block {
     return true;
   }
 
-  // Sums and bounds that the lanes of this block share.
-  void add_moments(Cell_moments& target, std::int64_t x, std::int64_t y, std::int64_t z, int sign)
+  // As for_each(), where f(i, sum) adds to the Sum that its lane has for itself; then add(sum)
+  // of each lane, once.
+  template <class Sum, class F, class Add>
+  void accumulate(std::uint32_t n, F f, Add add)
   {
-    target.add(x, y, z, sign);
+    Sum sum;
+    for_each(n, [&](std::uint32_t i) { f(i, sum); });
+    add(sum);
   }
 
-  void add_box(Box& target, const Grid_point& p) { target.add(p); }
+  // Sums and bounds that the lanes of this block share.
+  void add_moments(Cell_moments& target, const Cell_moments& m) { target += m; }
+
+  void add_box(Box& target, const Box& b) { target.add(b); }
 };
 
 } // namespace internal

@@ -36,8 +36,20 @@ struct Predicate {
   bool operator()(std::uint32_t) const { return false; }
 };
 
+struct Maker {
+  bool operator()(std::uint32_t, int&) const { return false; }
+};
+
 struct Value {
   std::uint32_t operator()(std::uint32_t) const { return 0; }
+};
+
+struct Summand {
+  void operator()(std::uint32_t, int&) const {}
+};
+
+struct Sum {
+  void operator()(int&) const {}
 };
 
 struct Neighbor_functor {
@@ -55,21 +67,22 @@ struct Is_block : std::false_type {};
 
 template <class Block>
 struct Is_block<
-  Block, std::void_t<
-           decltype(std::declval<Block&>().for_each(0u, archetypes::Predicate())),
-           decltype(std::declval<Block&>().for_each_neighbor(0u, 0, archetypes::Row(), archetypes::Neighbor_functor())),
-           decltype(std::uint32_t(std::declval<Block&>().find_first(0u, 0u, archetypes::Predicate()))),
-           decltype(std::uint32_t(std::declval<Block&>().min(0u, archetypes::Value()))),
-           decltype(std::uint32_t(std::declval<Block&>().fetch_min(std::declval<std::uint32_t&>(), 0u))),
-           decltype(std::declval<Block&>().add(std::declval<std::uint32_t&>(), 0u)),
-           decltype(std::uint32_t(std::declval<Block&>().append(std::declval<std::uint32_t&>()))),
-           decltype(std::uint32_t(std::declval<Block&>().exchange_if(std::declval<std::uint32_t&>(), 0u, 0u))),
-           decltype(bool(std::declval<Block&>().count_pair(std::declval<std::uint64_t&>(),
-                                                           std::declval<std::uint32_t&>(), std::uint64_t(0)))),
-           decltype(std::declval<Block&>().add_moments(std::declval<Cell_moments&>(), std::int64_t(0), std::int64_t(0),
-                                                       std::int64_t(0), 1)),
-           decltype(std::declval<Block&>().add_box(std::declval<Box&>(), std::declval<const Grid_point&>()))>>
-  : std::true_type {};
+  Block,
+  std::void_t<
+    decltype(std::declval<Block&>().for_each(0u, archetypes::Predicate())),
+    decltype(std::declval<Block&>().for_each_neighbor(0u, 0, archetypes::Row(), archetypes::Neighbor_functor())),
+    decltype(std::uint32_t(std::declval<Block&>().find_first(0u, 0u, archetypes::Predicate()))),
+    decltype(std::uint32_t(std::declval<Block&>().min(0u, archetypes::Value()))),
+    decltype(std::uint32_t(std::declval<Block&>().load(std::declval<const std::uint32_t&>()))),
+    decltype(std::uint32_t(std::declval<Block&>().fetch_min(std::declval<std::uint32_t&>(), 0u))),
+    decltype(std::declval<Block&>().add(std::declval<std::uint32_t&>(), 0u)),
+    decltype(std::uint32_t(std::declval<Block&>().append(std::declval<std::uint32_t&>()))),
+    decltype(std::uint32_t(std::declval<Block&>().exchange_if(std::declval<std::uint32_t&>(), 0u, 0u))),
+    decltype(bool(std::declval<Block&>().count_pair(std::declval<std::uint64_t&>(), std::declval<std::uint32_t&>(),
+                                                    std::uint64_t(0)))),
+    decltype(std::declval<Block&>().template accumulate<int>(0u, archetypes::Summand(), archetypes::Sum())),
+    decltype(std::declval<Block&>().add_moments(std::declval<Cell_moments&>(), std::declval<const Cell_moments&>())),
+    decltype(std::declval<Block&>().add_box(std::declval<Box&>(), std::declval<const Box&>()))>> : std::true_type {};
 
 template <class Backend, class = void>
 struct Is_backend : std::false_type {};
@@ -85,6 +98,7 @@ struct Is_backend<
     typename Backend::Sort_table::View,
     decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
     decltype(std::size_t(std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()).size())),
+    decltype(std::size_t(std::declval<Backend&>().template collect<int>(std::size_t(0), archetypes::Maker()).size())),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
     decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>())),
     decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),

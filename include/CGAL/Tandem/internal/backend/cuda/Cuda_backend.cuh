@@ -21,6 +21,9 @@
 #include <thrust/iterator/transform_iterator.h>
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -40,6 +43,21 @@ using Host_side = Tbb_backend;
 #else
 using Host_side = Sequential_backend;
 #endif
+
+template <class T, class F>
+struct Collect_items {
+  static_assert(sizeof(T) >= sizeof(std::uint32_t) && std::is_trivially_copyable<T>::value, "plain data");
+  F f;
+  std::uint32_t* size;
+  T* item;
+
+  __device__ void operator()(std::size_t i) const
+  {
+    T made;
+    if(f(std::uint32_t(i), made))
+      item[atomicAdd(size, 1u)] = made;
+  }
+};
 
 class Cuda_backend {
 public:
@@ -127,6 +145,29 @@ public:
       CGAL_TANDEM_CUDA(cudaMemcpyAsync(result.data(), kept.data(), std::size_t(size) * sizeof(std::uint32_t),
                                        cudaMemcpyDeviceToDevice, stream_of_thread()));
     return result;
+  }
+
+  // With one copy and one wait, unless there are many items.
+  template <class T, class F>
+  std::vector<T> collect(std::size_t n, F f)
+  {
+    constexpr std::size_t in_first_copy = (std::size_t(128) << 10) / sizeof(T);
+    if(n == 0)
+      return {};
+    Buffer<T> buffer(1 + n); // the place of the first item holds their number
+    std::uint32_t* const counter = reinterpret_cast<std::uint32_t*>(buffer.data());
+    CGAL_TANDEM_CUDA(cudaMemsetAsync(counter, 0, sizeof(*counter), stream_of_thread()));
+    for_each(n, Collect_items<T, F>{f, counter, buffer.data() + 1});
+    std::vector<T> items(1 + (std::min)(n, in_first_copy));
+    copy_to_host(buffer.data(), items.size(), items.data());
+    std::uint32_t size;
+    std::memcpy(&size, items.data(), sizeof(size));
+    items.erase(items.begin());
+    const std::size_t there = (std::min)(items.size(), std::size_t(size));
+    items.resize(size);
+    if(size > there)
+      copy_to_host(buffer.data() + 1 + there, size - there, items.data() + there);
+    return items;
   }
 
   template <class T>

@@ -20,22 +20,47 @@ struct Cuda_block {
   __device__ void for_each(std::uint32_t n, F f)
   {
     __syncthreads();
-    for(std::uint32_t i = threadIdx.x; i < n; i += Lanes)
-      f(i);
+    in_step(n, f);
     __syncthreads();
   }
 
-  // A lane takes one neighbor at a time, so that those of a source are read together.
+  template <class Sum, class F, class Add>
+  __device__ void accumulate(std::uint32_t n, F f, Add add)
+  {
+    __syncthreads();
+    Sum sum;
+    in_step(n, [&](std::uint32_t i) { f(i, sum); });
+    add(sum);
+    __syncthreads();
+  }
+
+  // A lane takes one neighbor at a time, so that those of a source are read together. It reads the
+  // next one before it is done with the last.
   template <class Row, class F>
   __device__ void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
   {
     __syncthreads();
     const std::uint32_t width = std::uint32_t(k);
-    for(std::uint32_t item = threadIdx.x; item < n * width; item += Lanes) {
-      const std::uint32_t s = item / width;
-      const std::uint32_t* neighbors = row(s);
-      if(neighbors != nullptr)
-        f(s, neighbors[item - s * width]);
+    std::uint32_t next = threadIdx.x / width, j = threadIdx.x % width, q = no_index;
+    const std::uint32_t* neighbors = nullptr;
+    const auto read = [&] {
+      neighbors = next < n ? row(next) : nullptr;
+      q = neighbors != nullptr ? neighbors[j] : no_index;
+    };
+    read();
+    for(std::uint32_t first = 0; first < n * width; first += Lanes) {
+      const bool is_visited = neighbors != nullptr;
+      const std::uint32_t s = next, neighbor = q;
+      next += Lanes / width;
+      j += Lanes % width;
+      if(j >= width) {
+        j -= width;
+        ++next;
+      }
+      read();
+      if(is_visited)
+        f(s, neighbor);
+      __syncwarp();
     }
     __syncthreads();
   }
@@ -96,31 +121,38 @@ struct Cuda_block {
     __syncthreads();
   }
 
+  __device__ std::uint32_t load(const std::uint32_t& target)
+  {
+    return *static_cast<const volatile std::uint32_t*>(&target);
+  }
+
   __device__ std::uint32_t fetch_min(std::uint32_t& target, std::uint32_t value) { return atomicMin(&target, value); }
 
   __device__ void add(std::uint32_t& target, std::uint32_t value) { atomicAdd(&target, value); }
 
   __device__ std::uint32_t append(std::uint32_t& size) { return atomicAdd(&size, 1u); }
 
+  // Reads first: most lanes come too late, and can find that out all at once.
   __device__ std::uint32_t exchange_if(std::uint32_t& target, std::uint32_t expected, std::uint32_t value)
   {
-    return atomicCAS(&target, expected, value);
+    const std::uint32_t now = load(target);
+    return now != expected ? now : atomicCAS(&target, expected, value);
   }
 
   __device__ bool count_pair(std::uint64_t& slot, std::uint32_t& count, std::uint64_t value)
   {
     const std::uint64_t none = ~std::uint64_t(0);
-    const std::uint64_t owner = device_exchange_if(slot, none, value);
+    std::uint64_t owner = *static_cast<const volatile std::uint64_t*>(&slot);
+    if(owner == none)
+      owner = device_exchange_if(slot, none, value);
     if(owner != none && owner != value)
       return false;
     atomicAdd(&count, 1u);
     return true;
   }
 
-  __device__ void add_moments(Cell_moments& target, std::int64_t x, std::int64_t y, std::int64_t z, int sign)
+  __device__ void add_moments(Cell_moments& target, Cell_moments m)
   {
-    Cell_moments m;
-    m.add(x, y, z, sign);
     if(!gather_from_peers(&target, m))
       return;
     device_add(target.count, m.count);
@@ -130,18 +162,29 @@ struct Cuda_block {
       device_add(target.product[i], m.product[i]);
   }
 
-  __device__ void add_box(Box& target, const Grid_point& p)
+  __device__ void add_box(Box& target, const Box& b)
   {
-    const std::int32_t c[3] = {p.x, p.y, p.z};
     for(int a = 0; a < 3; ++a) {
-      if(c[a] < target.low[a]) // it only ever falls, so an old value does no harm
-        atomicMin(&target.low[a], c[a]);
-      if(c[a] > target.high[a])
-        atomicMax(&target.high[a], c[a]);
+      if(b.low[a] < target.low[a]) // it only ever falls, so an old value does no harm
+        atomicMin(&target.low[a], b.low[a]);
+      if(b.high[a] > target.high[a])
+        atomicMax(&target.high[a], b.high[a]);
     }
   }
 
 private:
+  // f(i) for the items of this lane. Where lanes have gone different ways, those of a warp wait for
+  // each other after each item: else they go on one by one to the end.
+  template <class F>
+  __device__ static void in_step(std::uint32_t n, F f)
+  {
+    for(std::uint32_t first = 0; first < n; first += Lanes) {
+      if(first + threadIdx.x < n)
+        f(first + threadIdx.x);
+      __syncwarp();
+    }
+  }
+
   // Of the lanes of a warp with the same target, the first one gets the sum of all, in a
   // tree; false for the others.
   __device__ static bool gather_from_peers(const void* target, Cell_moments& m)

@@ -23,9 +23,13 @@ __global__ void __launch_bounds__(item_lanes) run_items(std::size_t n, const F f
     f(i);
 }
 
+// So many blocks run on a multiprocessor at once, if their scratch leaves room: bodies wait for
+// memory most of the time, which is worse than the few registers that they have to give up.
+constexpr unsigned cell_blocks = 6;
+
 // One block for each cell, its scratch in shared memory.
 template <class Scratch, class Body>
-__global__ void __launch_bounds__(cell_lanes) run_cells(const Body body)
+__global__ void __launch_bounds__(cell_lanes, cell_blocks) run_cells(const Body body)
 {
   extern __shared__ __align__(16) unsigned char memory[];
   Cuda_block<cell_lanes> block;
