@@ -10,6 +10,8 @@
 #include <CGAL/Tandem/internal/gains.h>
 #include <CGAL/Tandem/internal/point_passes.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -106,7 +108,8 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
     Update_points<Backend>{t.cloud, t.cells_view(), t.labels(), new_label.data(), checked.data(), plane.data(),
                            start_gains(t, t.shapes.size()), t.options.growth.tolerance});
   t.backend.for_each(t.number_of_cells, Relabel_lists{t.leaf_shapes.data(), new_label.data()});
-  for(const Gain& loss : take_gains(t, t.shapes.size())) {
+  const bool may_lose = std::find(is_checked.begin(), is_checked.end(), 1) != is_checked.end();
+  for(const Gain& loss : may_lose ? take_gains(t, t.shapes.size()) : std::vector<Gain>()) {
     t.shapes[loss.id].moments += loss.sums.moments();
     t.shapes[loss.id].is_dirty = true;
     t.assigned -= std::size_t(-loss.sums.count);
