@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The border on the way in: the caller's range is read once into doubles.
+// The border on the way in: the caller's range is read once.
 
 #ifndef CGAL_TANDEM_INTERNAL_IMPORT_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_IMPORT_CLOUD_H
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -24,20 +25,23 @@ namespace internal {
 template <class Traits>
 class Item_reader {
 public:
+  // What keeps all that a coordinate has.
+  using Value = typename std::conditional<std::is_same<typename Traits::FT, float>::value, float, double>::type;
+
   Item_reader(const Traits& traits, typename Traits::Point_map point_map, typename Traits::Normal_map normal_map)
     : x_(traits.compute_x_3_object()), y_(traits.compute_y_3_object()), z_(traits.compute_z_3_object()),
       point_map_(point_map), normal_map_(normal_map)
   {}
 
   template <class Item>
-  void read_point(const Item& item, double* out) const
+  void read_point(const Item& item, Value* out) const
   {
     const typename Traits::Point_3& p = get(point_map_, item);
     convert(p, out);
   }
 
   template <class Item>
-  void read_normal(const Item& item, double* out) const
+  void read_normal(const Item& item, Value* out) const
   {
     const typename Traits::Vector_3& v = get(normal_map_, item);
     convert(v, out);
@@ -45,11 +49,19 @@ public:
 
 private:
   template <class Geometry>
-  void convert(const Geometry& g, double* out) const
+  void convert(const Geometry& g, Value* out) const
   {
-    out[0] = CGAL::to_double(x_(g));
-    out[1] = CGAL::to_double(y_(g));
-    out[2] = CGAL::to_double(z_(g));
+    out[0] = value(x_(g));
+    out[1] = value(y_(g));
+    out[2] = value(z_(g));
+  }
+
+  static Value value(const typename Traits::FT& x)
+  {
+    if constexpr(std::is_same<typename Traits::FT, Value>::value)
+      return x;
+    else
+      return CGAL::to_double(x);
   }
 
   typename Traits::Compute_x_3 x_;
@@ -59,80 +71,107 @@ private:
   typename Traits::Normal_map normal_map_;
 };
 
-inline void start_import(Import& in, std::size_t size, bool has_normals)
+template <class Value>
+void start_import(Import& in, std::size_t size, bool has_normals)
 {
   if(size > maximum_number_of_points)
     throw std::length_error("the range has " + to_text(size) + " points, at most " + to_text(maximum_number_of_points) +
                             " (2^31) can be handled");
-  in.number_of_items = size;
+  in.count = in.number_of_items = size;
   in.has_normals = has_normals;
-  in.coordinates.reset(3 * size);
+  in.coordinates.reset<Value>(size);
   if(has_normals)
-    in.normals.reset(3 * size);
+    in.normals.reset<Value>(size);
 }
 
-enum class Item_state : char { valid, bad_position, bad_normal };
-
-// Reads item i to place i.
-template <class Traits>
-Item_state read_item(Import& in, std::size_t i, const Item_reader<Traits>& reader,
-                     const typename Traits::Point_range& points)
+template <class Value>
+bool is_position(const Value* p)
 {
-  const auto& item = *(points.begin() + std::ptrdiff_t(i));
-  double* p = in.coordinates.data() + 3 * i;
-  reader.read_point(item, p);
-  if(!is_finite(p))
-    return Item_state::bad_position;
-  if constexpr(Traits::has_normal_map) {
-    double* n = in.normals.data() + 3 * i;
-    reader.read_normal(item, n);
-    if(!is_finite(n) || !(largest_component(n) > 0))
-      return Item_state::bad_normal;
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+template <class Value>
+bool is_normal(const Value* n)
+{
+  return is_position(n) && (n[0] != 0 || n[1] != 0 || n[2] != 0);
+}
+
+// Reads the items [first, last) to the places of the same numbers. False if some cannot be used.
+template <class Traits>
+bool read_items(const Item_reader<Traits>& reader, const typename Traits::Point_range& points, std::size_t first,
+                std::size_t last, Import& in, Coordinate_box& box)
+{
+  using Value = typename Item_reader<Traits>::Value;
+  Value low[3], high[3];
+  std::fill_n(low, 3, std::numeric_limits<Value>::infinity());
+  std::fill_n(high, 3, -std::numeric_limits<Value>::infinity());
+  bool is_complete = true;
+  Value* p = in.coordinates.data<Value>() + 3 * first;
+  Value* n = in.normals.data<Value>() + (in.has_normals ? 3 * first : 0);
+  for(std::size_t i = first; i < last; ++i, p += 3) {
+    const auto& item = *(points.begin() + std::ptrdiff_t(i));
+    reader.read_point(item, p);
+    bool is_valid = is_position(p);
+    if constexpr(Traits::has_normal_map) {
+      reader.read_normal(item, n);
+      is_valid = is_valid && is_normal(n);
+      n += 3;
+    }
+    is_complete = is_complete && is_valid;
+    for(int c = 0; c < 3 && is_valid; ++c) {
+      low[c] = (std::min)(low[c], p[c]);
+      high[c] = (std::max)(high[c], p[c]);
+    }
   }
-  return Item_state::valid;
+  std::copy_n(low, 3, box.low);
+  std::copy_n(high, 3, box.high);
+  return is_complete;
 }
 
 // Closes the gaps, and notes where the points that are left come from.
-inline void drop_invalid(Import& in, const std::vector<Item_state>& state)
+template <class Value>
+void drop_invalid(Import& in)
 {
   std::size_t kept = 0;
-  for(std::size_t i = 0; i < state.size(); ++i) {
-    in.number_of_ignored_coordinates += state[i] == Item_state::bad_position;
-    in.number_of_ignored_normals += state[i] == Item_state::bad_normal;
-    if(state[i] != Item_state::valid)
+  for(std::size_t i = 0; i < in.count; ++i) {
+    const bool has_position = is_position(in.coordinates.data<Value>() + 3 * i);
+    const bool has_normal = !in.has_normals || is_normal(in.normals.data<Value>() + 3 * i);
+    in.number_of_ignored_coordinates += !has_position;
+    in.number_of_ignored_normals += has_position && !has_normal;
+    if(!has_position || !has_normal)
       continue;
-    std::copy_n(in.coordinates.data() + 3 * i, 3, in.coordinates.data() + 3 * kept);
+    in.coordinates.move(i, kept);
     if(in.has_normals)
-      std::copy_n(in.normals.data() + 3 * i, 3, in.normals.data() + 3 * kept);
+      in.normals.move(i, kept);
     in.item.push_back(std::uint32_t(i));
     ++kept;
   }
   in.count = kept;
 }
 
-// The caller's range as doubles, the normals of any length, without the points that cannot be used: a
-// coordinate is not finite, or the normal is null or not finite.
+// The caller's range without the points that cannot be used: a coordinate is not finite, or the normal is
+// null or not finite.
 template <class Traits, class Backend>
 Import read_points(Backend& backend, const typename Traits::Point_range& points, typename Traits::Point_map point_map,
                    typename Traits::Normal_map normal_map, const Traits& traits)
 {
+  using Reader = Item_reader<Traits>;
   Import in;
-  in.count = std::size_t(points.end() - points.begin());
-  start_import(in, in.count, Traits::has_normal_map);
-  const Item_reader<Traits> reader(traits, point_map, normal_map);
-  std::vector<Item_state> state(in.count);
-  std::atomic<bool> is_complete(true);
+  start_import<typename Reader::Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
+  const Reader reader(traits, point_map, normal_map);
   // Number types that compute lazily are not meant to be read by several threads.
   constexpr bool is_plain = std::is_floating_point<typename Traits::FT>::value;
-  backend.for_each_piece(in.count, is_plain ? 16384 : in.count + 1, [&](std::size_t first, std::size_t last) {
-    for(std::size_t i = first; i < last; ++i) {
-      state[i] = read_item(in, i, reader, points);
-      if(state[i] != Item_state::valid)
-        is_complete = false;
-    }
+  const std::size_t grain = is_plain ? 16384 : in.count + 1;
+  std::vector<Coordinate_box> boxes((in.count + grain - 1) / grain);
+  std::atomic<bool> is_complete(true);
+  backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
+    if(!read_items(reader, points, first, last, in, boxes[first / grain]))
+      is_complete = false;
   });
+  for(const Coordinate_box& box : boxes)
+    in.box.add(box);
   if(!is_complete)
-    drop_invalid(in, state);
+    drop_invalid<typename Reader::Value>(in);
   return in;
 }
 

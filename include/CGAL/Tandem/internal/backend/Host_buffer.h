@@ -14,6 +14,7 @@
 #include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -82,6 +83,28 @@ private:
 
   std::unique_ptr<T[], Free> data_;
   std::size_t size_ = 0;
+};
+
+// A table that does not change any more. Copies share it, so that they take no time.
+template <class T>
+class Shared_table {
+public:
+  using value_type = T;
+  using const_iterator = const T*;
+  using iterator = const_iterator;
+
+  Shared_table() = default;
+  Shared_table(Host_buffer<T>&& table) : table_(std::make_shared<const Host_buffer<T>>(std::move(table))) {}
+
+  const T* data() const { return table_ ? table_->data() : nullptr; }
+  std::size_t size() const { return table_ ? table_->size() : 0; }
+  bool empty() const { return size() == 0; }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size(); }
+  const T& operator[](std::size_t i) const { return (*table_)[i]; }
+
+private:
+  std::shared_ptr<const Host_buffer<T>> table_;
 };
 
 // Keys with the index that each belongs to, as a back end sorts them.

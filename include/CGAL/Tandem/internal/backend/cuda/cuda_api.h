@@ -23,11 +23,11 @@ class Cuda_engine {
 public:
   // Throws std::runtime_error without a device and for failures of it, std::length_error
   // if the device has not enough memory.
-  Cuda_engine(Import& in, const Parameters& parameters);
+  Cuda_engine(const Import& in, const Parameters& parameters);
 
   // What the engines of the host are made of; that of the host has nothing to do.
   template <class Backend>
-  Cuda_engine(Backend&, Import& in, const Parameters& parameters) : Cuda_engine(in, parameters)
+  Cuda_engine(Backend&, const Import& in, const Parameters& parameters) : Cuda_engine(in, parameters)
   {}
 
   ~Cuda_engine();

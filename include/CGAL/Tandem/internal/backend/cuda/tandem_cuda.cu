@@ -5,22 +5,13 @@
 
 #pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
 
-#include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_neighbors.cuh>
-#include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Cuda_tables.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// What the device does in its own way. Both are defined without reference to it.
-inline Device_buffer<Grid_point> import_points(Cuda_backend&, Import& in)
-{
-  Device_buffer<Grid_point> point(in.size());
-  fill_from_host(point.data(), in.size(), Place_on_grid(in));
-  return point;
-}
 
 inline void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
 {
@@ -56,7 +47,8 @@ private:
 };
 
 struct Cuda_engine::Implementation {
-  Implementation(Import& in, const Parameters& parameters) : device(current_device()), engine(backend, in, parameters)
+  Implementation(const Import& in, const Parameters& parameters)
+    : device(current_device()), engine(backend, in, parameters)
   {
     synchronize();
   }
@@ -92,7 +84,7 @@ void require_memory(std::size_t points, const Parameters& parameters, bool has_n
 
 } // namespace
 
-Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
+Cuda_engine::Cuda_engine(const Import& in, const Parameters& parameters)
 {
   require_device();
   require_memory(in.size(), parameters, in.has_normals);
