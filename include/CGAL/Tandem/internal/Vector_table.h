@@ -68,6 +68,13 @@ public:
       std::copy_n(doubles_.data() + 3 * from, 3, doubles_.data() + 3 * to);
   }
 
+  // See Host_buffer.
+  void keep_pages()
+  {
+    floats_.keep_pages();
+    doubles_.keep_pages();
+  }
+
 private:
   bool is_float() const { return floats_.size() > 0; }
 

@@ -84,47 +84,61 @@ void start_import(Import& in, std::size_t size, bool has_normals)
     in.normals.reset<Value>(size);
 }
 
+// A sum of quarters does not overflow.
 template <class Value>
 bool is_position(const Value* p)
 {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  const Value quarter = Value(.25);
+  return quarter * std::fabs(p[0]) + quarter * std::fabs(p[1]) + quarter * std::fabs(p[2]) <=
+         (std::numeric_limits<Value>::max)();
 }
 
 template <class Value>
 bool is_normal(const Value* n)
 {
-  return is_position(n) && (n[0] != 0 || n[1] != 0 || n[2] != 0);
+  return is_position(n) && std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]) > 0;
 }
 
-// Reads the items [first, last) to the places of the same numbers. False if some cannot be used.
+// Reads the items [first, last) to the places of the same numbers.
 template <class Traits>
-bool read_items(const Item_reader<Traits>& reader, const typename Traits::Point_range& points, std::size_t first,
-                std::size_t last, Import& in, Coordinate_box& box)
+void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_range& points, std::size_t first,
+                std::size_t last, Import& in)
 {
   using Value = typename Item_reader<Traits>::Value;
+  Value* p = in.coordinates.data<Value>();
+  Value* n = in.normals.data<Value>();
+  for(std::size_t i = first; i < last; ++i) {
+    const auto& item = *(points.begin() + std::ptrdiff_t(i));
+    reader.read_point(item, p + 3 * i);
+    if constexpr(Traits::has_normal_map)
+      reader.read_normal(item, n + 3 * i);
+  }
+}
+
+// The box around those of the points [first, last) that can be used. False if some cannot.
+template <class Value>
+bool inspect_points(Import& in, std::size_t first, std::size_t last, Coordinate_box& box)
+{
   Value low[3], high[3];
   std::fill_n(low, 3, std::numeric_limits<Value>::infinity());
   std::fill_n(high, 3, -std::numeric_limits<Value>::infinity());
   bool is_complete = true;
-  Value* p = in.coordinates.data<Value>() + 3 * first;
-  Value* n = in.normals.data<Value>() + (in.has_normals ? 3 * first : 0);
-  for(std::size_t i = first; i < last; ++i, p += 3) {
-    const auto& item = *(points.begin() + std::ptrdiff_t(i));
-    reader.read_point(item, p);
-    bool is_valid = is_position(p);
-    if constexpr(Traits::has_normal_map) {
-      reader.read_normal(item, n);
-      is_valid = is_valid && is_normal(n);
-      n += 3;
+  const Value *points = in.coordinates.data<Value>(), *normals = in.normals.data<Value>();
+  for(std::size_t i = first; i < last; ++i) {
+    const Value* p = points + 3 * i;
+    if(!is_position(p) || (in.has_normals && !is_normal(normals + 3 * i))) {
+      is_complete = false;
+      continue;
     }
-    is_complete = is_complete && is_valid;
-    for(int c = 0; c < 3 && is_valid; ++c) {
+    for(int c = 0; c < 3; ++c) {
       low[c] = (std::min)(low[c], p[c]);
       high[c] = (std::max)(high[c], p[c]);
     }
   }
-  std::copy_n(low, 3, box.low);
-  std::copy_n(high, 3, box.high);
+  Coordinate_box inspected;
+  std::copy_n(low, 3, inspected.low);
+  std::copy_n(high, 3, inspected.high);
+  box.add(inspected);
   return is_complete;
 }
 
@@ -165,8 +179,13 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   std::vector<Coordinate_box> boxes((in.count + grain - 1) / grain);
   std::atomic<bool> is_complete(true);
   backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
-    if(!read_items(reader, points, first, last, in, boxes[first / grain]))
-      is_complete = false;
+    constexpr std::size_t batch = 512; // stays in the first cache
+    for(std::size_t i = first; i < last; i += batch) {
+      const std::size_t end = (std::min)(i + batch, last);
+      read_items(reader, points, i, end, in);
+      if(!inspect_points<typename Reader::Value>(in, i, end, boxes[first / grain]))
+        is_complete = false;
+    }
   });
   for(const Coordinate_box& box : boxes)
     in.box.add(box);

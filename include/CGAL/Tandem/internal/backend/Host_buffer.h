@@ -4,13 +4,10 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include <CGAL/Tandem/internal/backend/Kept_pages.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -19,23 +16,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Asks for large pages where the system has them: the first touch of small ones takes
-// longer than most passes over the points.
-inline void* allocate_pages(std::size_t bytes)
-{
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::size_t page = std::size_t(2) << 20;
-  if(bytes >= 2 * page) {
-    void* const memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
-    if(memory != nullptr)
-      static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
-    return memory;
-  }
-#endif
-  constexpr std::size_t line = 64;
-  return std::aligned_alloc(line, (bytes + line - 1) / line * line);
-}
 
 // An array that is not initialized: each of its pages is first touched by the
 // thread that fills it.
@@ -53,11 +33,18 @@ public:
     release();
     if(size == 0)
       return;
-    data_.reset(static_cast<T*>(allocate_pages(size * sizeof(T))));
-    if(data_ == nullptr)
+    const std::size_t bytes = size * sizeof(T);
+    void* memory = Kept_pages::take(bytes);
+    if(memory == nullptr)
+      memory = allocate_pages(bytes);
+    if(memory == nullptr)
       throw std::bad_alloc();
+    data_ = std::unique_ptr<T[], Free>(static_cast<T*>(memory), Free());
     size_ = size;
   }
+
+  // The memory will not be freed, but kept for the next buffer of this size.
+  void keep_pages() { data_.get_deleter().kept_bytes = size_ * sizeof(T); }
 
   void release()
   {
@@ -78,7 +65,15 @@ public:
 
 private:
   struct Free {
-    void operator()(T* memory) const { std::free(memory); }
+    std::size_t kept_bytes = 0;
+
+    void operator()(T* memory) const
+    {
+      if(kept_bytes > 0)
+        Kept_pages::give(memory, kept_bytes);
+      else
+        std::free(memory);
+    }
   };
 
   std::unique_ptr<T[], Free> data_;

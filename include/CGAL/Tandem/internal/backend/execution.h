@@ -32,7 +32,7 @@ struct Execution {
 template <class Backend>
 class Cuda_or_host_engine {
 public:
-  Cuda_or_host_engine(Backend& backend, const Import& in, const Parameters& parameters)
+  Cuda_or_host_engine(Backend& backend, Import& in, const Parameters& parameters)
   {
     if(fits_on_device(in, parameters))
       device_ = std::make_unique<Cuda_engine>(in, parameters);

@@ -21,13 +21,14 @@ namespace internal {
 // by one thread at a time, whatever the current device of that is.
 class Cuda_engine {
 public:
+  // The memory of the caller's values will be kept for the next import.
   // Throws std::runtime_error without a device and for failures of it, std::length_error
   // if the device has not enough memory.
-  Cuda_engine(const Import& in, const Parameters& parameters);
+  Cuda_engine(Import& in, const Parameters& parameters);
 
   // What the engines of the host are made of; that of the host has nothing to do.
   template <class Backend>
-  Cuda_engine(Backend&, const Import& in, const Parameters& parameters) : Cuda_engine(in, parameters)
+  Cuda_engine(Backend&, Import& in, const Parameters& parameters) : Cuda_engine(in, parameters)
   {}
 
   ~Cuda_engine();

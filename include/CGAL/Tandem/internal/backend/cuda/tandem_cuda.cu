@@ -84,11 +84,13 @@ void require_memory(std::size_t points, const Parameters& parameters, bool has_n
 
 } // namespace
 
-Cuda_engine::Cuda_engine(const Import& in, const Parameters& parameters)
+Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
 {
   require_device();
   require_memory(in.size(), parameters, in.has_normals);
   implementation_ = std::make_unique<Implementation>(in, parameters);
+  in.coordinates.keep_pages();
+  in.normals.keep_pages();
 }
 
 Cuda_engine::~Cuda_engine()
@@ -153,6 +155,7 @@ void release_cuda_memory()
     return;
   CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
   Pinned_block::release();
+  Kept_pages::release();
   Memory_pools::trim();
 }
 
