@@ -3,7 +3,7 @@
 //
 // What the steps before and after the loop are made of, against naive versions, on
 // several back ends: compaction, the order along the curve, leaves, the border, sums
-// of shapes, sizes of components, the exact check.
+// of shapes, sizes of components, the exact check, what is measured and handed over.
 
 #undef NDEBUG
 
@@ -30,6 +30,8 @@ public:
     test_gains();
     test_component_sizes();
     test_exact_check();
+    test_measures();
+    test_groups();
   }
 
 private:
@@ -179,15 +181,66 @@ private:
       const double p[3] = {double(f_.point[i].x), double(f_.point[i].y), double(f_.point[i].z)};
       std::copy(p, p + 3, &coordinates[3 * std::size_t(origin[i])]);
       if(label[i] < first_mark && !fits(f_.plane[label[i]], f_.point[i], certain) &&
-         !bounds.is_near(plane[label[i]], p)) {
+         !bounds.is_near(plane[label[i]], {p[0], p[1], p[2]})) {
         expected[i] = is_locked;
         ++refused;
       }
     }
     check_exactly(backend_, {f_.point.data(), label.data(), f_.plane.data(), certain}, label.data(), n, origin.data(),
-                  {{coordinates.data(), normals.data()}, plane.data(), bounds});
+                  {{{coordinates.data(), false}, {normals.data(), false}}, plane.data(), bounds});
     check_lists(label, expected, name_ + ": exact check");
     CHECK_AT(refused > 20 || n < 100, name_ + ": " + std::to_string(refused) + " points refused");
+  }
+
+  // Every second label is a shape, all others are left out. Some points are farther away than epsilon.
+  void test_measures()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    const std::size_t labels = f_.plane.size();
+    std::vector<std::uint32_t> component(n), number(n, no_index), root(labels, no_index), opposed(labels, 0),
+      sums(labels);
+    std::vector<std::uint64_t> distance(1, 0);
+    std::uint64_t expected = 0;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      component[i] = i;
+      const std::uint32_t label = f_.label[i];
+      if(label >= first_mark)
+        continue;
+      component[i] = root[label] = (std::min)(root[label], i);
+      if(label % 2 != 0)
+        continue;
+      number[root[label]] = label;
+      const double share = double(f_.distance(label, i)) / double(f_.tolerance.distance);
+      expected += std::uint64_t(std::floor((std::min)(share, 1.) * distance_units + .5));
+      const Int_vector m = decode_normal(f_.point[i].normal);
+      sums[label] +=
+        double(f_.plane[label].nx) * m.x + double(f_.plane[label].ny) * m.y + double(f_.plane[label].nz) * m.z < 0;
+    }
+    backend_.template for_each_cell<Measure_scratch>(
+      f_.cells.size(),
+      Measure_points<Backend>{f_.point.data(), f_.cells.data(), f_.label.data(), f_.plane.data(), component.data(),
+                              number.data(), f_.tolerance.distance, opposed.data(), distance.data()});
+    check_lists(opposed, sums, name_ + ": opposed normals");
+    CHECK_AT(distance[0] == expected, name_ + ": distances");
+  }
+
+  // Labels that are no shapes are left out.
+  void test_groups()
+  {
+    const std::size_t shapes = f_.plane.size() - 1;
+    std::vector<std::int32_t> shape_of;
+    std::vector<std::vector<std::uint32_t>> expected(shapes);
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      shape_of.push_back(f_.label[i] < first_mark ? std::int32_t(f_.label[i]) : -1);
+      if(f_.label[i] < shapes)
+        expected[f_.label[i]].push_back(i);
+    }
+    const Point_groups groups = group_points(backend_, shape_of.data(), shape_of.size(), shapes);
+    for(std::size_t s = 0; s < shapes; ++s)
+      check_lists(std::vector<std::uint32_t>(groups.position.begin() + groups.first[s],
+                                             groups.position.begin() + groups.first[s + 1]),
+                  expected[s], name_ + ": points of shape " + std::to_string(s));
+    CHECK_AT(groups.position.size() == groups.first[shapes], name_);
   }
 
   Backend& backend_;

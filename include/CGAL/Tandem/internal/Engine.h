@@ -24,6 +24,8 @@ class Engine {
   static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
 
 public:
+  using Upload = No_upload;
+
   // The import has to stay.
   Engine(Backend& backend, const Import& in, const Parameters& parameters) : in_(in), state_(backend)
   {

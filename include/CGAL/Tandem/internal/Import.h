@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -58,11 +59,19 @@ CGAL_TANDEM_HD inline Vector normalized(const Vector& v)
   return unit(v);
 }
 
+// Of an engine that works where the caller's values are: nothing has to go anywhere.
+struct No_upload {
+  void start(const Vector_table&, const Vector_table&, std::size_t) {}
+  void send(std::size_t, std::size_t) {}
+  std::shared_ptr<void> finish() { return nullptr; }
+};
+
 struct Import {
   std::size_t count = 0;           // valid points: those below, in the caller's order
   Vector_table coordinates;        // as the caller gave them
   Vector_table normals;            // the same, of any length; empty if they are to be estimated
   std::vector<std::uint32_t> item; // position in the caller's range; empty means identity
+  std::shared_ptr<void> uploaded;  // what an engine has of the values already; see No_upload
   bool has_normals = false;
   Coordinate_box box;
 

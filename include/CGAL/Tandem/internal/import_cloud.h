@@ -147,6 +147,7 @@ template <class Value>
 void drop_invalid(Import& in)
 {
   std::size_t kept = 0;
+  in.uploaded.reset();
   for(std::size_t i = 0; i < in.count; ++i) {
     const bool has_position = is_position(in.coordinates.data<Value>() + 3 * i);
     const bool has_normal = !in.has_normals || is_normal(in.normals.data<Value>() + 3 * i);
@@ -164,18 +165,19 @@ void drop_invalid(Import& in)
 }
 
 // The caller's range without the points that cannot be used: a coordinate is not finite, or the normal is
-// null or not finite.
-template <class Traits, class Backend>
+// null or not finite. What has been read is uploaded while the rest is read.
+template <class Traits, class Backend, class Upload = No_upload>
 Import read_points(Backend& backend, const typename Traits::Point_range& points, typename Traits::Point_map point_map,
-                   typename Traits::Normal_map normal_map, const Traits& traits)
+                   typename Traits::Normal_map normal_map, const Traits& traits, Upload upload = Upload())
 {
   using Reader = Item_reader<Traits>;
   Import in;
   start_import<typename Reader::Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
+  upload.start(in.coordinates, in.normals, in.count);
   const Reader reader(traits, point_map, normal_map);
   // Number types that compute lazily are not meant to be read by several threads.
   constexpr bool is_plain = std::is_floating_point<typename Traits::FT>::value;
-  const std::size_t grain = is_plain ? 16384 : in.count + 1;
+  const std::size_t grain = is_plain ? 65536 : in.count + 1;
   std::vector<Coordinate_box> boxes((in.count + grain - 1) / grain);
   std::atomic<bool> is_complete(true);
   backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
@@ -186,9 +188,11 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
       if(!inspect_points<typename Reader::Value>(in, i, end, boxes[first / grain]))
         is_complete = false;
     }
+    upload.send(first, last);
   });
   for(const Coordinate_box& box : boxes)
     in.box.add(box);
+  in.uploaded = upload.finish();
   if(!is_complete)
     drop_invalid<typename Reader::Value>(in);
   return in;

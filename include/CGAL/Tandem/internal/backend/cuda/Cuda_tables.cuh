@@ -12,36 +12,80 @@
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
 
+#include <memory>
+#include <mutex>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The values of the caller travel as they are, a piece at a time.
-inline Device_buffer<Grid_point> import_points(Cuda_backend&, const Import& in)
-{
-  const std::size_t n = in.size(), vector = in.coordinates.vector_bytes();
-  const std::size_t piece = Pinned_pair::bytes / in.value_bytes();
-  const Place_on_grid all = place_on_grid(in, nullptr);
-  Device_buffer<Grid_point> point(n);
-  std::atomic<std::size_t> next(0);
-  run_on_host_threads((n + piece - 1) / piece, [&](Pinned_pair& pair) {
-    Device_buffer<char> values(Pinned_pair::bytes);
-    for(std::size_t first; (first = piece * next++) < n;) {
-      const std::size_t size = (std::min)(piece, n - first);
-      char* const memory = static_cast<char*>(pair.next());
-      Place_on_grid place = all;
-      place.point = point.data() + first;
-      place.coordinates.data = values.data();
-      std::memcpy(memory, static_cast<const char*>(all.coordinates.data) + first * vector, size * vector);
-      if(in.has_normals) {
-        place.normals.data = values.data() + size * vector;
-        std::memcpy(memory + size * vector, static_cast<const char*>(all.normals.data) + first * vector, size * vector);
+// The caller's values, as they are. Threads may send them a piece at a time.
+struct Values_on_device {
+  Values_on_device(const Vector_table& coordinates, const Vector_table& normals, std::size_t n)
+    : device(current_device()), vector_bytes(coordinates.vector_bytes()), source{coordinates.view(), normals.view()},
+      value{Device_buffer<char>(n * vector_bytes), Device_buffer<char>(normals.view().data ? n * vector_bytes : 0)}
+  {
+    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // other threads use the memory
+  }
+
+  // Through `pair`, on the stream of the thread.
+  void send(std::size_t first, std::size_t last, Pinned_pair& pair)
+  {
+    const std::size_t piece = Pinned_pair::bytes / vector_bytes;
+    for(int t = 0; t < 2 && source[t].data != nullptr; ++t)
+      for(std::size_t i = first; i < last; i += piece) {
+        const std::size_t bytes = (std::min)(piece, last - i) * vector_bytes;
+        std::memcpy(pair.next(), static_cast<const char*>(source[t].data) + i * vector_bytes, bytes);
+        pair.copy(value[t].data() + i * vector_bytes, bytes);
       }
-      pair.copy(values.data(), size * in.value_bytes());
-      run_items<<<unsigned((size + item_lanes - 1) / item_lanes), item_lanes, 0, stream_of_thread()>>>(size, place);
-      CGAL_TANDEM_CUDA_LAUNCHED();
-    }
+  }
+
+  std::unique_ptr<Pinned_pair> take_pair()
+  {
+    std::lock_guard<std::mutex> lock(mutex);
+    if(pairs.empty())
+      return std::make_unique<Pinned_pair>();
+    std::unique_ptr<Pinned_pair> pair = std::move(pairs.back());
+    pairs.pop_back();
+    return pair;
+  }
+
+  void give_back(std::unique_ptr<Pinned_pair> pair)
+  {
+    std::lock_guard<std::mutex> lock(mutex);
+    pairs.push_back(std::move(pair));
+  }
+
+  int device;
+  std::size_t vector_bytes;
+  Vectors_view source[2]; // coordinates and normals, on the host
+  Device_buffer<char> value[2];
+  std::vector<std::unique_ptr<Pinned_pair>> pairs; // that no thread uses, while they are read
+  std::mutex mutex;
+};
+
+inline std::shared_ptr<Values_on_device> send_values(const Import& in)
+{
+  constexpr std::size_t piece = 65536;
+  auto values = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
+  std::atomic<std::size_t> next(0);
+  run_on_host_threads((in.size() + piece - 1) / piece, [&](Pinned_pair& pair) {
+    for(std::size_t first; (first = piece * next++) < in.size();)
+      values->send(first, (std::min)(first + piece, in.size()), pair);
   });
+  return values;
+}
+
+inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, const Import& in)
+{
+  Device_buffer<Grid_point> point(in.size());
+  const auto values = in.uploaded ? std::static_pointer_cast<Values_on_device>(in.uploaded) : send_values(in);
+  Place_on_grid place = place_on_grid(in, point.data());
+  place.coordinates.data = values->value[0].data();
+  place.normals.data = values->value[1].data();
+  backend.for_each(in.size(), place);
+  for(Device_buffer<char>& value : values->value)
+    value.release();
   return point;
 }
 

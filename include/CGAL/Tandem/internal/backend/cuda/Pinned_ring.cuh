@@ -46,7 +46,7 @@ private:
 // Two pieces for one thread: one is filled while the other one is copied.
 class Pinned_pair {
 public:
-  static constexpr std::size_t bytes = Pinned_block::bytes / 4;
+  static constexpr std::size_t bytes = Pinned_block::bytes / 2;
 
   // The memory of the next piece, when its last copy has ended.
   void* next()
