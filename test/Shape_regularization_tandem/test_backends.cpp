@@ -11,6 +11,7 @@
 
 #include <CGAL/Tandem/internal/extract_shapes.h>
 #include <CGAL/Tandem/internal/gains.h>
+#include <CGAL/Tandem/internal/import_cloud.h>
 
 #include <map>
 #include <set>
@@ -248,8 +249,61 @@ private:
   const Fixture& f_;
 };
 
+// Pages come back for a buffer of about the same size, once, and not for others.
+void test_kept_pages()
+{
+  Host_buffer<double> buffer(1000);
+  const void* const memory = buffer.data();
+  buffer.keep_pages();
+  buffer.release();
+  CHECK(Host_buffer<double>(10).data() != memory);
+  CHECK(Host_buffer<float>(1900).data() == memory);
+  CHECK(Kept_pages::take(8000) == nullptr);
+  for(std::size_t i = 0; i < 20; ++i) {
+    buffer.reset(1000 + 1000 * i);
+    buffer.keep_pages();
+  }
+  buffer.release();
+  Kept_pages::release();
+  CHECK(Kept_pages::take(160000) == nullptr);
+}
+
+// Copies share the items.
+void test_shared_table()
+{
+  const Shared_table<int> none;
+  CHECK(none.empty() && none.size() == 0 && none.begin() == none.end());
+  Host_buffer<int> buffer(3);
+  for(int i = 0; i < 3; ++i)
+    buffer[std::size_t(i)] = i;
+  const Shared_table<int> table(std::move(buffer)), copy = table;
+  CHECK(copy.data() == table.data() && copy.size() == 3 && copy[2] == 2 && copy.end() - copy.begin() == 3);
+}
+
+// All that can be used, up to the largest and down to the smallest numbers.
+template <class Value>
+void test_values()
+{
+  using Limits = std::numeric_limits<Value>;
+  const Value large = (Limits::max)(), small = Limits::denorm_min(), infinite = Limits::infinity();
+  for(Value last : {large, -large, small, Value(0)}) {
+    const Value p[3] = {large, -large, last}, n[3] = {0, 0, last}, bad[3] = {last, Limits::quiet_NaN(), 1};
+    CHECK(is_position(p) && is_normal(p) && !is_position(bad) && !is_normal(bad));
+    CHECK(is_normal(n) == (last != 0));
+  }
+  for(int c = 0; c < 3; ++c) {
+    Value p[3] = {1, 2, 3};
+    p[c] = c == 1 ? -infinite : infinite;
+    CHECK(!is_position(p) && !is_normal(p));
+  }
+}
+
 int main()
 {
+  test_kept_pages();
+  test_shared_table();
+  test_values<float>();
+  test_values<double>();
   test_on_all_backends<Backend_steps>();
   return report();
 }

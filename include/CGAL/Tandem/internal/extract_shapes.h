@@ -12,6 +12,7 @@
 #include <CGAL/Tandem/internal/components.h>
 #include <CGAL/Tandem/internal/exact_check.h>
 #include <CGAL/Tandem/internal/group_points.h>
+#include <CGAL/Tandem/internal/large_components.h>
 #include <CGAL/Tandem/internal/measure_shapes.h>
 #include <CGAL/Tandem/internal/regularize_shapes.h>
 
@@ -51,59 +52,6 @@ struct Free_dropped {
     if(label[i] < first_mark && is_dropped[label[i]])
       label[i] = is_free;
   }
-};
-
-struct Fill {
-  std::uint32_t* target;
-  std::uint32_t value;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = value; }
-};
-
-// The number of points of each component of labeled points, at its root.
-template <class Backend>
-struct Count_components {
-  const Range* cells;
-  const std::uint32_t* label;
-  const std::uint32_t* component;
-  std::uint32_t* size;
-
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
-  {
-    const Range cell = cells[c];
-    scratch.clear(block);
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      if(label[cell.first + at] < first_mark)
-        scratch.template add<Backend>(block, component[cell.first + at], size);
-    });
-    scratch.template flush<Backend>(block, size);
-  }
-};
-
-struct Is_large_root {
-  const std::uint32_t* label;
-  const std::uint32_t* component;
-  const std::uint32_t* size;
-  std::uint64_t least;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
-  {
-    return component[i] == i && label[i] < first_mark && size[i] >= least;
-  }
-};
-
-struct Component {
-  std::uint32_t root, entry, size;
-};
-
-struct Gather_components {
-  const std::uint32_t* root;
-  const std::uint32_t* label;
-  const std::uint32_t* size;
-  Component* component;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
 };
 
 struct Number_roots {
@@ -205,31 +153,12 @@ private:
     t_.backend.for_each(t_.cloud.size, Free_dropped{dropped.data(), label_.data()});
   }
 
-  // The components that are large enough, by falling size, then by position.
-  std::vector<Component> large_components(const std::uint32_t* component)
-  {
-    Buffer<std::uint32_t> size(t_.cloud.size);
-    t_.backend.for_each(t_.cloud.size, Fill{size.data(), 0});
-    t_.backend.template for_each_cell<Count_scratch>(
-      t_.number_of_cells, Count_components<Backend>{t_.cells.data(), label_.data(), component, size.data()});
-    const auto root = t_.backend.compact(t_.cloud.size, Is_large_root{label_.data(), component, size.data(),
-                                                                      std::uint64_t(t_.options.minimum_region_size)});
-    Buffer<Component> buffer(root.size());
-    t_.backend.for_each(root.size(), Gather_components{root.data(), label_.data(), size.data(), buffer.data()});
-    std::vector<Component> components(root.size());
-    t_.backend.to_host(buffer.data(), components.size(), components.data());
-    std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
-      return a.size != b.size ? a.size > b.size : a.root < b.root;
-    });
-    return components;
-  }
-
   void name_shapes(Engine_result& result)
   {
     const std::size_t n = t_.cloud.size;
     Buffer<std::uint32_t> component(n);
     find_components(t_.backend, t_.cloud, label_.data(), component.data());
-    const std::vector<Component> components = large_components(component.data());
+    const std::vector<Component> components = large_components(t_, label_.data(), component.data());
     number_groups(components, result);
     Buffer<std::uint32_t> number(n);
     t_.backend.for_each(n, Fill{number.data(), no_index});
