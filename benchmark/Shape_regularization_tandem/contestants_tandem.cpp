@@ -61,7 +61,7 @@ Shapes detect(const std::vector<Point_with_normal>& range, const Task& task, boo
 Run run_of(const Shapes& shapes, bool has_estimated)
 {
   Run run;
-  run.detection.label = shapes.shape_indices();
+  run.detection.label.assign(shapes.shape_indices().begin(), shapes.shape_indices().end());
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     const auto& c = shapes.coefficients(s);
     run.detection.planes.push_back({{c[0], c[1], c[2]}, c[3]});

@@ -9,6 +9,7 @@
 
 #include "../../test/Shape_regularization_tandem/scenes.h"
 
+#include <CGAL/Tandem/internal/import_cloud.h>
 #include <CGAL/Tandem/internal/prepare.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -78,17 +79,17 @@ inline internal::Import micro_import(std::size_t points, bool has_normals)
 {
   const scenes::Scene& scene = micro_scene(points);
   internal::Import in;
-  internal::start_import(in, scene.points.size(), has_normals);
-  in.count = scene.points.size();
+  internal::start_import<double>(in, scene.points.size(), has_normals);
   for(std::size_t i = 0; i < in.count; ++i) {
     const double p[3] = {scene.points[i].x, scene.points[i].y, scene.points[i].z};
     const double n[3] = {scene.normals[i].x, scene.normals[i].y, scene.normals[i].z};
-    std::copy(p, p + 3, in.coordinates.data() + 3 * i);
+    std::copy(p, p + 3, in.coordinates.data<double>() + 3 * i);
     if(has_normals)
-      std::copy(n, n + 3, in.normals.data() + 3 * i);
+      std::copy(n, n + 3, in.normals.data<double>() + 3 * i);
+    in.box.add(in.position(i));
   }
   internal::Sequential_backend backend;
-  internal::place_on_grid(backend, in, epsilon);
+  internal::put_on_grid(backend, in, epsilon);
   return in;
 }
 

@@ -3,7 +3,7 @@
 //
 // What the steps before and after the loop are made of, against naive versions, on
 // several back ends: compaction, the order along the curve, leaves, the border, sums
-// of shapes, sizes of components, the exact check.
+// of shapes, sizes of components, the exact check, what is measured and handed over.
 
 #undef NDEBUG
 
@@ -11,6 +11,7 @@
 
 #include <CGAL/Tandem/internal/extract_shapes.h>
 #include <CGAL/Tandem/internal/gains.h>
+#include <CGAL/Tandem/internal/import_cloud.h>
 
 #include <map>
 #include <set>
@@ -30,6 +31,8 @@ public:
     test_gains();
     test_component_sizes();
     test_exact_check();
+    test_measures();
+    test_groups();
   }
 
 private:
@@ -171,15 +174,66 @@ private:
       const double p[3] = {double(f_.point[i].x), double(f_.point[i].y), double(f_.point[i].z)};
       std::copy(p, p + 3, &coordinates[3 * std::size_t(origin[i])]);
       if(label[i] < first_mark && !fits(f_.plane[label[i]], f_.point[i], certain) &&
-         !bounds.is_near(plane[label[i]], p)) {
+         !bounds.is_near(plane[label[i]], {p[0], p[1], p[2]})) {
         expected[i] = is_locked;
         ++refused;
       }
     }
     check_exactly(backend_, {f_.point.data(), label.data(), f_.plane.data(), certain}, label.data(), n, origin.data(),
-                  {{coordinates.data(), normals.data()}, plane.data(), bounds});
+                  {{{coordinates.data(), false}, {normals.data(), false}}, plane.data(), bounds});
     check_lists(label, expected, name_ + ": exact check");
     CHECK_AT(refused > 20 || n < 100, name_ + ": " + std::to_string(refused) + " points refused");
+  }
+
+  // Every second label is a shape, all others are left out. Some points are farther away than epsilon.
+  void test_measures()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    const std::size_t labels = f_.plane.size();
+    std::vector<std::uint32_t> component(n), number(n, no_index), root(labels, no_index), opposed(labels, 0),
+      sums(labels);
+    std::vector<std::uint64_t> distance(1, 0);
+    std::uint64_t expected = 0;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      component[i] = i;
+      const std::uint32_t label = f_.label[i];
+      if(label >= first_mark)
+        continue;
+      component[i] = root[label] = (std::min)(root[label], i);
+      if(label % 2 != 0)
+        continue;
+      number[root[label]] = label;
+      const double share = double(f_.distance(label, i)) / double(f_.tolerance.distance);
+      expected += std::uint64_t(std::floor((std::min)(share, 1.) * distance_units + .5));
+      const Int_vector m = decode_normal(f_.point[i].normal);
+      sums[label] +=
+        double(f_.plane[label].nx) * m.x + double(f_.plane[label].ny) * m.y + double(f_.plane[label].nz) * m.z < 0;
+    }
+    backend_.template for_each_cell<Measure_scratch>(
+      f_.cells.size(),
+      Measure_points<Backend>{f_.point.data(), f_.cells.data(), f_.label.data(), f_.plane.data(), component.data(),
+                              number.data(), f_.tolerance.distance, opposed.data(), distance.data()});
+    check_lists(opposed, sums, name_ + ": opposed normals");
+    CHECK_AT(distance[0] == expected, name_ + ": distances");
+  }
+
+  // Labels that are no shapes are left out.
+  void test_groups()
+  {
+    const std::size_t shapes = f_.plane.size() - 1;
+    std::vector<std::int32_t> shape_of;
+    std::vector<std::vector<std::uint32_t>> expected(shapes);
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      shape_of.push_back(f_.label[i] < first_mark ? std::int32_t(f_.label[i]) : -1);
+      if(f_.label[i] < shapes)
+        expected[f_.label[i]].push_back(i);
+    }
+    const Point_groups groups = group_points(backend_, shape_of.data(), shape_of.size(), shapes);
+    for(std::size_t s = 0; s < shapes; ++s)
+      check_lists(std::vector<std::uint32_t>(groups.position.begin() + groups.first[s],
+                                             groups.position.begin() + groups.first[s + 1]),
+                  expected[s], name_ + ": points of shape " + std::to_string(s));
+    CHECK_AT(groups.position.size() == groups.first[shapes], name_);
   }
 
   Backend& backend_;
@@ -187,8 +241,61 @@ private:
   const Fixture& f_;
 };
 
+// Pages come back for a buffer of about the same size, once, and not for others.
+void test_kept_pages()
+{
+  Host_buffer<double> buffer(1000);
+  const void* const memory = buffer.data();
+  buffer.keep_pages();
+  buffer.release();
+  CHECK(Host_buffer<double>(10).data() != memory);
+  CHECK(Host_buffer<float>(1900).data() == memory);
+  CHECK(Kept_pages::take(8000) == nullptr);
+  for(std::size_t i = 0; i < 20; ++i) {
+    buffer.reset(1000 + 1000 * i);
+    buffer.keep_pages();
+  }
+  buffer.release();
+  Kept_pages::release();
+  CHECK(Kept_pages::take(160000) == nullptr);
+}
+
+// Copies share the items.
+void test_shared_table()
+{
+  const Shared_table<int> none;
+  CHECK(none.empty() && none.size() == 0 && none.begin() == none.end());
+  Host_buffer<int> buffer(3);
+  for(int i = 0; i < 3; ++i)
+    buffer[std::size_t(i)] = i;
+  const Shared_table<int> table(std::move(buffer)), copy = table;
+  CHECK(copy.data() == table.data() && copy.size() == 3 && copy[2] == 2 && copy.end() - copy.begin() == 3);
+}
+
+// All that can be used, up to the largest and down to the smallest numbers.
+template <class Value>
+void test_values()
+{
+  using Limits = std::numeric_limits<Value>;
+  const Value large = (Limits::max)(), small = Limits::denorm_min(), infinite = Limits::infinity();
+  for(Value last : {large, -large, small, Value(0)}) {
+    const Value p[3] = {large, -large, last}, n[3] = {0, 0, last}, bad[3] = {last, Limits::quiet_NaN(), 1};
+    CHECK(is_position(p) && is_normal(p) && !is_position(bad) && !is_normal(bad));
+    CHECK(is_normal(n) == (last != 0));
+  }
+  for(int c = 0; c < 3; ++c) {
+    Value p[3] = {1, 2, 3};
+    p[c] = c == 1 ? -infinite : infinite;
+    CHECK(!is_position(p) && !is_normal(p));
+  }
+}
+
 int main()
 {
+  test_kept_pages();
+  test_shared_table();
+  test_values<float>();
+  test_values<double>();
   test_on_all_backends<Backend_steps>();
   return report();
 }

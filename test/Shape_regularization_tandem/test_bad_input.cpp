@@ -41,6 +41,11 @@ void check_answer(const std::vector<Box_point>& cloud, std::size_t shapes, const
           .regularize_coplanarity(false),
         shapes, name + ", nothing regularized");
   check(bare.maximum_distance(.006).minimum_region_size(100), shapes, name + ", no normals");
+  using Float = CGAL::Simple_cartesian<float>; // whose values are kept as floats
+  const auto floats = np::point_map(First<Float>()).normal_map(Second<Float>()).maximum_distance(.006);
+  CHECK_AT(detect_planes(make_pairs<Float>(cloud), floats).hash() ==
+             detect_planes(points, given.maximum_distance(.006)).hash(),
+           name + ", float");
   for(const auto& result : {detect_planes(points, given), detect_planes(points, bare)}) // with estimated parameters
     CHECK_AT(result.number_of_points() == points.size(), name);
 }

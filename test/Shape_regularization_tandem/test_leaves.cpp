@@ -93,12 +93,13 @@ void test_exact_check()
       p[a] = oa + in.grid.step * plane.offset * na + off * na + along * ua;
     }
     const double normal[3] = {tilt.x, tilt.y, tilt.z};
-    const Grid_point g = to_grid(in.grid, 1 / in.grid.step, p, encode_normal({tilt.x, tilt.y, tilt.z}));
+    const Grid_point g =
+      to_grid(in.grid, 1 / in.grid.step, {p[0], p[1], p[2]}, encode_normal({tilt.x, tilt.y, tilt.z}));
     const std::uint32_t origin = 0;
     std::uint32_t label = 0;
     const Plane integer = rounded(plane);
     check_exactly(backend, {&g, &label, &integer, options.certain}, &label, 1, &origin,
-                  {{p, normal}, &c, options.exact});
+                  {{{p, false}, {normal, false}}, &c, options.exact});
     const long double e =
       (long double)(c[0]) * p[0] + (long double)(c[1]) * p[1] + (long double)(c[2]) * p[2] + (long double)(c[3]);
     const long double cosine =

@@ -89,7 +89,7 @@ int test(const std::string& name, const scenes::Options& options, Parameters par
   Sequential_backend backend;
   const Cloud cloud = to_cloud(scenes::make_scene(name, options));
   Import in = read_points(backend, cloud, First<Kernel>(), Second<Kernel>(), Traits());
-  choose_grid(backend, in, parameters.maximum_distance);
+  choose_grid(in, parameters.maximum_distance);
   Engine<Sequential_backend> engine(backend, in, parameters);
   const State& state = engine.*reveal(State_of_engine());
   const int failures_before = failures();

@@ -59,16 +59,35 @@ private:
   const Shapes& shapes_;
 };
 
+// The labels are shared, so they are changed in a copy.
+template <class F>
+void change_labels(Data& d, F change)
+{
+  std::vector<std::int32_t> labels(d.shape_of.begin(), d.shape_of.end());
+  change(labels);
+  CGAL::Tandem::internal::Host_buffer<std::int32_t> changed(labels.size());
+  std::copy(labels.begin(), labels.end(), changed.begin());
+  d.shape_of = std::move(changed);
+}
+
+void set_label(Data& d, std::size_t i, std::int32_t label)
+{
+  change_labels(d, [&](std::vector<std::int32_t>& labels) { labels[i] = label; });
+}
+
 void test_points(Corruptions& c)
 {
-  c.refuse("label too large", "out of range", [](Data& d) { d.shape_of[5] = int(d.coefficients.size()); });
-  c.refuse("label below -1", "out of range", [](Data& d) { d.shape_of[5] = -2; });
-  c.refuse("missing label", "shape indices", [](Data& d) { d.shape_of.pop_back(); });
+  c.refuse("label too large", "out of range", [](Data& d) { set_label(d, 5, int(d.coefficients.size())); });
+  c.refuse("label below -1", "out of range", [](Data& d) { set_label(d, 5, -2); });
+  c.refuse("missing label", "shape indices",
+           [](Data& d) { change_labels(d, [](std::vector<std::int32_t>& labels) { labels.pop_back(); }); });
   c.refuse("swapped labels", "too far", [](Data& d) {
-    std::swap(d.shape_of[Corruptions::point_of(d, 0)], d.shape_of[Corruptions::point_of(d, 1)]);
+    const std::size_t i = Corruptions::point_of(d, 0), j = Corruptions::point_of(d, 1);
+    set_label(d, i, 1);
+    set_label(d, j, 0);
   });
   c.refuse("point freed behind the statistics", "count other points",
-           [](Data& d) { d.shape_of[Corruptions::point_of(d, 0)] = -1; });
+           [](Data& d) { set_label(d, Corruptions::point_of(d, 0), -1); });
   c.refuse("oblique normal", "oblique", [](Data& d) { d.parameters.maximum_angle = .5; });
   c.refuse("smaller epsilon", "too far", [](Data& d) { d.parameters.maximum_distance = .0005; });
 }
@@ -130,11 +149,13 @@ void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
     const Epick::Vector_3 axis = std::fabs(normal * across) > .9 ? along : std::fabs(normal * along) > .9 ? up : across;
     for(std::size_t i : members)
       middle += (points[i].first - CGAL::ORIGIN) * axis / double(members.size());
-    for(std::size_t i : members)
-      if(std::fabs((points[i].first - CGAL::ORIGIN) * axis - middle) < .12) {
-        d.shape_of[i] = -1;
-        --d.statistics.number_of_assigned_points;
-      }
+    change_labels(d, [&](std::vector<std::int32_t>& labels) {
+      for(std::size_t i : members)
+        if(std::fabs((points[i].first - CGAL::ORIGIN) * axis - middle) < .12) {
+          labels[i] = -1;
+          --d.statistics.number_of_assigned_points;
+        }
+    });
     d.statistics.coverage = double(d.statistics.number_of_assigned_points) / double(points.size());
   });
 }

@@ -49,7 +49,7 @@ auto named(const Parameters& p)
 Detection detection_of(const Shapes& shapes)
 {
   Detection detection;
-  detection.label = shapes.shape_indices();
+  detection.label.assign(shapes.shape_indices().begin(), shapes.shape_indices().end());
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     const auto& c = shapes.coefficients(s);
     detection.planes.push_back({{c[0], c[1], c[2]}, c[3]});

@@ -68,10 +68,11 @@ public:
   {
     internal::check_given_parameters(parameters_);
     internal::Stop_watch watch;
-    in_ = internal::read_points<Traits>(backend_, points, internal::point_map_of<Traits>(points, np),
-                                        internal::normal_map_of<Traits>(points, np), traits_);
+    in_ =
+      internal::read_points<Traits>(backend_, points, internal::point_map_of<Traits>(points, np),
+                                    internal::normal_map_of<Traits>(points, np), traits_, typename Engine::Upload());
     internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
-    internal::choose_grid(backend_, in_, parameters_.maximum_distance);
+    internal::choose_grid(in_, parameters_.maximum_distance);
     import_time_ = watch.lap();
     if(in_.size() >= parameters_.minimum_region_size && go_on(0))
       engine_ = std::make_unique<Engine>(backend_, in_, parameters_);
@@ -112,13 +113,13 @@ public:
       callback_(1);
   }
 
-  /// the shapes: of the last round, not yet verified, or the final ones after `finish()`. A copy, made in linear time.
+  /// the shapes: of the last round, not yet verified, or the final ones after `finish()`, whose points are shared with
+  /// further copies
   Shapes shapes() const
   {
     internal::Stop_watch watch;
-    Backend backend = traits_.backend();
     internal::Shapes_data data =
-      internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
+      internal::export_shapes(in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled_;
     statistics.backend = engine_ ? engine_->name() : Backend::name();

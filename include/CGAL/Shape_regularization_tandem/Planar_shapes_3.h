@@ -6,6 +6,7 @@
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/export_shapes.h>
+#include <CGAL/Tandem/internal/group_points.h>
 
 #include <cstring>
 #include <utility>
@@ -45,6 +46,8 @@ public:
   using Plane_3 = typename GeomTraits::Plane_3;
   /// a `std::array` of four doubles
   using Coefficients = internal::Coefficients;
+  /// a range of `std::int32_t` with random access iterators
+  using Shape_indices = internal::Shared_table<std::int32_t>;
   /// \cond SKIP_IN_MANUAL
   using Data = internal::Shapes_data;
   /// \endcond
@@ -120,8 +123,8 @@ public:
   /// the shape of the point at position `i` of the caller's range, -1 if it has none
   int shape_index(std::size_t i) const { return data_.shape_of[i]; }
 
-  /// the same for all points
-  const std::vector<std::int32_t>& shape_indices() const { return data_.shape_of; }
+  /// the same for all points: iterators, `size()`, `empty()` and an index operator. Copies share the indices.
+  const Shape_indices& shape_indices() const { return data_.shape_of; }
 
   /// whether the normals were estimated
   bool has_estimated_normals() const { return data_.statistics.has_estimated_normals; }
@@ -130,8 +133,8 @@ public:
   Vector_3 estimated_normal(std::size_t i) const
   {
     using FT = typename GeomTraits::FT;
-    const std::array<double, 3> n = internal::unpacked_normal(data_.normal[i]);
-    return Vector_3(FT(n[0]), FT(n[1]), FT(n[2]));
+    const internal::Vector n = internal::unpacked_normal(data_.normal[i]);
+    return Vector_3(FT(n.x), FT(n.y), FT(n.z));
   }
   /// @}
 
@@ -184,8 +187,9 @@ public:
   /// equal for equal results: a 64-bit hash of the shape indices, in the order of the range, and of the coefficients
   std::uint64_t hash() const { return hash(data_.shape_of, data_.coefficients); }
 
-  /// the same for shape indices in another order
-  static std::uint64_t hash(const std::vector<std::int32_t>& shape_indices, const std::vector<Coefficients>& planes)
+  /// the same for a range of shape indices in another order
+  template <class IndexRange>
+  static std::uint64_t hash(const IndexRange& shape_indices, const std::vector<Coefficients>& planes)
   {
     std::uint64_t h = 14695981039346656037u;
     auto add = [&h](std::uint64_t word) {
@@ -216,7 +220,7 @@ private:
     if(!points_.first.empty())
       return;
     internal::Sequential_backend backend;
-    points_ = internal::group_points(backend, data_.shape_of, number_of_shapes());
+    points_ = internal::group_points(backend, data_.shape_of.data(), number_of_points(), number_of_shapes());
   }
 
   Data data_;

@@ -42,7 +42,8 @@ struct Statistics {
 
   /// assigned points / points
   double coverage = 0;
-  /// mean distance of the assigned points to their planes, in units of the input
+  /// mean distance of the assigned points to their planes, in units of the input; measured on the grid, whose step is
+  /// about a thousandth of `maximum_distance`
   double mean_distance = 0;
   /// degrees of freedom of the planes: 2 for a direction, less 1 for each direction it is orthogonal to and that is
   /// counted before it (so 3 for an orthogonal frame), never less than 0; and 1 for the offset of each plane

@@ -19,7 +19,7 @@ template <class Backend>
 double estimate_maximum_distance(Backend& backend, const Import& in)
 {
   const Cloud_measure measure = measure_cloud(backend, in);
-  const Coordinate_box box = bounding_box(backend, in);
+  const Coordinate_box& box = in.box;
   const double estimate = (std::max)(7. / 3 * measure.noise, .74 * measure.spacing);
   const double smallest = std::ldexp(box.extent(), -22); // so that the grid can hold the cloud
   if((std::max)(estimate, smallest) > 0)

@@ -35,7 +35,7 @@ bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>
     auto backend = traits.backend();
     internal::Import in = internal::read_points<Traits>(backend, points, internal::point_map_of<Traits>(points, np),
                                                         internal::normal_map_of<Traits>(points, np), traits);
-    internal::place_on_grid(backend, in, shapes.parameters().maximum_distance);
+    internal::put_on_grid(backend, in, shapes.parameters().maximum_distance);
     internal::Result_checker<GeomTraits> checker(in, shapes);
     const bool is_valid = checker.check(backend);
     if(why)

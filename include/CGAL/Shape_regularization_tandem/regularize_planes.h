@@ -82,7 +82,7 @@ inline double resolve_maximum_distance(const Import& in, const std::vector<int>&
   if(options.maximum_distance > 0)
     return options.maximum_distance;
   const double estimate = (std::max)(estimate_maximum_distance(in, plane_of, planes), options.maximum_offset);
-  const double extent = in.size() > 0 ? box_of(in, 0, in.size()).extent() : 0;
+  const double extent = in.size() > 0 ? in.box.extent() : 0;
   const double smallest = extent > 0 ? extent * 1e-6 : 1;
   return (std::max)(estimate, smallest);
 }
@@ -151,10 +151,12 @@ inline void measure_planes(const Import& in, const std::vector<int>& plane_of, c
 inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
 {
   std::size_t kept = 0;
+  in.box = Coordinate_box();
   for(std::size_t i = 0; i < in.size(); ++i) {
     if(plane_of[i] < 0)
       continue;
-    std::copy_n(in.position(i), 3, in.coordinates.data() + 3 * kept);
+    in.box.add(in.position(i));
+    in.coordinates.move(i, kept);
     plane_of[kept++] = plane_of[i];
   }
   in.count = kept;
@@ -168,7 +170,7 @@ inline Plane_relations relate_planes(Import& in, const std::vector<int>& plane_o
   Plane_relations result;
   options.maximum_distance = result.maximum_distance = resolve_maximum_distance(in, plane_of, planes, options);
   Sequential_backend backend;
-  place_on_grid(backend, in, options.maximum_distance);
+  put_on_grid(backend, in, options.maximum_distance);
   options.maximum_distance /= in.grid.step;
   options.maximum_offset /= in.grid.step;
   const Given_planes given(in, plane_of, planes, result.maximum_distance);

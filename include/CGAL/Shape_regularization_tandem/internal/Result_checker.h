@@ -142,28 +142,20 @@ private:
       if(data_.shape_of[item] < 0)
         continue;
       const Coefficients& c = data_.coefficients[data_.shape_of[item]];
-      const double* p = in_.position(i);
-      const double x = c[0] * p[0], y = c[1] * p[1], z = c[2] * p[2];
+      const Vector p = in_.position(i);
+      const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
       const double distance = std::fabs(x + y + z + c[3]);
       const double largest = (std::max)({std::fabs(x), std::fabs(y), std::fabs(z), std::fabs(c[3])});
       if(!(distance <= data_.parameters.maximum_distance + 8 * 2.3e-16 * largest))
         return fail(at("too far from its plane is point", item) + ": " + to_text(distance) + " from the plane of " +
                     at("shape", std::size_t(data_.shape_of[item])));
-      const std::array<double, 3> n = normal(i);
-      const double aligned = std::fabs(c[0] * n[0] + c[1] * n[1] + c[2] * n[2]);
-      if(!(aligned >= cosine * std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) - 1e-14) || aligned == 0)
+      const Vector n = in_.has_normals ? in_.normal(i) : unpacked_normal(data_.normal[item]);
+      const double aligned = std::fabs(c[0] * n.x + c[1] * n.y + c[2] * n.z);
+      if(!(aligned >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
         return fail(at("too oblique is the normal of point", item) + ": the cosine is " + to_text(aligned) +
                     " with that of " + at("shape", std::size_t(data_.shape_of[item])));
     }
     return true;
-  }
-
-  std::array<double, 3> normal(std::size_t i) const
-  {
-    if(!in_.has_normals)
-      return unpacked_normal(data_.normal[in_.item_of(i)]);
-    const double* n = in_.normal(i);
-    return {n[0], n[1], n[2]};
   }
 
   // G4

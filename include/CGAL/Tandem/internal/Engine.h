@@ -24,8 +24,10 @@ class Engine {
   static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
 
 public:
-  // Takes the points of the import over; its coordinates and normals have to stay.
-  Engine(Backend& backend, Import& in, const Parameters& parameters) : in_(in), state_(backend)
+  using Upload = No_upload;
+
+  // The import has to stay.
+  Engine(Backend& backend, const Import& in, const Parameters& parameters) : in_(in), state_(backend)
   {
     prepare(state_, in, parameters, order_, points_, neighbors_, times_);
   }

@@ -7,6 +7,7 @@
 #define CGAL_TANDEM_INTERNAL_ENGINE_RESULT_H
 
 #include <CGAL/Shape_regularization_tandem/Statistics.h>
+#include <CGAL/Tandem/internal/backend/Host_buffer.h>
 
 #include <array>
 #include <cstdint>
@@ -22,12 +23,22 @@ struct Engine_shape {
   Coefficients plane; // common to the shapes of a plane group; its normal to those of a direction
   int direction;      // parallel group
   int plane_group;    // coplanar group
+  std::size_t size;   // points
+  bool is_flipped;    // most of the given normals of its points are opposite to the plane
+};
+
+// The points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1].
+struct Point_groups {
+  std::vector<std::size_t> first;
+  Shared_table<std::uint32_t> position;
 };
 
 struct Engine_result {
-  std::vector<Engine_shape> shapes;   // by falling number of points
-  std::vector<std::int32_t> shape_of; // per imported point, -1 = none
-  std::vector<std::uint32_t> normal;  // per imported point, the packed normal that was used
+  std::vector<Engine_shape> shapes;    // by falling number of points
+  Shared_table<std::int32_t> shape_of; // per imported point, -1 = none
+  Point_groups points;                 // imported points of each shape
+  Shared_table<std::uint32_t> normal;  // per imported point, the packed normal, if normals were estimated
+  double mean_distance = 0;            // of the points to their planes, in epsilons
   std::size_t rounds = 0;
   bool is_cancelled = false;
   bool is_coarse = false;

@@ -20,7 +20,7 @@ namespace internal {
 // Null where the normal is null or a coefficient is not finite.
 inline Coefficients normalized(const Coefficients& c)
 {
-  const double largest = largest_component(c.data());
+  const double largest = largest_component({c[0], c[1], c[2]});
   if(!(largest > 0) || !std::isfinite(c[0]) || !std::isfinite(c[1]) || !std::isfinite(c[2]) || !std::isfinite(c[3]))
     return {0, 0, 0, 0};
   const Vector scaled = {c[0] / largest, c[1] / largest, c[2] / largest};
@@ -28,9 +28,9 @@ inline Coefficients normalized(const Coefficients& c)
   return {n.x, n.y, n.z, c[3] / largest / length(scaled)};
 }
 
-inline double signed_distance(const Coefficients& c, const double* p)
+inline double signed_distance(const Coefficients& c, const Vector& p)
 {
-  return std::fma(c[0], p[0], std::fma(c[1], p[1], std::fma(c[2], p[2], c[3])));
+  return std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
 }
 
 // 2.5 times the root mean square distance of the points to their planes. Integer

@@ -1,108 +1,109 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The caller's points as doubles, and on the grid. Plain data: all back ends see it.
+// What the caller gave, and the grid it is put on. Plain data: all back ends see it.
 
 #ifndef CGAL_TANDEM_INTERNAL_IMPORT_H
 #define CGAL_TANDEM_INTERNAL_IMPORT_H
 
 #include <CGAL/Shape_regularization_tandem/Parameters.h>
 #include <CGAL/Tandem/internal/Cloud.h>
-#include <CGAL/Tandem/internal/backend/Host_buffer.h>
+#include <CGAL/Tandem/internal/Vector_table.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+struct Coordinate_box {
+  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+  void add(const Vector& p)
+  {
+    const double v[3] = {p.x, p.y, p.z};
+    for(int c = 0; c < 3; ++c) {
+      low[c] = (std::min)(low[c], v[c]);
+      high[c] = (std::max)(high[c], v[c]);
+    }
+  }
+
+  void add(const Coordinate_box& box)
+  {
+    for(int c = 0; c < 3; ++c) {
+      low[c] = (std::min)(low[c], box.low[c]);
+      high[c] = (std::max)(high[c], box.high[c]);
+    }
+  }
+
+  // Not of no points.
+  double extent() const { return (std::max)((std::max)(high[0] - low[0], high[1] - low[1]), high[2] - low[2]); }
+};
+
+CGAL_TANDEM_HD inline double largest_component(const Vector& v)
+{
+  return std::fmax(std::fmax(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
+}
+
+// To unit length, also where the squares overflow or vanish.
+CGAL_TANDEM_HD inline Vector normalized(const Vector& v)
+{
+  const double largest = largest_component(v);
+  if(largest < 1e-100 || largest > 1e100)
+    return unit({v.x / largest, v.y / largest, v.z / largest});
+  return unit(v);
+}
+
+// Of an engine that works where the caller's values are: nothing has to go anywhere.
+struct No_upload {
+  void start(const Vector_table&, const Vector_table&, std::size_t) {}
+  void send(std::size_t, std::size_t) {}
+  std::shared_ptr<void> finish() { return nullptr; }
+};
+
 struct Import {
-  Grid grid;
-  std::size_t count = 0; // valid points: those below, in the caller's order
-  Host_buffer<Grid_point> point;
-  Grid_point low = {0, 0, 0, no_normal}, high = {0, 0, 0, no_normal}; // corners of the box around them
-  Host_buffer<double> coordinates;                                    // 3 a point, as the caller gave them
-  Host_buffer<double> normals;     // 3 a point, of unit length; empty if they are to be estimated
+  std::size_t count = 0;           // valid points: those below, in the caller's order
+  Vector_table coordinates;        // as the caller gave them
+  Vector_table normals;            // the same, of any length; empty if they are to be estimated
   std::vector<std::uint32_t> item; // position in the caller's range; empty means identity
+  std::shared_ptr<void> uploaded;  // what an engine has of the values already; see No_upload
   bool has_normals = false;
+  Coordinate_box box;
+
+  Grid grid;
+  Grid_point low = {0, 0, 0, no_normal}, high = {0, 0, 0, no_normal}; // corners of the box on the grid
+  Host_buffer<Grid_point> point;                                      // after put_on_grid()
 
   std::size_t number_of_items = 0; // of the caller's range
   std::size_t number_of_ignored_coordinates = 0;
   std::size_t number_of_ignored_normals = 0;
 
   std::size_t size() const { return count; }
-  const double* position(std::size_t i) const { return coordinates.data() + 3 * i; }
-  const double* normal(std::size_t i) const { return normals.data() + 3 * i; }
+  Vector position(std::size_t i) const { return coordinates[i]; }
+  Vector normal(std::size_t i) const { return normalized(normals[i]); }
   std::size_t item_of(std::size_t i) const { return item.empty() ? i : item[i]; }
+
+  // Of a point and its normal.
+  std::size_t value_bytes() const { return coordinates.vector_bytes() * (has_normals ? 2 : 1); }
 
   // A total order of the points by what the caller gave.
   bool precedes(std::size_t i, std::size_t j) const
   {
-    for(const Host_buffer<double>* values : {&coordinates, &normals})
-      for(std::size_t c = 0; values->size() > 0 && c < 3; ++c) {
-        const double a = (*values)[3 * i + c], b = (*values)[3 * j + c];
-        if(a != b)
-          return a < b;
-      }
-    return i < j;
+    const auto values = [](const Vector& v) { return std::make_tuple(v.x, v.y, v.z); };
+    const auto p = values(position(i)), q = values(position(j));
+    if(p != q)
+      return p < q;
+    if(!has_normals)
+      return i < j;
+    const auto m = values(normal(i)), n = values(normal(j));
+    return m != n ? m < n : i < j;
   }
 };
-
-inline bool is_finite(const double* v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
-
-inline double largest_component(const double* v)
-{
-  return (std::max)((std::max)(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
-}
-
-// To unit length, also where the squares overflow or vanish.
-inline void normalize(double* v)
-{
-  const double largest = largest_component(v);
-  if(largest < 1e-100 || largest > 1e100)
-    for(int c = 0; c < 3; ++c)
-      v[c] /= largest;
-  const Vector n = unit({v[0], v[1], v[2]});
-  v[0] = n.x;
-  v[1] = n.y;
-  v[2] = n.z;
-}
-
-struct Coordinate_box {
-  double low[3], high[3];
-  double extent() const { return (std::max)((std::max)(high[0] - low[0], high[1] - low[1]), high[2] - low[2]); }
-};
-
-inline Coordinate_box box_of(const Import& in, std::size_t first, std::size_t last)
-{
-  Coordinate_box box;
-  for(int c = 0; c < 3; ++c)
-    box.low[c] = box.high[c] = in.position(first)[c];
-  for(std::size_t i = first; i < last; ++i)
-    for(int c = 0; c < 3; ++c) {
-      box.low[c] = (std::min)(box.low[c], in.position(i)[c]);
-      box.high[c] = (std::max)(box.high[c], in.position(i)[c]);
-    }
-  return box;
-}
-
-// Of at least one point.
-template <class Backend>
-Coordinate_box bounding_box(Backend& backend, const Import& in)
-{
-  constexpr std::size_t grain = 65536;
-  std::vector<Coordinate_box> boxes((in.size() + grain - 1) / grain);
-  backend.for_each_piece(in.size(), grain,
-                         [&](std::size_t first, std::size_t last) { boxes[first / grain] = box_of(in, first, last); });
-  for(const Coordinate_box& b : boxes)
-    for(int c = 0; c < 3; ++c) {
-      boxes[0].low[c] = (std::min)(boxes[0].low[c], b.low[c]);
-      boxes[0].high[c] = (std::max)(boxes[0].high[c], b.high[c]);
-    }
-  return boxes[0];
-}
 
 // The origin is the middle of the box, counted in steps and rounded down, so that
 // it moves with a cloud that moves by multiples of the step. False if the cloud
@@ -139,61 +140,58 @@ inline Grid make_grid(const Coordinate_box& box, double epsilon)
 }
 
 // v rounded to the nearest integer, |v| < 2^31. Adding 1.5 x 2^52 leaves no place for fractions.
-inline std::int32_t nearest_integer(double v)
+CGAL_TANDEM_HD inline std::int32_t nearest_integer(double v)
 {
   const double magic = 6755399441055744.0;
   const double shifted = v + magic;
   return std::int32_t(shifted - magic);
 }
 
-inline Grid_point to_grid(const Grid& grid, double inverse_step, const double* p, std::uint32_t normal)
+// The step is a power of two, so the product is exact and leaves nothing to contract.
+CGAL_TANDEM_HD inline Grid_point to_grid(const Grid& grid, double inverse_step, const Vector& p, std::uint32_t normal)
 {
-  return {nearest_integer((p[0] - grid.origin.x) * inverse_step),
-          nearest_integer((p[1] - grid.origin.y) * inverse_step),
-          nearest_integer((p[2] - grid.origin.z) * inverse_step), normal};
+  return {nearest_integer((p.x - grid.origin.x) * inverse_step), nearest_integer((p.y - grid.origin.y) * inverse_step),
+          nearest_integer((p.z - grid.origin.z) * inverse_step), normal};
 }
 
 // Fills in.grid and the corners of the box.
-template <class Backend>
-void choose_grid(Backend& backend, Import& in, double epsilon)
+inline void choose_grid(Import& in, double epsilon)
 {
   if(in.size() == 0)
     return;
-  const Coordinate_box box = bounding_box(backend, in);
+  const Coordinate_box& box = in.box;
   in.grid = make_grid(box, epsilon);
-  in.low = to_grid(in.grid, 1 / in.grid.step, box.low, no_normal);
-  in.high = to_grid(in.grid, 1 / in.grid.step, box.high, no_normal);
+  in.low = to_grid(in.grid, 1 / in.grid.step, {box.low[0], box.low[1], box.low[2]}, no_normal);
+  in.high = to_grid(in.grid, 1 / in.grid.step, {box.high[0], box.high[1], box.high[2]}, no_normal);
 }
 
-// Point i on the grid that has been chosen; brings its normal to unit length.
-class Place_on_grid {
-public:
-  explicit Place_on_grid(Import& in) : in_(in), inverse_step_(1 / in.grid.step) {}
+// Of the caller's points, to the grid that has been chosen.
+struct Place_on_grid {
+  Grid grid;
+  double inverse_step;
+  Vectors_view coordinates;
+  Vectors_view normals; // of any length; may be none
+  Grid_point* point;
 
-  Grid_point operator()(std::size_t i) const
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    std::uint32_t code = no_normal;
-    if(in_.has_normals) {
-      double* m = in_.normals.data() + 3 * i;
-      normalize(m);
-      code = encode_normal({m[0], m[1], m[2]});
-    }
-    return to_grid(in_.grid, inverse_step_, in_.position(i), code);
+    const std::uint32_t normal = normals.data != nullptr ? encode_normal(normalized(normals[i])) : no_normal;
+    point[i] = to_grid(grid, inverse_step, coordinates[i], normal);
   }
-
-private:
-  Import& in_;
-  double inverse_step_;
 };
 
-// Fills in.grid and in.point, and normalizes in.normals.
-template <class Backend>
-void place_on_grid(Backend& backend, Import& in, double epsilon)
+inline Place_on_grid place_on_grid(const Import& in, Grid_point* point)
 {
-  choose_grid(backend, in, epsilon);
+  return {in.grid, 1 / in.grid.step, in.coordinates.view(), in.normals.view(), point};
+}
+
+// Fills in.grid and in.point.
+template <class Backend>
+void put_on_grid(Backend& backend, Import& in, double epsilon)
+{
+  choose_grid(in, epsilon);
   in.point.reset(in.size());
-  const Place_on_grid place(in);
-  backend.for_each_on_host(in.size(), [&](std::size_t i) { in.point[i] = place(i); });
+  backend.for_each(in.size(), place_on_grid(in, in.point.data()));
 }
 
 } // namespace internal

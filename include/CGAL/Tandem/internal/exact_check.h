@@ -8,20 +8,18 @@
 #ifndef CGAL_TANDEM_INTERNAL_EXACT_CHECK_H
 #define CGAL_TANDEM_INTERNAL_EXACT_CHECK_H
 
-#include <CGAL/Tandem/internal/Cloud.h>
 #include <CGAL/Tandem/internal/Engine_result.h>
+#include <CGAL/Tandem/internal/Import.h>
 #include <CGAL/Tandem/internal/Shapes.h>
-
-#include <array>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The caller's points and, if there are any, unit normals: 3 doubles each.
+// The caller's points and normals, if there are any.
 struct Caller_view {
-  const double* coordinates;
-  const double* normals;
+  Vectors_view coordinates;
+  Vectors_view normals; // of any length
 };
 
 inline Coefficients to_caller(const Regular_plane& p, const Grid& grid)
@@ -31,7 +29,7 @@ inline Coefficients to_caller(const Regular_plane& p, const Grid& grid)
 
 // The vector that a packed normal stands for: of unit length, rounded to float,
 // so that it can be written to a file as it was used. Null if there is none.
-inline std::array<double, 3> unpacked_normal(std::uint32_t code)
+inline Vector unpacked_normal(std::uint32_t code)
 {
   const Int_vector m = decode_normal(code);
   const Vector n = unit({double(m.x), double(m.y), double(m.z)});
@@ -43,17 +41,17 @@ struct Exact_bounds {
   double cosine; // of maximum_angle, raised by what a normal may lose when it is rounded to float
 
   // True only if every order of evaluation in double finds the point within epsilon.
-  bool is_near(const Coefficients& c, const double* p) const
+  bool is_near(const Coefficients& c, const Vector& p) const
   {
-    const double x = c[0] * p[0], y = c[1] * p[1], z = c[2] * p[2];
+    const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
     const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
-    const double e = std::fma(c[0], p[0], std::fma(c[1], p[1], std::fma(c[2], p[2], c[3])));
+    const double e = std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
     return std::fma(size, 1e-15, std::fabs(e)) <= maximum_distance;
   }
 
-  bool is_aligned(const Coefficients& c, const double* n) const
+  bool is_aligned(const Coefficients& c, const Vector& n) const
   {
-    return std::fabs(std::fma(c[0], n[0], std::fma(c[1], n[1], c[2] * n[2]))) >= cosine;
+    return std::fabs(dot({c[0], c[1], c[2]}, n)) >= cosine;
   }
 };
 
@@ -109,10 +107,9 @@ struct Check_exactly {
 
   bool is_within(const Uncertain_point& u) const
   {
-    const std::size_t at = 3 * std::size_t(u.origin);
-    const std::array<double, 3> packed = unpacked_normal(u.normal);
-    const double* normal = caller.normals != nullptr ? caller.normals + at : packed.data();
-    return bounds.is_near(plane[u.shape], caller.coordinates + at) && bounds.is_aligned(plane[u.shape], normal);
+    const Vector normal =
+      caller.normals.data != nullptr ? normalized(caller.normals[u.origin]) : unpacked_normal(u.normal);
+    return bounds.is_near(plane[u.shape], caller.coordinates[u.origin]) && bounds.is_aligned(plane[u.shape], normal);
   }
 };
 

@@ -10,7 +10,6 @@
 
 #include <CGAL/Tandem/internal/Engine_result.h>
 #include <CGAL/Tandem/internal/exact_check.h>
-#include <CGAL/Tandem/internal/group_points.h>
 #include <CGAL/Tandem/internal/Import.h>
 
 #include <array>
@@ -27,23 +26,13 @@ struct Shapes_data {
   std::vector<int> parallel_group;                    // of each shape
   std::vector<int> coplanar_group;                    // of each shape
   std::vector<std::pair<int, int>> orthogonal_groups; // pairs of parallel groups, first < second, sorted
-  std::vector<char> is_flipped;       // of each shape: the majority of the normals is opposite to its plane
-  std::vector<std::int32_t> shape_of; // of each item of the range, -1 = none
-  std::vector<std::uint32_t> normal;  // of each item, packed; empty if normals were given
+  std::vector<char> is_flipped;        // of each shape: the majority of the normals is opposite to its plane
+  Shared_table<std::int32_t> shape_of; // of each item of the range, -1 = none
+  Shared_table<std::uint32_t> normal;  // of each item, packed; empty if normals were given
   Parameters parameters;
   Statistics statistics;
   Point_groups points; // of the shapes, until Planar_shapes_3 takes them
 };
-
-inline double plane_distance(const Coefficients& p, const double* q)
-{
-  return std::fabs(std::fma(p[0], q[0], std::fma(p[1], q[1], std::fma(p[2], q[2], p[3]))));
-}
-
-inline double normal_dot(const Coefficients& p, const double* n)
-{
-  return std::fma(p[0], n[0], std::fma(p[1], n[1], p[2] * n[2]));
-}
 
 // The first shape of each group.
 inline std::vector<int> representatives(const std::vector<int>& group)
@@ -72,7 +61,7 @@ inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data
       const Coefficients &a = direction[g], &b = direction[h];
       if(std::fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > 1e-14) // nearly all pairs, and fma is slow
         continue;
-      if(std::fabs(normal_dot(a, b.data())) <= largest_orthogonal_dot)
+      if(std::fabs(dot({a[0], a[1], a[2]}, {b[0], b[1], b[2]})) <= largest_orthogonal_dot)
         pairs.emplace_back(int(g), int(h));
     }
   return pairs;
@@ -118,41 +107,6 @@ inline std::size_t direction_freedom(std::size_t directions, const std::vector<s
   return freedom;
 }
 
-// Sums over the points of the shapes. Distances are summed as integers, so that
-// their mean does not depend on the order of the points.
-template <class Backend>
-void measure_points(Backend& backend, const Import& in, const std::vector<std::int32_t>& shape_of, Shapes_data& data)
-{
-  const double unit_distance = data.parameters.maximum_distance / double(1 << 20);
-  std::vector<std::int64_t> votes(data.coefficients.size(), 0);
-  std::int64_t distance = 0, assigned = 0;
-  const std::size_t grain = (std::max)(std::size_t(1) << 16, votes.size()); // so that clearing `own` costs little
-  backend.for_each_piece(shape_of.size(), grain, [&](std::size_t first, std::size_t last) {
-    std::vector<std::int64_t> own(votes.size(), 0);
-    std::int64_t sum = 0, points = 0;
-    for(std::size_t i = first; i < last; ++i) {
-      const std::int32_t s = shape_of[i];
-      if(s < 0)
-        continue;
-      ++points;
-      sum += std::int64_t(plane_distance(data.coefficients[s], in.position(i)) / unit_distance + .5);
-      if(in.has_normals)
-        own[s] += normal_dot(data.coefficients[s], in.normal(i)) < 0 ? -1 : 1;
-    }
-    for(std::size_t s = 0; s < own.size(); ++s)
-      if(own[s] != 0)
-        Backend::atomic_add(votes[s], own[s]);
-    Backend::atomic_add(distance, sum);
-    Backend::atomic_add(assigned, points);
-  });
-  for(std::size_t s = 0; s < votes.size(); ++s)
-    data.is_flipped.push_back(votes[s] < 0);
-  Statistics& statistics = data.statistics;
-  statistics.number_of_assigned_points = std::size_t(assigned);
-  statistics.coverage = in.number_of_items > 0 ? double(assigned) / double(in.number_of_items) : 0;
-  statistics.mean_distance = assigned > 0 ? double(distance) / double(assigned) * unit_distance : 0;
-}
-
 inline void measure_relations(Shapes_data& data)
 {
   Statistics& statistics = data.statistics;
@@ -169,13 +123,24 @@ inline void measure_relations(Shapes_data& data)
 
 // From the imported points to the items of the caller's range.
 template <class T>
-std::vector<T> by_item(const Import& in, std::vector<T>&& values, T missing)
+Shared_table<T> by_item(const Import& in, const Shared_table<T>& values, T missing)
 {
   if(in.item.empty() && values.size() == in.number_of_items)
-    return std::move(values);
-  std::vector<T> result(in.number_of_items, missing);
+    return values;
+  Host_buffer<T> result(in.number_of_items);
+  std::fill(result.begin(), result.end(), missing);
   for(std::size_t i = 0; i < values.size(); ++i)
     result[in.item_of(i)] = values[i];
+  return result;
+}
+
+// The same for points as such, whose order stays.
+inline Shared_table<std::uint32_t> to_items(const Import& in, const Shared_table<std::uint32_t>& points)
+{
+  if(in.item.empty())
+    return points;
+  Host_buffer<std::uint32_t> result(points.size());
+  std::transform(points.begin(), points.end(), result.begin(), [&](std::uint32_t i) { return in.item[i]; });
   return result;
 }
 
@@ -192,24 +157,27 @@ inline Shapes_data start_export(const Import& in, const Parameters& parameters)
   return data;
 }
 
-// Of an empty result, too. The result is emptied.
-template <class Backend>
-Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& parameters, Engine_result&& result)
+// Of an empty result, too.
+inline Shapes_data export_shapes(const Import& in, const Parameters& parameters, const Engine_result& result)
 {
   Shapes_data data = start_export(in, parameters);
+  Statistics& statistics = data.statistics;
   for(const Engine_shape& shape : result.shapes) {
     data.coefficients.push_back(shape.plane);
     data.parallel_group.push_back(shape.direction);
     data.coplanar_group.push_back(shape.plane_group);
+    data.is_flipped.push_back(shape.is_flipped);
+    statistics.number_of_assigned_points += shape.size;
   }
   data.orthogonal_groups = find_orthogonal_groups(data);
-  measure_points(backend, in, result.shape_of, data);
-  data.shape_of = by_item(in, std::move(result.shape_of), std::int32_t(-1));
-  data.points = group_points(backend, data.shape_of, data.coefficients.size());
+  data.shape_of = by_item(in, result.shape_of, std::int32_t(-1));
+  data.points = {result.points.first, to_items(in, result.points.position)};
   if(!in.has_normals)
-    data.normal = by_item(in, std::move(result.normal), no_normal);
+    data.normal = by_item(in, result.normal, no_normal);
   measure_relations(data);
-  Statistics& statistics = data.statistics;
+  statistics.coverage =
+    in.number_of_items > 0 ? double(statistics.number_of_assigned_points) / double(in.number_of_items) : 0;
+  statistics.mean_distance = result.mean_distance * parameters.maximum_distance;
   statistics.number_of_rounds = result.rounds;
   statistics.is_cancelled = result.is_cancelled;
   statistics.peak_bytes = result.peak_bytes;

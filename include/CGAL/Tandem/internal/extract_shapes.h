@@ -11,7 +11,9 @@
 #include <CGAL/Tandem/internal/clutter.h>
 #include <CGAL/Tandem/internal/components.h>
 #include <CGAL/Tandem/internal/exact_check.h>
-#include <CGAL/Tandem/internal/Import.h>
+#include <CGAL/Tandem/internal/group_points.h>
+#include <CGAL/Tandem/internal/large_components.h>
+#include <CGAL/Tandem/internal/measure_shapes.h>
 #include <CGAL/Tandem/internal/regularize_shapes.h>
 
 namespace CGAL {
@@ -50,59 +52,6 @@ struct Free_dropped {
     if(label[i] < first_mark && is_dropped[label[i]])
       label[i] = is_free;
   }
-};
-
-struct Fill {
-  std::uint32_t* target;
-  std::uint32_t value;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = value; }
-};
-
-// The number of points of each component of labeled points, at its root.
-template <class Backend>
-struct Count_components {
-  const Range* cells;
-  const std::uint32_t* label;
-  const std::uint32_t* component;
-  std::uint32_t* size;
-
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
-  {
-    const Range cell = cells[c];
-    scratch.clear(block);
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      if(label[cell.first + at] < first_mark)
-        scratch.template add<Backend>(block, component[cell.first + at], size);
-    });
-    scratch.template flush<Backend>(block, size);
-  }
-};
-
-struct Is_large_root {
-  const std::uint32_t* label;
-  const std::uint32_t* component;
-  const std::uint32_t* size;
-  std::uint64_t least;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
-  {
-    return component[i] == i && label[i] < first_mark && size[i] >= least;
-  }
-};
-
-struct Component {
-  std::uint32_t root, entry, size;
-};
-
-struct Gather_components {
-  const std::uint32_t* root;
-  const std::uint32_t* label;
-  const std::uint32_t* size;
-  Component* component;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
 };
 
 struct Number_roots {
@@ -171,7 +120,7 @@ private:
       plane_.push_back(rounded(relations.planes[std::size_t(relations.plane_of[i])]));
       coefficients_.push_back(planes[std::size_t(relations.plane_of[i])]);
     }
-    const Caller_view caller = {in_.coordinates.data(), in_.has_normals ? in_.normals.data() : nullptr};
+    const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
     const auto plane = t_.backend.lend(plane_);
     check_exactly(t_.backend, Is_uncertain{t_.cloud.point, label_.data(), plane.data(), t_.options.certain},
                   label_.data(), t_.cloud.size, order_, Check_exactly{caller, coefficients_.data(), t_.options.exact});
@@ -204,40 +153,24 @@ private:
     t_.backend.for_each(t_.cloud.size, Free_dropped{dropped.data(), label_.data()});
   }
 
-  // The components that are large enough, by falling size, then by position.
-  std::vector<Component> large_components(const std::uint32_t* component)
-  {
-    Buffer<std::uint32_t> size(t_.cloud.size);
-    t_.backend.for_each(t_.cloud.size, Fill{size.data(), 0});
-    t_.backend.template for_each_cell<Count_scratch>(
-      t_.number_of_cells, Count_components<Backend>{t_.cells.data(), label_.data(), component, size.data()});
-    const auto root = t_.backend.compact(t_.cloud.size, Is_large_root{label_.data(), component, size.data(),
-                                                                      std::uint64_t(t_.options.minimum_region_size)});
-    Buffer<Component> buffer(root.size());
-    t_.backend.for_each(root.size(), Gather_components{root.data(), label_.data(), size.data(), buffer.data()});
-    std::vector<Component> components(root.size());
-    t_.backend.to_host(buffer.data(), components.size(), components.data());
-    std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
-      return a.size != b.size ? a.size > b.size : a.root < b.root;
-    });
-    return components;
-  }
-
   void name_shapes(Engine_result& result)
   {
     const std::size_t n = t_.cloud.size;
     Buffer<std::uint32_t> component(n);
     find_components(t_, label_.data(), component.data());
-    const std::vector<Component> components = large_components(component.data());
+    const std::vector<Component> components = large_components(t_, label_.data(), component.data());
     number_groups(components, result);
     Buffer<std::uint32_t> number(n);
     t_.backend.for_each(n, Fill{number.data(), no_index});
     const auto named = t_.backend.lend(components);
     t_.backend.for_each(components.size(), Number_roots{named.data(), number.data()});
+    measure_shapes(component.data(), number.data(), result);
     Buffer<std::int32_t> shape_of(n);
     t_.backend.for_each(n, Write_shapes{component.data(), number.data(), order_, shape_of.data()});
-    result.shape_of.resize(n);
-    t_.backend.to_host(shape_of.data(), n, result.shape_of.data());
+    component.release();
+    number.release();
+    result.points = group_points(t_.backend, shape_of.data(), n, components.size());
+    result.shape_of = on_host<std::int32_t>(std::move(shape_of));
   }
 
   // Directions and planes in the order in which the shapes have them first.
@@ -251,7 +184,41 @@ private:
       const std::size_t p = std::size_t(relations.plane_of[c.entry]);
       direction[d] = direction[d] < 0 ? directions++ : direction[d];
       plane[p] = plane[p] < 0 ? planes++ : plane[p];
-      result.shapes.push_back({coefficients_[c.entry], direction[d], plane[p]});
+      result.shapes.push_back({coefficients_[c.entry], direction[d], plane[p], c.size, false});
+    }
+  }
+
+  void measure_shapes(const std::uint32_t* component, const std::uint32_t* number, Engine_result& result)
+  {
+    std::vector<std::uint32_t> opposed(result.shapes.size(), 0);
+    std::vector<std::uint64_t> distance(1, 0);
+    const auto plane = t_.backend.lend(plane_);
+    auto opposed_sums = t_.backend.lend_out(opposed);
+    auto distance_sum = t_.backend.lend_out(distance);
+    t_.backend.template for_each_cell<Measure_scratch>(
+      t_.number_of_cells,
+      Measure_points<Backend>{t_.cloud.point, t_.cells.data(), label_.data(), plane.data(), component, number,
+                              t_.options.growth.tolerance.distance, opposed_sums.data(), distance_sum.data()});
+    opposed_sums.take_back();
+    distance_sum.take_back();
+    std::size_t points = 0;
+    for(std::size_t s = 0; s < result.shapes.size(); ++s) {
+      points += result.shapes[s].size;
+      result.shapes[s].is_flipped = in_.has_normals && 2 * std::size_t(opposed[s]) > result.shapes[s].size;
+    }
+    result.mean_distance = points > 0 ? double(distance[0]) / double(points) / distance_units : 0;
+  }
+
+  // The items of a buffer, which is given up.
+  template <class T>
+  Shared_table<T> on_host(Buffer<T>&& buffer)
+  {
+    if constexpr(std::is_base_of<Host_buffer<T>, Buffer<T>>::value)
+      return Shared_table<T>(std::move(buffer));
+    else {
+      Host_buffer<T> table(buffer.size());
+      t_.backend.to_host(buffer.data(), buffer.size(), table.data());
+      return Shared_table<T>(std::move(table));
     }
   }
 
@@ -259,8 +226,7 @@ private:
   {
     Buffer<std::uint32_t> normal(t_.cloud.size);
     t_.backend.for_each(t_.cloud.size, Write_normals{t_.cloud.point, order_, normal.data()});
-    result.normal.resize(t_.cloud.size);
-    t_.backend.to_host(normal.data(), normal.size(), result.normal.data());
+    result.normal = on_host<std::uint32_t>(std::move(normal));
   }
 
   Tandem_state<Backend>& t_;

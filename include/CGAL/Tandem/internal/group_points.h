@@ -4,6 +4,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROUP_POINTS_H
 #define CGAL_TANDEM_INTERNAL_GROUP_POINTS_H
 
+#include <CGAL/Tandem/internal/Engine_result.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,17 +16,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1].
-struct Point_groups {
-  std::vector<std::size_t> first;
-  std::vector<std::uint32_t> position;
-};
-
-// A counting sort in a few large pieces. Labels outside of the shapes are left out.
+// The points of each shape, for n labels in the memory of the back end; a back end may have an overload of
+// its own. A counting sort in a few large pieces. Labels outside of the shapes are left out.
 template <class Backend>
-Point_groups group_points(Backend& backend, const std::vector<std::int32_t>& shape_of, std::size_t shapes)
+Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes)
 {
-  const std::size_t n = shape_of.size();
   const std::size_t grain = (std::max)({n / 64 + 1, shapes, std::size_t(1) << 16});
   std::vector<std::vector<std::size_t>> place((n + grain - 1) / grain);
   const auto for_each_point = [&](auto f) {
@@ -45,8 +41,9 @@ Point_groups group_points(Backend& backend, const std::vector<std::int32_t>& sha
       next += std::exchange(own[s], next);
   }
   groups.first.push_back(next);
-  groups.position.resize(next);
-  for_each_point([&](std::size_t& to, std::size_t i) { groups.position[to++] = std::uint32_t(i); });
+  Host_buffer<std::uint32_t> position(next);
+  for_each_point([&](std::size_t& to, std::size_t i) { position[to++] = std::uint32_t(i); });
+  groups.position = std::move(position);
   return groups;
 }
 

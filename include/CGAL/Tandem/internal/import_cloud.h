@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The border on the way in: the caller's range is read once into doubles.
+// The border on the way in: the caller's range is read once.
 
 #ifndef CGAL_TANDEM_INTERNAL_IMPORT_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_IMPORT_CLOUD_H
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -24,20 +25,23 @@ namespace internal {
 template <class Traits>
 class Item_reader {
 public:
+  // What keeps all that a coordinate has.
+  using Value = typename std::conditional<std::is_same<typename Traits::FT, float>::value, float, double>::type;
+
   Item_reader(const Traits& traits, typename Traits::Point_map point_map, typename Traits::Normal_map normal_map)
     : x_(traits.compute_x_3_object()), y_(traits.compute_y_3_object()), z_(traits.compute_z_3_object()),
       point_map_(point_map), normal_map_(normal_map)
   {}
 
   template <class Item>
-  void read_point(const Item& item, double* out) const
+  void read_point(const Item& item, Value* out) const
   {
     const typename Traits::Point_3& p = get(point_map_, item);
     convert(p, out);
   }
 
   template <class Item>
-  void read_normal(const Item& item, double* out) const
+  void read_normal(const Item& item, Value* out) const
   {
     const typename Traits::Vector_3& v = get(normal_map_, item);
     convert(v, out);
@@ -45,11 +49,19 @@ public:
 
 private:
   template <class Geometry>
-  void convert(const Geometry& g, double* out) const
+  void convert(const Geometry& g, Value* out) const
   {
-    out[0] = CGAL::to_double(x_(g));
-    out[1] = CGAL::to_double(y_(g));
-    out[2] = CGAL::to_double(z_(g));
+    out[0] = value(x_(g));
+    out[1] = value(y_(g));
+    out[2] = value(z_(g));
+  }
+
+  static Value value(const typename Traits::FT& x)
+  {
+    if constexpr(std::is_same<typename Traits::FT, Value>::value)
+      return x;
+    else
+      return CGAL::to_double(x);
   }
 
   typename Traits::Compute_x_3 x_;
@@ -59,80 +71,130 @@ private:
   typename Traits::Normal_map normal_map_;
 };
 
-inline void start_import(Import& in, std::size_t size, bool has_normals)
+template <class Value>
+void start_import(Import& in, std::size_t size, bool has_normals)
 {
   if(size > maximum_number_of_points)
     throw std::length_error("the range has " + to_text(size) + " points, at most " + to_text(maximum_number_of_points) +
                             " (2^31) can be handled");
-  in.number_of_items = size;
+  in.count = in.number_of_items = size;
   in.has_normals = has_normals;
-  in.coordinates.reset(3 * size);
+  in.coordinates.reset<Value>(size);
   if(has_normals)
-    in.normals.reset(3 * size);
+    in.normals.reset<Value>(size);
 }
 
-enum class Item_state : char { valid, bad_position, bad_normal };
-
-// Reads item i to place i.
-template <class Traits>
-Item_state read_item(Import& in, std::size_t i, const Item_reader<Traits>& reader,
-                     const typename Traits::Point_range& points)
+// A sum of quarters does not overflow.
+template <class Value>
+bool is_position(const Value* p)
 {
-  const auto& item = *(points.begin() + std::ptrdiff_t(i));
-  double* p = in.coordinates.data() + 3 * i;
-  reader.read_point(item, p);
-  if(!is_finite(p))
-    return Item_state::bad_position;
-  if constexpr(Traits::has_normal_map) {
-    double* n = in.normals.data() + 3 * i;
-    reader.read_normal(item, n);
-    if(!is_finite(n) || !(largest_component(n) > 0))
-      return Item_state::bad_normal;
+  const Value quarter = Value(.25);
+  return quarter * std::fabs(p[0]) + quarter * std::fabs(p[1]) + quarter * std::fabs(p[2]) <=
+         (std::numeric_limits<Value>::max)();
+}
+
+template <class Value>
+bool is_normal(const Value* n)
+{
+  return is_position(n) && std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]) > 0;
+}
+
+// Reads the items [first, last) to the places of the same numbers.
+template <class Traits>
+void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_range& points, std::size_t first,
+                std::size_t last, Import& in)
+{
+  using Value = typename Item_reader<Traits>::Value;
+  Value* p = in.coordinates.data<Value>();
+  Value* n = in.normals.data<Value>();
+  for(std::size_t i = first; i < last; ++i) {
+    const auto& item = *(points.begin() + std::ptrdiff_t(i));
+    reader.read_point(item, p + 3 * i);
+    if constexpr(Traits::has_normal_map)
+      reader.read_normal(item, n + 3 * i);
   }
-  return Item_state::valid;
+}
+
+// The box around those of the points [first, last) that can be used. False if some cannot.
+template <class Value>
+bool inspect_points(Import& in, std::size_t first, std::size_t last, Coordinate_box& box)
+{
+  Value low[3], high[3];
+  std::fill_n(low, 3, std::numeric_limits<Value>::infinity());
+  std::fill_n(high, 3, -std::numeric_limits<Value>::infinity());
+  bool is_complete = true;
+  const Value *points = in.coordinates.data<Value>(), *normals = in.normals.data<Value>();
+  for(std::size_t i = first; i < last; ++i) {
+    const Value* p = points + 3 * i;
+    if(!is_position(p) || (in.has_normals && !is_normal(normals + 3 * i))) {
+      is_complete = false;
+      continue;
+    }
+    for(int c = 0; c < 3; ++c) {
+      low[c] = (std::min)(low[c], p[c]);
+      high[c] = (std::max)(high[c], p[c]);
+    }
+  }
+  Coordinate_box inspected;
+  std::copy_n(low, 3, inspected.low);
+  std::copy_n(high, 3, inspected.high);
+  box.add(inspected);
+  return is_complete;
 }
 
 // Closes the gaps, and notes where the points that are left come from.
-inline void drop_invalid(Import& in, const std::vector<Item_state>& state)
+template <class Value>
+void drop_invalid(Import& in)
 {
   std::size_t kept = 0;
-  for(std::size_t i = 0; i < state.size(); ++i) {
-    in.number_of_ignored_coordinates += state[i] == Item_state::bad_position;
-    in.number_of_ignored_normals += state[i] == Item_state::bad_normal;
-    if(state[i] != Item_state::valid)
+  in.uploaded.reset();
+  for(std::size_t i = 0; i < in.count; ++i) {
+    const bool has_position = is_position(in.coordinates.data<Value>() + 3 * i);
+    const bool has_normal = !in.has_normals || is_normal(in.normals.data<Value>() + 3 * i);
+    in.number_of_ignored_coordinates += !has_position;
+    in.number_of_ignored_normals += has_position && !has_normal;
+    if(!has_position || !has_normal)
       continue;
-    std::copy_n(in.coordinates.data() + 3 * i, 3, in.coordinates.data() + 3 * kept);
+    in.coordinates.move(i, kept);
     if(in.has_normals)
-      std::copy_n(in.normals.data() + 3 * i, 3, in.normals.data() + 3 * kept);
+      in.normals.move(i, kept);
     in.item.push_back(std::uint32_t(i));
     ++kept;
   }
   in.count = kept;
 }
 
-// The caller's range as doubles, the normals of any length, without the points that cannot be used: a
-// coordinate is not finite, or the normal is null or not finite.
-template <class Traits, class Backend>
+// The caller's range without the points that cannot be used: a coordinate is not finite, or the normal is
+// null or not finite. What has been read is uploaded while the rest is read.
+template <class Traits, class Backend, class Upload = No_upload>
 Import read_points(Backend& backend, const typename Traits::Point_range& points, typename Traits::Point_map point_map,
-                   typename Traits::Normal_map normal_map, const Traits& traits)
+                   typename Traits::Normal_map normal_map, const Traits& traits, Upload upload = Upload())
 {
+  using Reader = Item_reader<Traits>;
   Import in;
-  in.count = std::size_t(points.end() - points.begin());
-  start_import(in, in.count, Traits::has_normal_map);
-  const Item_reader<Traits> reader(traits, point_map, normal_map);
-  std::vector<Item_state> state(in.count);
-  std::atomic<bool> is_complete(true);
+  start_import<typename Reader::Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
+  upload.start(in.coordinates, in.normals, in.count);
+  const Reader reader(traits, point_map, normal_map);
   // Number types that compute lazily are not meant to be read by several threads.
   constexpr bool is_plain = std::is_floating_point<typename Traits::FT>::value;
-  backend.for_each_piece(in.count, is_plain ? 16384 : in.count + 1, [&](std::size_t first, std::size_t last) {
-    for(std::size_t i = first; i < last; ++i) {
-      state[i] = read_item(in, i, reader, points);
-      if(state[i] != Item_state::valid)
+  const std::size_t grain = is_plain ? 65536 : in.count + 1;
+  std::vector<Coordinate_box> boxes((in.count + grain - 1) / grain);
+  std::atomic<bool> is_complete(true);
+  backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
+    constexpr std::size_t batch = 512; // stays in the first cache
+    for(std::size_t i = first; i < last; i += batch) {
+      const std::size_t end = (std::min)(i + batch, last);
+      read_items(reader, points, i, end, in);
+      if(!inspect_points<typename Reader::Value>(in, i, end, boxes[first / grain]))
         is_complete = false;
     }
+    upload.send(first, last);
   });
+  for(const Coordinate_box& box : boxes)
+    in.box.add(box);
+  in.uploaded = upload.finish();
   if(!is_complete)
-    drop_invalid(in, state);
+    drop_invalid<typename Reader::Value>(in);
   return in;
 }
 

@@ -106,10 +106,9 @@ inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
 template <class Backend>
 Cloud_measure measure_cloud(Backend& backend, const Import& in)
 {
-  const Coordinate_box box = bounding_box(backend, in);
-  if(!(box.extent() > 0))
+  if(!(in.box.extent() > 0))
     return Cloud_measure();
-  const Grid grid = make_grid(box, std::ldexp(box.extent(), -16)); // 2^27 steps
+  const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), -16)); // 2^27 steps
   const double inverse_step = 1 / grid.step;
   Host_buffer<Grid_point> point(in.size());
   backend.for_each(in.size(),

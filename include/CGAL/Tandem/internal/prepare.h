@@ -154,11 +154,10 @@ void find_border(Tandem_state<Backend>& t)
 
 // The points on the grid, for the functors; a back end may have an overload of its own.
 template <class Backend>
-typename Backend::template Buffer<Grid_point> import_points(Backend& backend, Import& in)
+typename Backend::template Buffer<Grid_point> import_points(Backend& backend, const Import& in)
 {
   typename Backend::template Buffer<Grid_point> point(in.size());
-  const Place_on_grid place(in);
-  backend.for_each_on_host(in.size(), [&](std::size_t i) { point[i] = place(i); });
+  backend.for_each(in.size(), place_on_grid(in, point.data()));
   return point;
 }
 
@@ -188,18 +187,17 @@ struct Free_all {
 
 // The tables of the size of the cloud, when they are largest: in the estimation of
 // normals, else in the end game. With the caller's coordinates and normals.
-inline std::size_t bytes_per_point(int k, bool has_normals)
+inline std::size_t bytes_per_point(int k, const Import& in)
 {
-  const std::size_t caller = (has_normals ? 6 : 3) * sizeof(double);
   const std::size_t cloud = sizeof(Grid_point) + std::size_t(k + 1) * sizeof(std::uint32_t);
   const std::size_t labels = 2 * sizeof(std::uint32_t) + 1; // and seeds, states
   const std::size_t end_game = sizeof(std::uint64_t) + 5 * sizeof(std::uint32_t);
   constexpr std::size_t neighborhoods = 100; // of estimate_normals()
-  return caller + cloud + (has_normals ? labels + end_game : neighborhoods);
+  return in.value_bytes() + cloud + (in.has_normals ? labels + end_game : neighborhoods);
 }
 
 template <class Backend>
-void sort_points(Tandem_state<Backend>& t, Import& in, std::size_t cell_size,
+void sort_points(Tandem_state<Backend>& t, const Import& in, std::size_t cell_size,
                  typename Backend::template Buffer<std::uint32_t>& order,
                  typename Backend::template Buffer<Grid_point>& points)
 {
@@ -219,7 +217,7 @@ void sort_points(Tandem_state<Backend>& t, Import& in, std::size_t cell_size,
 }
 
 template <class Backend>
-void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
+void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& parameters,
              typename Backend::template Buffer<std::uint32_t>& order,
              typename Backend::template Buffer<Grid_point>& points,
              typename Backend::template Buffer<std::uint32_t>& neighbors, Stage_times& times)
@@ -255,7 +253,7 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   t.label.reset(n);
   t.state.reset(n);
   t.backend.for_each(n, Free_all{t.labels()});
-  t.peak_bytes = n * bytes_per_point(k, in.has_normals) + 8 * t.border.size();
+  t.peak_bytes = n * bytes_per_point(k, in) + 8 * t.border.size();
 }
 
 } // namespace internal

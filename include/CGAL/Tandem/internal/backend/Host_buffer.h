@@ -4,37 +4,18 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_BUFFER_H
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include <CGAL/Tandem/internal/backend/Kept_pages.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Asks for large pages where the system has them: the first touch of small ones takes
-// longer than most passes over the points.
-inline void* allocate_pages(std::size_t bytes)
-{
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::size_t page = std::size_t(2) << 20;
-  if(bytes >= 2 * page) {
-    void* const memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
-    if(memory != nullptr)
-      static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
-    return memory;
-  }
-#endif
-  constexpr std::size_t line = 64;
-  return std::aligned_alloc(line, (bytes + line - 1) / line * line);
-}
 
 // An array that is not initialized: each of its pages is first touched by the
 // thread that fills it.
@@ -52,11 +33,18 @@ public:
     release();
     if(size == 0)
       return;
-    data_.reset(static_cast<T*>(allocate_pages(size * sizeof(T))));
-    if(data_ == nullptr)
+    const std::size_t bytes = size * sizeof(T);
+    void* memory = Kept_pages::take(bytes);
+    if(memory == nullptr)
+      memory = allocate_pages(bytes);
+    if(memory == nullptr)
       throw std::bad_alloc();
+    data_ = std::unique_ptr<T[], Free>(static_cast<T*>(memory), Free());
     size_ = size;
   }
+
+  // The memory will not be freed, but kept for the next buffer of this size.
+  void keep_pages() { data_.get_deleter().kept_bytes = size_ * sizeof(T); }
 
   void release()
   {
@@ -77,11 +65,41 @@ public:
 
 private:
   struct Free {
-    void operator()(T* memory) const { std::free(memory); }
+    std::size_t kept_bytes = 0;
+
+    void operator()(T* memory) const
+    {
+      if(kept_bytes > 0)
+        Kept_pages::give(memory, kept_bytes);
+      else
+        std::free(memory);
+    }
   };
 
   std::unique_ptr<T[], Free> data_;
   std::size_t size_ = 0;
+};
+
+// A table that does not change any more. Copies share it, so that they take no time.
+template <class T>
+class Shared_table {
+public:
+  using value_type = T;
+  using const_iterator = const T*;
+  using iterator = const_iterator;
+
+  Shared_table() = default;
+  Shared_table(Host_buffer<T>&& table) : table_(std::make_shared<const Host_buffer<T>>(std::move(table))) {}
+
+  const T* data() const { return table_ ? table_->data() : nullptr; }
+  std::size_t size() const { return table_ ? table_->size() : 0; }
+  bool empty() const { return size() == 0; }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size(); }
+  const T& operator[](std::size_t i) const { return (*table_)[i]; }
+
+private:
+  std::shared_ptr<const Host_buffer<T>> table_;
 };
 
 // Keys with the index that each belongs to, as a back end sorts them.

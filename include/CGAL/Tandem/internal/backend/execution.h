@@ -32,12 +32,16 @@ struct Execution {
 template <class Backend>
 class Cuda_or_host_engine {
 public:
+  using Upload = Cuda_engine::Upload;
+
   Cuda_or_host_engine(Backend& backend, Import& in, const Parameters& parameters)
   {
-    if(fits_on_device(in, parameters))
+    if(can_use_device(in, parameters))
       device_ = std::make_unique<Cuda_engine>(in, parameters);
-    else
+    else {
+      in.uploaded.reset();
       host_ = std::make_unique<Engine<Backend>>(backend, in, parameters);
+    }
   }
 
   const char* name() const { return device_ ? device_->name() : host_->name(); }
@@ -48,10 +52,10 @@ public:
 
 private:
   // A device may be there, but busy or reserved.
-  static bool fits_on_device(const Import& in, const Parameters& parameters)
+  static bool can_use_device(Import& in, const Parameters& parameters)
   {
     try {
-      return is_cuda_available() && in.size() <= cuda_capacity(parameters, in.has_normals);
+      return is_cuda_available() && fits_on_device(in, parameters);
     } catch(const std::runtime_error&) {
       return false;
     }

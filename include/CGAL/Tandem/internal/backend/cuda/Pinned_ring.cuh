@@ -1,15 +1,18 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The way in: host threads fill small pieces of pinned memory, from which they are
-// copied while the next ones are filled.
+// Large tables travel through small pieces of pinned memory, which several threads of
+// the host fill or empty while others are copied.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
 
-#include <CGAL/Tandem/internal/backend/cuda/copy.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Device_buffer.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Pinned_memory.cuh>
 
+#include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <exception>
 #include <system_error>
 #include <thread>
@@ -19,10 +22,31 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Waits at its end for what it has recorded.
+class Event {
+public:
+  Event() { CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming)); }
+
+  ~Event()
+  {
+    static_cast<void>(cudaEventSynchronize(event_));
+    static_cast<void>(cudaEventDestroy(event_));
+  }
+
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
+
+  void record() { CGAL_TANDEM_CUDA(cudaEventRecord(event_, stream_of_thread())); }
+  void wait() { CGAL_TANDEM_CUDA(cudaEventSynchronize(event_)); }
+
+private:
+  cudaEvent_t event_ = nullptr;
+};
+
 // Two pieces for one thread: one is filled while the other one is copied.
 class Pinned_pair {
 public:
-  static constexpr std::size_t bytes = Pinned_block::bytes / 4;
+  static constexpr std::size_t bytes = Pinned_block::bytes / 2;
 
   // The memory of the next piece, when its last copy has ended.
   void* next()
@@ -46,11 +70,13 @@ private:
   std::size_t piece_ = 0;
 };
 
-// Runs work(pair) on several threads, with the device of the caller; throws what one of them has thrown.
+// Runs work(pair) on several threads, with the device of the caller and what its stream has done; throws what one
+// of them has thrown.
 template <class Work>
 void run_on_host_threads(std::size_t pieces, Work work)
 {
   const int device = current_device();
+  CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
   const std::size_t processors = (std::max)(std::thread::hardware_concurrency(), 1u);
   const std::size_t count = (std::min)({pieces, processors, std::size_t(16)});
   std::vector<std::exception_ptr> errors(count);
@@ -78,22 +104,18 @@ void run_on_host_threads(std::size_t pieces, Work work)
       std::rethrow_exception(error);
 }
 
-// target[i] = make(i) for i in [0, n), where make is a function of the host.
-template <class T, class Make>
-void fill_from_host(T* target, std::size_t n, Make make)
+// Copies to the host.
+inline void empty_pinned_pieces(const char* source, std::size_t bytes, char* target)
 {
-  constexpr std::size_t piece = Pinned_pair::bytes / sizeof(T);
-  if(n == 0)
-    return;
-  CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // the target may just have been allocated here
+  constexpr std::size_t piece = Pinned_pair::bytes;
   std::atomic<std::size_t> next(0);
-  run_on_host_threads((n + piece - 1) / piece, [&](Pinned_pair& pair) {
-    for(std::size_t first; (first = piece * next++) < n;) {
-      const std::size_t size = (std::min)(piece, n - first);
-      T* items = static_cast<T*>(pair.next());
-      for(std::size_t i = 0; i < size; ++i)
-        items[i] = make(first + i);
-      pair.copy(target + first, size * sizeof(T));
+  run_on_host_threads((bytes + piece - 1) / piece, [&](Pinned_pair& pair) {
+    for(std::size_t first; (first = piece * next++) < bytes;) {
+      const std::size_t size = (std::min)(piece, bytes - first);
+      void* const memory = pair.next();
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source + first, size, cudaMemcpyDeviceToHost, stream_of_thread()));
+      CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+      std::memcpy(target + first, memory, size);
     }
   });
 }

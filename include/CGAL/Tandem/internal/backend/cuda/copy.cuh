@@ -6,8 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_COPY_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_COPY_CUH
 
-#include <CGAL/Tandem/internal/backend/cuda/Device_buffer.cuh>
-#include <CGAL/Tandem/internal/backend/cuda/Pinned_memory.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
 
 #include <algorithm>
 #include <cstring>
@@ -78,48 +77,6 @@ void copy_to_device(const T* source, std::size_t n, T* target)
     synchronize();
 }
 
-// Waits at its end for what it has recorded.
-class Event {
-public:
-  Event() { CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming)); }
-
-  ~Event()
-  {
-    static_cast<void>(cudaEventSynchronize(event_));
-    static_cast<void>(cudaEventDestroy(event_));
-  }
-
-  Event(const Event&) = delete;
-  Event& operator=(const Event&) = delete;
-
-  void record() { CGAL_TANDEM_CUDA(cudaEventRecord(event_, stream_of_thread())); }
-  void wait() { CGAL_TANDEM_CUDA(cudaEventSynchronize(event_)); }
-
-private:
-  cudaEvent_t event_ = nullptr;
-};
-
-// In two halves of the pinned memory: one is emptied while the other one is filled.
-inline void copy_large_to_host(const char* source, std::size_t bytes, char* target)
-{
-  constexpr std::size_t half = Pinned_block::bytes / 2;
-  Pinned_block block;
-  Event filled[2];
-  const std::size_t pieces = (bytes + half - 1) / half;
-  const auto size = [&](std::size_t piece) { return (std::min)(half, bytes - piece * half); };
-  for(std::size_t piece = 0; piece <= pieces; ++piece) {
-    if(piece < pieces) {
-      CGAL_TANDEM_CUDA(cudaMemcpyAsync(block.data() + piece % 2 * half, source + piece * half, size(piece),
-                                       cudaMemcpyDeviceToHost, stream_of_thread()));
-      filled[piece % 2].record();
-    }
-    if(piece > 0) {
-      filled[(piece - 1) % 2].wait();
-      std::memcpy(target + (piece - 1) * half, block.data() + (piece - 1) % 2 * half, size(piece - 1));
-    }
-  }
-}
-
 // Waits for the items.
 template <class T>
 void copy_to_host(const T* source, std::size_t n, T* target)
@@ -128,7 +85,7 @@ void copy_to_host(const T* source, std::size_t n, T* target)
     return synchronize();
   const std::size_t bytes = n * sizeof(T);
   if(bytes > Pinned_block::bytes)
-    return copy_large_to_host(reinterpret_cast<const char*>(source), bytes, reinterpret_cast<char*>(target));
+    return empty_pinned_pieces(reinterpret_cast<const char*>(source), bytes, reinterpret_cast<char*>(target));
   char* const memory = Staging::of_thread().take(bytes);
   CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, bytes, cudaMemcpyDeviceToHost, stream_of_thread()));
   synchronize();

@@ -17,10 +17,29 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+struct Values_on_device;
+
+// Sends the caller's values to the current device while they are read. Where there is no device or no memory, it does
+// nothing; the engine then sends them itself.
+class Cuda_upload {
+public:
+  // Of n points; the tables have to stay until finish().
+  void start(const Vector_table& coordinates, const Vector_table& normals, std::size_t n);
+  // The points [first, last), by any thread.
+  void send(std::size_t first, std::size_t last);
+  std::shared_ptr<void> finish();
+
+private:
+  std::shared_ptr<Values_on_device> values_;
+};
+
 // Engine<Cuda_backend> on the device that is current when it is made. It may be used
 // by one thread at a time, whatever the current device of that is.
 class Cuda_engine {
 public:
+  using Upload = Cuda_upload;
+
+  // The memory of the caller's values will be kept for the next import.
   // Throws std::runtime_error without a device and for failures of it, std::length_error
   // if the device has not enough memory.
   Cuda_engine(Import& in, const Parameters& parameters);
@@ -50,6 +69,9 @@ private:
 bool is_cuda_available();
 std::string cuda_device_report();
 void release_cuda_memory();
+
+// Whether the current device has memory for the points. An upload that takes it is given up.
+bool fits_on_device(Import& in, const Parameters& parameters);
 
 // The number of points for which the current device has memory now.
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals);

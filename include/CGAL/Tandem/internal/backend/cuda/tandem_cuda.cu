@@ -5,22 +5,13 @@
 
 #pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
 
-#include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_neighbors.cuh>
-#include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Cuda_tables.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// What the device does in its own way. Both are defined without reference to it.
-inline Device_buffer<Grid_point> import_points(Cuda_backend&, Import& in)
-{
-  Device_buffer<Grid_point> point(in.size());
-  fill_from_host(point.data(), in.size(), Place_on_grid(in));
-  return point;
-}
 
 inline void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
 {
@@ -56,7 +47,8 @@ private:
 };
 
 struct Cuda_engine::Implementation {
-  Implementation(Import& in, const Parameters& parameters) : device(current_device()), engine(backend, in, parameters)
+  Implementation(const Import& in, const Parameters& parameters)
+    : device(current_device()), engine(backend, in, parameters)
   {
     synchronize();
   }
@@ -94,21 +86,48 @@ void require_device()
     throw std::runtime_error("Cuda_tag: there is no CUDA device; use Cuda_if_available_tag, or another tag");
 }
 
-void require_memory(std::size_t points, const Parameters& parameters, bool has_normals)
+void require_memory(Import& in, const Parameters& parameters)
 {
-  const std::size_t capacity = cuda_capacity(parameters, has_normals);
-  if(points > capacity)
-    throw std::length_error("the cloud has " + to_text(points) + " points, the CUDA device has memory for " +
-                            to_text(capacity) + ": use fewer points, a smaller k_neighbors or another tag");
+  if(!fits_on_device(in, parameters))
+    throw std::length_error("the cloud has " + to_text(in.size()) + " points, the CUDA device has memory for " +
+                            to_text(cuda_capacity(parameters, in.has_normals)) +
+                            ": use fewer points, a smaller k_neighbors or another tag");
 }
 
 } // namespace
 
+void Cuda_upload::start(const Vector_table& coordinates, const Vector_table& normals, std::size_t n)
+try {
+  if(n > 0 && is_cuda_available())
+    values_ = std::make_shared<Values_on_device>(coordinates, normals, n);
+} catch(const std::runtime_error&) { // no memory
+  static_cast<void>(cudaGetLastError());
+}
+
+void Cuda_upload::send(std::size_t first, std::size_t last)
+{
+  if(values_ == nullptr)
+    return;
+  const Device_guard guard(values_->device);
+  std::unique_ptr<Pinned_pair> pair = values_->take_pair();
+  values_->send(first, last, *pair);
+  values_->give_back(std::move(pair));
+}
+
+std::shared_ptr<void> Cuda_upload::finish()
+{
+  if(values_ != nullptr)
+    values_->pairs.clear(); // waits for what they copy
+  return std::move(values_);
+}
+
 Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
 {
   require_device();
-  require_memory(in.size(), parameters, in.has_normals);
+  require_memory(in, parameters);
   implementation_ = std::make_unique<Implementation>(in, parameters);
+  in.coordinates.keep_pages();
+  in.normals.keep_pages();
 }
 
 Cuda_engine::~Cuda_engine()
@@ -174,7 +193,17 @@ void release_cuda_memory()
     return;
   CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
   Pinned_block::release();
+  Kept_pages::release();
   Memory_pools::trim();
+}
+
+bool fits_on_device(Import& in, const Parameters& parameters)
+{
+  if(in.size() > cuda_capacity(parameters, in.has_normals) && in.uploaded) {
+    in.uploaded.reset();
+    synchronize();
+  }
+  return in.size() <= cuda_capacity(parameters, in.has_normals);
 }
 
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals)
