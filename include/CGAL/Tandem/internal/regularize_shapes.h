@@ -62,13 +62,16 @@ template <class Backend>
 Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
 {
   const bool is_due = retry_all || (t.round + 1) % t.options.regularity_period == 0;
+  // While fragments are young, most of them tilt by more than what they would be related to.
+  const std::int64_t least = retry_all ? t.options.minimum_regular_size
+                                       : (std::max)(t.options.minimum_regular_size, t.options.minimum_fragment_size);
   Shape_relations r;
   std::vector<Shape_fit> fits;
   std::vector<char> is_excluded;
   for(std::uint32_t id : t.live) {
     Shape& shape = t.shapes[id];
     shape.plane = shape.local;
-    if(shape.moments.count < t.options.minimum_regular_size)
+    if(shape.moments.count < least)
       continue;
     r.id.push_back(id);
     fits.push_back({shape.scatter, shape.fit});
