@@ -143,41 +143,55 @@ struct Take_ids {
   }
 };
 
-// The shapes are those that were live, and those of the gains behind them. Their ids become
-// 0, 1, 2 ..., in the tables, the labels and the gains.
+// The shapes of the ids become 0, 1, 2 ...
+template <class Backend>
+void move_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
+{
+  t.next_shapes.resize(ids.size());
+  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) { t.next_shapes[i] = std::move(t.shapes[ids[i]]); });
+  t.shapes.swap(t.next_shapes);
+}
+
+// The shapes are those that were live, and those of the gains behind them. Those that have begun
+// get the ids behind the others, in the labels and the gains; where most ids have gone out of use,
+// all shapes get new ones, in the same order.
 template <class Backend>
 void number_shapes(Tandem_state<Backend>& t, std::size_t ids, std::vector<Gain>& gains)
 {
+  const std::size_t old_ids = t.shapes.size();
+  const bool is_sparse = 2 * t.live.size() < old_ids;
   std::vector<std::uint32_t> new_id(ids, is_free);
-  const std::size_t old_ids = t.shapes.size(), old_live = t.live.size();
-  for(std::size_t l = 0; l < old_live; ++l)
-    new_id[t.live[l]] = std::uint32_t(l);
-  std::size_t live = old_live;
+  for(std::size_t l = 0; l < t.live.size(); ++l)
+    new_id[t.live[l]] = is_sparse ? std::uint32_t(l) : t.live[l];
+  if(is_sparse)
+    move_shapes(t, t.live);
+  const std::size_t kept = t.shapes.size();
+  std::size_t next = kept;
   for(Gain& gain : gains) {
     if(gain.id >= old_ids)
-      new_id[gain.id] = std::uint32_t(live++);
+      new_id[gain.id] = std::uint32_t(next++);
     gain.id = new_id[gain.id];
   }
-  if(live > old_live || old_live < old_ids) {
+  if(is_sparse || next > kept) {
     const auto numbers = t.backend.lend(new_id);
     t.backend.for_each(t.cloud.size, Take_ids{numbers.data(), t.label.data()});
-    t.next_shapes.resize(live);
-    t.backend.for_each_on_host(
-      live, [&](std::size_t id) { t.next_shapes[id] = id < old_live ? std::move(t.shapes[t.live[id]]) : Shape(); });
-    t.shapes.swap(t.next_shapes);
   }
-  t.plane.resize(live);
-  t.rounds.resize(live);
-  t.is_restarted.assign(live, 0);
-  t.live.resize(live);
-  std::iota(t.live.begin(), t.live.end(), 0u);
+  if(is_sparse)
+    std::iota(t.live.begin(), t.live.end(), 0u);
+  for(std::size_t id = kept; id < next; ++id)
+    t.live.push_back(std::uint32_t(id));
+  t.shapes.resize(next);
+  t.plane.resize(next);
+  t.rounds.resize(next);
+  t.is_restarted.assign(next, 0);
 }
 
 // What the shapes gained, and their part in the next pass.
 template <class Backend>
 void take_all_gains(Tandem_state<Backend>& t, const std::vector<Gain>& gains)
 {
-  t.backend.for_each_on_host(t.shapes.size(), [&](std::size_t id) {
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
+    const std::uint32_t id = t.live[l];
     Shape& shape = t.shapes[id];
     shape.is_active = false;
     ++shape.age;
@@ -193,7 +207,7 @@ void take_all_gains(Tandem_state<Backend>& t, const std::vector<Gain>& gains)
     t.assigned += std::size_t(gain.sums.count);
 }
 
-// Returns the number of points that were gained. Afterwards the ids of the shapes have no gaps.
+// Returns the number of points that were gained.
 template <class Backend>
 std::size_t grow_shapes(Tandem_state<Backend>& t)
 {
