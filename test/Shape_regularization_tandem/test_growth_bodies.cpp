@@ -205,9 +205,13 @@ private:
     std::vector<std::uint32_t> count(query.size(), 0);
     std::vector<Sample> sample(f_.cloud.size);
     std::vector<Range> range(f_.cells.size());
+    std::uint32_t samples = 0, expected_samples = 0;
     backend_.template for_each_cell<Count_scratch>(
-      range.size(),
-      Collect_samples{f_.cloud, f_.cells_view(), f_.label.data(), mask.data(), sample.data(), range.data()});
+      range.size(), Collect_samples<Backend>{f_.cloud, f_.cells_view(), f_.label.data(), mask.data(), sample.data(),
+                                             &samples, range.data()});
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+      expected_samples += f_.label[i] < first_mark && (i & mask[f_.label[i]]) == 0;
+    check_equal(samples, expected_samples, name_ + ": samples");
     backend_.template for_each_cell<Count_scratch>(
       range.size(), Count_misfits<Backend>{f_.cells_view(), sample.data(), range.data(), query_of.data(), query.data(),
                                            count.data(), f_.tolerance});

@@ -63,10 +63,12 @@ public:
       t.sample.reset(t.cloud.size);
     for(std::uint32_t id : ids)
       mask_[id] = sample_mask(t.shapes[id]);
+    std::vector<std::uint32_t> size(1, 0);
     const auto mask = t.backend.lend(mask_);
+    const auto counter = t.backend.lend_out(size);
     t.backend.template for_each_cell<Count_scratch>(
-      t.number_of_cells,
-      Collect_samples{t.cloud, t.cells_view(), t.label.data(), mask.data(), t.sample.data(), range_.data()});
+      t.number_of_cells, Collect_samples<Backend>{t.cloud, t.cells_view(), t.label.data(), mask.data(), t.sample.data(),
+                                                  counter.data(), range_.data()});
   }
 
   std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)

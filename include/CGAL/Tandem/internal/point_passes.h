@@ -185,28 +185,44 @@ struct Count_scratch {
 // so all, every second one, every fourth one ...
 constexpr std::uint32_t nobody = 0xffffffffu;
 
-// Copies the points that may be asked to the front of the range of their leaf.
+// Copies the points that may be asked, those of a leaf to one place.
+template <class Backend>
 struct Collect_samples {
   Cloud_view cloud;
   Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* mask; // by shape
   Sample* sample;
-  Range* range; // by leaf: where its samples are, in any order
+  std::uint32_t* size; // of all
+  Range* range;        // by leaf: where its samples are, in any order
 
   template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
-    const Range cell = cells[c];
-    block.single([&] { range[c] = {cell.first, cell.first}; });
+    block.single([&] { range[c] = {0, 0}; });
     if(!cells.shapes[c].may_have([&](std::uint32_t s) { return mask[s] != nobody; }))
       return;
+    const Range cell = cells[c];
+    std::uint32_t& count = scratch.count[0];
+    block.single([&] { count = 0; });
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      if(is_asked(cell.first + at))
+        block.append(count);
+    });
+    std::uint32_t& place = scratch.count[1];
+    block.single([&] {
+      place = Backend::atomic_add(*size, count);
+      range[c] = {place, place + count};
+    });
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
-      if(label[i] < first_mark && (i & mask[label[i]]) == 0)
-        sample[block.append(range[c].last)] = {cloud.point[i], label[i]};
+      if(is_asked(i))
+        sample[block.append(place)] = {cloud.point[i], label[i]};
     });
   }
+
+private:
+  CGAL_TANDEM_HD bool is_asked(std::uint32_t i) const { return label[i] < first_mark && (i & mask[label[i]]) == 0; }
 };
 
 struct Misfit_query {
