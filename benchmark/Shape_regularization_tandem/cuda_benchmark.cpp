@@ -12,6 +12,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -21,14 +22,23 @@ using Kernel = CGAL::Simple_cartesian<float>;
 using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 using Cloud = std::vector<Point_with_normal>;
 
+// More points are those of several halls of one kind, side by side.
+constexpr std::size_t points_of_hall = 100000000;
+
 Cloud scan(std::size_t points)
 {
   const CGAL::Tandem::benchmark::Hall_scan hall;
+  const std::size_t of_hall = (std::min)(points, points_of_hall);
   Cloud cloud(points);
-  CGAL::Tandem::benchmark::for_each_on_all_processors(points, [&](std::size_t i) {
+  CGAL::Tandem::benchmark::for_each_on_all_processors(of_hall, [&](std::size_t i) {
     const auto s = hall(i);
     cloud[i] = {Kernel::Point_3(float(s.position[0]), float(s.position[1]), float(s.position[2])),
                 Kernel::Vector_3(float(s.normal[0]), float(s.normal[1]), float(s.normal[2]))};
+  });
+  CGAL::Tandem::benchmark::for_each_on_all_processors(points - of_hall, [&](std::size_t i) {
+    const Point_with_normal& p = cloud[i % of_hall];
+    const Kernel::Vector_3 shift(100 * float(1 + i / of_hall), 0, 0);
+    cloud[of_hall + i] = {p.first + shift, p.second};
   });
   return cloud;
 }
@@ -43,15 +53,15 @@ void run(const Cloud& cloud, int runs)
       cloud, np::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
                .normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>())
                .maximum_distance(0.012)
-               .minimum_region_size((std::max)(std::size_t(200), cloud.size() / 10000)));
+               .minimum_region_size((std::max)(std::size_t(200), (std::min)(cloud.size(), points_of_hall) / 10000)));
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     const auto& s = shapes.statistics();
     std::cout << s.backend << ',' << cloud.size() << ',' << i << ',' << wall.count() * 1000;
     for(double t : {s.times.sort, s.times.neighbors, s.times.growth, s.times.regularity, s.times.finish})
       std::cout << ',' << t * 1000;
     std::cout << ',' << s.number_of_rounds << ',' << shapes.number_of_shapes() << ',' << s.coverage << ','
-              << double(s.peak_bytes) / double(cloud.size()) << ',' << std::hex << shapes.hash()
-              << std::dec << std::endl;
+              << double(s.peak_bytes) / double(cloud.size()) << ',' << std::hex << shapes.hash() << std::dec
+              << std::endl;
   }
 }
 

@@ -33,8 +33,7 @@ struct Leaf_parents {
   std::uint32_t* parent;
 
   CGAL_TANDEM_HD std::uint32_t load(std::uint32_t i) const { return block.load(parent[i]); }
-  // Not the least of what threads write at once, but one of the points above i, which is enough.
-  CGAL_TANDEM_HD void lower(std::uint32_t i, std::uint32_t value) const { parent[i] = value; }
+  CGAL_TANDEM_HD void lower(std::uint32_t i, std::uint32_t value) const { block.fetch_min(parent[i], value); }
   CGAL_TANDEM_HD bool set(std::uint32_t i, std::uint32_t value) const
   {
     return block.exchange_if(parent[i], i, value) == i;

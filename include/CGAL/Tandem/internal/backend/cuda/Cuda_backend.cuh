@@ -156,9 +156,9 @@ public:
       return {};
     Buffer<T> buffer(1 + n); // the place of the first item holds their number
     std::uint32_t* const counter = reinterpret_cast<std::uint32_t*>(buffer.data());
-    CGAL_TANDEM_CUDA(cudaMemsetAsync(counter, 0, sizeof(*counter), stream_of_thread()));
+    std::vector<T> items(1 + (std::min)(n, in_first_copy)); // the first copy is of so many, written or not
+    CGAL_TANDEM_CUDA(cudaMemsetAsync(buffer.data(), 0, items.size() * sizeof(T), stream_of_thread()));
     for_each(n, Collect_items<T, F>{f, counter, buffer.data() + 1});
-    std::vector<T> items(1 + (std::min)(n, in_first_copy));
     copy_to_host(buffer.data(), items.size(), items.data());
     std::uint32_t size;
     std::memcpy(&size, items.data(), sizeof(size));
