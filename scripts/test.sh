@@ -4,8 +4,8 @@
 #
 # Installs what is missing, builds and runs all tests: the release build with TBB, then
 # a choice of them without TBB, under ASan + UBSan, and under TSan; and the benchmark in small,
-# which fails where a result of Tandem is wrong or differs between back ends. The manual has to
-# build without a warning.
+# which fails where a result of Tandem is wrong or differs between back ends; the micro-benchmarks
+# have to compile, where there is Google Benchmark. The manual has to build without a warning.
 #   test.sh [release] [sequential] [asan] [tsan] [cuda] [benchmark] [doc]    only these (default: all of them)
 # Where there is a CUDA compiler, the CUDA back end is built for one architecture, too;
 # its tests are skipped without a device.
@@ -80,8 +80,12 @@ run_benchmark()
 {
   echo "== benchmark"
   mkdir -p "$build"
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libbenchmark-dev libnanoflann-dev ||
+    echo "Google Benchmark cannot be installed: the micro-benchmarks are not built"
   TANDEM_BUILD_DIR=$build/benchmark TANDEM_JOBS=$jobs "$root/scripts/benchmark.sh" --quick > "$build/benchmark.log" 2>&1 ||
     { cat "$build/benchmark.log" >&2; fail "the benchmark failed"; }
+  cmake --build "$build/benchmark" -j "$jobs" --target micro_benchmarks > "$build/micro.log" 2>&1 ||
+    { cat "$build/micro.log" >&2; fail "the micro-benchmarks do not build"; }
 }
 
 run_doc()

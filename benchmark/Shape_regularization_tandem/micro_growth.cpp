@@ -23,11 +23,10 @@ void forget_shapes(State& t)
   t.plane.clear();
   t.rounds.clear();
   t.is_restarted.clear();
-  t.gain.clear();
   t.assigned = 0;
-  t.seed_cursor.assign(t.cells.size(), 0);
-  std::fill(t.label.begin(), t.label.end(), internal::is_free);
-  std::fill(t.state.begin(), t.state.end(), std::uint8_t(0));
+  t.seed_cursor.assign(t.number_of_cells, 0);
+  t.backend.for_each(t.number_of_cells, internal::Clear_lists{t.leaf_shapes.data()});
+  t.backend.for_each(t.cloud.size, internal::Free_all{t.labels()});
 }
 
 template <class State>
@@ -67,7 +66,8 @@ void order_seeds(benchmark::State& state)
   Prepared_scan<Backend> scan(std::size_t(state.range(0)), true);
   const auto& t = scan.state;
   for(auto _ : state) {
-    auto seeds = internal::order_seeds(t.backend, t.cloud, t.cells, t.options.growth.tolerance, t.options.tight);
+    auto seeds = internal::order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells,
+                                       {t.options.growth.tolerance, t.options.tight});
     benchmark::DoNotOptimize(seeds.seed.data());
   }
   count_points(state);

@@ -40,7 +40,7 @@ void tandem_neighbors(benchmark::State& state)
     const internal::Code_frame frame = internal::make_code_frame(in.point.data(), in.size());
     const auto order = internal::sort_along_curve(backend, in.point.data(), in.size(), frame);
     typename Backend::template Buffer<internal::Grid_point> sorted(in.size());
-    backend.for_each(in.size(), [&](std::size_t i) { sorted[i] = in.point[order[i].index]; });
+    backend.for_each(in.size(), [&](std::size_t i) { sorted[i] = in.point[order.view().index(i)]; });
     typename Backend::template Buffer<std::uint32_t> rows(in.size() * k_neighbors);
     internal::find_neighbors(backend, sorted.data(), std::uint32_t(in.size()), k_neighbors, rows.data());
     benchmark::DoNotOptimize(rows.data());

@@ -52,7 +52,22 @@ std::vector<Shape_fit> make_shapes(std::size_t n)
   return shapes;
 }
 
-Regularity_options options() { return {angle_tolerance_deg, maximum_distance, maximum_distance, true, true, true}; }
+Regularity_options options()
+{
+  return {angle_tolerance_deg, maximum_distance, maximum_distance, true, true, true, false};
+}
+
+// No point misfits.
+struct Accept_all {
+  template <class F>
+  void for_each(std::size_t n, F f) const
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      f(i);
+  }
+
+  void operator()(const std::vector<int>&, const std::vector<Regular_plane>&, std::vector<std::int64_t>&) const {}
+};
 
 // The Gauss map.
 void cluster_normals(benchmark::State& state)
@@ -65,7 +80,7 @@ void cluster_normals(benchmark::State& state)
   }
   std::size_t groups = 0;
   for(auto _ : state)
-    groups = cluster_directions(normals, weights, CGAL::Tandem::internal::sine_deg(angle_tolerance_deg)).size();
+    groups = cluster_directions(normals, weights, sine_deg(angle_tolerance_deg), Accept_all()).size();
   state.counters["groups"] = double(groups);
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
@@ -76,12 +91,12 @@ void fit_directions(benchmark::State& state)
   const std::vector<Shape_fit> shapes = make_shapes(std::size_t(state.range(0)));
   std::vector<int> all(shapes.size());
   std::iota(all.begin(), all.end(), 0);
-  auto accept = [](const std::vector<int>&, const std::vector<Regular_plane>&, std::vector<std::int64_t>&) {};
+  Accept_all accept;
   std::size_t groups = 0;
   for(auto _ : state) {
-    Verified_planes<decltype(accept)> verified(shapes, maximum_distance, accept);
+    Verified_planes<Accept_all> verified(shapes, maximum_distance, accept);
     const Regularity_options o = options();
-    Direction_fitter<decltype(accept)> fitter(shapes, o, verified);
+    Direction_fitter<Accept_all> fitter(shapes, o, verified);
     fitter.fit(all);
     groups = fitter.result().size();
   }
@@ -94,7 +109,7 @@ void regularize_all(benchmark::State& state)
 {
   const std::vector<Shape_fit> shapes = make_shapes(std::size_t(state.range(0)));
   const std::vector<char> is_excluded(shapes.size(), 0);
-  auto accept = [](const std::vector<int>&, const std::vector<Regular_plane>&, std::vector<std::int64_t>&) {};
+  Accept_all accept;
   std::size_t directions = 0;
   for(auto _ : state)
     directions = regularize(shapes, is_excluded, options(), accept).directions.size();
