@@ -31,9 +31,11 @@ function(tandem_add_cuda_library)
   target_compile_options(tandem_cuda PRIVATE
     --expt-relaxed-constexpr --fmad=false "SHELL:--default-stream per-thread" "SHELL:-Xcompiler -Wall,-Wextra")
   # What the host does between two kernels has many of these; without the instruction each one is
-  # a call. Processors without it are told so when a program asks for the device.
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    target_compile_options(tandem_cuda PRIVATE "SHELL:-Xcompiler -mfma,-ffp-contract=off")
+  # a call. The library has inline functions in common with its users, so they have it, too.
+  if(TANDEM_CUDA_WITH_FMA AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_options(tandem_cuda
+      PRIVATE "SHELL:-Xcompiler -mfma,-ffp-contract=off"
+      INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-mfma> $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
   endif()
   if(TARGET CGAL::TBB_support)
     target_link_libraries(tandem_cuda PRIVATE "$<BUILD_INTERFACE:CGAL::TBB_support>")

@@ -45,7 +45,10 @@ public:
   template <class F>
   void for_each_on_host(std::size_t n, F f)
   {
-    for_each(n, f);
+    for_each_piece(n, 2, [&](std::size_t first, std::size_t last) { // so that threads meet
+      for(std::size_t i = first; i < last; ++i)
+        f(i);
+    });
   }
 
   template <class F>

@@ -45,7 +45,8 @@ inline std::string cuda_device_report()
 \ingroup PkgShapeRegularizationTandemRef
 
 gives back the memory, of the host and of the devices, that calls with `Cuda_tag` have kept so that the next
-one need not ask for it, but for some megabytes of each thread that is still there. May be called at any time.
+one need not ask for it (of the host at most 8 GiB), but for some megabytes of each thread that is still there. May be
+called at any time.
 */
 inline void release_memory()
 {

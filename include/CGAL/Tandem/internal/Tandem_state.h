@@ -94,9 +94,8 @@ struct Tandem_state {
   Buffer<std::uint8_t> state;
 
   std::vector<Shape> shapes;       // by id, which changes in grow_shapes() only; those not in `live` hold nothing
-  std::vector<Shape> next_shapes;  // where they get new ids; what it holds between is of no use
   std::vector<std::uint32_t> live; // ascending
-  std::vector<Plane> plane;        // these three: the points' view of the shapes
+  std::vector<Plane> plane;        // these three: the points' view of the shapes, made anew in each round
   std::vector<std::uint16_t> rounds;
   std::vector<std::uint8_t> is_restarted;
   Buffer<Shared_moments> gain; // of each shape, zero between passes
@@ -107,7 +106,7 @@ struct Tandem_state {
   std::size_t peak_bytes = 0; // of the tables of the size of the cloud
 };
 
-// Leaves nothing of a shape that has lost its points.
+// Of a shape that has lost its points. What else it holds is of no use.
 template <class State>
 void forget_shape(State& t, std::uint32_t id)
 {

@@ -147,9 +147,9 @@ struct Take_ids {
 template <class Backend>
 void move_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
 {
-  t.next_shapes.resize(ids.size());
-  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) { t.next_shapes[i] = std::move(t.shapes[ids[i]]); });
-  t.shapes.swap(t.next_shapes);
+  std::vector<Shape> moved(ids.size());
+  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) { moved[i] = std::move(t.shapes[ids[i]]); });
+  t.shapes.swap(moved);
 }
 
 // The shapes are those that were live, and those of the gains behind them. Those that have begun

@@ -11,11 +11,12 @@
 #include <sys/mman.h>
 #endif
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -45,55 +46,40 @@ public:
   {
     std::lock_guard<std::mutex> lock(mutex());
     for(Block& block : blocks())
-      if(block.bytes >= bytes && block.bytes - bytes <= bytes / 4) {
-        void* const memory = block.memory;
-        block = blocks().back();
-        blocks().pop_back();
-        return memory;
-      }
+      if(block.memory != nullptr && block.bytes >= bytes && block.bytes - bytes <= bytes / 4)
+        return std::exchange(block.memory, nullptr);
     return nullptr;
   }
 
-  // Instead of std::free().
-  static void give(void* memory, std::size_t bytes)
+  // Instead of std::free(); that of another block where there is no room for more.
+  static void give(void* memory, std::size_t bytes) noexcept
   {
-    std::vector<Block> unused;
-    {
-      std::lock_guard<std::mutex> lock(mutex());
-      if(blocks().size() == most_blocks)
-        unused.swap(blocks()); // they are of sizes that nobody asks for any more
-      if(bytes <= most_bytes)
-        blocks().push_back({memory, bytes});
-      else
-        unused.push_back({memory, bytes});
-    }
-    free_all(unused);
+    if(bytes > most_bytes)
+      return std::free(memory);
+    std::lock_guard<std::mutex> lock(mutex());
+    Blocks& all = blocks();
+    std::free(all.back().memory);
+    std::move_backward(all.begin(), all.end() - 1, all.end());
+    all.front() = {memory, bytes};
   }
 
-  static void release()
+  static void release() noexcept
   {
-    std::vector<Block> unused;
-    {
-      std::lock_guard<std::mutex> lock(mutex());
-      unused.swap(blocks());
-    }
-    free_all(unused);
+    std::lock_guard<std::mutex> lock(mutex());
+    for(Block& block : blocks())
+      std::free(std::exchange(block.memory, nullptr));
   }
 
 private:
   struct Block {
-    void* memory;
-    std::size_t bytes;
+    void* memory = nullptr;
+    std::size_t bytes = 0;
   };
 
-  static constexpr std::size_t most_blocks = 4;
-  static constexpr std::size_t most_bytes = std::size_t(2) << 30; // of a block
+  // The latest first.
+  using Blocks = std::array<Block, 4>;
 
-  static void free_all(const std::vector<Block>& blocks)
-  {
-    for(const Block& block : blocks)
-      std::free(block.memory);
-  }
+  static constexpr std::size_t most_bytes = std::size_t(2) << 30; // of a block
 
   static std::mutex& mutex()
   {
@@ -102,9 +88,9 @@ private:
   }
 
   // Not destroyed at the end of the program, when there may still be tables.
-  static std::vector<Block>& blocks()
+  static Blocks& blocks()
   {
-    static std::vector<Block>& b = *new std::vector<Block>;
+    static Blocks& b = *new Blocks;
     return b;
   }
 };

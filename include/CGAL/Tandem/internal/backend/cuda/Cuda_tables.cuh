@@ -62,6 +62,7 @@ struct Values_on_device {
   Device_buffer<char> value[2];
   std::vector<std::unique_ptr<Pinned_pair>> pairs; // that no thread uses, while they are read
   std::mutex mutex;
+  std::atomic<bool> has_failed{false}; // to send some of them
 };
 
 inline std::shared_ptr<Values_on_device> send_values(const Import& in)

@@ -78,7 +78,7 @@ void run_on_host_threads(std::size_t pieces, Work work)
   const int device = current_device();
   CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
   const std::size_t processors = (std::max)(std::thread::hardware_concurrency(), 1u);
-  const std::size_t count = (std::min)({pieces, processors, std::size_t(16)});
+  const std::size_t count = (std::max)((std::min)({pieces, processors, std::size_t(16)}), std::size_t(1));
   std::vector<std::exception_ptr> errors(count);
   auto run = [&](std::size_t t) {
     try {
@@ -91,10 +91,11 @@ void run_on_host_threads(std::size_t pieces, Work work)
     }
   };
   std::vector<std::thread> threads;
+  threads.reserve(count);
   try {
     for(std::size_t t = 1; t < count; ++t)
       threads.emplace_back(run, t);
-  } catch(const std::system_error&) { // those that there are do all of the work
+  } catch(...) { // those that there are do all of the work
   }
   run(0);
   for(std::thread& thread : threads)

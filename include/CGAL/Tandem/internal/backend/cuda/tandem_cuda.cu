@@ -32,18 +32,23 @@ namespace internal {
 // Makes a device the current one for a while.
 class Device_guard {
 public:
-  explicit Device_guard(int device) : before_(current_device())
+  explicit Device_guard(int device) : device_(device), before_(current_device())
   {
     if(device != before_)
       CGAL_TANDEM_CUDA(cudaSetDevice(device));
   }
 
-  ~Device_guard() { static_cast<void>(cudaSetDevice(before_)); }
+  ~Device_guard()
+  {
+    if(device_ != before_) // the call alone makes a context
+      static_cast<void>(cudaSetDevice(before_));
+  }
+
   Device_guard(const Device_guard&) = delete;
   Device_guard& operator=(const Device_guard&) = delete;
 
 private:
-  int before_;
+  int device_, before_;
 };
 
 struct Cuda_engine::Implementation {
@@ -106,18 +111,26 @@ try {
 
 void Cuda_upload::send(std::size_t first, std::size_t last)
 {
-  if(values_ == nullptr)
+  if(values_ == nullptr || values_->has_failed)
     return;
-  const Device_guard guard(values_->device);
-  std::unique_ptr<Pinned_pair> pair = values_->take_pair();
-  values_->send(first, last, *pair);
-  values_->give_back(std::move(pair));
+  try {
+    const Device_guard guard(values_->device);
+    std::unique_ptr<Pinned_pair> pair = values_->take_pair();
+    values_->send(first, last, *pair);
+    values_->give_back(std::move(pair));
+  } catch(const std::runtime_error&) { // no pinned memory, say
+    values_->has_failed = true;
+  }
 }
 
 std::shared_ptr<void> Cuda_upload::finish()
 {
   if(values_ != nullptr)
     values_->pairs.clear(); // waits for what they copy
+  if(values_ != nullptr && values_->has_failed) {
+    static_cast<void>(cudaGetLastError());
+    values_.reset();
+  }
   return std::move(values_);
 }
 
@@ -189,11 +202,11 @@ std::string cuda_device_report()
 
 void release_cuda_memory()
 {
+  Kept_pages::release();
   if(!is_cuda_available())
     return;
   CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
   Pinned_block::release();
-  Kept_pages::release();
   Memory_pools::trim();
 }
 
