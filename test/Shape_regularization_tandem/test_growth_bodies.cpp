@@ -8,6 +8,7 @@
 
 #include "body_fixture.h"
 
+#include <CGAL/Tandem/internal/Misfit_counter.h>
 #include <CGAL/Tandem/internal/grow_shapes.h>
 
 #include <map>

@@ -7,8 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
 #define CGAL_TANDEM_INTERNAL_MERGE_FRAGMENTS_H
 
-#include <CGAL/Tandem/internal/directions.h>
-#include <CGAL/Tandem/internal/update_shapes.h>
+#include <CGAL/Tandem/internal/Misfit_counter.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -31,117 +30,6 @@ inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane
   const double e = dot(plane.normal, scatter.centroid) - plane.offset;
   return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
 }
-
-// Of a shape with more points than this only a sample is asked whether a plane is
-// tolerable. (Whether a point stays is asked of each one.)
-constexpr std::int64_t sample_size = 512;
-
-// Of each shape, at most.
-constexpr std::size_t remembered_answers = 4;
-
-inline std::uint32_t sample_mask(const Shape& shape)
-{
-  std::uint32_t mask = 0;
-  while(shape.moments.count / (2 * (std::int64_t(mask) + 1)) >= sample_size)
-    mask = 2 * mask + 1;
-  return mask;
-}
-
-// Asks the points: which share of each listed shape fits its local plane, but not
-// the candidate. Planes that hardly move need no answer from the points, and what
-// was asked before, about hardly other planes, is answered from memory.
-template <class Backend>
-class Misfit_counter {
-public:
-  // ids: the shapes that may be asked for. Points keep their labels until the last question.
-  Misfit_counter(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
-    : t_(t), mask_(t.shapes.size(), nobody), range_(t.number_of_cells)
-  {
-    if(ids.empty())
-      return;
-    if(t.sample.size() == 0)
-      t.sample.reset(t.cloud.size);
-    for(std::uint32_t id : ids)
-      mask_[id] = sample_mask(t.shapes[id]);
-    std::vector<std::uint32_t> size(1, 0);
-    const auto mask = t.backend.lend(mask_);
-    const auto counter = t.backend.lend_out(size);
-    t.backend.template for_each_cell<Count_scratch>(
-      t.number_of_cells, Collect_samples<Backend>{t.cloud, t.cells_view(), t.label.data(), mask.data(), t.sample.data(),
-                                                  counter.data(), range_.data()});
-  }
-
-  std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
-  {
-    std::vector<double> shares(ids.size(), 0);
-    std::vector<std::size_t> asked;
-    std::vector<std::uint32_t> query_of(t_.shapes.size(), no_index);
-    std::vector<Misfit_query> query;
-    std::vector<char> is_known(ids.size());
-    t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-      const Shape& shape = t_.shapes[ids[i]];
-      is_known[i] = is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]);
-    });
-    for(std::size_t i = 0; i < ids.size(); ++i) {
-      if(is_known[i])
-        continue;
-      const Shape& shape = t_.shapes[ids[i]];
-      query_of[ids[i]] = std::uint32_t(query.size());
-      query.push_back({rounded(shape.local), rounded(candidates[i])});
-      asked.push_back(i);
-    }
-    if(asked.empty())
-      return shares;
-    const std::vector<std::uint32_t> count = ask_points(query_of, query);
-    for(std::size_t q = 0; q < asked.size(); ++q) {
-      Shape& shape = t_.shapes[ids[asked[q]]];
-      double& share = shares[asked[q]];
-      share = double(count[q]) * (double(mask_[ids[asked[q]]]) + 1) / double(shape.moments.count);
-      shape.answers.resize((std::min)(shape.answers.size() + 1, remembered_answers));
-      shape.answers[shape.next_answer] = {shape.local, candidates[asked[q]], shape.moments.count, share};
-      shape.next_answer = (shape.next_answer + 1) % remembered_answers;
-    }
-    return shares;
-  }
-
-private:
-  std::vector<std::uint32_t> ask_points(const std::vector<std::uint32_t>& query_of,
-                                        const std::vector<Misfit_query>& query)
-  {
-    std::vector<std::uint32_t> count(query.size(), 0);
-    const auto index = t_.backend.lend(query_of);
-    const auto queries = t_.backend.lend(query);
-    auto counts = t_.backend.lend_out(count);
-    t_.backend.template for_each_cell<Count_scratch>(
-      t_.number_of_cells, Count_misfits<Backend>{t_.cells_view(), t_.sample.data(), range_.data(), index.data(),
-                                                 queries.data(), counts.data(), t_.options.growth.tolerance});
-    counts.take_back();
-    return count;
-  }
-
-  bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
-  {
-    const bool is_same = a.normal == b.normal && a.offset == b.offset;
-    return is_same || bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
-  }
-
-  bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
-  {
-    for(const Answer& answer : shape.answers) {
-      const std::int64_t change = shape.moments.count - answer.points;
-      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, candidate, answer.candidate) ||
-         !is_still(shape, shape.local, answer.local))
-        continue;
-      share = answer.misfit_share;
-      return true;
-    }
-    return false;
-  }
-
-  Tandem_state<Backend>& t_;
-  std::vector<std::uint32_t> mask_;                // by shape
-  typename Backend::template Buffer<Range> range_; // of the samples of each leaf
-};
 
 // Of moments only: no point is looked at.
 struct Joint_fit_test {
