@@ -16,12 +16,24 @@ namespace internal {
 
 __extension__ typedef __int128 Int128;
 
-// Sums relative to a point of the same leaf (see cell_extent_bits).
-struct Cell_moments {
+template <class Product>
+struct Moment_sums {
   std::int64_t count = 0;
   std::int64_t sum[3] = {0, 0, 0};
-  std::int64_t product[6] = {0, 0, 0, 0, 0, 0}; // xx xy xz yy yz zz
+  Product product[6] = {0, 0, 0, 0, 0, 0}; // xx xy xz yy yz zz
 
+  CGAL_TANDEM_HD void operator+=(const Moment_sums& m)
+  {
+    count += m.count;
+    for(int i = 0; i < 3; ++i)
+      sum[i] += m.sum[i];
+    for(int i = 0; i < 6; ++i)
+      product[i] += m.product[i];
+  }
+};
+
+// Relative to a point of the same leaf (see cell_extent_bits).
+struct Cell_moments : Moment_sums<std::int64_t> {
   CGAL_TANDEM_HD void add(std::int64_t x, std::int64_t y, std::int64_t z, int sign = 1)
   {
     count += sign;
@@ -35,34 +47,10 @@ struct Cell_moments {
     product[4] += sign * (y * z);
     product[5] += sign * (z * z);
   }
-
-  CGAL_TANDEM_HD Cell_moments& operator+=(const Cell_moments& m)
-  {
-    count += m.count;
-    for(int i = 0; i < 3; ++i)
-      sum[i] += m.sum[i];
-    for(int i = 0; i < 6; ++i)
-      product[i] += m.product[i];
-    return *this;
-  }
 };
 
-// Sums in grid coordinates: products of up to 2^56 times 2^31 points need 128 bits.
-struct Moments {
-  std::int64_t count = 0;
-  std::int64_t sum[3] = {0, 0, 0};
-  Int128 product[6] = {0, 0, 0, 0, 0, 0};
-
-  CGAL_TANDEM_HD Moments& operator+=(const Moments& m)
-  {
-    count += m.count;
-    for(int i = 0; i < 3; ++i)
-      sum[i] += m.sum[i];
-    for(int i = 0; i < 6; ++i)
-      product[i] += m.product[i];
-    return *this;
-  }
-
+// In grid coordinates: products of up to 2^56 times 2^31 points need 128 bits.
+struct Moments : Moment_sums<Int128> {
   CGAL_TANDEM_HD void add(const Grid_point& p, int sign = 1)
   {
     const std::int64_t c[3] = {p.x, p.y, p.z};

@@ -62,9 +62,7 @@ private:
 
   CGAL_TANDEM_HD bool is_opposed(std::uint32_t i) const
   {
-    const Plane& s = plane[label[i]];
-    const Int_vector m = decode_normal(point[i].normal);
-    return std::int64_t(s.nx) * m.x + std::int64_t(s.ny) * m.y + std::int64_t(s.nz) * m.z < 0;
+    return normal_product(plane[label[i]], decode_normal(point[i].normal)) < 0;
   }
 };
 

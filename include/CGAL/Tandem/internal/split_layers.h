@@ -106,9 +106,7 @@ struct Sum_normals {
       if(s >= first_mark || (i & mask[s]) != 0)
         return;
       const Int_vector m = decode_normal(cloud.point[i].normal);
-      const std::int64_t side =
-        std::int64_t(plane[s].nx) * m.x + std::int64_t(plane[s].ny) * m.y + std::int64_t(plane[s].nz) * m.z < 0 ? -1
-                                                                                                                : 1;
+      const std::int64_t side = normal_product(plane[s], m) < 0 ? -1 : 1;
       Backend::atomic_add(sum[3 * s], side * m.x);
       Backend::atomic_add(sum[3 * s + 1], side * m.y);
       Backend::atomic_add(sum[3 * s + 2], side * m.z);

@@ -117,10 +117,16 @@ struct Squared_cosine {
   }
 };
 
+// Of the normals of a plane and of a point.
+CGAL_TANDEM_HD inline std::int64_t normal_product(const Plane& s, const Int_vector& m)
+{
+  return std::int64_t(s.nx) * m.x + std::int64_t(s.ny) * m.y + std::int64_t(s.nz) * m.z;
+}
+
 CGAL_TANDEM_HD inline Squared_cosine squared_cosine(const Plane& s, const Grid_point& p)
 {
   const Int_vector m = decode_normal(p.normal);
-  const std::int64_t product = std::int64_t(s.nx) * m.x + std::int64_t(s.ny) * m.y + std::int64_t(s.nz) * m.z;
+  const std::int64_t product = normal_product(s, m);
   const std::int64_t dot = (product < 0 ? -product : product) >> 12; // < 2^31
   const std::int64_t length2 = std::int64_t(m.x) * m.x + std::int64_t(m.y) * m.y + std::int64_t(m.z) * m.z;
   return {dot * dot, length2};
