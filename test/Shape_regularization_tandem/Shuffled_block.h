@@ -226,11 +226,9 @@ public:
   }
 
   template <class T, class F>
-  std::vector<T> collect(std::size_t n, F f)
+  Host_buffer<T> collect(std::size_t n, F f)
   {
-    std::vector<T> items = Sequential_backend::collect<T>(n, f);
-    dice_.shuffle(items.begin(), items.end());
-    return items;
+    return collect_on<T>(*this, n, f);
   }
 
   template <class T>

@@ -85,6 +85,12 @@ public:
     return compact_on(*this, n, is_kept);
   }
 
+  template <class T, class F>
+  Host_buffer<T> collect(std::size_t n, F f)
+  {
+    return collect_on<T>(*this, n, f);
+  }
+
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
   {
     for_each_piece(ranges, 1,

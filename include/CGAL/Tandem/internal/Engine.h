@@ -95,20 +95,21 @@ private:
     std::vector<std::uint8_t> is_joined(target.size(), 0);
     for(std::uint32_t id : state_.live)
       is_joined[target[id]] |= target[id] != id;
-    for(std::uint32_t id : state_.live) {
-      const Shape& shape = state_.shapes[id];
-      if(!shape.is_active && shape.age > 2 && shape.moments.count < state_.options.minimum_fragment_size &&
-         target[id] == id && !is_joined[id])
+    const std::int64_t least = state_.options.minimum_fragment_size;
+    for(std::uint32_t id : chosen_shapes(state_, [&](const Shape& shape, std::uint32_t) {
+          return !shape.is_active && shape.age > 2 && shape.moments.count < least;
+        }))
+      if(target[id] == id && !is_joined[id])
         target[id] = is_free;
-    }
   }
 
   bool is_going_on(std::size_t gained)
   {
     std::size_t settled = 0; // points of shapes that are large enough; fragments come and go for ever
-    for(std::uint32_t id : state_.live)
-      if(state_.shapes[id].moments.count >= state_.options.minimum_region_size)
-        settled += std::size_t(state_.shapes[id].moments.count);
+    for(std::uint32_t id : chosen_shapes(state_, [&](const Shape& shape, std::uint32_t) {
+          return shape.moments.count >= state_.options.minimum_region_size;
+        }))
+      settled += std::size_t(state_.shapes[id].moments.count);
     const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
     const bool is_idle = (most_settled_ - best_before) * 10000 <= state_.cloud.size;
     idle_rounds_ = is_idle ? idle_rounds_ + 1 : 0;

@@ -96,9 +96,6 @@ struct Count_misfits {
 // tolerable. (Whether a point stays is asked of each one.)
 constexpr std::int64_t sample_size = 512;
 
-// Of each shape, at most.
-constexpr std::size_t remembered_answers = 4;
-
 inline std::uint32_t sample_mask(const Shape& shape)
 {
   std::uint32_t mask = 0;
@@ -121,8 +118,7 @@ public:
       return;
     if(t.sample.size() == 0)
       t.sample.reset(t.cloud.size);
-    for(std::uint32_t id : ids)
-      mask_[id] = sample_mask(t.shapes[id]);
+    t.backend.for_each_on_host(ids.size(), [&](std::size_t i) { mask_[ids[i]] = sample_mask(t.shapes[ids[i]]); });
     std::vector<std::uint32_t> size(1, 0);
     const auto mask = t.backend.lend(mask_);
     const auto counter = t.backend.lend_out(size);
@@ -136,7 +132,6 @@ public:
     std::vector<double> shares(ids.size(), 0);
     std::vector<std::size_t> asked;
     std::vector<std::uint32_t> query_of(t_.shapes.size(), no_index);
-    std::vector<Misfit_query> query;
     std::vector<char> is_known(ids.size());
     t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
       const Shape& shape = t_.shapes[ids[i]];
@@ -145,22 +140,22 @@ public:
     for(std::size_t i = 0; i < ids.size(); ++i) {
       if(is_known[i])
         continue;
-      const Shape& shape = t_.shapes[ids[i]];
-      query_of[ids[i]] = std::uint32_t(query.size());
-      query.push_back({rounded(shape.local), rounded(candidates[i])});
+      query_of[ids[i]] = std::uint32_t(asked.size());
       asked.push_back(i);
     }
     if(asked.empty())
       return shares;
+    std::vector<Misfit_query> query(asked.size());
+    t_.backend.for_each_on_host(asked.size(), [&](std::size_t q) {
+      query[q] = {rounded(t_.shapes[ids[asked[q]]].local), rounded(candidates[asked[q]])};
+    });
     const std::vector<std::uint32_t> count = ask_points(query_of, query);
-    for(std::size_t q = 0; q < asked.size(); ++q) {
+    t_.backend.for_each_on_host(asked.size(), [&](std::size_t q) {
       Shape& shape = t_.shapes[ids[asked[q]]];
       double& share = shares[asked[q]];
       share = double(count[q]) * (double(mask_[ids[asked[q]]]) + 1) / double(shape.moments.count);
-      shape.answers.resize((std::min)(shape.answers.size() + 1, remembered_answers));
-      shape.answers[shape.next_answer] = {shape.local, candidates[asked[q]], shape.moments.count, share};
-      shape.next_answer = (shape.next_answer + 1) % remembered_answers;
-    }
+      shape.answer = {shape.local, candidates[asked[q]], shape.moments.count, share};
+    });
     return shares;
   }
 
@@ -187,15 +182,13 @@ private:
 
   bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
   {
-    for(const Answer& answer : shape.answers) {
-      const std::int64_t change = shape.moments.count - answer.points;
-      if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, candidate, answer.candidate) ||
-         !is_still(shape, shape.local, answer.local))
-        continue;
-      share = answer.misfit_share;
-      return true;
-    }
-    return false;
+    const Answer& answer = shape.answer;
+    const std::int64_t change = shape.moments.count - answer.points;
+    if((change < 0 ? -change : change) * 32 > answer.points || !is_still(shape, candidate, answer.candidate) ||
+       !is_still(shape, shape.local, answer.local))
+      return false;
+    share = answer.misfit_share;
+    return true;
   }
 
   Tandem_state<Backend>& t_;

@@ -74,7 +74,7 @@ inline double bound_motion(const Box& box, const Regular_plane& a, const Regular
 // What the points of a shape said when they were asked last: the share of them that
 // fits the local plane, but not the candidate.
 struct Answer {
-  Regular_plane local, candidate;
+  Regular_plane local = {}, candidate = {};
   std::int64_t points = 0;
   double misfit_share = 0;
 };
@@ -97,8 +97,7 @@ struct Shape : Fitted_moments {
   int retry_round = 0;            // not regularized before this round ...
   std::int64_t retry_count = 0;   // ... or before it has this many points
   std::int64_t layered_count = 0; // points when it was last examined for layers
-  std::vector<Answer> answers;    // the latest ones, in turn
-  std::size_t next_answer = 0;
+  Answer answer;
   bool is_active = false;
   bool is_changed = true; // its points or its plane have changed since its links were collected
   bool is_dirty = true;   // its points have changed since it was fitted
@@ -122,6 +121,8 @@ public:
       i = parent_[i] = parent_[parent_[i]];
     return i;
   }
+
+  std::uint32_t parent(std::uint32_t i) const { return parent_[i]; }
 
   void set_parent(std::uint32_t child, std::uint32_t parent) { parent_[child] = parent; }
 

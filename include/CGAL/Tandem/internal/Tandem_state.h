@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_TANDEM_STATE_H
 #define CGAL_TANDEM_INTERNAL_TANDEM_STATE_H
 
+#include <CGAL/Tandem/internal/Growing_table.h>
 #include <CGAL/Tandem/internal/exact_check.h>
 #include <CGAL/Tandem/internal/grow_cell.h>
 #include <CGAL/Tandem/internal/relations.h>
@@ -93,7 +94,7 @@ struct Tandem_state {
   Buffer<std::uint32_t> label;
   Buffer<std::uint8_t> state;
 
-  std::vector<Shape> shapes;       // by id, which changes in grow_shapes() only; those not in `live` hold nothing
+  Growing_table<Shape> shapes;     // by id, which changes in grow_shapes() only; those not in `live` hold nothing
   std::vector<std::uint32_t> live; // ascending
   std::vector<Plane> plane;        // these three: the points' view of the shapes, made anew in each round
   std::vector<std::uint16_t> rounds;
@@ -112,6 +113,19 @@ void forget_shape(State& t, std::uint32_t id)
 {
   t.shapes[id].moments = Moments();
   t.is_restarted[id] = 0;
+}
+
+// The live shapes with is_chosen(shape, id), which is asked of many at a time.
+template <class Backend, class Predicate>
+std::vector<std::uint32_t> chosen_shapes(const Tandem_state<Backend>& t, Predicate is_chosen)
+{
+  std::vector<char> is_in(t.live.size());
+  t.backend.for_each_on_host(is_in.size(), [&](std::size_t l) { is_in[l] = is_chosen(t.shapes[t.live[l]], t.live[l]); });
+  std::vector<std::uint32_t> chosen;
+  for(std::size_t l = 0; l < is_in.size(); ++l)
+    if(is_in[l])
+      chosen.push_back(t.live[l]);
+  return chosen;
 }
 
 } // namespace internal

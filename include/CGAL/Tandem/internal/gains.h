@@ -9,7 +9,6 @@
 
 #include <CGAL/Tandem/internal/Tandem_state.h>
 
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -28,17 +27,17 @@ struct Clear_sums {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { sums[i] = Shared_moments(); }
 };
 
-// Takes the sums of a shape that a pass has met.
+// Takes the sums of the shapes that a pass has met.
 struct Take_sums {
   Shared_moments* sums;
 
-  CGAL_TANDEM_HD bool operator()(std::uint32_t id, Gain& gain) const
+  CGAL_TANDEM_HD bool has(std::uint32_t id) const { return sums[id].box.low[0] <= sums[id].box.high[0]; }
+
+  CGAL_TANDEM_HD Gain take(std::uint32_t id) const
   {
-    if(sums[id].box.low[0] > sums[id].box.high[0])
-      return false;
-    gain = {id, 0, sums[id]};
+    const Gain gain = {id, 0, sums[id]};
     sums[id] = Shared_moments();
-    return true;
+    return gain;
   }
 };
 
@@ -56,16 +55,9 @@ Shared_moments* start_gains(Tandem_state<Backend>& t, std::size_t ids)
 
 // After the pass: the sums of the shapes that it has met, by id.
 template <class Backend>
-std::vector<Gain> take_gains(Tandem_state<Backend>& t, std::size_t ids)
+Host_buffer<Gain> take_gains(Tandem_state<Backend>& t, std::size_t ids)
 {
-  const std::vector<Gain> found = t.backend.template collect<Gain>(ids, Take_sums{t.gain.data()});
-  std::vector<std::uint64_t> order(found.size()); // to sort by id what is small
-  for(std::size_t i = 0; i < found.size(); ++i)
-    order[i] = std::uint64_t(found[i].id) << 32 | i;
-  t.backend.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
-  std::vector<Gain> gains(found.size());
-  t.backend.for_each_on_host(gains.size(), [&](std::size_t i) { gains[i] = found[order[i] & 0xffffffffu]; });
-  return gains;
+  return t.backend.template collect<Gain>(ids, Take_sums{t.gain.data()});
 }
 
 } // namespace internal

@@ -143,20 +143,11 @@ struct Take_ids {
   }
 };
 
-// The shapes of the ids become 0, 1, 2 ...
-template <class Backend>
-void move_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
-{
-  std::vector<Shape> moved(ids.size());
-  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) { moved[i] = std::move(t.shapes[ids[i]]); });
-  t.shapes.swap(moved);
-}
-
 // The shapes are those that were live, and those of the gains behind them. Those that have begun
 // get the ids behind the others, in the labels and the gains; where most ids have gone out of use,
 // all shapes get new ones, in the same order.
 template <class Backend>
-void number_shapes(Tandem_state<Backend>& t, std::size_t ids, std::vector<Gain>& gains)
+void number_shapes(Tandem_state<Backend>& t, std::size_t ids, Host_buffer<Gain>& gains)
 {
   const std::size_t old_ids = t.shapes.size();
   const bool is_sparse = 2 * t.live.size() < old_ids;
@@ -164,7 +155,7 @@ void number_shapes(Tandem_state<Backend>& t, std::size_t ids, std::vector<Gain>&
   for(std::size_t l = 0; l < t.live.size(); ++l)
     new_id[t.live[l]] = is_sparse ? std::uint32_t(l) : t.live[l];
   if(is_sparse)
-    move_shapes(t, t.live);
+    t.shapes.keep(t.backend, t.live);
   const std::size_t kept = t.shapes.size();
   std::size_t next = kept;
   for(Gain& gain : gains) {
@@ -180,7 +171,7 @@ void number_shapes(Tandem_state<Backend>& t, std::size_t ids, std::vector<Gain>&
     std::iota(t.live.begin(), t.live.end(), 0u);
   for(std::size_t id = kept; id < next; ++id)
     t.live.push_back(std::uint32_t(id));
-  t.shapes.resize(next);
+  t.shapes.resize(t.backend, next);
   t.plane.resize(next);
   t.rounds.resize(next);
   t.is_restarted.assign(next, 0);
@@ -188,7 +179,7 @@ void number_shapes(Tandem_state<Backend>& t, std::size_t ids, std::vector<Gain>&
 
 // What the shapes gained, and their part in the next pass.
 template <class Backend>
-void take_all_gains(Tandem_state<Backend>& t, const std::vector<Gain>& gains)
+void take_all_gains(Tandem_state<Backend>& t, const Host_buffer<Gain>& gains)
 {
   t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
     const std::uint32_t id = t.live[l];
@@ -214,7 +205,7 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   const std::size_t before = t.assigned;
   const std::vector<std::uint32_t> first_id = new_ids(t);
   grow_cells(t, first_id);
-  std::vector<Gain> gains = take_gains(t, first_id.back());
+  Host_buffer<Gain> gains = take_gains(t, first_id.back());
   number_shapes(t, first_id.back(), gains);
   take_all_gains(t, gains);
   list_shapes(t);

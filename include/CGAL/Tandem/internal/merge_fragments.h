@@ -9,6 +9,9 @@
 
 #include <CGAL/Tandem/internal/Misfit_counter.h>
 
+#include <atomic>
+#include <new>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -61,25 +64,44 @@ struct Joint_fit_test {
 // Unions of shapes with the moments of the whole. A small shape that tolerates the plane of
 // a large one joins it without a new fit: the plane of both together is not worse for it.
 // The large one is fitted again when it has grown by a quarter.
+template <class Backend>
 class Clusters {
 public:
-  Clusters(const std::vector<Shape>& shapes, const Joint_fit_test& test)
-    : unions_(shapes.size()), shapes_(shapes), test_(test), whole_(shapes.size(), -1)
+  Clusters(Tandem_state<Backend>& t, const Joint_fit_test& test)
+    : t_(t), unions_(t.shapes.size()), test_(test), whole_(t.shapes.size(), no_index), merged_(t.live.size())
   {}
 
+  // Tries link after link, or as if: a link depends on those before it that have a cluster in
+  // common with it, so the first ones of both of their clusters are tried at a time.
   void unite_along(const std::vector<Link>& links)
   {
-    for(const Link& link : links)
-      try_to_unite(unions_.root(link.first()), unions_.root(link.second()));
-    for(Whole& w : merged_)
-      refresh(w);
+    std::vector<Pair> pending(links.size());
+    for(std::size_t i = 0; i < links.size(); ++i)
+      pending[i] = {links[i].first(), links[i].second()};
+    std::vector<Pair> first;
+    std::vector<std::uint32_t> seen(t_.shapes.size(), 0); // by cluster: the last step in which it had a link
+    for(std::uint32_t step = 1; pending.size() >= least_links_of_step; ++step) {
+      first.clear();
+      take_first(step, seen, pending, first);
+      t_.backend.for_each_on_host(first.size(), [&](std::size_t i) { try_to_unite(first[i].a, first[i].b); });
+      if(first.size() * least_share_of_step < pending.size())
+        break;
+    }
+    for(const Pair& p : pending)
+      try_to_unite(unions_.root(p.a), unions_.root(p.b));
+    for(std::uint32_t id = 0; id < t_.shapes.size(); ++id)
+      unions_.set_parent(id, unions_.root(id)); // so that threads may ask for it
+    t_.backend.for_each_on_host(number_of_merged_, [&](std::size_t i) { refresh(merged_[i]); });
   }
 
-  std::uint32_t root(std::uint32_t id) { return unions_.root(id); }
+  // Whether others are in its cluster.
+  bool is_merged(std::uint32_t id) const { return whole_[root(id)] != no_index; }
+
+  std::uint32_t root(std::uint32_t id) const { return unions_.parent(id); }
 
   const Fitted_moments& whole(std::uint32_t root) const
   {
-    return whole_[root] < 0 ? static_cast<const Fitted_moments&>(shapes_[root]) : merged_[std::size_t(whole_[root])];
+    return whole_[root] == no_index ? static_cast<const Fitted_moments&>(t_.shapes[root]) : merged_[whole_[root]];
   }
 
 private:
@@ -87,7 +109,33 @@ private:
     std::int64_t fitted_count; // points when it was fitted
   };
 
-  // The larger one, then the one with the smaller id, stays the root.
+  struct Pair {
+    std::uint32_t a, b;
+  };
+
+  // One step takes a pass over what is pending.
+  static constexpr std::size_t least_links_of_step = 256;
+  static constexpr std::size_t least_share_of_step = 32;
+
+  // Moves the links that are the first ones of both of their clusters; drops those within a cluster.
+  void take_first(std::uint32_t step, std::vector<std::uint32_t>& seen, std::vector<Pair>& pending,
+                  std::vector<Pair>& first)
+  {
+    std::size_t kept = 0;
+    for(const Pair& p : pending) {
+      const Pair roots = {unions_.root(p.a), unions_.root(p.b)};
+      if(roots.a == roots.b)
+        continue;
+      if(seen[roots.a] != step && seen[roots.b] != step)
+        first.push_back(roots);
+      else
+        pending[kept++] = roots;
+      seen[roots.a] = seen[roots.b] = step;
+    }
+    pending.resize(kept);
+  }
+
+  // The larger one, then the one with the smaller id, stays the root. Touches nothing but these two.
   void try_to_unite(std::uint32_t a, std::uint32_t b)
   {
     if(a == b)
@@ -103,8 +151,8 @@ private:
         refresh(w);
     } else {
       for(std::uint32_t c : {a, b})
-        if(whole_[c] >= 0)
-          refresh(merged_[std::size_t(whole_[c])]);
+        if(whole_[c] != no_index)
+          refresh(merged_[whole_[c]]);
       Fitted_moments joint;
       if(!test_(whole(a), whole(b), joint))
         return;
@@ -118,11 +166,12 @@ private:
 
   Whole& own_whole(std::uint32_t root)
   {
-    if(whole_[root] < 0) {
-      whole_[root] = int(merged_.size());
-      merged_.push_back({shapes_[root], shapes_[root].moments.count});
+    if(whole_[root] == no_index) {
+      whole_[root] = number_of_merged_++;
+      const Shape& shape = t_.shapes[root];
+      new(&merged_[whole_[root]]) Whole{shape, shape.moments.count};
     }
-    return merged_[std::size_t(whole_[root])];
+    return merged_[whole_[root]];
   }
 
   static void refresh(Whole& w)
@@ -133,11 +182,12 @@ private:
     w.fitted_count = w.moments.count;
   }
 
+  Tandem_state<Backend>& t_;
   Unions unions_;
-  const std::vector<Shape>& shapes_;
   const Joint_fit_test test_;
-  std::vector<int> whole_; // index into merged_, by root
-  std::vector<Whole> merged_;
+  std::vector<std::uint32_t> whole_; // index into merged_, by root
+  Host_buffer<Whole> merged_;
+  std::atomic<std::uint32_t> number_of_merged_{0};
 };
 
 // The targets of a joint-fit merge along the links. Of each union, shapes of which
@@ -146,32 +196,33 @@ template <class Backend>
 std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std::vector<Link>& links,
                                              double misfit_share)
 {
-  Clusters clusters(t.shapes, {t.options.squared_cosine, t.options.maximum_distance});
+  Clusters<Backend> clusters(t, {t.options.squared_cosine, t.options.maximum_distance});
   clusters.unite_along(links);
   std::vector<std::uint32_t> ids;
-  std::vector<Regular_plane> planes;
-  for(std::uint32_t id : t.live) {
-    const Fitted_moments& whole = clusters.whole(clusters.root(id));
-    if(whole.moments.count == t.shapes[id].moments.count)
-      continue;
-    ids.push_back(id);
-    planes.push_back(whole.local);
-  }
+  for(std::uint32_t id : t.live)
+    if(clusters.is_merged(id))
+      ids.push_back(id);
   std::vector<std::uint32_t> target = identity_targets(t);
   if(ids.empty())
     return target;
+  std::vector<Regular_plane> planes(ids.size());
+  std::vector<std::int64_t> sizes(ids.size());
+  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+    planes[i] = clusters.whole(clusters.root(ids[i])).local;
+    sizes[i] = t.shapes[ids[i]].moments.count;
+  });
   const std::vector<double> shares = Misfit_counter<Backend>{t, ids}(ids, planes);
-  std::vector<std::uint32_t> first(t.shapes.size(), no_index); // per root: the member that stays
+  std::vector<std::size_t> first(t.shapes.size(), ids.size()); // per root: the member that stays
   for(std::size_t i = 0; i < ids.size(); ++i) {
     if(shares[i] > misfit_share)
       continue;
-    std::uint32_t& stays = first[clusters.root(ids[i])];
-    if(stays == no_index || t.shapes[stays].moments.count < t.shapes[ids[i]].moments.count)
-      stays = ids[i];
+    std::size_t& stays = first[clusters.root(ids[i])];
+    if(stays == ids.size() || sizes[stays] < sizes[i])
+      stays = i;
   }
   for(std::size_t i = 0; i < ids.size(); ++i)
     if(shares[i] <= misfit_share)
-      target[ids[i]] = first[clusters.root(ids[i])];
+      target[ids[i]] = ids[first[clusters.root(ids[i])]];
   return target;
 }
 
@@ -180,18 +231,17 @@ template <class Backend>
 bool merge_fragments(Tandem_state<Backend>& t, std::vector<Link>& links, double misfit_share)
 {
   const std::vector<std::uint32_t> target = joint_fit_targets(t, links, misfit_share);
-  bool is_any = false;
-  for(std::uint32_t id : t.live)
-    is_any = is_any || target[id] != id;
+  const bool is_any =
+    std::any_of(t.live.begin(), t.live.end(), [&](std::uint32_t id) { return target[id] != id; });
   if(!is_any)
     return false;
   merge_shapes(t, target);
   update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
   refit_shapes(t);
-  for(Link& link : links) {
-    const std::uint32_t a = target[link.first()], b = target[link.second()];
-    link.pair = a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;
-  }
+  t.backend.for_each_on_host(links.size(), [&](std::size_t i) {
+    const std::uint32_t a = target[links[i].first()], b = target[links[i].second()];
+    links[i].pair = a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;
+  });
   return true;
 }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/leaf_shapes.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace CGAL {
 namespace Tandem {
@@ -123,10 +124,11 @@ template <class Backend>
 std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, Links which)
 {
   std::vector<std::uint8_t> is_asked(t.shapes.size(), 0);
-  for(std::uint32_t id : t.live) {
-    is_asked[id] = which == Links::all || t.shapes[id].is_changed;
-    t.shapes[id].is_changed = false;
-  }
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
+    Shape& shape = t.shapes[t.live[l]];
+    is_asked[t.live[l]] = which == Links::all || shape.is_changed;
+    shape.is_changed = false;
+  });
   std::vector<Link> links = append_links(t, is_asked);
   t.backend.sort_on_host(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
   std::size_t kept = 0;
@@ -137,11 +139,13 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
     if(sum.count >= least)
       links[kept++] = sum;
   }
-  links.resize(kept);
-  t.backend.sort_on_host(links.begin(), links.end(), [](const Link& a, const Link& b) {
-    return a.count != b.count ? a.count > b.count : a.pair < b.pair;
-  });
-  return links;
+  std::vector<std::uint64_t> order(kept); // count, most first, then place among the sorted pairs
+  for(std::size_t i = 0; i < kept; ++i)
+    order[i] = std::uint64_t(~links[i].count) << 32 | i;
+  t.backend.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
+  std::vector<Link> sorted(kept);
+  t.backend.for_each_on_host(kept, [&](std::size_t i) { sorted[i] = links[std::uint32_t(order[i])]; });
+  return sorted;
 }
 
 // Numbers of points of a leaf, by shape or whatever they are counted by. A key whose

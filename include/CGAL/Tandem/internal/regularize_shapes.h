@@ -66,18 +66,18 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
   const std::int64_t least = retry_all ? t.options.minimum_regular_size
                                        : (std::max)(t.options.minimum_regular_size, t.options.minimum_fragment_size);
   Shape_relations r;
-  std::vector<Shape_fit> fits;
-  std::vector<char> is_excluded;
-  for(std::uint32_t id : t.live) {
-    Shape& shape = t.shapes[id];
-    shape.plane = shape.local;
-    if(shape.moments.count < least)
-      continue;
-    r.id.push_back(id);
-    fits.push_back({shape.scatter, shape.fit});
+  r.id = chosen_shapes(t, [&](const Shape& shape, std::uint32_t id) {
+    t.shapes[id].plane = shape.local;
+    return shape.moments.count >= least;
+  });
+  std::vector<Shape_fit> fits(r.id.size());
+  std::vector<char> is_excluded(r.id.size());
+  t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
+    const Shape& shape = t.shapes[r.id[i]];
+    fits[i] = {shape.scatter, shape.fit};
     const bool is_waiting = t.round < shape.retry_round && shape.moments.count < shape.retry_count;
-    is_excluded.push_back(!is_due || (!retry_all && is_waiting));
-  }
+    is_excluded[i] = !is_due || (!retry_all && is_waiting);
+  });
   Point_verifier<Backend> verify(t, r.id);
   Regularity_options options = t.options.regularity;
   options.is_last = retry_all;

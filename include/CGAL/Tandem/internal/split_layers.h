@@ -84,46 +84,54 @@ inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
   return is_crooked || highest * 2 >= middle * 3 ? (peak + 0.5) / 16 - 2 : 0;
 }
 
+struct Lean_query {
+  std::uint32_t mask; // of the sample
+  Plane plane;
+};
+
 // The sum of the normals of a sample of each shape, each turned to the side of the plane.
 template <class Backend>
 struct Sum_normals {
   Cloud_view cloud;
   Cells_view cells;
   const std::uint32_t* label;
-  const std::uint32_t* mask; // by shape, as are these
-  const Plane* plane;
-  std::int64_t* sum; // 3 each
+  const std::uint32_t* query_of; // by shape, no_index if not asked
+  const Lean_query* query;
+  std::int64_t* sum; // by query, 3 each
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return mask[s] != nobody; }))
+    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return query_of[s] != no_index; }))
       return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
-      const std::uint32_t s = label[i];
-      if(s >= first_mark || (i & mask[s]) != 0)
+      const std::uint32_t q = label[i] < first_mark ? query_of[label[i]] : no_index;
+      if(q == no_index || (i & query[q].mask) != 0)
         return;
       const Int_vector m = decode_normal(cloud.point[i].normal);
-      const std::int64_t side = normal_product(plane[s], m) < 0 ? -1 : 1;
-      Backend::atomic_add(sum[3 * s], side * m.x);
-      Backend::atomic_add(sum[3 * s + 1], side * m.y);
-      Backend::atomic_add(sum[3 * s + 2], side * m.z);
+      const std::int64_t side = normal_product(query[q].plane, m) < 0 ? -1 : 1;
+      Backend::atomic_add(sum[3 * q], side * m.x);
+      Backend::atomic_add(sum[3 * q + 1], side * m.y);
+      Backend::atomic_add(sum[3 * q + 2], side * m.z);
     });
   }
 };
 
 template <class Backend>
-void sum_normals(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& mask, std::vector<std::int64_t>& sum)
+std::vector<std::int64_t> sum_normals(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& query_of,
+                                      const std::vector<Lean_query>& query)
 {
-  const auto masks = t.backend.lend(mask);
-  const auto plane = t.backend.lend(t.plane);
+  std::vector<std::int64_t> sum(3 * query.size(), 0);
+  const auto index = t.backend.lend(query_of);
+  const auto queries = t.backend.lend(query);
   auto sums = t.backend.lend_out(sum);
   t.backend.template for_each_cell<Count_scratch>(
     t.number_of_cells,
-    Sum_normals<Backend>{t.cloud, t.cells_view(), t.label.data(), masks.data(), plane.data(), sums.data()});
+    Sum_normals<Backend>{t.cloud, t.cells_view(), t.label.data(), index.data(), queries.data(), sums.data()});
   sums.take_back();
+  return sum;
 }
 
 // A shape may be two layers if its points' normals lean by more than about 4 degrees
@@ -141,35 +149,37 @@ template <class Backend>
 std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape_relations& r,
                                            std::vector<Regular_plane>& planes)
 {
-  std::vector<std::uint32_t> mask(t.shapes.size(), nobody);
-  std::vector<std::int64_t> sum(3 * t.shapes.size(), 0);
-  for(std::uint32_t id : r.id) {
-    Shape& shape = t.shapes[id];
+  std::vector<std::uint32_t> query_of(t.shapes.size(), no_index);
+  std::vector<std::size_t> asked;
+  std::vector<Lean_query> query;
+  for(std::size_t i = 0; i < r.id.size(); ++i) {
+    Shape& shape = t.shapes[r.id[i]];
     if(shape.moments.count < reliable_normal_size || shape.moments.count * 10 < shape.layered_count * 11)
       continue;
-    mask[id] = sample_mask(shape);
-    t.plane[id] = rounded(shape.plane);
+    query_of[r.id[i]] = std::uint32_t(asked.size());
+    asked.push_back(i);
+    query.push_back({sample_mask(shape), rounded(shape.plane)});
     shape.layered_count = shape.moments.count;
   }
-  sum_normals(t, mask, sum);
-  const double most = suspicious_rms * t.options.maximum_distance;
-  std::vector<Vector> mean(r.id.size());
-  std::vector<char> is_suspicious(r.id.size(), 0);
-  t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
-    if(mask[r.id[i]] == nobody)
-      return;
-    const Shape& shape = t.shapes[r.id[i]];
-    const std::int64_t* s = sum.data() + 3 * r.id[i];
-    mean[i] = unit({double(s[0]), double(s[1]), double(s[2])});
-    const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
-    is_suspicious[i] =
-      length(cross(mean[i], shape.plane.normal)) > suspicious_lean || squares > most * most * shape.scatter.count;
-  });
   std::vector<std::size_t> entries;
-  for(std::size_t i = 0; i < r.id.size(); ++i)
-    if(is_suspicious[i]) {
-      entries.push_back(i);
-      planes.push_back(plane_through(mean[i], t.shapes[r.id[i]].scatter.centroid));
+  if(asked.empty())
+    return entries;
+  const std::vector<std::int64_t> sum = sum_normals(t, query_of, query);
+  const double most = suspicious_rms * t.options.maximum_distance;
+  std::vector<Vector> mean(asked.size());
+  std::vector<char> is_suspicious(asked.size());
+  t.backend.for_each_on_host(asked.size(), [&](std::size_t q) {
+    const Shape& shape = t.shapes[r.id[asked[q]]];
+    const std::int64_t* s = sum.data() + 3 * q;
+    mean[q] = unit({double(s[0]), double(s[1]), double(s[2])});
+    const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
+    is_suspicious[q] =
+      length(cross(mean[q], shape.plane.normal)) > suspicious_lean || squares > most * most * shape.scatter.count;
+  });
+  for(std::size_t q = 0; q < asked.size(); ++q)
+    if(is_suspicious[q]) {
+      entries.push_back(asked[q]);
+      planes.push_back(plane_through(mean[q], t.shapes[r.id[asked[q]]].scatter.centroid));
     }
   return entries;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/point_passes.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace CGAL {
 namespace Tandem {
@@ -34,13 +35,11 @@ inline void refit(Fitted_moments& m)
 template <class Backend>
 void refit_shapes(Tandem_state<Backend>& t)
 {
-  std::vector<std::uint32_t> dirty;
-  for(std::uint32_t id : t.live)
-    if(t.shapes[id].is_dirty)
-      dirty.push_back(id);
-  t.backend.for_each_on_host(dirty.size(), [&](std::size_t i) {
-    refit(t.shapes[dirty[i]]);
-    t.shapes[dirty[i]].is_dirty = false;
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
+    Shape& shape = t.shapes[t.live[l]];
+    if(shape.is_dirty)
+      refit(shape);
+    shape.is_dirty = false;
   });
 }
 
@@ -54,44 +53,56 @@ std::vector<std::uint32_t> identity_targets(const Tandem_state<Backend>& t)
   return target;
 }
 
+// Adds the shape of the id to another one.
+template <class Backend>
+void join_shape(Tandem_state<Backend>& t, Shape& root, std::uint32_t id)
+{
+  const Shape& shape = t.shapes[id];
+  root.moments += shape.moments;
+  root.box.add(shape.box);
+  root.age = (std::max)(root.age, shape.age);
+  root.is_active = root.is_active || shape.is_active;
+  root.is_dirty = root.is_changed = true;
+  root.layered_count = 0;
+  forget_shape(t, id);
+}
+
 // Adds the shapes to their targets and gives up those without one. The points
 // follow in update_points().
 template <class Backend>
 void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target)
 {
   std::size_t kept = 0;
+  std::vector<std::uint64_t> joins; // target << 32 | shape
   for(std::uint32_t id : t.live) {
-    Shape& shape = t.shapes[id];
     if(target[id] == id) {
       t.live[kept++] = id;
-      continue;
-    }
-    if(target[id] < first_mark) {
-      Shape& root = t.shapes[target[id]];
-      root.moments += shape.moments;
-      root.box.add(shape.box);
-      root.age = (std::max)(root.age, shape.age);
-      root.is_active = root.is_active || shape.is_active;
-      root.is_dirty = root.is_changed = true;
-      root.layered_count = 0;
+    } else if(target[id] < first_mark) {
+      joins.push_back(std::uint64_t(target[id]) << 32 | id);
     } else {
-      t.assigned -= std::size_t(shape.moments.count);
+      t.assigned -= std::size_t(t.shapes[id].moments.count);
+      forget_shape(t, id);
     }
-    forget_shape(t, id);
   }
   t.live.resize(kept);
+  t.backend.sort_on_host(joins.begin(), joins.end(), std::less<std::uint64_t>());
+  t.backend.for_each_on_host(joins.size(), [&](std::size_t first) {
+    const std::uint64_t root = joins[first] >> 32;
+    if(first > 0 && joins[first - 1] >> 32 == root)
+      return;
+    for(std::size_t i = first; i < joins.size() && joins[i] >> 32 == root; ++i)
+      join_shape(t, t.shapes[root], std::uint32_t(joins[i]));
+  });
 }
 
 template <class Backend>
 void forget_empty_shapes(Tandem_state<Backend>& t)
 {
-  std::size_t kept = 0;
-  for(std::uint32_t id : t.live)
-    if(t.shapes[id].moments.count > 0)
-      t.live[kept++] = id;
-    else
+  t.live = chosen_shapes(t, [&](const Shape& shape, std::uint32_t id) {
+    if(shape.moments.count == 0)
       forget_shape(t, id);
-  t.live.resize(kept);
+    return shape.moments.count > 0;
+  });
 }
 
 // Relabels the points and takes out those that do not fit the plane of a shape that
@@ -108,8 +119,9 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
     Update_points<Backend>{t.cloud, t.cells_view(), t.labels(), new_label.data(), checked.data(), plane.data(),
                            start_gains(t, t.shapes.size()), t.options.growth.tolerance});
   t.backend.for_each(t.number_of_cells, Relabel_lists{t.leaf_shapes.data(), new_label.data()});
-  const bool may_lose = std::find(is_checked.begin(), is_checked.end(), 1) != is_checked.end();
-  for(const Gain& loss : may_lose ? take_gains(t, t.shapes.size()) : std::vector<Gain>()) {
+  if(std::find(is_checked.begin(), is_checked.end(), 1) == is_checked.end())
+    return;
+  for(const Gain& loss : take_gains(t, t.shapes.size())) {
     t.shapes[loss.id].moments += loss.sums.moments();
     t.shapes[loss.id].is_dirty = true;
     t.assigned -= std::size_t(-loss.sums.count);

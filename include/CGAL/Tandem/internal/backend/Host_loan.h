@@ -33,6 +33,9 @@ private:
 // functors run on the host.
 class Host_memory {
 public:
+  // Whether the next engine takes over the memory of large tables of the host.
+  static constexpr bool keeps_pages = false;
+
   template <class T>
   using Buffer = Host_buffer<T>;
   using Sort_table = Host_sort_table;
@@ -71,19 +74,6 @@ public:
     copy(source, n, target);
   }
 
-  // The items that f(i, item) fills in for i in [0, n) where it says so, in any order: few,
-  // for the host.
-  template <class T, class F>
-  std::vector<T> collect(std::size_t n, F f)
-  {
-    std::vector<T> items;
-    T item;
-    for(std::size_t i = 0; i < n; ++i)
-      if(f(std::uint32_t(i), item))
-        items.push_back(item);
-    return items;
-  }
-
 protected:
   // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece().
   template <class Backend, class F>
@@ -106,6 +96,19 @@ protected:
           result[to++] = std::uint32_t(i);
     });
     return result;
+  }
+
+  // f.take(i) of the i in [0, n) with f.has(i), ascending, on a back end with for_each_piece().
+  template <class T, class Backend, class F>
+  static Host_buffer<T> collect_on(Backend& backend, std::size_t n, F f)
+  {
+    const Host_buffer<std::uint32_t> found = compact_on(backend, n, [&](std::uint32_t i) { return f.has(i); });
+    Host_buffer<T> items(found.size());
+    backend.for_each_piece(found.size(), 1024, [&](std::size_t first, std::size_t last) {
+      for(std::size_t k = first; k < last; ++k)
+        items[k] = f.take(found[k]);
+    });
+    return items;
   }
 
 private:

@@ -77,7 +77,7 @@ private:
   };
 
   // The latest first.
-  using Blocks = std::array<Block, 4>;
+  using Blocks = std::array<Block, 6>;
 
   static constexpr std::size_t most_bytes = std::size_t(2) << 30; // of a block
 

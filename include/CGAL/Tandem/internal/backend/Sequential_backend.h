@@ -79,6 +79,13 @@ public:
     return compact_on(*this, n, is_kept);
   }
 
+  // f.take(i) of the i in [0, n) with f.has(i), ascending, for the host.
+  template <class T, class F>
+  Host_buffer<T> collect(std::size_t n, F f)
+  {
+    return collect_on<T>(*this, n, f);
+  }
+
   // In each of the ranges, ascending. Together they are [0, size).
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
   {

@@ -36,8 +36,9 @@ struct Predicate {
   bool operator()(std::uint32_t) const { return false; }
 };
 
-struct Maker {
-  bool operator()(std::uint32_t, int&) const { return false; }
+struct Taker {
+  bool has(std::uint32_t) const { return false; }
+  int take(std::uint32_t) const { return 0; }
 };
 
 struct Value {
@@ -92,13 +93,14 @@ struct Is_backend<
   Backend,
   std::void_t<
     typename Backend::template Buffer<std::uint32_t>, decltype(static_cast<const char*>(Backend::name())),
+    decltype(bool(Backend::keeps_pages)),
     decltype(std::declval<Backend&>().for_each(std::size_t(0), archetypes::Item_functor())),
     decltype(std::declval<Backend&>().template for_each_cell<archetypes::Scratch>(std::size_t(0),
                                                                                   archetypes::Cell_body())),
     typename Backend::Sort_table::View,
     decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
     decltype(std::size_t(std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()).size())),
-    decltype(std::size_t(std::declval<Backend&>().template collect<int>(std::size_t(0), archetypes::Maker()).size())),
+    decltype(std::size_t(std::declval<Backend&>().template collect<int>(std::size_t(0), archetypes::Taker()).size())),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
     decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>())),
     decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),

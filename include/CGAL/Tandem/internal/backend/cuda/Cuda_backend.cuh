@@ -44,18 +44,24 @@ using Host_side = Tbb_backend;
 using Host_side = Sequential_backend;
 #endif
 
-template <class T, class F>
-struct Collect_items {
-  static_assert(sizeof(T) >= sizeof(std::uint32_t) && std::is_trivially_copyable<T>::value, "plain data");
+template <class F>
+struct Has_item {
   F f;
-  std::uint32_t* size;
+
+  __device__ bool operator()(std::uint32_t i) const { return f.has(i); }
+};
+
+template <class T, class F>
+struct Take_items {
+  F f;
+  const std::int64_t* size;
+  const std::uint32_t* found;
   T* item;
 
   __device__ void operator()(std::size_t i) const
   {
-    T made;
-    if(f(std::uint32_t(i), made))
-      item[atomicAdd(size, 1u)] = made;
+    if(std::int64_t(i) < *size)
+      item[i] = f.take(found[i]);
   }
 };
 
@@ -64,6 +70,8 @@ public:
   template <class T>
   using Buffer = Device_buffer<T>;
   using Sort_table = Device_sort_table;
+
+  static constexpr bool keeps_pages = true;
 
   static const char* name() { return "cuda"; }
 
@@ -130,14 +138,9 @@ public:
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
-    Table_arena::of_thread().flush();
     Buffer<std::uint32_t> kept(n);
     Buffer<std::int64_t> counter(1);
-    const thrust::counting_iterator<std::uint32_t> all(0);
-    with_memory([&](void* memory, std::size_t& bytes) {
-      return cub::DeviceSelect::If(memory, bytes, all, kept.data(), counter.data(), std::int64_t(n), is_kept,
-                                   stream_of_thread());
-    });
+    select(n, is_kept, kept.data(), counter.data());
     std::int64_t size = 0;
     copy_to_host(counter.data(), 1, &size);
     Buffer<std::uint32_t> result{std::size_t(size)};
@@ -149,24 +152,27 @@ public:
 
   // With one copy and one wait, unless there are many items.
   template <class T, class F>
-  std::vector<T> collect(std::size_t n, F f)
+  Host_buffer<T> collect(std::size_t n, F f)
   {
+    static_assert(sizeof(T) >= sizeof(std::int64_t) && std::is_trivially_copyable<T>::value, "plain data");
     constexpr std::size_t in_first_copy = (std::size_t(128) << 10) / sizeof(T);
     if(n == 0)
       return {};
+    Buffer<std::uint32_t> found(n);
     Buffer<T> buffer(1 + n); // the place of the first item holds their number
-    std::uint32_t* const counter = reinterpret_cast<std::uint32_t*>(buffer.data());
-    std::vector<T> items(1 + (std::min)(n, in_first_copy)); // the first copy is of so many, written or not
-    CGAL_TANDEM_CUDA(cudaMemsetAsync(buffer.data(), 0, items.size() * sizeof(T), stream_of_thread()));
-    for_each(n, Collect_items<T, F>{f, counter, buffer.data() + 1});
-    copy_to_host(buffer.data(), items.size(), items.data());
-    std::uint32_t size;
-    std::memcpy(&size, items.data(), sizeof(size));
-    items.erase(items.begin());
-    const std::size_t there = (std::min)(items.size(), std::size_t(size));
-    items.resize(size);
-    if(size > there)
-      copy_to_host(buffer.data() + 1 + there, size - there, items.data() + there);
+    Host_buffer<T> head(1 + (std::min)(n, in_first_copy)); // the first copy is of so many, written or not
+    CGAL_TANDEM_CUDA(cudaMemsetAsync(buffer.data(), 0, head.size() * sizeof(T), stream_of_thread()));
+    std::int64_t* const counter = reinterpret_cast<std::int64_t*>(buffer.data());
+    select(n, Has_item<F>{f}, found.data(), counter);
+    for_each(n, Take_items<T, F>{f, counter, found.data(), buffer.data() + 1});
+    copy_to_host(buffer.data(), head.size(), head.data());
+    std::int64_t size;
+    std::memcpy(&size, head.data(), sizeof(size));
+    Host_buffer<T> items{std::size_t(size)};
+    const std::size_t there = (std::min)(head.size() - 1, items.size());
+    std::copy_n(head.data() + 1, there, items.data());
+    if(items.size() > there)
+      copy_to_host(buffer.data() + 1 + there, items.size() - there, items.data() + there);
     return items;
   }
 
@@ -235,6 +241,17 @@ private:
 
   static constexpr std::size_t shared_bytes = 47 << 10; // what a block has on all devices, less its own
   static constexpr std::size_t blocks_in_turns = 512;
+
+  // The i in [0, n) with is_kept(i), ascending, and how many.
+  template <class F>
+  static void select(std::size_t n, F is_kept, std::uint32_t* kept, std::int64_t* size)
+  {
+    Table_arena::of_thread().flush();
+    const thrust::counting_iterator<std::uint32_t> all(0);
+    with_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
+    });
+  }
 
   // Algorithms of CUB are called twice: how much memory they need, then with it.
   template <class Call>
