@@ -121,7 +121,7 @@ private:
   void test_gains()
   {
     Tandem_state<Backend> t(backend_);
-    t.shapes.resize(f_.plane.size() + 5);
+    t.shapes.resize(backend_, f_.plane.size() + 5);
     std::map<std::uint32_t, std::int64_t> expected, got;
     for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
       if(f_.label[i] < first_mark)
@@ -139,7 +139,7 @@ private:
       }
       CHECK_AT(got == expected && !got.empty(), name_ + ": gains of pass " + std::to_string(pass));
     }
-    CHECK_AT(take_gains(t, t.shapes.size()).empty(), name_ + ": gains without a pass");
+    CHECK_AT(take_gains(t, t.shapes.size()).size() == 0, name_ + ": gains without a pass");
   }
 
   void test_component_sizes()

@@ -84,9 +84,11 @@ public:
 private:
   // In a joint-fit merge.
   static constexpr double misfit_share = 0.05;
-  // The bounds of the loop: rounds, and rounds in a row with next to no gain.
+  // The bounds of the loop: rounds, and rounds in a row with next to no gain. In the first rounds
+  // shapes are small because they are young.
   static constexpr int most_rounds = 300;
-  static constexpr int most_idle_rounds = 3;
+  static constexpr int most_idle_rounds = 2;
+  static constexpr int young_rounds = 4;
 
   // Shapes of more than two rounds that stopped growing while they are small, unless
   // others are merged into them.
@@ -96,7 +98,7 @@ private:
     for(std::uint32_t id : state_.live)
       is_joined[target[id]] |= target[id] != id;
     const std::int64_t least = state_.options.minimum_fragment_size;
-    for(std::uint32_t id : chosen_shapes(state_, [&](const Shape& shape, std::uint32_t) {
+    for(std::uint32_t id : chosen_shapes(state_, [&](const Shape&shape, std::uint32_t) {
           return !shape.is_active && shape.age > 2 && shape.moments.count < least;
         }))
       if(target[id] == id && !is_joined[id])
@@ -106,13 +108,13 @@ private:
   bool is_going_on(std::size_t gained)
   {
     std::size_t settled = 0; // points of shapes that are large enough; fragments come and go for ever
-    for(std::uint32_t id : chosen_shapes(state_, [&](const Shape& shape, std::uint32_t) {
+    for(std::uint32_t id : chosen_shapes(state_, [&](const Shape&shape, std::uint32_t) {
           return shape.moments.count >= state_.options.minimum_region_size;
         }))
       settled += std::size_t(state_.shapes[id].moments.count);
     const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
     const bool is_idle = (most_settled_ - best_before) * 10000 <= state_.cloud.size;
-    idle_rounds_ = is_idle ? idle_rounds_ + 1 : 0;
+    idle_rounds_ = is_idle && state_.round > young_rounds ? idle_rounds_ + 1 : 0;
     bool is_alive = gained > 0;
     for(std::uint32_t id : state_.live)
       is_alive = is_alive || state_.is_restarted[id];

@@ -120,7 +120,8 @@ template <class Backend, class Predicate>
 std::vector<std::uint32_t> chosen_shapes(const Tandem_state<Backend>& t, Predicate is_chosen)
 {
   std::vector<char> is_in(t.live.size());
-  t.backend.for_each_on_host(is_in.size(), [&](std::size_t l) { is_in[l] = is_chosen(t.shapes[t.live[l]], t.live[l]); });
+  t.backend.for_each_on_host(is_in.size(),
+                             [&](std::size_t l) { is_in[l] = is_chosen(t.shapes[t.live[l]], t.live[l]); });
   std::vector<std::uint32_t> chosen;
   for(std::size_t l = 0; l < is_in.size(); ++l)
     if(is_in[l])

@@ -217,6 +217,7 @@ private:
       return Shared_table<T>(std::move(buffer));
     else {
       Host_buffer<T> table(buffer.size());
+      table.keep_pages();
       t_.backend.to_host(buffer.data(), buffer.size(), table.data());
       return Shared_table<T>(std::move(table));
     }

@@ -45,10 +45,12 @@ public:
   static void* take(std::size_t bytes)
   {
     std::lock_guard<std::mutex> lock(mutex());
+    Block* best = nullptr;
     for(Block& block : blocks())
-      if(block.memory != nullptr && block.bytes >= bytes && block.bytes - bytes <= bytes / 4)
-        return std::exchange(block.memory, nullptr);
-    return nullptr;
+      if(block.memory != nullptr && block.bytes >= bytes && block.bytes - bytes <= bytes / 4 &&
+         (best == nullptr || block.bytes < best->bytes))
+        best = &block;
+    return best != nullptr ? std::exchange(best->memory, nullptr) : nullptr;
   }
 
   // Instead of std::free(); that of another block where there is no room for more.
@@ -77,7 +79,7 @@ private:
   };
 
   // The latest first.
-  using Blocks = std::array<Block, 6>;
+  using Blocks = std::array<Block, 8>;
 
   static constexpr std::size_t most_bytes = std::size_t(2) << 30; // of a block
 

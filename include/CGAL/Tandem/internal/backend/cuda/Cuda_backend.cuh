@@ -6,13 +6,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_BACKEND_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_CUDA_BACKEND_CUH
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
-#else
-#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#endif
 #include <CGAL/Tandem/internal/backend/cuda/Device_loan.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Device_sort_table.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
 #include <CGAL/Tandem/internal/backend/cuda/kernels.cuh>
 
 #include <cub/device/device_segmented_sort.cuh>
@@ -36,13 +32,6 @@ struct First_of_range {
 struct Last_of_range {
   __host__ __device__ std::int64_t operator()(const Range& r) const { return r.last; }
 };
-
-// What works on the tables of the host.
-#ifdef CGAL_LINKED_WITH_TBB
-using Host_side = Tbb_backend;
-#else
-using Host_side = Sequential_backend;
-#endif
 
 template <class F>
 struct Has_item {
@@ -159,7 +148,7 @@ public:
     if(n == 0)
       return {};
     Buffer<std::uint32_t> found(n);
-    Buffer<T> buffer(1 + n); // the place of the first item holds their number
+    Buffer<T> buffer(1 + n);                               // the place of the first item holds their number
     Host_buffer<T> head(1 + (std::min)(n, in_first_copy)); // the first copy is of so many, written or not
     CGAL_TANDEM_CUDA(cudaMemsetAsync(buffer.data(), 0, head.size() * sizeof(T), stream_of_thread()));
     std::int64_t* const counter = reinterpret_cast<std::int64_t*>(buffer.data());

@@ -137,6 +137,7 @@ inline Point_groups group_points(Cuda_backend& backend, const std::int32_t* shap
   backend.for_each(shapes + 1, Find_first{key.Current(), std::uint32_t(n), found.data()});
   backend.to_host(found.data(), first.size(), first.data());
   Host_buffer<std::uint32_t> grouped(first.back());
+  grouped.keep_pages();
   backend.to_host(position.Current(), grouped.size(), grouped.data());
   return {std::vector<std::size_t>(first.begin(), first.end()), std::move(grouped)};
 }

@@ -8,14 +8,12 @@
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
 
 #include <CGAL/Tandem/internal/backend/cuda/Device_buffer.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
 #include <CGAL/Tandem/internal/backend/cuda/Pinned_memory.cuh>
 
 #include <algorithm>
 #include <atomic>
 #include <cstring>
-#include <exception>
-#include <thread>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -70,38 +68,19 @@ private:
 };
 
 // Runs work(pair) on several threads, with the device of the caller and what its stream has done; throws what one
-// of them has thrown.
+// of them has thrown. One of them may do all of the work.
 template <class Work>
 void run_on_host_threads(std::size_t pieces, Work work)
 {
+  constexpr std::size_t most_threads = 16;
   const int device = current_device();
   CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
-  const std::size_t processors = (std::max)(std::thread::hardware_concurrency(), 1u);
-  const std::size_t count = (std::max)((std::min)({pieces, processors, std::size_t(16)}), std::size_t(1));
-  std::vector<std::exception_ptr> errors(count);
-  auto run = [&](std::size_t t) {
-    try {
-      CGAL_TANDEM_CUDA(cudaSetDevice(device));
-      Pinned_pair pair;
-      work(pair);
-      CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
-    } catch(...) {
-      errors[t] = std::current_exception();
-    }
-  };
-  std::vector<std::thread> threads;
-  threads.reserve(count);
-  try {
-    for(std::size_t t = 1; t < count; ++t)
-      threads.emplace_back(run, t);
-  } catch(...) { // those that there are do all of the work
-  }
-  run(0);
-  for(std::thread& thread : threads)
-    thread.join();
-  for(const std::exception_ptr& error : errors)
-    if(error)
-      std::rethrow_exception(error);
+  Host_side().for_each_piece((std::min)(pieces, most_threads), 1, [&](std::size_t, std::size_t) {
+    const Device_guard guard(device);
+    Pinned_pair pair;
+    work(pair);
+    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+  });
 }
 
 // Copies to the host.

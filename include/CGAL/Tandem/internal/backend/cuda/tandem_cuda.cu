@@ -29,28 +29,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Makes a device the current one for a while.
-class Device_guard {
-public:
-  explicit Device_guard(int device) : device_(device), before_(current_device())
-  {
-    if(device != before_)
-      CGAL_TANDEM_CUDA(cudaSetDevice(device));
-  }
-
-  ~Device_guard()
-  {
-    if(device_ != before_) // the call alone makes a context
-      static_cast<void>(cudaSetDevice(before_));
-  }
-
-  Device_guard(const Device_guard&) = delete;
-  Device_guard& operator=(const Device_guard&) = delete;
-
-private:
-  int device_, before_;
-};
-
 struct Cuda_engine::Implementation {
   Implementation(const Import& in, const Parameters& parameters)
     : device(current_device()), engine(backend, in, parameters)
