@@ -19,7 +19,7 @@ template <class State>
 void forget_shapes(State& t)
 {
   t.live.clear();
-  t.shapes.clear();
+  t.shapes.resize(t.backend, 0);
   t.plane.clear();
   t.rounds.clear();
   t.is_restarted.clear();

@@ -251,6 +251,15 @@ void test_kept_pages()
   CHECK(Host_buffer<double>(10).data() != memory);
   CHECK(Host_buffer<float>(1900).data() == memory);
   CHECK(Kept_pages::take(8000) == nullptr);
+  Host_buffer<double> smaller(1000), larger(1100);
+  const void* const pages[2] = {smaller.data(), larger.data()};
+  smaller.keep_pages();
+  larger.keep_pages();
+  smaller.release();
+  larger.release();
+  smaller.reset(1000); // leaves the larger pages to those who need them
+  larger.reset(1100);
+  CHECK(smaller.data() == pages[0] && larger.data() == pages[1]);
   for(std::size_t i = 0; i < 20; ++i) {
     buffer.reset(1000 + 1000 * i);
     buffer.keep_pages();
@@ -258,6 +267,27 @@ void test_kept_pages()
   buffer.release();
   Kept_pages::release();
   CHECK(Kept_pages::take(160000) == nullptr);
+}
+
+// Items keep their values when the table moves; new ones are T().
+void test_growing_table()
+{
+  struct Item {
+    int value = 7;
+  };
+  Thread_backend backend(3);
+  Growing_table<Item> table;
+  table.resize(backend, 3);
+  for(int i = 0; i < 3; ++i)
+    table[std::size_t(i)].value = i;
+  table.resize(backend, 5000);
+  CHECK(table.size() == 5000 && table[1].value == 1 && table[2].value == 2 && table[3].value == 7 &&
+        table[4999].value == 7);
+  table[4000].value = 11;
+  table.keep(backend, {2, 5, 4000});
+  CHECK(table.size() == 3 && table[0].value == 2 && table[1].value == 7 && table[2].value == 11);
+  table.resize(backend, 4);
+  CHECK(table.size() == 4 && table[2].value == 11 && table[3].value == 7);
 }
 
 // Copies share the items.
@@ -293,6 +323,7 @@ void test_values()
 int main()
 {
   test_kept_pages();
+  test_growing_table();
   test_shared_table();
   test_values<float>();
   test_values<double>();

@@ -111,11 +111,26 @@ void test_stray_point()
   check_equal(relations.number_of_parallel_groups(), 1u, "stray point: directions");
 }
 
+// A plane that must have most of the points: it takes rounds until a shape is that large.
+void test_large_minimum()
+{
+  Random random(11);
+  Cloud cloud;
+  const std::size_t size = 60000;
+  for(std::size_t i = 0; i < size; ++i)
+    add(cloud, {between(random, 0, 10), between(random, 0, 10), between(random, -.01, .01)}, {0, 0, 1});
+  const Shapes shapes = detect_valid("large minimum", cloud, make_parameters(.02, size / 10 * 9));
+  check_counts("large minimum", shapes, 1, 1, 1);
+  CHECK_AT(shapes.statistics().coverage > .99, std::to_string(shapes.statistics().coverage));
+  CHECK_AT(shapes.statistics().number_of_rounds > 4, std::to_string(shapes.statistics().number_of_rounds));
+}
+
 int main()
 {
   test_many_faces();
   test_grid_twins();
   test_full_leaf();
   test_stray_point();
+  test_large_minimum();
   return report();
 }

@@ -67,8 +67,11 @@ struct Joint_fit_test {
 template <class Backend>
 class Clusters {
 public:
-  Clusters(Tandem_state<Backend>& t, const Joint_fit_test& test)
-    : t_(t), unions_(t.shapes.size()), test_(test), whole_(t.shapes.size(), no_index), merged_(t.live.size())
+  // A step passes over all links that wait, and wakes threads: few of them are tried one by one.
+  static constexpr std::size_t few_links = 256;
+
+  Clusters(Tandem_state<Backend>& t, const Joint_fit_test& test, std::size_t few = few_links)
+    : t_(t), unions_(t.shapes.size()), test_(test), few_(few), whole_(t.shapes.size(), no_index), merged_(t.live.size())
   {}
 
   // Tries link after link, or as if: a link depends on those before it that have a cluster in
@@ -81,7 +84,7 @@ public:
     });
     std::vector<Claim> claims(t_.shapes.size());
     std::size_t tried = links.size();
-    for(std::uint32_t step = 1; pending.size() > few_links && pending.size() < most_waiting * tried; ++step) {
+    for(std::uint32_t step = 1; pending.size() > few_ && pending.size() < most_waiting * tried; ++step) {
       std::vector<Pair> chained;
       const std::vector<std::uint32_t> first = chain_links(step, claims, pending, chained);
       t_.backend.for_each_on_host(first.size(), [&](std::size_t c) {
@@ -123,9 +126,7 @@ private:
     std::uint32_t chain = 0;
   };
 
-  // A step passes over all that is pending, and wakes threads.
-  static constexpr std::size_t few_links = 256;
-  static constexpr std::size_t most_waiting = 16; // for each link that is tried
+  static constexpr std::size_t most_waiting = 16; // for each link that is tried in a step
 
   // Moves links to chains without a cluster in common, and drops those within a cluster. A link goes to the chain of
   // its clusters; where they have two it waits, and so do all later links of both chains. Returns where the chains
@@ -217,6 +218,7 @@ private:
   Tandem_state<Backend>& t_;
   Unions unions_;
   const Joint_fit_test test_;
+  const std::size_t few_;
   std::vector<std::uint32_t> whole_; // index into merged_, by root
   Host_buffer<Whole> merged_;
   std::atomic<std::uint32_t> number_of_merged_{0};

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joint-fit clusters: links that are tried at the same time give what they give one
+// after the other, on all back ends.
+
+#undef NDEBUG
+
+#include "body_fixture.h"
+
+#include <CGAL/Tandem/internal/Clusters.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+using namespace CGAL::Tandem::internal;
+
+constexpr int columns = 60, rows = 50, width = 1000; // of square fragments, in grid steps
+constexpr double maximum_distance = 60;
+
+// Roofs of three slopes and a few steps, so that some neighbors have one plane, some nearly, some not.
+std::int32_t height(int x, int y, std::mt19937& random)
+{
+  const int slope = x < 20 * width ? x / 8 : x < 40 * width ? 2500 - (x - 20 * width) / 10 : 500;
+  return slope + 70 * (y / (5 * width)) + int(random() % 60);
+}
+
+template <class Backend>
+void make_fragments(Tandem_state<Backend>& t)
+{
+  std::mt19937 random(3);
+  t.shapes.resize(t.backend, columns * rows);
+  for(int id = 0; id < columns * rows; ++id) {
+    Shape& shape = t.shapes[std::size_t(id)];
+    for(int i = 0; i < 20 + int(random() % 200); ++i) {
+      const int x = id % columns * width + int(random() % width), y = id / columns * width + int(random() % width);
+      shape.moments.add({x, y, height(x, y, random), no_normal}, 1);
+    }
+    refit(shape);
+    t.live.push_back(std::uint32_t(id));
+  }
+}
+
+// Between neighbors in rows, columns and one diagonal, in random order.
+std::vector<Link> make_links()
+{
+  std::vector<Link> links;
+  for(std::uint32_t id = 0; id < columns * rows; ++id)
+    for(const std::uint32_t other : {id + 1, id + columns, id + columns + 1})
+      if(other < columns * rows && (other == id + columns || id % columns + 1 < columns))
+        links.push_back({std::uint64_t(id) << 32 | other, 1});
+  std::shuffle(links.begin(), links.end(), std::mt19937(5));
+  return links;
+}
+
+struct Outcome {
+  std::vector<std::uint32_t> root;
+  std::vector<Regular_plane> plane;
+};
+
+template <class Backend>
+Outcome unite(Backend& backend, std::size_t few)
+{
+  Tandem_state<Backend> t(backend);
+  make_fragments(t);
+  Clusters<Backend> clusters(t, {.95, maximum_distance}, few);
+  clusters.unite_along(make_links());
+  Outcome outcome;
+  for(const std::uint32_t id : t.live) {
+    outcome.root.push_back(clusters.root(id));
+    outcome.plane.push_back(clusters.whole(clusters.root(id)).local);
+    CHECK(clusters.is_merged(id) || clusters.root(id) == id);
+  }
+  return outcome;
+}
+
+template <class Backend>
+void check(Backend& backend, const Outcome& expected, const std::string& name)
+{
+  const Outcome outcome = unite(backend, 0);
+  CHECK_AT(outcome.root == expected.root, name);
+  const auto is_same = [](const Regular_plane& a, const Regular_plane& b) {
+    return a.normal == b.normal && a.offset == b.offset;
+  };
+  CHECK_AT(std::equal(outcome.plane.begin(), outcome.plane.end(), expected.plane.begin(), is_same), name + ": planes");
+}
+
+int main()
+{
+  Sequential_backend sequential;
+  const Outcome expected = unite(sequential, std::size_t(-1));
+  const std::set<std::uint32_t> roots(expected.root.begin(), expected.root.end());
+  CHECK_AT(roots.size() > 20 && roots.size() < columns * rows / 3, std::to_string(roots.size()));
+  check(sequential, expected, "sequential");
+  for(unsigned threads = 2; threads <= 8; threads *= 2) {
+    Thread_backend backend(threads);
+    check(backend, expected, std::to_string(threads) + " threads");
+  }
+  for(unsigned seed = 1; seed <= 3; ++seed) {
+    Shuffled_backend backend(seed);
+    check(backend, expected, "shuffled " + std::to_string(seed));
+  }
+  return report();
+}
