@@ -9,6 +9,11 @@ include(GNUInstallDirs)
 
 set(TANDEM_CONFIG_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Tandem")
 
+if(TARGET tandem_cuda)
+  install(CODE "if(NOT EXISTS \"$<TARGET_FILE:tandem_cuda>\")
+  message(FATAL_ERROR \"Build the target tandem_cuda before, or configure with TANDEM_WITH_CUDA=OFF\")
+endif()")
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(TARGETS tandem EXPORT Tandem_targets)
 install(EXPORT Tandem_targets NAMESPACE Tandem:: DESTINATION "${TANDEM_CONFIG_DIR}")

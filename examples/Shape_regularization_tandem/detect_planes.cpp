@@ -62,7 +62,8 @@ CGAL::Tandem::Parameters parameters_of(const Options& o)
 void check_backend(const Options& o)
 {
   if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
-    throw std::runtime_error("no CUDA device can be used: " + CGAL::Tandem::cuda_device_report());
+    throw std::runtime_error("the back end cuda cannot be used: " + CGAL::Tandem::cuda_device_report() +
+                             " (--backend auto takes what there is)");
 #ifndef CGAL_LINKED_WITH_TBB
   if(o.backend == "parallel")
     throw std::runtime_error("the parallel back end needs oneTBB: this program was built without it");

@@ -241,67 +241,6 @@ private:
   const Fixture& f_;
 };
 
-// Pages come back for a buffer of about the same size, once, and not for others.
-void test_kept_pages()
-{
-  Host_buffer<double> buffer(1000);
-  const void* const memory = buffer.data();
-  buffer.keep_pages();
-  buffer.release();
-  CHECK(Host_buffer<double>(10).data() != memory);
-  CHECK(Host_buffer<float>(1900).data() == memory);
-  CHECK(Kept_pages::take(8000) == nullptr);
-  Host_buffer<double> smaller(1000), larger(1100);
-  const void* const pages[2] = {smaller.data(), larger.data()};
-  smaller.keep_pages();
-  larger.keep_pages();
-  smaller.release();
-  larger.release();
-  smaller.reset(1000); // leaves the larger pages to those who need them
-  larger.reset(1100);
-  CHECK(smaller.data() == pages[0] && larger.data() == pages[1]);
-  for(std::size_t i = 0; i < 20; ++i) {
-    buffer.reset(1000 + 1000 * i);
-    buffer.keep_pages();
-  }
-  buffer.release();
-  Kept_pages::release();
-  CHECK(Kept_pages::take(160000) == nullptr);
-}
-
-// Items keep their values when the table moves; new ones are T().
-void test_growing_table()
-{
-  struct Item {
-    int value = 7;
-  };
-  Thread_backend backend(3);
-  Growing_table<Item> table;
-  table.resize(backend, 3);
-  for(int i = 0; i < 3; ++i)
-    table[std::size_t(i)].value = i;
-  table.resize(backend, 5000);
-  CHECK(table.size() == 5000 && table[1].value == 1 && table[2].value == 2 && table[3].value == 7 &&
-        table[4999].value == 7);
-  table[4000].value = 11;
-  table.keep(backend, {2, 5, 4000});
-  CHECK(table.size() == 3 && table[0].value == 2 && table[1].value == 7 && table[2].value == 11);
-  table.resize(backend, 4);
-  CHECK(table.size() == 4 && table[2].value == 11 && table[3].value == 7);
-}
-
-// Copies share the items.
-void test_shared_table()
-{
-  const Shared_table<int> none;
-  CHECK(none.empty() && none.size() == 0 && none.begin() == none.end());
-  Host_buffer<int> buffer(3);
-  for(int i = 0; i < 3; ++i)
-    buffer[std::size_t(i)] = i;
-  const Shared_table<int> table(std::move(buffer)), copy = table;
-  CHECK(copy.data() == table.data() && copy.size() == 3 && copy[2] == 2 && copy.end() - copy.begin() == 3);
-}
-
 // All that can be used, up to the largest and down to the smallest numbers.
 template <class Value>
 void test_values()
@@ -322,9 +261,6 @@ void test_values()
 
 int main()
 {
-  test_kept_pages();
-  test_growing_table();
-  test_shared_table();
   test_values<float>();
   test_values<double>();
   test_on_all_backends<Backend_steps>();

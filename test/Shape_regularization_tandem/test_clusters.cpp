@@ -57,6 +57,7 @@ std::vector<Link> make_links()
 struct Outcome {
   std::vector<std::uint32_t> root;
   std::vector<Regular_plane> plane;
+  std::uint32_t steps;
 };
 
 template <class Backend>
@@ -65,8 +66,8 @@ Outcome unite(Backend& backend, std::size_t few)
   Tandem_state<Backend> t(backend);
   make_fragments(t);
   Clusters<Backend> clusters(t, {.95, maximum_distance}, few);
-  clusters.unite_along(make_links());
   Outcome outcome;
+  outcome.steps = clusters.unite_along(make_links());
   for(const std::uint32_t id : t.live) {
     outcome.root.push_back(clusters.root(id));
     outcome.plane.push_back(clusters.whole(clusters.root(id)).local);
@@ -79,6 +80,7 @@ template <class Backend>
 void check(Backend& backend, const Outcome& expected, const std::string& name)
 {
   const Outcome outcome = unite(backend, 0);
+  CHECK_AT(outcome.steps > 2, name + ": steps");
   CHECK_AT(outcome.root == expected.root, name);
   const auto is_same = [](const Regular_plane& a, const Regular_plane& b) {
     return a.normal == b.normal && a.offset == b.offset;
@@ -90,6 +92,7 @@ int main()
 {
   Sequential_backend sequential;
   const Outcome expected = unite(sequential, std::size_t(-1));
+  check_equal(expected.steps, 0u, "one after the other");
   const std::set<std::uint32_t> roots(expected.root.begin(), expected.root.end());
   CHECK_AT(roots.size() > 20 && roots.size() < columns * rows / 3, std::to_string(roots.size()));
   check(sequential, expected, "sequential");

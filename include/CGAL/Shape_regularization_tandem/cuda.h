@@ -37,7 +37,7 @@ inline std::string cuda_device_report()
 #ifdef CGAL_TANDEM_USE_CUDA
   return internal::cuda_device_report();
 #else
-  return "built without CUDA";
+  return "built without CUDA: link Tandem::tandem_cuda";
 #endif
 }
 

@@ -10,9 +10,14 @@
 #include <CGAL/Tandem/internal/point_passes.h>
 #include <CGAL/Tandem/internal/update_shapes.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -74,17 +79,19 @@ public:
     : t_(t), unions_(t.shapes.size()), test_(test), few_(few), whole_(t.shapes.size(), no_index), merged_(t.live.size())
   {}
 
-  // Tries link after link, or as if: a link depends on those before it that have a cluster in
-  // common with it, so what depends on nothing else is tried at the same time.
-  void unite_along(const std::vector<Link>& links)
+  // As if link after link were tried: a link depends on those before it that have a cluster in
+  // common with it, so what depends on nothing else is tried at the same time. Returns the number of steps
+  // in which that happened.
+  std::uint32_t unite_along(const std::vector<Link>& links)
   {
     std::vector<Pair> pending(links.size());
     t_.backend.for_each_on_host(links.size(), [&](std::size_t i) {
       pending[i] = {links[i].first(), links[i].second(), no_index};
     });
-    std::vector<Claim> claims(t_.shapes.size());
+    std::vector<Claim> claims(pending.size() > few_ ? t_.shapes.size() : 0);
     std::size_t tried = links.size();
-    for(std::uint32_t step = 1; pending.size() > few_ && pending.size() < most_waiting * tried; ++step) {
+    std::uint32_t step = 1;
+    for(; pending.size() > few_ && pending.size() < most_waiting * tried; ++step) {
       std::vector<Pair> chained;
       const std::vector<std::uint32_t> first = chain_links(step, claims, pending, chained);
       t_.backend.for_each_on_host(first.size(), [&](std::size_t c) {
@@ -98,9 +105,10 @@ public:
     for(std::uint32_t id = 0; id < t_.shapes.size(); ++id)
       unions_.set_parent(id, unions_.root(id)); // so that threads may ask for it
     t_.backend.for_each_on_host(number_of_merged_, [&](std::size_t i) { refresh(merged_[i]); });
+    return step - 1;
   }
 
-  // Whether others are in its cluster.
+  // After unite_along(), as what follows: whether others are in its cluster.
   bool is_merged(std::uint32_t id) const { return whole_[root(id)] != no_index; }
 
   std::uint32_t root(std::uint32_t id) const { return unions_.parent(id); }

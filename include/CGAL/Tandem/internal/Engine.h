@@ -98,9 +98,10 @@ private:
     for(std::uint32_t id : state_.live)
       is_joined[target[id]] |= target[id] != id;
     const std::int64_t least = state_.options.minimum_fragment_size;
-    for(std::uint32_t id : chosen_shapes(state_, [&](const Shape&shape, std::uint32_t) {
-          return !shape.is_active && shape.age > 2 && shape.moments.count < least;
-        }))
+    const auto is_fragment = [&](const Shape& shape, std::uint32_t) {
+      return !shape.is_active && shape.age > 2 && shape.moments.count < least;
+    };
+    for(std::uint32_t id : chosen_shapes(state_, is_fragment))
       if(target[id] == id && !is_joined[id])
         target[id] = is_free;
   }
@@ -108,9 +109,10 @@ private:
   bool is_going_on(std::size_t gained)
   {
     std::size_t settled = 0; // points of shapes that are large enough; fragments come and go for ever
-    for(std::uint32_t id : chosen_shapes(state_, [&](const Shape&shape, std::uint32_t) {
-          return shape.moments.count >= state_.options.minimum_region_size;
-        }))
+    const auto is_settled = [&](const Shape& shape, std::uint32_t) {
+      return shape.moments.count >= state_.options.minimum_region_size;
+    };
+    for(std::uint32_t id : chosen_shapes(state_, is_settled))
       settled += std::size_t(state_.shapes[id].moments.count);
     const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
     const bool is_idle = (most_settled_ - best_before) * 10000 <= state_.cloud.size;

@@ -6,7 +6,11 @@
 
 #include <CGAL/Tandem/internal/backend/Host_buffer.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -14,9 +18,11 @@ namespace Tandem {
 namespace internal {
 
 // Plain items of the host, to which more are added at the end. There is room for a few times
-// as many: what nobody has touched takes no memory, and items that stay need no copy.
+// as many: new pages that nobody has touched take no memory, and items that stay need no copy.
 template <class T>
 class Growing_table {
+  static_assert(std::is_trivially_copyable<T>::value, "plain items");
+
 public:
   std::size_t size() const { return size_; }
   T& operator[](std::size_t i) { return items_[i]; }

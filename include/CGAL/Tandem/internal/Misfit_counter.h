@@ -106,7 +106,7 @@ inline std::uint32_t sample_mask(const Shape& shape)
 
 // Asks the points: which share of each listed shape fits its local plane, but not
 // the candidate. Planes that hardly move need no answer from the points, and what
-// was asked before, about hardly other planes, is answered from memory.
+// was asked last, about hardly other planes, is answered from memory.
 template <class Backend>
 class Misfit_counter {
 public:

@@ -115,7 +115,7 @@ void forget_shape(State& t, std::uint32_t id)
   t.is_restarted[id] = 0;
 }
 
-// The live shapes with is_chosen(shape, id), which is asked of many at a time.
+// The live shapes with is_chosen(shape, id), which is asked once of each, of many at a time.
 template <class Backend, class Predicate>
 std::vector<std::uint32_t> chosen_shapes(const Tandem_state<Backend>& t, Predicate is_chosen)
 {

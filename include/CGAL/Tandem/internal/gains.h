@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_GAINS_H
 
 #include <CGAL/Tandem/internal/Tandem_state.h>
+#include <CGAL/Tandem/internal/backend/Host_buffer.h>
 
 #include <vector>
 

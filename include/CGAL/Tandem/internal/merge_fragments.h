@@ -10,6 +10,9 @@
 #include <CGAL/Tandem/internal/Clusters.h>
 #include <CGAL/Tandem/internal/Misfit_counter.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {

@@ -67,8 +67,8 @@ void join_shape(Tandem_state<Backend>& t, Shape& root, std::uint32_t id)
   forget_shape(t, id);
 }
 
-// Adds the shapes to their targets and gives up those without one. The points
-// follow in update_points().
+// Adds the shapes to their targets, which are targets of themselves, and gives up those
+// without one. The points follow in update_points().
 template <class Backend>
 void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target)
 {
@@ -99,9 +99,10 @@ template <class Backend>
 void forget_empty_shapes(Tandem_state<Backend>& t)
 {
   t.live = chosen_shapes(t, [&](const Shape& shape, std::uint32_t id) {
-    if(shape.moments.count == 0)
+    const bool is_empty = shape.moments.count == 0;
+    if(is_empty)
       forget_shape(t, id);
-    return shape.moments.count > 0;
+    return !is_empty;
   });
 }
 

@@ -34,17 +34,17 @@ public:
     if(size == 0)
       return;
     const std::size_t bytes = size * sizeof(T);
-    void* memory = Kept_pages::take(bytes);
-    if(memory == nullptr)
-      memory = allocate_pages(bytes);
-    if(memory == nullptr)
+    Kept_pages::Block block = Kept_pages::take(bytes);
+    if(block.memory == nullptr)
+      block = {allocate_pages(bytes), bytes};
+    if(block.memory == nullptr)
       throw std::bad_alloc();
-    data_ = std::unique_ptr<T[], Free>(static_cast<T*>(memory), Free());
+    data_ = std::unique_ptr<T[], Free>(static_cast<T*>(block.memory), Free{block.bytes, false});
     size_ = size;
   }
 
   // The memory will not be freed, but kept for the next buffer of this size.
-  void keep_pages() { data_.get_deleter().kept_bytes = size_ * sizeof(T); }
+  void keep_pages() { data_.get_deleter().is_kept = true; }
 
   void release()
   {
@@ -65,12 +65,13 @@ public:
 
 private:
   struct Free {
-    std::size_t kept_bytes = 0;
+    std::size_t bytes = 0;
+    bool is_kept = false;
 
     void operator()(T* memory) const
     {
-      if(kept_bytes > 0)
-        Kept_pages::give(memory, kept_bytes);
+      if(is_kept)
+        Kept_pages::give(memory, bytes);
       else
         std::free(memory);
     }

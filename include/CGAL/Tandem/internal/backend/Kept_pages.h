@@ -41,8 +41,13 @@ inline void* allocate_pages(std::size_t bytes)
 
 class Kept_pages {
 public:
-  // Of about that size; null if there are none.
-  static void* take(std::size_t bytes)
+  struct Block {
+    void* memory = nullptr;
+    std::size_t bytes = 0;
+  };
+
+  // Of that size, or up to a quarter more; null if there are none.
+  static Block take(std::size_t bytes)
   {
     std::lock_guard<std::mutex> lock(mutex());
     Block* best = nullptr;
@@ -50,38 +55,40 @@ public:
       if(block.memory != nullptr && block.bytes >= bytes && block.bytes - bytes <= bytes / 4 &&
          (best == nullptr || block.bytes < best->bytes))
         best = &block;
-    return best != nullptr ? std::exchange(best->memory, nullptr) : nullptr;
+    return best != nullptr ? std::exchange(*best, Block()) : Block();
   }
 
-  // Instead of std::free(); that of another block where there is no room for more.
+  // Instead of std::free(); that of the oldest blocks where there is no room for more.
   static void give(void* memory, std::size_t bytes) noexcept
   {
     if(bytes > most_bytes)
       return std::free(memory);
     std::lock_guard<std::mutex> lock(mutex());
     Blocks& all = blocks();
-    std::free(all.back().memory);
-    std::move_backward(all.begin(), all.end() - 1, all.end());
+    const auto unused = std::find_if(all.begin(), all.end() - 1, [](const Block& b) { return b.memory == nullptr; });
+    std::free(unused->memory);
+    std::move_backward(all.begin(), unused, unused + 1);
     all.front() = {memory, bytes};
+    std::size_t sum = 0;
+    for(Block& block : all) {
+      sum += block.bytes;
+      if(sum > most_bytes)
+        std::free(std::exchange(block, Block()).memory);
+    }
   }
 
   static void release() noexcept
   {
     std::lock_guard<std::mutex> lock(mutex());
     for(Block& block : blocks())
-      std::free(std::exchange(block.memory, nullptr));
+      std::free(std::exchange(block, Block()).memory);
   }
 
 private:
-  struct Block {
-    void* memory = nullptr;
-    std::size_t bytes = 0;
-  };
-
   // The latest first.
   using Blocks = std::array<Block, 8>;
 
-  static constexpr std::size_t most_bytes = std::size_t(2) << 30; // of a block
+  static constexpr std::size_t most_bytes = std::size_t(8) << 30; // of all blocks
 
   static std::mutex& mutex()
   {

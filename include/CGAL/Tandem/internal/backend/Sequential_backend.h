@@ -79,7 +79,8 @@ public:
     return compact_on(*this, n, is_kept);
   }
 
-  // f.take(i) of the i in [0, n) with f.has(i), ascending, for the host.
+  // f.take(i) of the i in [0, n) with f.has(i), ascending, for the host. has() of all before any take(). T: plain data
+  // of at least 8 bytes.
   template <class T, class F>
   Host_buffer<T> collect(std::size_t n, F f)
   {

@@ -15,6 +15,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <memory>
@@ -55,8 +56,10 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    tbb::parallel_for(std::size_t(0), (n + grain - 1) / grain,
-                      [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
+    tbb::this_task_arena::isolate([&] { // a thread that waits takes no work of the caller's own loops
+      tbb::parallel_for(std::size_t(0), (n + grain - 1) / grain,
+                        [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
+    });
   }
 
   template <class Scratch, class Body>

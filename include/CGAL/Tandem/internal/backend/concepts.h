@@ -38,7 +38,7 @@ struct Predicate {
 
 struct Taker {
   bool has(std::uint32_t) const { return false; }
-  int take(std::uint32_t) const { return 0; }
+  std::int64_t take(std::uint32_t) const { return 0; }
 };
 
 struct Value {
@@ -100,7 +100,8 @@ struct Is_backend<
     typename Backend::Sort_table::View,
     decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
     decltype(std::size_t(std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()).size())),
-    decltype(std::size_t(std::declval<Backend&>().template collect<int>(std::size_t(0), archetypes::Taker()).size())),
+    decltype(std::size_t(
+      std::declval<Backend&>().template collect<std::int64_t>(std::size_t(0), archetypes::Taker()).size())),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
     decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>())),
     decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),

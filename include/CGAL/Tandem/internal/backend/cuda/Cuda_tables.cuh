@@ -12,8 +12,12 @@
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
 
+#include <algorithm>
+#include <atomic>
+#include <cstring>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Large tables travel through small pieces of pinned memory, which several threads of
-// the host fill or empty while others are copied.
+// Large tables travel through small pieces of pinned memory, which the threads of the host, several with
+// oneTBB, fill or empty while others are copied.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstring>
 
 namespace CGAL {
@@ -67,8 +68,8 @@ private:
   std::size_t piece_ = 0;
 };
 
-// Runs work(pair) on several threads, with the device of the caller and what its stream has done; throws what one
-// of them has thrown. One of them may do all of the work.
+// Runs work(pair) on the threads of the host, with the device of the caller and what its stream has done; throws
+// what one of them has thrown. Each goes on until nothing is left, so that one of them may do all of the work.
 template <class Work>
 void run_on_host_threads(std::size_t pieces, Work work)
 {

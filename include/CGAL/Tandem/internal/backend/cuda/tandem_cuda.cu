@@ -61,12 +61,36 @@ bool has_fused_multiply_add()
 #endif
 }
 
-void require_device()
+// Why the current device cannot be used; empty if it can.
+std::string missing_for_cuda()
 {
   if(!has_fused_multiply_add())
-    throw std::runtime_error("Cuda_tag: the processor lacks the instruction FMA; use another tag");
-  if(!is_cuda_available())
-    throw std::runtime_error("Cuda_tag: there is no CUDA device; use Cuda_if_available_tag, or another tag");
+    return "the processor lacks the instruction FMA (see the CMake option TANDEM_CUDA_WITH_FMA)";
+  int devices = 0, device = 0, has_pools = 0;
+  cudaFuncAttributes attributes; // of a kernel: the device can run it
+  cudaError_t error = cudaGetDeviceCount(&devices);
+  if(error == cudaSuccess)
+    error = cudaGetDevice(&device);
+  if(error == cudaSuccess)
+    error = cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device);
+  std::string missing;
+  if(error != cudaSuccess)
+    missing = cudaGetErrorString(error);
+  else if(devices == 0)
+    missing = "the driver names none";
+  else if(has_pools == 0)
+    missing = "the device has no memory pools";
+  else if(cudaFuncGetAttributes(&attributes, reinterpret_cast<const void*>(&run_items<Forget_interior>)) != cudaSuccess)
+    missing = "the library has no code for the device: name its compute capability in CMAKE_CUDA_ARCHITECTURES";
+  static_cast<void>(cudaGetLastError());
+  return missing;
+}
+
+void require_device()
+{
+  const std::string missing = missing_for_cuda();
+  if(!missing.empty())
+    throw std::runtime_error("Cuda_tag: no CUDA device: " + missing + "; use Cuda_if_available_tag, or another tag");
 }
 
 void require_memory(Import& in, const Parameters& parameters)
@@ -155,23 +179,13 @@ Engine_result Cuda_engine::result()
   return implementation_->engine.result();
 }
 
-bool is_cuda_available()
-{
-  int devices = 0, device = 0, has_pools = 0;
-  cudaFuncAttributes attributes; // of a kernel: the device can run it
-  const bool is_available =
-    has_fused_multiply_add() && cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0 &&
-    cudaGetDevice(&device) == cudaSuccess &&
-    cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device) == cudaSuccess && has_pools != 0 &&
-    cudaFuncGetAttributes(&attributes, reinterpret_cast<const void*>(&run_items<Forget_interior>)) == cudaSuccess;
-  static_cast<void>(cudaGetLastError());
-  return is_available;
-}
+bool is_cuda_available() { return missing_for_cuda().empty(); }
 
 std::string cuda_device_report()
 {
-  if(!is_cuda_available())
-    return "no CUDA device";
+  const std::string missing = missing_for_cuda();
+  if(!missing.empty())
+    return "no CUDA device: " + missing;
   cudaDeviceProp properties;
   CGAL_TANDEM_CUDA(cudaGetDeviceProperties(&properties, current_device()));
   return std::string(properties.name) + ", " + std::to_string(properties.totalGlobalMem >> 20) +
