@@ -87,7 +87,7 @@ private:
   // The bounds of the loop: rounds, and rounds in a row with next to no gain. In the first rounds
   // shapes are small because they are young.
   static constexpr int most_rounds = 300;
-  static constexpr int most_idle_rounds = 2;
+  static constexpr int most_idle_rounds = 3;
   static constexpr int young_rounds = 4;
 
   // Shapes of more than two rounds that stopped growing while they are small, unless
