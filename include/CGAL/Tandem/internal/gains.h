@@ -10,8 +10,6 @@
 #include <CGAL/Tandem/internal/Tandem_state.h>
 #include <CGAL/Tandem/internal/backend/Host_buffer.h>
 
-#include <vector>
-
 namespace CGAL {
 namespace Tandem {
 namespace internal {

@@ -56,17 +56,14 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    tbb::this_task_arena::isolate([&] { // a thread that waits takes no work of the caller's own loops
-      tbb::parallel_for(std::size_t(0), (n + grain - 1) / grain,
-                        [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
-    });
+    run((n + grain - 1) / grain, [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
   }
 
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
     tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratches([] { return std::make_unique<Scratch>(); });
-    tbb::parallel_for(std::size_t(0), cells, [&](std::size_t c) {
+    run(cells, [&](std::size_t c) {
       Serial_block block;
       body(block, *scratches.local(), std::uint32_t(c));
     });
@@ -92,8 +89,7 @@ public:
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
   {
-    tbb::parallel_for(std::size_t(0), ranges,
-                      [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
+    run(ranges, [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
   }
 
   template <class T>
@@ -129,6 +125,14 @@ public:
   {
     __atomic_compare_exchange_n(&target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
     return expected;
+  }
+
+private:
+  // A thread that waits for the others takes no work of the caller's own loops meanwhile.
+  template <class F>
+  static void run(std::size_t n, F f)
+  {
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t(0), n, f); });
   }
 };
 
