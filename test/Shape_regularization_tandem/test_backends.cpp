@@ -241,22 +241,34 @@ private:
   const Fixture& f_;
 };
 
-// All that can be used, up to the largest and down to the smallest numbers.
+// All that can be used, up to the largest and down to the smallest numbers, wherever it is among others.
 template <class Value>
 void test_values()
 {
   using Limits = std::numeric_limits<Value>;
   const Value large = (Limits::max)(), small = Limits::denorm_min(), infinite = Limits::infinity();
-  for(Value last : {large, -large, small, Value(0)}) {
-    const Value p[3] = {large, -large, last}, n[3] = {0, 0, last}, bad[3] = {last, Limits::quiet_NaN(), 1};
-    CHECK(is_position(p) && is_normal(p) && !is_position(bad) && !is_normal(bad));
-    CHECK(is_normal(n) == (last != 0));
-  }
-  for(int c = 0; c < 3; ++c) {
-    Value p[3] = {1, 2, 3};
-    p[c] = c == 1 ? -infinite : infinite;
-    CHECK(!is_position(p) && !is_normal(p));
-  }
+  for(std::size_t points : {1, 2, 7, 8, 9, 40})
+    for(std::size_t i = 0; i < 3 * points; ++i) {
+      std::vector<Value> v(3 * points, Value(1));
+      for(Value value : {large, -large, small, -small, Value(0)}) {
+        v[i] = value;
+        CHECK(are_finite(v.data(), v.size()) && !has_null(v.data(), v.size()));
+        const Coordinate_box box = box_around(v.data(), v.size());
+        for(std::size_t c = 0; c < 3; ++c) {
+          const Value other = points > 1 || c != i % 3 ? Value(1) : value;
+          CHECK(box.low[c] == double(c == i % 3 ? (std::min)(value, other) : other));
+          CHECK(box.high[c] == double(c == i % 3 ? (std::max)(value, other) : other));
+        }
+      }
+      for(Value value : {Limits::quiet_NaN(), infinite, -infinite}) {
+        v[i] = value;
+        CHECK(!are_finite(v.data(), v.size()));
+      }
+      std::fill_n(v.begin() + std::ptrdiff_t(i / 3 * 3), 3, Value(0));
+      CHECK(has_null(v.data(), v.size()));
+      v[i] = -small;
+      CHECK(!has_null(v.data(), v.size()));
+    }
 }
 
 int main()

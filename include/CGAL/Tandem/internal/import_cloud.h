@@ -84,21 +84,6 @@ void start_import(Import& in, std::size_t size, bool has_normals)
     in.normals.reset<Value>(size);
 }
 
-// A sum of quarters does not overflow.
-template <class Value>
-bool is_position(const Value* p)
-{
-  const Value quarter = Value(.25);
-  return quarter * std::fabs(p[0]) + quarter * std::fabs(p[1]) + quarter * std::fabs(p[2]) <=
-         (std::numeric_limits<Value>::max)();
-}
-
-template <class Value>
-bool is_normal(const Value* n)
-{
-  return is_position(n) && std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]) > 0;
-}
-
 // Reads the items [first, last) to the places of the same numbers.
 template <class Traits>
 void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_range& points, std::size_t first,
@@ -115,30 +100,73 @@ void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_
   }
 }
 
+// These three have no branches, so that they run on wide instructions. All take n values, three of each point.
+template <class Value>
+bool are_finite(const Value* v, std::size_t n)
+{
+  int is_other = 0;
+  for(std::size_t i = 0; i < n; ++i)
+    is_other |= !(std::fabs(v[i]) <= (std::numeric_limits<Value>::max)());
+  return is_other == 0;
+}
+
+template <class Value>
+bool has_null(const Value* v, std::size_t n)
+{
+  int is_null = 0;
+  for(std::size_t i = 0; i < n; i += 3)
+    is_null |= int(v[i] == 0) & int(v[i + 1] == 0) & int(v[i + 2] == 0);
+  return is_null != 0;
+}
+
+template <class Value>
+Coordinate_box box_around(const Value* v, std::size_t n)
+{
+  constexpr std::size_t lanes = 24; // a multiple of three; of fewer, g++ unrolls the loops instead
+  Value low[lanes], high[lanes];
+  std::fill_n(low, lanes, std::numeric_limits<Value>::infinity());
+  std::fill_n(high, lanes, -std::numeric_limits<Value>::infinity());
+  std::size_t i = 0;
+  for(; i + lanes <= n; i += lanes) {
+    for(std::size_t k = 0; k < lanes; ++k)
+      low[k] = v[i + k] < low[k] ? v[i + k] : low[k];
+    for(std::size_t k = 0; k < lanes; ++k)
+      high[k] = high[k] < v[i + k] ? v[i + k] : high[k];
+  }
+  for(; i < n; ++i) {
+    low[i % 3] = (std::min)(low[i % 3], v[i]);
+    high[i % 3] = (std::max)(high[i % 3], v[i]);
+  }
+  Coordinate_box box;
+  for(std::size_t k = 0; k < lanes; ++k) {
+    box.low[k % 3] = (std::min)(box.low[k % 3], double(low[k]));
+    box.high[k % 3] = (std::max)(box.high[k % 3], double(high[k]));
+  }
+  return box;
+}
+
+// Whether the points [first, last) can be used, with their normals.
+template <class Value>
+bool are_usable(Import& in, std::size_t first, std::size_t last)
+{
+  const std::size_t n = 3 * (last - first);
+  if(!are_finite(in.coordinates.data<Value>() + 3 * first, n))
+    return false;
+  const Value* const normals = in.normals.data<Value>();
+  return !in.has_normals || (are_finite(normals + 3 * first, n) && !has_null(normals + 3 * first, n));
+}
+
 // The box around those of the points [first, last) that can be used. False if some cannot.
 template <class Value>
 bool inspect_points(Import& in, std::size_t first, std::size_t last, Coordinate_box& box)
 {
-  Value low[3], high[3];
-  std::fill_n(low, 3, std::numeric_limits<Value>::infinity());
-  std::fill_n(high, 3, -std::numeric_limits<Value>::infinity());
-  bool is_complete = true;
-  const Value *points = in.coordinates.data<Value>(), *normals = in.normals.data<Value>();
-  for(std::size_t i = first; i < last; ++i) {
-    const Value* p = points + 3 * i;
-    if(!is_position(p) || (in.has_normals && !is_normal(normals + 3 * i))) {
-      is_complete = false;
-      continue;
-    }
-    for(int c = 0; c < 3; ++c) {
-      low[c] = (std::min)(low[c], p[c]);
-      high[c] = (std::max)(high[c], p[c]);
-    }
-  }
-  Coordinate_box inspected;
-  std::copy_n(low, 3, inspected.low);
-  std::copy_n(high, 3, inspected.high);
-  box.add(inspected);
+  const Value* const points = in.coordinates.data<Value>();
+  const bool is_complete = are_usable<Value>(in, first, last);
+  if(is_complete)
+    box.add(box_around(points + 3 * first, 3 * (last - first)));
+  for(std::size_t i = first; i < last && !is_complete; ++i)
+    if(are_usable<Value>(in, i, i + 1))
+      box.add(box_around(points + 3 * i, 3));
   return is_complete;
 }
 
@@ -149,12 +177,11 @@ void drop_invalid(Import& in)
   std::size_t kept = 0;
   in.uploaded.reset();
   for(std::size_t i = 0; i < in.count; ++i) {
-    const bool has_position = is_position(in.coordinates.data<Value>() + 3 * i);
-    const bool has_normal = !in.has_normals || is_normal(in.normals.data<Value>() + 3 * i);
-    in.number_of_ignored_coordinates += !has_position;
-    in.number_of_ignored_normals += has_position && !has_normal;
-    if(!has_position || !has_normal)
+    if(!are_usable<Value>(in, i, i + 1)) {
+      const bool has_position = are_finite(in.coordinates.data<Value>() + 3 * i, 3);
+      ++(has_position ? in.number_of_ignored_normals : in.number_of_ignored_coordinates);
       continue;
+    }
     in.coordinates.move(i, kept);
     if(in.has_normals)
       in.normals.move(i, kept);
