@@ -47,7 +47,7 @@ public:
     refit_shapes(state_);
     std::vector<Link> links = collect_links(state_, least_links, Links::changed);
     merge_fragments(state_, links, misfit_share);
-    relations_ = regularize_shapes(state_, false);
+    relations_ = regularize_shapes(state_, false, relations_);
     split_layers(state_, relations_);
     std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);
     give_up_fragments(target);

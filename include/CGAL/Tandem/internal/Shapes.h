@@ -97,6 +97,8 @@ struct Shape : Fitted_moments {
   int retry_round = 0;            // not regularized before this round ...
   std::int64_t retry_count = 0;   // ... or before it has this many points
   std::int64_t layered_count = 0; // points when it was last examined for layers
+  std::int64_t regular_count = 0; // points when its relations were found; 0 if it has none yet
+  int entry = 0;                  // its place in the relations, if it has some
   Answer answer;
   bool is_active = false;
   bool is_changed = true; // its points or its plane have changed since its links were collected

@@ -10,6 +10,8 @@
 #include <CGAL/Tandem/internal/merge_fragments.h>
 #include <CGAL/Tandem/internal/regularize.h>
 
+#include <cstdlib>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -18,6 +20,7 @@ namespace internal {
 struct Shape_relations {
   std::vector<std::uint32_t> id;
   Relations relations;
+  std::int64_t points = 0; // of the shapes when the relations were found
 };
 
 // A shape that was rolled back tries again when it has grown, or after 2, 4, 8 ... rounds.
@@ -58,18 +61,63 @@ private:
   Misfit_counter<Backend> count_;
 };
 
+// Relations are found anew when shapes have gained, lost or exchanged this share of all points.
+// Until then they hold on: in the late rounds little changes.
+constexpr double changed_share = 0.005;
+
 template <class Backend>
-Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
+bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before)
+{
+  std::int64_t changed = before.points; // less those that are still there: of shapes that have gone
+  for(std::uint32_t id : ids) {
+    const Shape& shape = t.shapes[id];
+    changed += std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
+  }
+  return double(changed) > changed_share * double(t.cloud.size);
+}
+
+// The shapes keep the planes of their relations; those without any stay at their local planes.
+template <class Backend>
+Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids,
+                               const Shape_relations& before)
+{
+  Shape_relations r = {ids, {{}, {}, before.relations.directions, before.relations.planes, {}}, before.points};
+  for(std::size_t i = 0; i < ids.size(); ++i) {
+    Shape& shape = t.shapes[ids[i]];
+    if(shape.regular_count > 0) {
+      r.relations.direction_of.push_back(before.relations.direction_of[std::size_t(shape.entry)]);
+      r.relations.plane_of.push_back(before.relations.plane_of[std::size_t(shape.entry)]);
+    } else {
+      r.relations.direction_of.push_back(int(r.relations.directions.size()));
+      r.relations.plane_of.push_back(int(r.relations.planes.size()));
+      r.relations.planes.push_back(plane_through(canonical(shape.fit.normal), shape.scatter.centroid));
+      r.relations.directions.push_back(r.relations.planes.back().normal);
+    }
+    shape.entry = int(i);
+    shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
+  }
+  r.relations.is_rolled_back.assign(ids.size(), 0);
+  return r;
+}
+
+// retry_all: in the end game, also small shapes and those that wait. `before`: the relations of the last round.
+template <class Backend>
+Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, const Shape_relations& before = {})
 {
   const bool is_due = retry_all || (t.round + 1) % t.options.regularity_period == 0;
   // While fragments are young, most of them tilt by more than what they would be related to.
   const std::int64_t least = retry_all ? t.options.minimum_regular_size
                                        : (std::max)(t.options.minimum_regular_size, t.options.minimum_fragment_size);
   Shape_relations r;
-  r.id = chosen_shapes(t, [&](const Shape& shape, std::uint32_t id) {
-    t.shapes[id].plane = shape.local;
+  r.id = chosen_shapes(t, [&](const Shape&, std::uint32_t id) {
+    Shape& shape = t.shapes[id];
+    shape.plane = shape.local;
+    if(shape.moments.count < least)
+      shape.regular_count = 0;
     return shape.moments.count >= least;
   });
+  if(!retry_all && is_due && !have_changed(t, r.id, before))
+    return keep_relations(t, r.id, before);
   std::vector<Shape_fit> fits(r.id.size());
   std::vector<char> is_excluded(r.id.size());
   t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
@@ -85,6 +133,9 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all)
   for(std::size_t i = 0; i < r.id.size(); ++i) {
     Shape& shape = t.shapes[r.id[i]];
     shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
+    shape.entry = int(i);
+    shape.regular_count = is_due ? shape.moments.count : 0;
+    r.points += shape.regular_count;
     if(r.relations.is_rolled_back[i])
       schedule_retry(shape, t.round);
   }
