@@ -63,7 +63,7 @@ run_tsan()
 {
   configuration tsan threads -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WARNINGS_AS_ERRORS=OFF \
     -DTANDEM_WITH_TBB=OFF -DTANDEM_BUILD_EXAMPLES=OFF \
-    -DTANDEM_TESTS=test_thread_backend "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
+    "-DTANDEM_TESTS=test_(host_team|thread_backend)" "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 
 # For the device that is there, or one of the year 2022.

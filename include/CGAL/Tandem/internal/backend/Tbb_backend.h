@@ -9,6 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
 
 #include <CGAL/Tandem/internal/backend/Host_loan.h>
+#include <CGAL/Tandem/internal/backend/Host_team.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
 #include <tbb/blocked_range.h>
@@ -38,9 +39,9 @@ public:
   }
 
   template <class F>
-  void for_each_on_host(std::size_t n, F f)
+  void for_each_on_host(std::size_t n, F f, std::size_t few = 256)
   {
-    const std::size_t grain = n < 256 ? 256 : 16; // few of them take less time than to wake a thread
+    const std::size_t grain = n < few ? few : (std::max)(n / 64, few / 16 + 1);
     for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
       for(std::size_t i = first; i < last; ++i)
         f(i);
@@ -50,7 +51,10 @@ public:
   template <class Iterator, class Less>
   void sort_on_host(Iterator first, Iterator last, Less less)
   {
-    tbb::parallel_sort(first, last, less);
+    if(Host_team* const team = Host_team::of_leader())
+      team->sort(first, last, less);
+    else
+      tbb::parallel_sort(first, last, less);
   }
 
   template <class F>
@@ -132,7 +136,12 @@ private:
   template <class F>
   static void run(std::size_t n, F f)
   {
-    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t(0), n, f); });
+    if(n == 1)
+      f(0);
+    else if(Host_team* const team = Host_team::of_leader())
+      team->run(n, f);
+    else
+      tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t(0), n, f); });
   }
 };
 

@@ -6,6 +6,8 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+
+#include <tbb/task_group.h>
 #else
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #endif
@@ -14,11 +16,47 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What works on the tables of the host beside a device.
 #ifdef CGAL_LINKED_WITH_TBB
+// What works on the tables of the host beside a device.
 using Host_side = Tbb_backend;
+
+// Calls work(); the threads of the caller's task arena that are free meanwhile wait for its loops.
+template <class F>
+void with_host_team(F work)
+{
+  class Members {
+  public:
+    explicit Members(Host_team& team) : team_(team)
+    {
+      for(int i = 1; i < tbb::this_task_arena::max_concurrency(); ++i)
+        group_.run([&team] { team.help(); });
+    }
+
+    ~Members()
+    {
+      team_.dissolve();
+      group_.wait();
+    }
+
+  private:
+    Host_team& team_;
+    tbb::task_group group_;
+  };
+  tbb::this_task_arena::isolate([&] {
+    Host_team team;
+    const Members members(team);
+    const Host_team::Leadership leadership(&team);
+    work();
+  });
+}
 #else
 using Host_side = Sequential_backend;
+
+template <class F>
+void with_host_team(F work)
+{
+  work();
+}
 #endif
 
 } // namespace internal

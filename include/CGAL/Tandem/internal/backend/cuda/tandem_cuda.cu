@@ -140,7 +140,7 @@ Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
 {
   require_device();
   require_memory(in, parameters);
-  implementation_ = std::make_unique<Implementation>(in, parameters);
+  with_host_team([&] { implementation_ = std::make_unique<Implementation>(in, parameters); });
   in.coordinates.keep_pages();
   in.normals.keep_pages();
 }
@@ -159,7 +159,8 @@ Cuda_engine::~Cuda_engine()
 bool Cuda_engine::iterate()
 {
   const Device_guard guard(implementation_->device);
-  const bool is_going_on = implementation_->engine.iterate();
+  bool is_going_on = false;
+  with_host_team([&] { is_going_on = implementation_->engine.iterate(); });
   synchronize();
   return is_going_on;
 }
@@ -167,7 +168,7 @@ bool Cuda_engine::iterate()
 void Cuda_engine::finish()
 {
   const Device_guard guard(implementation_->device);
-  implementation_->engine.finish();
+  with_host_team([&] { implementation_->engine.finish(); });
   synchronize();
 }
 
@@ -176,7 +177,9 @@ double Cuda_engine::progress() const { return implementation_->engine.progress()
 Engine_result Cuda_engine::result()
 {
   const Device_guard guard(implementation_->device);
-  return implementation_->engine.result();
+  Engine_result result;
+  with_host_team([&] { result = implementation_->engine.result(); });
+  return result;
 }
 
 bool is_cuda_available() { return missing_for_cuda().empty(); }
