@@ -60,7 +60,7 @@ Regularity_options options()
 // No point misfits.
 struct Accept_all {
   template <class F>
-  void for_each(std::size_t n, F f) const
+  void for_each(std::size_t n, F f, std::size_t = 256) const
   {
     for(std::size_t i = 0; i < n; ++i)
       f(i);

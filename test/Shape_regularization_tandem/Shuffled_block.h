@@ -178,7 +178,7 @@ public:
   }
 
   template <class F>
-  void for_each_on_host(std::size_t n, F f)
+  void for_each_on_host(std::size_t n, F f, std::size_t = 256)
   {
     for_each(n, f);
   }

@@ -43,7 +43,7 @@ public:
   }
 
   template <class F>
-  void for_each_on_host(std::size_t n, F f)
+  void for_each_on_host(std::size_t n, F f, std::size_t = 256)
   {
     for_each_piece(n, 2, [&](std::size_t first, std::size_t last) { // so that threads meet
       for(std::size_t i = first; i < last; ++i)

@@ -76,7 +76,7 @@ struct Verify {
   std::function<double(int)> share = [](int) { return 1.0; };
 
   template <class F>
-  void for_each(std::size_t n, F f) const // in any order
+  void for_each(std::size_t n, F f, std::size_t = 256) const // in any order
   {
     for(std::size_t i = n; i > 0; --i)
       f(i - 1);
@@ -186,10 +186,10 @@ void test_mean_shift()
     }
     check_close(shift.density(normal[i]) / dense, 1, 0.01, "density of normal " + std::to_string(i));
   }
-  check_equal(double(shift.modes().size()), 3, "modes");
+  check_equal(double(shift.modes(In_order()).size()), 3, "modes");
   const std::vector<Shape_fit> none;
   check_equal(double(cluster_directions(normal, weight, radius, Verify{none}).size()), 3, "groups of normals");
-  for(const Vector& m : shift.modes()) { // no direction around a mode is denser
+  for(const Vector& m : shift.modes(In_order())) { // no direction around a mode is denser
     const Plane_basis b(m);
     for(int k = 0; k < 8; ++k) {
       const Vector near = unit(add_scaled(m, 0.01, b.lifted(cosine_deg(45 * k), sine_deg(45 * k))));

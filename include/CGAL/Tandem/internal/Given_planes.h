@@ -76,7 +76,7 @@ public:
   const std::vector<char>& is_excluded() const { return is_excluded_; }
 
   template <class F>
-  void for_each(std::size_t n, F f) const
+  void for_each(std::size_t n, F f, std::size_t) const
   {
     for(std::size_t i = 0; i < n; ++i)
       f(i);

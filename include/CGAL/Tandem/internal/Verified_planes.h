@@ -6,7 +6,7 @@
 //   verify(shapes, planes, counts): counts[k] = number of points of shapes[k]
 //   that fit its local plane, but not planes[k]
 // which is called a few times with all shapes that are in question. It also runs
-//   verify.for_each(n, f): f(i) for i in [0, n), in any order, maybe many at a time.
+//   verify.for_each(n, f, few): f(i) for i in [0, n), in any order, maybe many at a time unless n < few.
 
 #ifndef CGAL_TANDEM_INTERNAL_VERIFIED_PLANES_H
 #define CGAL_TANDEM_INTERNAL_VERIFIED_PLANES_H
@@ -45,9 +45,9 @@ public:
   }
 
   template <class F>
-  void for_each(std::size_t n, F f) const
+  void for_each(std::size_t n, F f, std::size_t few = 256) const
   {
-    verify.for_each(n, f);
+    verify.for_each(n, f, few);
   }
 
   // Whether the direction adds too much to the distance of the points (from the moments alone).

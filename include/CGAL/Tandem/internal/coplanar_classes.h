@@ -52,6 +52,8 @@ private:
   static constexpr int rounds = 4;
   // Then neighbors are joined, twice in each of both pairings.
   static constexpr int joining_steps = 4;
+  // Fewer of them are left to one thread.
+  static constexpr std::size_t few_directions = 8;
 
   struct Class {
     std::vector<int> members; // by rising offset
@@ -85,15 +87,18 @@ private:
         first.push_back(k);
     first.push_back(pending.size());
     std::vector<std::vector<std::vector<int>>> clusters(first.size() - 1);
-    verified.for_each(clusters.size(), [&](std::size_t d) {
-      std::vector<double> offset, weight;
-      for(std::size_t k = first[d]; k < first[d + 1]; ++k) {
-        offset.push_back(plane[pending[k]].offset);
-        weight.push_back(shapes[pending[k]].scatter.count);
-      }
-      if(offset.size() > 1)
-        clusters[d] = cluster_offsets(offset, weight, radius);
-    });
+    verified.for_each(
+      clusters.size(),
+      [&](std::size_t d) {
+        std::vector<double> offset, weight;
+        for(std::size_t k = first[d]; k < first[d + 1]; ++k) {
+          offset.push_back(plane[pending[k]].offset);
+          weight.push_back(shapes[pending[k]].scatter.count);
+        }
+        if(offset.size() > 1)
+          clusters[d] = cluster_offsets(offset, weight, radius);
+      },
+      few_directions);
     for(std::size_t d = 0; d < clusters.size(); ++d)
       for(std::vector<int>& c : clusters[d]) {
         for(int& k : c)

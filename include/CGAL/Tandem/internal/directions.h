@@ -10,6 +10,8 @@
 #include <CGAL/Tandem/internal/linear_algebra.h>
 #include <CGAL/Tandem/internal/mean_shift.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -160,34 +162,35 @@ struct Direction_bins {
   std::vector<double> weight;
 };
 
-inline Direction_bins make_direction_bins(const std::vector<Vector>& normals, const std::vector<double>& weights,
-                                          double width)
+template <class Executor>
+Direction_bins make_direction_bins(const std::vector<Vector>& normals, const std::vector<double>& weights, double width,
+                                   const Executor& executor)
 {
-  struct Item {
-    std::int64_t cube[3];
-    std::size_t index;
-  };
-  std::vector<Item> items(normals.size());
-  for(std::size_t i = 0; i < items.size(); ++i) {
-    const Vector n = canonical(normals[i]);
-    items[i] = {{llrint(n.x / width), llrint(n.y / width), llrint(n.z / width)}, i};
-  }
-  auto is_before = [](const Item& a, const Item& b) {
-    return std::lexicographical_compare(a.cube, a.cube + 3, b.cube, b.cube + 3);
-  };
-  std::sort(items.begin(), items.end(), is_before);
+  using Item = std::array<std::int64_t, 4>; // weighted normal, weight
+  const std::size_t n = normals.size();
+  const double cubes = 1 / (std::max)(width, std::ldexp(1.0, -19)); // for 21 bits each
+  const double scale = double(1 << 26);                             // times at most 2^32 points fits int64
+  std::vector<Item> items(n);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(n); // by cube
+  executor.for_each(
+    n,
+    [&](std::size_t i) {
+      const Vector v = canonical(normals[i]);
+      std::uint64_t cube = 0;
+      for(double c : {v.x, v.y, v.z})
+        cube = cube << 21 | std::uint64_t(llrint(c * cubes) + (1 << 20));
+      const std::int64_t w = llrint(weights[i]);
+      items[i] = {w * llrint(v.x * scale), w * llrint(v.y * scale), w * llrint(v.z * scale), w};
+      order[i] = {cube, std::uint32_t(i)};
+    },
+    256);
+  std::sort(order.begin(), order.end());
   Direction_bins bins;
-  const double scale = double(1 << 26); // times at most 2^32 points fits int64
-  for(std::size_t i = 0, j; i < items.size(); i = j) {
-    std::int64_t sum[4] = {0, 0, 0, 0};
-    for(j = i; j < items.size() && !is_before(items[i], items[j]); ++j) {
-      const Vector n = canonical(normals[items[j].index]);
-      const std::int64_t w = llrint(weights[items[j].index]);
-      const std::int64_t c[3] = {llrint(n.x * scale), llrint(n.y * scale), llrint(n.z * scale)};
-      for(int k = 0; k < 3; ++k)
-        sum[k] += w * c[k];
-      sum[3] += w;
-    }
+  for(std::size_t i = 0, j; i < n; i = j) {
+    Item sum = {0, 0, 0, 0};
+    for(j = i; j < n && order[j].first == order[i].first; ++j)
+      for(std::size_t k = 0; k < 4; ++k)
+        sum[k] += items[order[j].second][k];
     bins.normal.push_back(rounded_normal(canonical(unit({double(sum[0]), double(sum[1]), double(sum[2])}))));
     bins.weight.push_back(double(sum[3]));
   }
@@ -196,7 +199,7 @@ inline Direction_bins make_direction_bins(const std::vector<Vector>& normals, co
 
 // Groups of normals within the radius (a sine) of a mode, as lists of positions.
 // What no mode reaches is clustered again, and forms a group of its own at last. The
-// loops run on executor.for_each(n, f).
+// loops run on the executor: see Mean_shift.
 template <class Executor>
 std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& normals, const std::vector<double>& weights,
                                                  double radius, const Executor& executor)
@@ -212,15 +215,18 @@ std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& norm
       n.push_back(normals[i]);
       w.push_back(weights[i]);
     }
-    const Direction_bins bins = make_direction_bins(n, w, radius / 8);
-    const std::vector<Vector> modes = Mean_shift<Direction_index>(bins.normal, bins.weight, radius).modes();
+    const Direction_bins bins = make_direction_bins(n, w, radius / 8, executor);
+    const std::vector<Vector> modes = Mean_shift<Direction_index>(bins.normal, bins.weight, radius).modes(executor);
     const Direction_index index(modes, radius);
     const std::size_t start = groups.size();
     groups.resize(start + modes.size());
     std::vector<std::pair<double, std::size_t>> nearest(rest.size(), {2.0, 0});
-    executor.for_each(rest.size(), [&](std::size_t k) {
-      index.near(n[k], [&](std::size_t m, double q) { nearest[k] = (std::min)(nearest[k], {q, m}); });
-    });
+    executor.for_each(
+      rest.size(),
+      [&](std::size_t k) {
+        index.near(n[k], [&](std::size_t m, double q) { nearest[k] = (std::min)(nearest[k], {q, m}); });
+      },
+      256);
     std::vector<int> left;
     for(std::size_t k = 0; k < rest.size(); ++k)
       (nearest[k].first <= 1 ? groups[start + nearest[k].second] : left).push_back(rest[k]);

@@ -5,6 +5,7 @@
 // type supplies the geometry:
 //   Index(positions, radius), near(position, f) calling f(i, squared distance)
 //   for all positions within the radius, Index::Mean with add() and value().
+// Loops run on executor.for_each(n, f, few): f(i) for i in [0, n), on one thread if n < few.
 
 #ifndef CGAL_TANDEM_INTERNAL_MEAN_SHIFT_H
 #define CGAL_TANDEM_INTERNAL_MEAN_SHIFT_H
@@ -28,6 +29,16 @@ inline double gaussian(double t)
   return e;
 }
 
+// Runs loops on the calling thread.
+struct In_order {
+  template <class F>
+  void for_each(std::size_t n, F f, std::size_t) const
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      f(i);
+  }
+};
+
 // Finds the modes of a weighted set: sigma is half the radius, and of two modes
 // within the radius of each other only the denser one counts.
 template <class Index>
@@ -40,11 +51,13 @@ public:
   {}
 
   // By falling density; ties are broken by position in the input.
-  std::vector<Position> modes() const
+  template <class Executor>
+  std::vector<Position> modes(const Executor& executor) const
   {
-    std::vector<Mode> found;
-    for(std::size_t i : starts())
-      found.push_back(climb(i));
+    const std::vector<std::size_t> start = starts(executor);
+    std::vector<Mode> found(start.size());
+    executor.for_each(
+      start.size(), [&](std::size_t s) { found[s] = climb(start[s]); }, few_climbs);
     std::stable_sort(found.begin(), found.end(), [](const Mode& a, const Mode& b) { return a.density > b.density; });
     return without_weaker(found);
   }
@@ -57,6 +70,9 @@ public:
   }
 
 private:
+  // Fewer of them are left to one thread.
+  static constexpr std::size_t few_densities = 64, few_climbs = 8;
+
   struct Mode {
     Position position;
     double density;
@@ -65,22 +81,28 @@ private:
   double kernel(double q) const { return gaussian(2 * q / (radius * radius)); }
 
   // Local maxima among the positions: every mode is reached from one of them.
-  std::vector<std::size_t> starts() const
+  template <class Executor>
+  std::vector<std::size_t> starts(const Executor& executor) const
   {
-    std::vector<double> d(position.size());
-    for(std::size_t i = 0; i < position.size(); ++i)
-      d[i] = density(position[i]);
-    std::vector<std::size_t> result;
+    const std::size_t n = position.size();
+    std::vector<double> d(n);
+    executor.for_each(
+      n, [&](std::size_t i) { d[i] = density(position[i]); }, few_densities);
+    std::vector<char> is_maximum(n, 1);
     const double squared_sigma = 0.25 * radius * radius;
-    for(std::size_t i = 0; i < position.size(); ++i) {
-      bool is_maximum = true;
-      index.near(position[i], [&](std::size_t j, double q) {
-        if(q <= squared_sigma && (d[j] > d[i] || (d[j] == d[i] && j < i)))
-          is_maximum = false;
-      });
-      if(is_maximum)
+    executor.for_each(
+      n,
+      [&](std::size_t i) {
+        index.near(position[i], [&](std::size_t j, double q) {
+          if(q <= squared_sigma && (d[j] > d[i] || (d[j] == d[i] && j < i)))
+            is_maximum[i] = 0;
+        });
+      },
+      few_densities);
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < n; ++i)
+      if(is_maximum[i])
         result.push_back(i);
-    }
     return result;
   }
 

@@ -76,7 +76,7 @@ inline std::vector<std::vector<int>> cluster_offsets(const std::vector<double>& 
     bin_offset.push_back(mean.value());
     bin_weight.push_back(weight);
   }
-  const std::vector<double> modes = Mean_shift<Offset_index>(bin_offset, bin_weight, radius).modes();
+  const std::vector<double> modes = Mean_shift<Offset_index>(bin_offset, bin_weight, radius).modes(In_order());
   const Offset_index index(modes, radius);
   std::vector<std::vector<int>> classes(modes.size());
   for(const auto& o : order) {

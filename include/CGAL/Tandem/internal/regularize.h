@@ -75,12 +75,12 @@ Relations regularize(const std::vector<Shape_fit>& shapes, const std::vector<cha
   Direction_fitter<Verify> fitter(shapes, options, verified);
   fitter.fit(active);
   std::vector<Vector> normal(shapes.size());
-  verify.for_each(shapes.size(), [&](std::size_t i) { normal[i] = canonical(shapes[i].fit.normal); });
+  verified.for_each(shapes.size(), [&](std::size_t i) { normal[i] = canonical(shapes[i].fit.normal); });
   for(const Direction_group& g : fitter.result())
     for(int i : g.members)
       normal[i] = g.direction;
   std::vector<Regular_plane> plane(shapes.size());
-  verify.for_each(shapes.size(), [&](std::size_t i) { plane[i] = through_centroid(shapes[i], normal[i]); });
+  verified.for_each(shapes.size(), [&](std::size_t i) { plane[i] = through_centroid(shapes[i], normal[i]); });
   const std::vector<int> direction = shared_directions(fitter.result(), shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);
   if(options.coplanarity && options.maximum_offset > 0)

@@ -50,9 +50,9 @@ public:
   }
 
   template <class F>
-  void for_each(std::size_t n, F f) const
+  void for_each(std::size_t n, F f, std::size_t few) const
   {
-    t_.backend.for_each_on_host(n, f);
+    t_.backend.for_each_on_host(n, f, few);
   }
 
 private:

@@ -31,9 +31,9 @@ public:
       f(i);
   }
 
-  // The same, where f uses what only the host has.
+  // The same, where f uses what only the host has. Fewer items than `few` are not worth a second thread.
   template <class F>
-  void for_each_on_host(std::size_t n, F f)
+  void for_each_on_host(std::size_t n, F f, std::size_t = 256)
   {
     for_each(n, f);
   }

@@ -76,9 +76,9 @@ public:
   }
 
   template <class F>
-  void for_each_on_host(std::size_t n, F f)
+  void for_each_on_host(std::size_t n, F f, std::size_t few = 256)
   {
-    host_.for_each_on_host(n, f);
+    host_.for_each_on_host(n, f, few);
   }
 
   template <class Iterator, class Less>
