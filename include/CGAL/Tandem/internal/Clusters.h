@@ -89,23 +89,27 @@ public:
       pending[i] = {links[i].first(), links[i].second(), no_index};
     });
     std::vector<Claim> claims(pending.size() > few_ ? t_.shapes.size() : 0);
-    std::size_t tried = links.size();
-    std::uint32_t step = 1;
-    for(; pending.size() > few_ && pending.size() < most_waiting * tried; ++step) {
-      std::vector<Pair> chained;
-      const std::vector<std::uint32_t> first = chain_links(step, claims, pending, chained);
-      t_.backend.for_each_on_host(first.size(), [&](std::size_t c) {
-        for(std::uint32_t i = first[c]; i != no_index; i = chained[i].next)
-          try_to_unite(unions_.root(chained[i].a), unions_.root(chained[i].b));
-      });
-      tried = chained.size();
+    std::uint32_t steps = 0;
+    for(std::size_t head = 0; head < pending.size();) {
+      const std::size_t end = (std::min)(head + window, pending.size());
+      bool is_worth_it = end - head > few_;
+      if(is_worth_it) {
+        std::vector<Pair> chained;
+        const std::vector<std::uint32_t> first = chain_links(++steps, claims, pending, head, end, chained);
+        const auto try_chain = [&](std::size_t c) {
+          for(std::uint32_t i = first[c]; i != no_index; i = chained[i].next)
+            try_to_unite(unions_.root(chained[i].a), unions_.root(chained[i].b));
+        };
+        t_.backend.for_each_on_host(first.size(), try_chain, few_chains);
+        is_worth_it = end - head < most_waiting * chained.size();
+      }
+      for(; head < end && !is_worth_it; ++head)
+        try_to_unite(unions_.root(pending[head].a), unions_.root(pending[head].b));
     }
-    for(const Pair& p : pending)
-      try_to_unite(unions_.root(p.a), unions_.root(p.b));
     for(std::uint32_t id = 0; id < t_.shapes.size(); ++id)
       unions_.set_parent(id, unions_.root(id)); // so that threads may ask for it
     t_.backend.for_each_on_host(number_of_merged_, [&](std::size_t i) { refresh(merged_[i]); });
-    return step - 1;
+    return steps;
   }
 
   // After unite_along(), as what follows: whether others are in its cluster.
@@ -134,19 +138,22 @@ private:
     std::uint32_t chain = 0;
   };
 
+  // A step looks at so many links: later ones mostly wait for them.
+  static constexpr std::size_t window = 2048;
+  static constexpr std::size_t few_chains = 8;    // are left to one thread
   static constexpr std::size_t most_waiting = 16; // for each link that is tried in a step
 
-  // Moves links to chains without a cluster in common, and drops those within a cluster. A link goes to the chain of
-  // its clusters; where they have two it waits, and so do all later links of both chains. Returns where the chains
-  // begin.
+  // Moves links of [head, end) to chains without a cluster in common, and drops those within a cluster. A link goes to
+  // the chain of its clusters; where they have two it waits, and so do all later links of both chains. What waits
+  // stays in [head, end), with a later head. Returns where the chains begin.
   std::vector<std::uint32_t> chain_links(std::uint32_t step, std::vector<Claim>& claims, std::vector<Pair>& pending,
-                                         std::vector<Pair>& chained)
+                                         std::size_t& head, std::size_t end, std::vector<Pair>& chained)
   {
     std::vector<std::uint32_t> first, last;
     std::vector<char> is_open; // by chain: no link of it waits
-    std::size_t kept = 0;
-    for(const Pair& p : pending) {
-      const Pair roots = {unions_.root(p.a), unions_.root(p.b), no_index};
+    std::size_t kept = head;
+    for(std::size_t i = head; i < end; ++i) {
+      const Pair roots = {unions_.root(pending[i].a), unions_.root(pending[i].b), no_index};
       if(roots.a == roots.b)
         continue;
       Claim &a = claims[roots.a], &b = claims[roots.b];
@@ -172,7 +179,9 @@ private:
       }
       chained.push_back(roots);
     }
-    pending.resize(kept);
+    const auto at = [&](std::size_t i) { return pending.begin() + std::ptrdiff_t(i); };
+    std::move_backward(at(head), at(kept), at(end));
+    head = end - (kept - head);
     return first;
   }
 

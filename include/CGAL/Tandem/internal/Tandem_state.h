@@ -28,7 +28,8 @@ struct Options {
   double maximum_distance; // epsilon
   double squared_cosine;   // of alpha
   std::int64_t minimum_region_size;
-  std::int64_t minimum_regular_size;  // smaller shapes keep their local plane
+  std::int64_t minimum_regular_size;  // smaller shapes keep their local plane in the end game ...
+  std::int64_t minimum_related_size;  // ... and these in the loop
   std::int64_t minimum_fragment_size; // smaller shapes are given up when they stop growing
   Tolerance tight;                    // of the second criterion of seeds
   Tolerance certain;                  // bounds within which the exact check is not needed

@@ -71,6 +71,8 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.squared_cosine = cosine * cosine;
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
   o.minimum_regular_size = (std::min)(o.minimum_region_size, std::int64_t(10));
+  // While shapes are young, most of them tilt by more than what they would be related to.
+  o.minimum_related_size = (std::max)(o.minimum_regular_size, o.minimum_region_size * 7 / 20);
   o.minimum_fragment_size = (std::max)(std::int64_t(6), o.minimum_region_size * 3 / 20);
   o.growth.tolerance = make_tolerance(o.maximum_distance, cosine);
   o.tight = make_tolerance(o.maximum_distance / 4, cosine_deg(p.maximum_angle / 2));

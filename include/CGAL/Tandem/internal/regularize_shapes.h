@@ -105,9 +105,7 @@ template <class Backend>
 Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, const Shape_relations& before = {})
 {
   const bool is_due = retry_all || (t.round + 1) % t.options.regularity_period == 0;
-  // While fragments are young, most of them tilt by more than what they would be related to.
-  const std::int64_t least = retry_all ? t.options.minimum_regular_size
-                                       : (std::max)(t.options.minimum_regular_size, t.options.minimum_fragment_size);
+  const std::int64_t least = retry_all ? t.options.minimum_regular_size : t.options.minimum_related_size;
   Shape_relations r;
   r.id = chosen_shapes(t, [&](const Shape&, std::uint32_t id) {
     Shape& shape = t.shapes[id];
