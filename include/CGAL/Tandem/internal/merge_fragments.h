@@ -28,10 +28,8 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std
 {
   Clusters<Backend> clusters(t, {t.options.squared_cosine, t.options.maximum_distance});
   clusters.unite_along(links);
-  std::vector<std::uint32_t> ids;
-  for(std::uint32_t id : t.live)
-    if(clusters.is_merged(id))
-      ids.push_back(id);
+  const std::vector<std::uint32_t> ids =
+    chosen_shapes(t, [&](const Shape&, std::uint32_t id) { return clusters.is_merged(id); });
   std::vector<std::uint32_t> target = identity_targets(t);
   if(ids.empty())
     return target;

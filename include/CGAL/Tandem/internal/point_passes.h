@@ -94,28 +94,29 @@ private:
 // All touching shapes, or only those of which one has changed since they were last asked for.
 enum class Links { all, changed };
 
-// In any order, those of each leaf on their own.
+// The sums of n links in the memory of the back end, of ids below `ids`, where a pair has several: those of at least
+// `least` relations, by falling number of relations, then by ids. A back end may have an overload of its own.
 template <class Backend>
-std::vector<Link> append_links(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_asked)
+std::vector<Link> sum_links(Backend& backend, const Link* source, std::size_t n, std::size_t, std::uint32_t least)
 {
-  const auto asked = t.backend.lend(is_asked);
-  std::size_t capacity = 4 * t.live.size() + 64 * t.number_of_cells;
-  for(;;) {
-    typename Backend::template Buffer<Link> buffer(capacity);
-    std::vector<std::uint32_t> size(1, 0);
-    auto counter = t.backend.lend_out(size);
-    t.backend.template for_each_cell<Link_scratch>(
-      t.number_of_cells,
-      Collect_links<Backend>{
-        t.cloud, t.cells_view(), t.labels(), asked.data(), {buffer.data(), counter.data(), std::uint32_t(capacity)}});
-    counter.take_back();
-    if(size[0] <= capacity) {
-      std::vector<Link> links(size[0]);
-      t.backend.to_host(buffer.data(), links.size(), links.data());
-      return links;
-    }
-    capacity = 2 * std::size_t(size[0]);
+  std::vector<Link> links(n);
+  backend.to_host(source, n, links.data());
+  backend.sort_on_host(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
+  std::size_t kept = 0;
+  for(std::size_t i = 0; i < n;) {
+    Link sum = {links[i].pair, 0};
+    for(; i < n && links[i].pair == sum.pair; ++i)
+      sum.count += links[i].count;
+    if(sum.count >= least)
+      links[kept++] = sum;
   }
+  std::vector<std::uint64_t> order(kept); // count, most first, then place among the sorted pairs
+  for(std::size_t i = 0; i < kept; ++i)
+    order[i] = std::uint64_t(~links[i].count) << 32 | i;
+  backend.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
+  std::vector<Link> sorted(kept);
+  backend.for_each_on_host(kept, [&](std::size_t i) { sorted[i] = links[std::uint32_t(order[i])]; });
+  return sorted;
 }
 
 // The links between live shapes with at least `least` relations, by falling
@@ -129,23 +130,21 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
     is_asked[t.live[l]] = which == Links::all || shape.is_changed;
     shape.is_changed = false;
   });
-  std::vector<Link> links = append_links(t, is_asked);
-  t.backend.sort_on_host(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
-  std::size_t kept = 0;
-  for(std::size_t i = 0; i < links.size();) {
-    Link sum = {links[i].pair, 0};
-    for(; i < links.size() && links[i].pair == sum.pair; ++i)
-      sum.count += links[i].count;
-    if(sum.count >= least)
-      links[kept++] = sum;
+  const auto asked = t.backend.lend(is_asked);
+  std::size_t capacity = 4 * t.live.size() + 64 * t.number_of_cells;
+  for(;;) {
+    typename Backend::template Buffer<Link> links(capacity);
+    std::vector<std::uint32_t> size(1, 0);
+    auto counter = t.backend.lend_out(size);
+    t.backend.template for_each_cell<Link_scratch>(
+      t.number_of_cells,
+      Collect_links<Backend>{
+        t.cloud, t.cells_view(), t.labels(), asked.data(), {links.data(), counter.data(), std::uint32_t(capacity)}});
+    counter.take_back();
+    if(size[0] <= capacity)
+      return sum_links(t.backend, links.data(), size[0], t.shapes.size(), least);
+    capacity = 2 * std::size_t(size[0]);
   }
-  std::vector<std::uint64_t> order(kept); // count, most first, then place among the sorted pairs
-  for(std::size_t i = 0; i < kept; ++i)
-    order[i] = std::uint64_t(~links[i].count) << 32 | i;
-  t.backend.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
-  std::vector<Link> sorted(kept);
-  t.backend.for_each_on_host(kept, [&](std::size_t i) { sorted[i] = links[std::uint32_t(order[i])]; });
-  return sorted;
 }
 
 // Numbers of points of a leaf, by shape or whatever they are counted by. A key whose

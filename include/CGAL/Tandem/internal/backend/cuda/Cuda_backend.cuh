@@ -9,6 +9,7 @@
 #include <CGAL/Tandem/internal/backend/cuda/Device_loan.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Device_sort_table.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
+#include <CGAL/Tandem/internal/backend/cuda/cub_calls.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/kernels.cuh>
 
 #include <cub/device/device_segmented_sort.cuh>
@@ -115,7 +116,7 @@ public:
     cub::DoubleBuffer<std::uint64_t> keys(key, other.data());
     const auto first = thrust::make_transform_iterator(range, First_of_range());
     const auto last = thrust::make_transform_iterator(range, Last_of_range());
-    with_memory([&](void* memory, std::size_t& bytes) {
+    with_cub_memory([&](void* memory, std::size_t& bytes) {
       return cub::DeviceSegmentedSort::SortKeys(memory, bytes, keys, std::int64_t(size), std::int64_t(ranges), first,
                                                 last, stream_of_thread());
     });
@@ -237,19 +238,9 @@ private:
   {
     Table_arena::of_thread().flush();
     const thrust::counting_iterator<std::uint32_t> all(0);
-    with_memory([&](void* memory, std::size_t& bytes) {
+    with_cub_memory([&](void* memory, std::size_t& bytes) {
       return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
     });
-  }
-
-  // Algorithms of CUB are called twice: how much memory they need, then with it.
-  template <class Call>
-  static void with_memory(Call call)
-  {
-    std::size_t bytes = 0;
-    CGAL_TANDEM_CUDA(call(nullptr, bytes));
-    Device_buffer<unsigned char> memory(bytes + 1);
-    CGAL_TANDEM_CUDA(call(memory.data(), bytes));
   }
 };
 

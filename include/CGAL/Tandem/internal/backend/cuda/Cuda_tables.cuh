@@ -128,14 +128,7 @@ inline Point_groups group_points(Cuda_backend& backend, const std::int32_t* shap
     ++bits;
   cub::DoubleBuffer<std::uint32_t> key(keys[0].data(), keys[1].data());
   cub::DoubleBuffer<std::uint32_t> position(positions[0].data(), positions[1].data());
-  std::size_t bytes = 0;
-  const auto sort = [&](void* memory) {
-    CGAL_TANDEM_CUDA(
-      cub::DeviceRadixSort::SortPairs(memory, bytes, key, position, std::int64_t(n), 0, bits, stream_of_thread()));
-  };
-  sort(nullptr);
-  Device_buffer<unsigned char> memory(bytes + 1);
-  sort(memory.data());
+  sort_pairs(key, position, n, bits);
   std::vector<std::uint32_t> first(shapes + 1);
   Device_buffer<std::uint32_t> found(shapes + 1);
   backend.for_each(shapes + 1, Find_first{key.Current(), std::uint32_t(n), found.data()});

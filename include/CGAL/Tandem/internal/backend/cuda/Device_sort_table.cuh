@@ -4,9 +4,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_SORT_TABLE_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_SORT_TABLE_CUH
 
-#include <CGAL/Tandem/internal/backend/cuda/Device_buffer.cuh>
-
-#include <cub/device/device_radix_sort.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/cub_calls.cuh>
 
 namespace CGAL {
 namespace Tandem {
@@ -40,14 +38,7 @@ public:
     Device_buffer<std::uint32_t> other_index(size());
     cub::DoubleBuffer<std::uint64_t> keys(key_.data(), other_key.data());
     cub::DoubleBuffer<std::uint32_t> indices(index_.data(), other_index.data());
-    std::size_t bytes = 0;
-    const auto run = [&](void* memory) {
-      CGAL_TANDEM_CUDA(
-        cub::DeviceRadixSort::SortPairs(memory, bytes, keys, indices, std::int64_t(size()), 0, 63, stream_of_thread()));
-    };
-    run(nullptr);
-    Device_buffer<unsigned char> memory(bytes + 1);
-    run(memory.data());
+    sort_pairs(keys, indices, size(), 63);
     if(keys.Current() == other_key.data())
       key_.swap(other_key);
     if(indices.Current() == other_index.data())

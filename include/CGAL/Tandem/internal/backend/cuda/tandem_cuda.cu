@@ -5,6 +5,7 @@
 
 #pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
 
+#include <CGAL/Tandem/internal/backend/cuda/Cuda_links.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_neighbors.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_tables.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
