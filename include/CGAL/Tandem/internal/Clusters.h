@@ -139,7 +139,7 @@ private:
   };
 
   // A step looks at so many links: later ones mostly wait for them.
-  static constexpr std::size_t window = 2048;
+  static constexpr std::size_t window = 1024;
   static constexpr std::size_t few_chains = 8;    // are left to one thread
   static constexpr std::size_t most_waiting = 16; // for each link that is tried in a step
 

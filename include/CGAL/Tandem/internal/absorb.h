@@ -215,9 +215,9 @@ struct Take_chosen {
 };
 
 // One Jacobi round of reassignment. Keeps the moments of the shapes right, if they are; their
-// boxes only grow, and they may become empty.
+// boxes only grow, and they may become empty. False if nothing has changed.
 template <class Backend>
-void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose,
+bool reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose,
               const std::vector<std::uint8_t>& may_gain, bool marks_interior)
 {
   std::vector<std::int64_t> size(t.shapes.size(), 0);
@@ -233,12 +233,14 @@ void reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_los
   t.backend.template for_each_cell<Moment_table>(
     t.number_of_cells,
     Take_chosen<Backend>{t.cloud, t.cells.data(), chosen.data(), t.labels(), start_gains(t, t.shapes.size())});
-  for(const Gain& change : take_gains(t, t.shapes.size())) {
+  const Host_buffer<Gain> changes = take_gains(t, t.shapes.size());
+  for(const Gain& change : changes) {
     Shape& shape = t.shapes[change.id];
     shape.moments += change.sums.moments();
     shape.box.add(change.sums.box);
     shape.is_dirty = true;
   }
+  return changes.size() > 0;
 }
 
 template <class Backend>

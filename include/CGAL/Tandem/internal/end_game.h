@@ -92,12 +92,12 @@ void consolidate(Tandem_state<Backend>& t)
 }
 
 // A last regularity step over all shapes, which have just been counted; returns the
-// relations, by shape.
+// relations, by shape. `before`: those of the last such step.
 template <class Backend>
-Shape_relations settle(Tandem_state<Backend>& t)
+Shape_relations settle(Tandem_state<Backend>& t, const Shape_relations& before = {})
 {
   refit_shapes(t);
-  const Shape_relations relations = regularize_shapes(t, true);
+  const Shape_relations relations = regularize_shapes(t, true, before);
   t.sample.reset(0); // others need the memory
   const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links, Links::all));
   merge_shapes(t, target);
@@ -112,11 +112,12 @@ Shape_relations settle(Tandem_state<Backend>& t)
 template <class Backend>
 void reassign_to_larger(Tandem_state<Backend>& t)
 {
-  for(int round = 0; round < reassignment_rounds; ++round) {
+  bool is_any = true;
+  for(int round = 0; round < reassignment_rounds && is_any; ++round) {
     std::vector<std::uint8_t> may_lose(t.shapes.size(), 1);
     for(std::uint32_t id : t.live)
       may_lose[id] = 2 * t.shapes[id].moments.count >= 3 * t.options.minimum_region_size;
-    reassign(t, may_lose, all_shapes(t), true);
+    is_any = reassign(t, may_lose, all_shapes(t), true);
     forget_empty_shapes(t);
   }
   list_shapes(t);
@@ -144,8 +145,7 @@ Shape_relations end_game(Tandem_state<Backend>& t)
   forget_interior(t);
   consolidate(t);
   drop_small(t);
-  settle(t);
-  const Shape_relations relations = settle(t);
+  const Shape_relations relations = settle(t, settle(t));
   forget_interior(t);
   reassign_to_larger(t);
   return relations;

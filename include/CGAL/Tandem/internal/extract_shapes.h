@@ -169,8 +169,7 @@ private:
     t_.backend.for_each(n, Write_shapes{component.data(), number.data(), order_, shape_of.data()});
     component.release();
     number.release();
-    result.points = group_points(t_.backend, shape_of.data(), n, components.size());
-    result.shape_of = on_host<std::int32_t>(std::move(shape_of));
+    take_points(t_.backend, std::move(shape_of), components.size(), result);
   }
 
   // Directions and planes in the order in which the shapes have them first.

@@ -47,6 +47,16 @@ Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::s
   return groups;
 }
 
+// The shapes of the points, and the points of the shapes, as they leave the back end, which may have an overload of
+// its own; the buffer is given up.
+template <class Backend>
+void take_points(Backend& backend, typename Backend::template Buffer<std::int32_t>&& shape_of, std::size_t shapes,
+                 Engine_result& result)
+{
+  result.points = group_points(backend, shape_of.data(), shape_of.size(), shapes);
+  result.shape_of = Shared_table<std::int32_t>(std::move(shape_of));
+}
+
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL

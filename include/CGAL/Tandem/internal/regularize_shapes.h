@@ -61,19 +61,20 @@ private:
   Misfit_counter<Backend> count_;
 };
 
-// Relations are found anew when shapes have gained, lost or exchanged this share of all points.
-// Until then they hold on: in the late rounds little changes.
-constexpr double changed_share = 0.005;
+// Relations are found anew when shapes have gained, lost or exchanged this share of all points, in the loop
+// and in the end game. Until then they hold on: in the late rounds little changes.
+constexpr double changed_share = 0.005, changed_share_at_end = 1e-4;
 
 template <class Backend>
-bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before)
+bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before,
+                  double share)
 {
   std::int64_t changed = before.points; // less those that are still there: of shapes that have gone
   for(std::uint32_t id : ids) {
     const Shape& shape = t.shapes[id];
     changed += std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
   }
-  return double(changed) > changed_share * double(t.cloud.size);
+  return double(changed) > share * double(t.cloud.size);
 }
 
 // The shapes keep the planes of their relations; those without any stay at their local planes.
@@ -100,9 +101,9 @@ Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::
   return r;
 }
 
-// retry_all: in the end game, also small shapes and those that wait. `before`: the relations of the last round.
+// retry_all: in the end game, also small shapes and those that wait. `before`: the relations of the last step.
 template <class Backend>
-Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, const Shape_relations& before = {})
+Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, const Shape_relations& before)
 {
   const bool is_due = retry_all || (t.round + 1) % t.options.regularity_period == 0;
   const std::int64_t least = retry_all ? t.options.minimum_regular_size : t.options.minimum_related_size;
@@ -114,7 +115,8 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
       shape.regular_count = 0;
     return shape.moments.count >= least;
   });
-  if(!retry_all && is_due && !have_changed(t, r.id, before))
+  const bool is_first = retry_all && before.id.empty();
+  if(is_due && !is_first && !have_changed(t, r.id, before, retry_all ? changed_share_at_end : changed_share))
     return keep_relations(t, r.id, before);
   std::vector<Shape_fit> fits(r.id.size());
   std::vector<char> is_excluded(r.id.size());

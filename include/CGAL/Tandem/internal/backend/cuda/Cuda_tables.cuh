@@ -118,11 +118,13 @@ struct Find_first {
 };
 
 // By a stable sort.
-inline Point_groups group_points(Cuda_backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes)
+inline void take_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
+                        Engine_result& result)
 {
+  const std::size_t n = shape_of.size();
   Device_buffer<std::uint32_t> keys[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
   Device_buffer<std::uint32_t> positions[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
-  backend.for_each(n, Write_pairs{shape_of, keys[0].data(), positions[0].data()});
+  backend.for_each(n, Write_pairs{shape_of.data(), keys[0].data(), positions[0].data()});
   int bits = 1;
   while(shapes >> bits)
     ++bits;
@@ -134,9 +136,13 @@ inline Point_groups group_points(Cuda_backend& backend, const std::int32_t* shap
   backend.for_each(shapes + 1, Find_first{key.Current(), std::uint32_t(n), found.data()});
   backend.to_host(found.data(), first.size(), first.data());
   Host_buffer<std::uint32_t> grouped(first.back());
+  Host_buffer<std::int32_t> table(n);
   grouped.keep_pages();
-  backend.to_host(position.Current(), grouped.size(), grouped.data());
-  return {std::vector<std::size_t>(first.begin(), first.end()), std::move(grouped)};
+  table.keep_pages();
+  empty_pinned_pieces({{position.Current(), grouped.data(), grouped.size() * sizeof(std::uint32_t)},
+                       {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
+  result.points = {std::vector<std::size_t>(first.begin(), first.end()), std::move(grouped)};
+  result.shape_of = std::move(table);
 }
 
 } // namespace internal

@@ -15,6 +15,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -23,10 +25,12 @@ namespace internal {
 // Waits at its end for what it has recorded.
 class Event {
 public:
-  Event() { CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming)); }
+  Event() = default;
 
   ~Event()
   {
+    if(event_ == nullptr)
+      return;
     static_cast<void>(cudaEventSynchronize(event_));
     static_cast<void>(cudaEventDestroy(event_));
   }
@@ -34,8 +38,18 @@ public:
   Event(const Event&) = delete;
   Event& operator=(const Event&) = delete;
 
-  void record() { CGAL_TANDEM_CUDA(cudaEventRecord(event_, stream_of_thread())); }
-  void wait() { CGAL_TANDEM_CUDA(cudaEventSynchronize(event_)); }
+  void record()
+  {
+    if(event_ == nullptr)
+      CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming));
+    CGAL_TANDEM_CUDA(cudaEventRecord(event_, stream_of_thread()));
+  }
+
+  void wait()
+  {
+    if(event_ != nullptr)
+      CGAL_TANDEM_CUDA(cudaEventSynchronize(event_));
+  }
 
 private:
   cudaEvent_t event_ = nullptr;
@@ -84,18 +98,29 @@ void run_on_host_threads(std::size_t pieces, Work work)
   });
 }
 
-// Copies to the host.
-inline void empty_pinned_pieces(const char* source, std::size_t bytes, char* target)
+// A table of the device that goes to the host.
+struct Copy_to_host {
+  const void* source;
+  void* target;
+  std::size_t bytes;
+};
+
+inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
 {
-  constexpr std::size_t piece = Pinned_pair::bytes;
+  constexpr std::size_t most = Pinned_pair::bytes / 2;
+  std::vector<Copy_to_host> pieces;
+  for(const Copy_to_host& table : tables)
+    for(std::size_t first = 0; first < table.bytes; first += most)
+      pieces.push_back({static_cast<const char*>(table.source) + first, static_cast<char*>(table.target) + first,
+                        (std::min)(most, table.bytes - first)});
   std::atomic<std::size_t> next(0);
-  run_on_host_threads((bytes + piece - 1) / piece, [&](Pinned_pair& pair) {
-    for(std::size_t first; (first = piece * next++) < bytes;) {
-      const std::size_t size = (std::min)(piece, bytes - first);
+  run_on_host_threads(pieces.size(), [&](Pinned_pair& pair) {
+    for(std::size_t i; (i = next++) < pieces.size();) {
+      const Copy_to_host& piece = pieces[i];
       void* const memory = pair.next();
-      CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source + first, size, cudaMemcpyDeviceToHost, stream_of_thread()));
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, piece.source, piece.bytes, cudaMemcpyDeviceToHost, stream_of_thread()));
       CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
-      std::memcpy(target + first, memory, size);
+      std::memcpy(piece.target, memory, piece.bytes);
     }
   });
 }

@@ -85,7 +85,7 @@ void copy_to_host(const T* source, std::size_t n, T* target)
     return synchronize();
   const std::size_t bytes = n * sizeof(T);
   if(bytes > Pinned_block::bytes)
-    return empty_pinned_pieces(reinterpret_cast<const char*>(source), bytes, reinterpret_cast<char*>(target));
+    return empty_pinned_pieces({{source, target, bytes}});
   char* const memory = Staging::of_thread().take(bytes);
   CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, bytes, cudaMemcpyDeviceToHost, stream_of_thread()));
   synchronize();
