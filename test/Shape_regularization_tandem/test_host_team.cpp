@@ -11,13 +11,14 @@
 #include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
 
 #include <functional>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <thread>
 
 using namespace CGAL::Tandem::internal;
 
-// Members that come and go while a team works.
+// Threads that help while a team works.
 class Members {
 public:
   Members(Host_team& team, int threads) : team_(team)
@@ -85,6 +86,20 @@ void test_sort(Host_team& team)
   }
 }
 
+// Members come late to loops that are over soon, and whose tables are gone then.
+void test_short_loops()
+{
+  for(int round = 0; round < 100; ++round) {
+    Host_team team;
+    const Members members(team, 2);
+    for(std::size_t loop = 0; loop < 100; ++loop) {
+      std::vector<int> visits(loop % 4, 0);
+      team.run(visits.size(), [&](std::size_t i) { ++visits[i]; });
+      CHECK(visits == std::vector<int>(loop % 4, 1));
+    }
+  }
+}
+
 // A thread leads only where it has said so, and not within a loop of the team.
 void test_leadership(Host_team& team)
 {
@@ -114,6 +129,15 @@ void test_host_side()
       },
       2);
     CHECK(visits == std::vector<int>(2000, 1));
+    host.for_each_on_host(
+      8,
+      [&](std::size_t) { // a sort within a loop waits for nobody of the team
+        std::vector<int> own(1000);
+        std::iota(own.rbegin(), own.rend(), 0);
+        host.sort_on_host(own.begin(), own.end(), std::less<int>());
+        CHECK(std::is_sorted(own.begin(), own.end()));
+      },
+      2);
     std::vector<int> values(visits.size());
     for(std::size_t i = 0; i < values.size(); ++i)
       values[i] = int(i * 7919 % 2000);
@@ -152,6 +176,7 @@ int main()
     test_sort(team);
     test_leadership(team);
   }
+  test_short_loops();
   test_host_side();
   return report();
 }

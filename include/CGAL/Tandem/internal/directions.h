@@ -168,8 +168,9 @@ Direction_bins make_direction_bins(const std::vector<Vector>& normals, const std
 {
   using Item = std::array<std::int64_t, 4>; // weighted normal, weight
   const std::size_t n = normals.size();
-  const double cubes = 1 / (std::max)(width, std::ldexp(1.0, -19)); // for 21 bits each
-  const double scale = double(1 << 26);                             // times at most 2^32 points fits int64
+  // 21 bits for each coordinate: of a tolerance below a thousandth of a degree the bins are wider.
+  const double cubes = 1 / (std::max)(width, std::ldexp(1.0, -19));
+  const double scale = double(1 << 26); // times at most 2^32 points fits int64
   std::vector<Item> items(n);
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order(n); // by cube
   executor.for_each(

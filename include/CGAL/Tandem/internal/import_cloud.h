@@ -166,7 +166,7 @@ bool inspect_points(Import& in, std::size_t first, std::size_t last, Coordinate_
     box.add(box_around(points + 3 * first, 3 * (last - first)));
   for(std::size_t i = first; i < last && !is_complete; ++i)
     if(are_usable<Value>(in, i, i + 1))
-      box.add(box_around(points + 3 * i, 3));
+      box.add(in.position(i));
   return is_complete;
 }
 

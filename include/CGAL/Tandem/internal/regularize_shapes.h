@@ -61,23 +61,32 @@ private:
   Misfit_counter<Backend> count_;
 };
 
-// Relations are found anew when shapes have gained, lost or exchanged this share of all points, in the loop
-// and in the end game. Until then they hold on: in the late rounds little changes.
+// Relations are found anew when shapes have gained, lost or exchanged this share of their points, in the loop
+// and in the end game. Until then they hold on: in the late rounds little changes. (With a period of more than one
+// round they never do.)
 constexpr double changed_share = 0.005, changed_share_at_end = 1e-4;
+
+// A shape that is new, or has changed much by itself, is not held by relations found before. (It has none at 0.)
+inline bool is_as_it_was(const Shape& shape)
+{
+  return 4 * std::abs(shape.moments.count - shape.regular_count) <= shape.regular_count;
+}
 
 template <class Backend>
 bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before,
-                  double share)
+                  bool is_end)
 {
   std::int64_t changed = before.points; // less those that are still there: of shapes that have gone
   for(std::uint32_t id : ids) {
     const Shape& shape = t.shapes[id];
+    if(is_end && !is_as_it_was(shape))
+      return true;
     changed += std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
   }
-  return double(changed) > share * double(t.cloud.size);
+  return double(changed) > (is_end ? changed_share_at_end : changed_share) * double(t.assigned);
 }
 
-// The shapes keep the planes of their relations; those without any stay at their local planes.
+// Shapes that are as they were keep the planes of their relations, the others stay at their local planes.
 template <class Backend>
 Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids,
                                const Shape_relations& before)
@@ -85,7 +94,7 @@ Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::
   Shape_relations r = {ids, {{}, {}, before.relations.directions, before.relations.planes, {}}, before.points};
   for(std::size_t i = 0; i < ids.size(); ++i) {
     Shape& shape = t.shapes[ids[i]];
-    if(shape.regular_count > 0) {
+    if(is_as_it_was(shape)) {
       r.relations.direction_of.push_back(before.relations.direction_of[std::size_t(shape.entry)]);
       r.relations.plane_of.push_back(before.relations.plane_of[std::size_t(shape.entry)]);
     } else {
@@ -115,8 +124,8 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
       shape.regular_count = 0;
     return shape.moments.count >= least;
   });
-  const bool is_first = retry_all && before.id.empty();
-  if(is_due && !is_first && !have_changed(t, r.id, before, retry_all ? changed_share_at_end : changed_share))
+  const bool is_first = retry_all && before.id.empty(); // those of the loop are of other shapes
+  if(is_due && !is_first && !have_changed(t, r.id, before, retry_all))
     return keep_relations(t, r.id, before);
   std::vector<Shape_fit> fits(r.id.size());
   std::vector<char> is_excluded(r.id.size());

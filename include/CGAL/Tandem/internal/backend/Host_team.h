@@ -114,8 +114,10 @@ private:
     }
   }
 
-  std::atomic<std::uint64_t> state_{0};
-  std::atomic<std::size_t> next_{0}; // item
+  // To open the state publishes the loop, and the leader sees what members have written when they are gone. The
+  // number of the loop keeps a member that is late out of the next one.
+  alignas(64) std::atomic<std::uint64_t> state_{0};
+  alignas(64) std::atomic<std::size_t> next_{0}; // item
   std::atomic<bool> has_failed_{false};
   std::atomic<bool> is_dissolved_{false};
   std::uint64_t loops_ = 0;

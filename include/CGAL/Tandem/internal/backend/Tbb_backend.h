@@ -54,7 +54,7 @@ public:
     if(Host_team* const team = Host_team::of_leader())
       team->sort(first, last, less);
     else
-      tbb::parallel_sort(first, last, less);
+      tbb::this_task_arena::isolate([&] { tbb::parallel_sort(first, last, less); });
   }
 
   template <class F>
@@ -76,7 +76,7 @@ public:
   void sort(Sort_table& table)
   {
     using Entry = Sort_table::Entry;
-    tbb::parallel_sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    sort_on_host(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
   template <class F>

@@ -102,7 +102,7 @@ struct Is_backend<
     decltype(std::size_t(std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()).size())),
     decltype(std::size_t(
       std::declval<Backend&>().template collect<std::int64_t>(std::size_t(0), archetypes::Taker()).size())),
-    decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
+    decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor(), std::size_t(0))),
     decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>())),
     decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),
     decltype(std::declval<Backend&>().lend_out(std::declval<std::vector<int>&>()).take_back()),

@@ -20,22 +20,25 @@ namespace internal {
 // What works on the tables of the host beside a device.
 using Host_side = Tbb_backend;
 
-// Calls work(); the threads of the caller's task arena that are free meanwhile wait for its loops.
+// Calls work(). The threads of the caller's task arena that are free wait for its loops meanwhile, and do nothing
+// else: for a second detection at the same time there are those that come free later.
 template <class F>
 void with_host_team(F work)
 {
   class Members {
   public:
-    explicit Members(Host_team& team) : team_(team)
-    {
-      for(int i = 1; i < tbb::this_task_arena::max_concurrency(); ++i)
-        group_.run([&team] { team.help(); });
-    }
+    explicit Members(Host_team& team) : team_(team) {}
 
     ~Members()
     {
       team_.dissolve();
       group_.wait();
+    }
+
+    void call()
+    {
+      for(int i = 1; i < tbb::this_task_arena::max_concurrency(); ++i)
+        group_.run([this] { team_.help(); });
     }
 
   private:
@@ -44,7 +47,8 @@ void with_host_team(F work)
   };
   tbb::this_task_arena::isolate([&] {
     Host_team team;
-    const Members members(team);
+    Members members(team);
+    members.call();
     const Host_team::Leadership leadership(&team);
     work();
   });

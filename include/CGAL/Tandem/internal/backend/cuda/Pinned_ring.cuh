@@ -107,7 +107,7 @@ struct Copy_to_host {
 
 inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
 {
-  constexpr std::size_t most = Pinned_pair::bytes / 2;
+  constexpr std::size_t most = Pinned_pair::bytes / 2; // a piece is copied twice, one after the other
   std::vector<Copy_to_host> pieces;
   for(const Copy_to_host& table : tables)
     for(std::size_t first = 0; first < table.bytes; first += most)
