@@ -26,6 +26,8 @@ public:
 
   Walls() : t(backend_)
   {
+    t.cloud = {nullptr, nullptr, 0, 0}; // no point objects to anything
+    t.options = Options();
     t.options.maximum_distance = 1500;
     t.options.regularity = {8, 1500, 1500, true, true, true, false};
     t.options.minimum_regular_size = 10;
