@@ -91,6 +91,7 @@ run_benchmark()
 run_doc()
 {
   echo "== doc"
+  mkdir -p "$build"
   "$root/scripts/doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual has warnings"; }
 }
 
