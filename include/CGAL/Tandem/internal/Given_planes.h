@@ -58,7 +58,7 @@ inline double estimate_maximum_distance(const Import& in, const std::vector<int>
   return 2.5 * largest * std::sqrt(double(sum) / count) / 32768;
 }
 
-class Given_planes {
+class Given_planes : public In_order {
 public:
   // plane_of: of each imported point, -1 if it has none. The points are on the grid.
   Given_planes(const Import& in, const std::vector<int>& plane_of, const std::vector<Coefficients>& planes,
@@ -74,13 +74,6 @@ public:
 
   // Planes without a unit normal or with points that determine no plane take part in nothing.
   const std::vector<char>& is_excluded() const { return is_excluded_; }
-
-  template <class F>
-  void for_each(std::size_t n, F f, std::size_t) const
-  {
-    for(std::size_t i = 0; i < n; ++i)
-      f(i);
-  }
 
   // The callback of the regularity step.
   void operator()(const std::vector<int>& shapes, const std::vector<Regular_plane>& candidates,

@@ -173,18 +173,15 @@ Direction_bins make_direction_bins(const std::vector<Vector>& normals, const std
   const double scale = double(1 << 26); // times at most 2^32 points fits int64
   std::vector<Item> items(n);
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order(n); // by cube
-  executor.for_each(
-    n,
-    [&](std::size_t i) {
-      const Vector v = canonical(normals[i]);
-      std::uint64_t cube = 0;
-      for(double c : {v.x, v.y, v.z})
-        cube = cube << 21 | std::uint64_t(llrint(c * cubes) + (1 << 20));
-      const std::int64_t w = llrint(weights[i]);
-      items[i] = {w * llrint(v.x * scale), w * llrint(v.y * scale), w * llrint(v.z * scale), w};
-      order[i] = {cube, std::uint32_t(i)};
-    },
-    256);
+  executor.for_each(n, [&](std::size_t i) {
+    const Vector v = canonical(normals[i]);
+    std::uint64_t cube = 0;
+    for(double c : {v.x, v.y, v.z})
+      cube = cube << 21 | std::uint64_t(llrint(c * cubes) + (1 << 20));
+    const std::int64_t w = llrint(weights[i]);
+    items[i] = {w * llrint(v.x * scale), w * llrint(v.y * scale), w * llrint(v.z * scale), w};
+    order[i] = {cube, std::uint32_t(i)};
+  });
   std::sort(order.begin(), order.end());
   Direction_bins bins;
   for(std::size_t i = 0, j; i < n; i = j) {
@@ -222,12 +219,9 @@ std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& norm
     const std::size_t start = groups.size();
     groups.resize(start + modes.size());
     std::vector<std::pair<double, std::size_t>> nearest(rest.size(), {2.0, 0});
-    executor.for_each(
-      rest.size(),
-      [&](std::size_t k) {
-        index.near(n[k], [&](std::size_t m, double q) { nearest[k] = (std::min)(nearest[k], {q, m}); });
-      },
-      256);
+    executor.for_each(rest.size(), [&](std::size_t k) {
+      index.near(n[k], [&](std::size_t m, double q) { nearest[k] = (std::min)(nearest[k], {q, m}); });
+    });
     std::vector<int> left;
     for(std::size_t k = 0; k < rest.size(); ++k)
       (nearest[k].first <= 1 ? groups[start + nearest[k].second] : left).push_back(rest[k]);

@@ -32,7 +32,7 @@ inline double gaussian(double t)
 // Runs loops on the calling thread.
 struct In_order {
   template <class F>
-  void for_each(std::size_t n, F f, std::size_t) const
+  void for_each(std::size_t n, F f, std::size_t = 0) const
   {
     for(std::size_t i = 0; i < n; ++i)
       f(i);

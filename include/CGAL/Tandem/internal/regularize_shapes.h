@@ -86,27 +86,36 @@ bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_
   return double(changed) > (is_end ? changed_share_at_end : changed_share) * double(t.assigned);
 }
 
+// The entry has a plane, and a direction, that no other one has.
+inline void set_own_plane(Relations& r, std::size_t entry, const Regular_plane& plane)
+{
+  r.direction_of[entry] = int(r.directions.size());
+  r.plane_of[entry] = int(r.planes.size());
+  r.directions.push_back(plane.normal);
+  r.planes.push_back(plane);
+}
+
 // Shapes that are as they were keep the planes of their relations, the others stay at their local planes.
 template <class Backend>
 Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids,
                                const Shape_relations& before)
 {
-  Shape_relations r = {ids, {{}, {}, before.relations.directions, before.relations.planes, {}}, before.points};
-  for(std::size_t i = 0; i < ids.size(); ++i) {
+  const std::size_t n = ids.size();
+  Shape_relations r = {ids, before.relations, before.points};
+  r.relations.direction_of.assign(n, -1);
+  r.relations.plane_of.assign(n, -1);
+  r.relations.is_rolled_back.assign(n, 0);
+  for(std::size_t i = 0; i < n; ++i) {
     Shape& shape = t.shapes[ids[i]];
     if(is_as_it_was(shape)) {
-      r.relations.direction_of.push_back(before.relations.direction_of[std::size_t(shape.entry)]);
-      r.relations.plane_of.push_back(before.relations.plane_of[std::size_t(shape.entry)]);
+      r.relations.direction_of[i] = before.relations.direction_of[std::size_t(shape.entry)];
+      r.relations.plane_of[i] = before.relations.plane_of[std::size_t(shape.entry)];
     } else {
-      r.relations.direction_of.push_back(int(r.relations.directions.size()));
-      r.relations.plane_of.push_back(int(r.relations.planes.size()));
-      r.relations.planes.push_back(plane_through(canonical(shape.fit.normal), shape.scatter.centroid));
-      r.relations.directions.push_back(r.relations.planes.back().normal);
+      set_own_plane(r.relations, i, plane_through(canonical(shape.fit.normal), shape.scatter.centroid));
     }
     shape.entry = int(i);
     shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
   }
-  r.relations.is_rolled_back.assign(ids.size(), 0);
   return r;
 }
 

@@ -207,10 +207,7 @@ void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
       continue;
     planes[h].offset = std::fma(layer, t.options.maximum_distance, planes[h].offset);
     shape.plane = planes[h];
-    r.relations.direction_of[entries[h]] = int(r.relations.directions.size()); // it has left its relations
-    r.relations.directions.push_back(planes[h].normal);
-    r.relations.plane_of[entries[h]] = int(r.relations.planes.size());
-    r.relations.planes.push_back(planes[h]);
+    set_own_plane(r.relations, entries[h], planes[h]); // it has left its relations
   }
 }
 

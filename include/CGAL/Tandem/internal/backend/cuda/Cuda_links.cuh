@@ -77,9 +77,7 @@ inline std::vector<Link> sum_links(Cuda_backend& backend, const Link* source, st
   constexpr std::size_t few = 4096;
   if(n < few)
     return sum_links<Cuda_backend>(backend, source, n, ids, least);
-  int bits = 1;
-  while(ids >> bits)
-    ++bits;
+  const int bits = bits_of(ids);
   Device_buffer<std::uint64_t> pairs[2] = {Device_buffer<std::uint64_t>(n), Device_buffer<std::uint64_t>(n)};
   Device_buffer<std::uint32_t> counts[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
   backend.for_each(n, Split_links{source, bits, pairs[0].data(), counts[0].data()});

@@ -125,12 +125,9 @@ inline void take_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& sha
   Device_buffer<std::uint32_t> keys[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
   Device_buffer<std::uint32_t> positions[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
   backend.for_each(n, Write_pairs{shape_of.data(), keys[0].data(), positions[0].data()});
-  int bits = 1;
-  while(shapes >> bits)
-    ++bits;
   cub::DoubleBuffer<std::uint32_t> key(keys[0].data(), keys[1].data());
   cub::DoubleBuffer<std::uint32_t> position(positions[0].data(), positions[1].data());
-  sort_pairs(key, position, n, bits);
+  sort_pairs(key, position, n, bits_of(shapes));
   std::vector<std::uint32_t> first(shapes + 1);
   Device_buffer<std::uint32_t> found(shapes + 1);
   backend.for_each(shapes + 1, Find_first{key.Current(), std::uint32_t(n), found.data()});

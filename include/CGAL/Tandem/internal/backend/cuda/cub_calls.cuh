@@ -25,6 +25,15 @@ void with_cub_memory(Call call)
   CGAL_TANDEM_CUDA(call(memory.data(), bytes));
 }
 
+// So many bits hold the numbers up to this one.
+inline int bits_of(std::size_t largest)
+{
+  int bits = 1;
+  while(largest >> bits)
+    ++bits;
+  return bits;
+}
+
 // Stable, by the lower bits of the keys; what is current afterwards is sorted.
 template <class Key>
 void sort_pairs(cub::DoubleBuffer<Key>& keys, cub::DoubleBuffer<std::uint32_t>& values, std::size_t n, int bits)
