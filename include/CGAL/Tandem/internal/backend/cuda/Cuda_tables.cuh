@@ -35,13 +35,18 @@ struct Values_on_device {
   // Through `pair`, on the stream of the thread.
   void send(std::size_t first, std::size_t last, Pinned_pair& pair)
   {
-    const std::size_t piece = Pinned_pair::bytes / vector_bytes;
-    for(int t = 0; t < 2 && source[t].data != nullptr; ++t)
-      for(std::size_t i = first; i < last; i += piece) {
-        const std::size_t bytes = (std::min)(piece, last - i) * vector_bytes;
-        std::memcpy(pair.next(), static_cast<const char*>(source[t].data) + i * vector_bytes, bytes);
-        pair.copy(value[t].data() + i * vector_bytes, bytes);
+    const std::size_t tables = source[1].data != nullptr ? 2 : 1;
+    const std::size_t most = Pinned_pair::bytes / (tables * vector_bytes);
+    for(std::size_t i = first; i < last; i += most) {
+      const std::size_t bytes = (std::min)(most, last - i) * vector_bytes;
+      char* memory = pair.next();
+      for(std::size_t t = 0; t < tables; ++t, memory += bytes) {
+        std::memcpy(memory, static_cast<const char*>(source[t].data) + i * vector_bytes, bytes);
+        CGAL_TANDEM_CUDA(cudaMemcpyAsync(value[t].data() + i * vector_bytes, memory, bytes, cudaMemcpyHostToDevice,
+                                         stream_of_thread()));
       }
+      pair.close();
+    }
   }
 
   std::unique_ptr<Pinned_pair> take_pair()

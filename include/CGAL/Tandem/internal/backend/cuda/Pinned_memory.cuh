@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Pinned memory of the host, which copies from and to a device need to be fast. It
-// is slow to get, so it is kept for the next thread that asks.
+// is slow to get.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_MEMORY_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_MEMORY_CUH
@@ -11,12 +11,37 @@
 
 #include <cstddef>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// What is slow to make, kept for the next that needs it.
+template <class T>
+class Kept_items {
+public:
+  // False if there is none.
+  bool take(T& item)
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if(items_.empty())
+      return false;
+    item = items_.back();
+    items_.pop_back();
+    return true;
+  }
+
+  void give(T item)
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    items_.push_back(item);
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<T> items_;
+};
 
 // One block, from those that are kept.
 class Pinned_block {
@@ -25,24 +50,14 @@ public:
 
   Pinned_block()
   {
-    {
-      std::lock_guard<std::mutex> lock(mutex());
-      if(!kept().empty()) {
-        memory_ = kept().back();
-        kept().pop_back();
-        return;
-      }
-    }
+    if(kept().take(memory_))
+      return;
     void* memory = nullptr;
     CGAL_TANDEM_CUDA(cudaHostAlloc(&memory, bytes, cudaHostAllocPortable));
     memory_ = static_cast<char*>(memory);
   }
 
-  ~Pinned_block()
-  {
-    std::lock_guard<std::mutex> lock(mutex());
-    kept().push_back(memory_);
-  }
+  ~Pinned_block() { kept().give(memory_); }
 
   Pinned_block(const Pinned_block&) = delete;
   Pinned_block& operator=(const Pinned_block&) = delete;
@@ -52,26 +67,15 @@ public:
   // Gives back what no thread uses.
   static void release()
   {
-    std::vector<char*> unused;
-    {
-      std::lock_guard<std::mutex> lock(mutex());
-      unused.swap(kept());
-    }
-    for(char* memory : unused)
+    for(char* memory; kept().take(memory);)
       CGAL_TANDEM_CUDA(cudaFreeHost(memory));
   }
 
 private:
-  static std::mutex& mutex()
-  {
-    static std::mutex& m = *new std::mutex;
-    return m;
-  }
-
   // Not destroyed at the end of the program, when the runtime may be gone.
-  static std::vector<char*>& kept()
+  static Kept_items<char*>& kept()
   {
-    static std::vector<char*>& k = *new std::vector<char*>;
+    static Kept_items<char*>& k = *new Kept_items<char*>;
     return k;
   }
 

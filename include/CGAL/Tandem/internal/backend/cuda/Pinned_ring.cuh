@@ -16,42 +16,46 @@
 #include <cstddef>
 #include <cstring>
 #include <initializer_list>
+#include <map>
+#include <mutex>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Waits at its end for what it has recorded.
+// On the current device. Waits at its end for what it has recorded.
 class Event {
 public:
-  Event() = default;
+  Event() : device_(current_device())
+  {
+    if(!kept(device_).take(event_))
+      CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming));
+  }
 
   ~Event()
   {
-    if(event_ == nullptr)
-      return;
     static_cast<void>(cudaEventSynchronize(event_));
-    static_cast<void>(cudaEventDestroy(event_));
+    kept(device_).give(event_);
   }
 
   Event(const Event&) = delete;
   Event& operator=(const Event&) = delete;
 
-  void record()
-  {
-    if(event_ == nullptr)
-      CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event_, cudaEventDisableTiming));
-    CGAL_TANDEM_CUDA(cudaEventRecord(event_, stream_of_thread()));
-  }
-
-  void wait()
-  {
-    if(event_ != nullptr)
-      CGAL_TANDEM_CUDA(cudaEventSynchronize(event_));
-  }
+  void record() { CGAL_TANDEM_CUDA(cudaEventRecord(event_, stream_of_thread())); }
+  void wait() { CGAL_TANDEM_CUDA(cudaEventSynchronize(event_)); }
 
 private:
+  // Threads that make events at the same time wait for each other, longer than for a copy.
+  static Kept_items<cudaEvent_t>& kept(int device)
+  {
+    static std::mutex& mutex = *new std::mutex;
+    static std::map<int, Kept_items<cudaEvent_t>>& all = *new std::map<int, Kept_items<cudaEvent_t>>;
+    std::lock_guard<std::mutex> lock(mutex);
+    return all[device];
+  }
+
+  int device_;
   cudaEvent_t event_ = nullptr;
 };
 
@@ -60,21 +64,16 @@ class Pinned_pair {
 public:
   static constexpr std::size_t bytes = Pinned_block::bytes / 2;
 
-  // The memory of the next piece, when its last copy has ended.
-  void* next()
+  // The memory of the next piece, when its last copies have ended.
+  char* next()
   {
     piece_ = 1 - piece_;
     copied_[piece_].wait();
     return block_.data() + piece_ * bytes;
   }
 
-  // Copies the piece that next() has given.
-  void copy(void* target, std::size_t size)
-  {
-    CGAL_TANDEM_CUDA(
-      cudaMemcpyAsync(target, block_.data() + piece_ * bytes, size, cudaMemcpyHostToDevice, stream_of_thread()));
-    copied_[piece_].record();
-  }
+  // All that is to be copied from the piece has been asked for.
+  void close() { copied_[piece_].record(); }
 
 private:
   Pinned_block block_; // outlives the events, which wait for the copies from it
@@ -117,7 +116,7 @@ inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
   run_on_host_threads(pieces.size(), [&](Pinned_pair& pair) {
     for(std::size_t i; (i = next++) < pieces.size();) {
       const Copy_to_host& piece = pieces[i];
-      void* const memory = pair.next();
+      char* const memory = pair.next();
       CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, piece.source, piece.bytes, cudaMemcpyDeviceToHost, stream_of_thread()));
       CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
       std::memcpy(piece.target, memory, piece.bytes);

@@ -122,6 +122,7 @@ void Cuda_upload::send(std::size_t first, std::size_t last)
     values_->send(first, last, *pair);
     values_->give_back(std::move(pair));
   } catch(const std::runtime_error&) { // no pinned memory, say
+    static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
     values_->has_failed = true;
   }
 }
