@@ -13,7 +13,7 @@ namespace Tandem {
 namespace internal {
 
 constexpr unsigned item_lanes = 256;
-constexpr unsigned cell_lanes = 256;
+constexpr unsigned cell_lanes = 512;
 
 template <class F>
 __global__ void __launch_bounds__(item_lanes) run_items(std::size_t n, const F f)
@@ -26,9 +26,9 @@ __global__ void __launch_bounds__(item_lanes) run_items(std::size_t n, const F f
 // So many blocks run on a multiprocessor at once, if their scratch leaves room: bodies wait for
 // memory most of the time, which is worse than the few registers that they have to give up.
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ == 750
-constexpr unsigned cell_blocks = 4; // it holds 1024 threads, all others 1536 and more
+constexpr unsigned cell_blocks = 2; // it holds 1024 threads, all others 1536 and more
 #else
-constexpr unsigned cell_blocks = 6;
+constexpr unsigned cell_blocks = 3;
 #endif
 
 // One block for each cell, its scratch in shared memory.
