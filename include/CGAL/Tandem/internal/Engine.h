@@ -44,8 +44,7 @@ public:
     growth.stop();
 
     Stage_timer regularity(times_.regularity);
-    refit_shapes(state_);
-    std::vector<Link> links = collect_links(state_, least_links, Links::changed);
+    std::vector<Link> links = collect_links(state_, least_links, Links::changed, [&] { refit_shapes(state_); });
     merge_fragments(state_, links, misfit_share);
     relations_ = regularize_shapes(state_, false, relations_);
     split_layers(state_, relations_);

@@ -119,10 +119,15 @@ std::vector<Link> sum_links(Backend& backend, const Link* source, std::size_t n,
   return sorted;
 }
 
+struct Nothing {
+  void operator()() const {}
+};
+
 // The links between live shapes with at least `least` relations, by falling
-// number of relations, then by ids.
-template <class Backend>
-std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, Links which)
+// number of relations, then by ids. While a device looks at the points, the host does
+// `meanwhile`, which is about shapes.
+template <class Backend, class Work = Nothing>
+std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, Links which, Work meanwhile = Work())
 {
   std::vector<std::uint8_t> is_asked(t.shapes.size(), 0);
   t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
@@ -132,7 +137,7 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
   });
   const auto asked = t.backend.lend(is_asked);
   std::size_t capacity = 4 * t.live.size() + 64 * t.number_of_cells;
-  for(;;) {
+  for(bool is_first = true;; is_first = false) {
     typename Backend::template Buffer<Link> links(capacity);
     std::vector<std::uint32_t> size(1, 0);
     auto counter = t.backend.lend_out(size);
@@ -140,6 +145,8 @@ std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, L
       t.number_of_cells,
       Collect_links<Backend>{
         t.cloud, t.cells_view(), t.labels(), asked.data(), {links.data(), counter.data(), std::uint32_t(capacity)}});
+    if(is_first)
+      meanwhile();
     counter.take_back();
     if(size[0] <= capacity)
       return sum_links(t.backend, links.data(), size[0], t.shapes.size(), least);
