@@ -249,7 +249,7 @@ public:
     return {table.data(), table.size(), Copied_loan<T>::garbage};
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
     dice_.visit(0, ranges, [&](std::size_t c) {
       dice_.shuffle(key + range[c].first, key + range[c].last);

@@ -247,8 +247,8 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
 
   Stage_timer growth(times.growth);
   find_border(t);
-  t.seeds =
-    order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells, {t.options.growth.tolerance, t.options.tight});
+  t.seeds = order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells, t.options.cell_size,
+                        {t.options.growth.tolerance, t.options.tight});
   t.seed_cursor.assign(t.number_of_cells, 0);
   t.leaf_shapes.reset(t.number_of_cells);
   t.backend.for_each(t.number_of_cells, Clear_lists{t.leaf_shapes.data()});

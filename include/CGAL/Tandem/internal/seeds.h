@@ -120,10 +120,10 @@ struct Take_seeds {
   }
 };
 
-// The cells are a table of the back end.
+// The cells are a table of the back end, of at most cell_size points each.
 template <class Backend>
 Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const Range* cells, std::size_t size,
-                           const Seed_bounds& bounds)
+                           std::size_t cell_size, const Seed_bounds& bounds)
 {
   typename Backend::template Buffer<std::uint64_t> key(cloud.size);
   Seeds<Backend> seeds;
@@ -131,7 +131,7 @@ Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const Rang
   seeds.count.resize(size);
   auto count = backend.lend_empty(seeds.count);
   backend.template for_each_cell<Box_scratch>(size, Rate_seeds{cloud, cells, key.data(), bounds});
-  backend.sort_ranges(key.data(), cells, size, cloud.size);
+  backend.sort_ranges(key.data(), cells, size, cloud.size, cell_size);
   backend.template for_each_cell<Box_scratch>(size, Take_seeds{cells, key.data(), seeds.seed.data(), count.data()});
   count.take_back();
   return seeds;

@@ -87,8 +87,8 @@ public:
     return collect_on<T>(*this, n, f);
   }
 
-  // In each of the ranges, ascending. Together they are [0, size).
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
+  // In each of the ranges, ascending. Together they are [0, size); none has more than `largest` items.
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
     for(std::size_t c = 0; c < ranges; ++c)
       std::sort(key + range[c].first, key + range[c].last);

@@ -91,7 +91,7 @@ public:
     return collect_on<T>(*this, n, f);
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
     run(ranges, [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
   }

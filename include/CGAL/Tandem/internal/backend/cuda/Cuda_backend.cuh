@@ -10,12 +10,10 @@
 #include <CGAL/Tandem/internal/backend/cuda/Device_sort_table.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
 #include <CGAL/Tandem/internal/backend/cuda/cub_calls.cuh>
-#include <CGAL/Tandem/internal/backend/cuda/kernels.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/range_sort.cuh>
 
-#include <cub/device/device_segmented_sort.cuh>
 #include <cub/device/device_select.cuh>
 #include <thrust/iterator/counting_iterator.h>
-#include <thrust/iterator/transform_iterator.h>
 
 #include <algorithm>
 #include <cstring>
@@ -25,14 +23,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-struct First_of_range {
-  __host__ __device__ std::int64_t operator()(const Range& r) const { return r.first; }
-};
-
-struct Last_of_range {
-  __host__ __device__ std::int64_t operator()(const Range& r) const { return r.last; }
-};
 
 template <class F>
 struct Has_item {
@@ -107,22 +97,24 @@ public:
 
   void sort(Sort_table& table) { table.sort(); }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t largest)
   {
     if(ranges == 0)
       return;
     Table_arena::of_thread().flush();
+    std::size_t passes = 0;
+    while(keys_of_run << passes < largest)
+      ++passes;
     Device_buffer<std::uint64_t> other(size);
-    cub::DoubleBuffer<std::uint64_t> keys(key, other.data());
-    const auto first = thrust::make_transform_iterator(range, First_of_range());
-    const auto last = thrust::make_transform_iterator(range, Last_of_range());
-    with_cub_memory([&](void* memory, std::size_t& bytes) {
-      return cub::DeviceSegmentedSort::SortKeys(memory, bytes, keys, std::int64_t(size), std::int64_t(ranges), first,
-                                                last, stream_of_thread());
-    });
-    if(keys.Current() != key)
-      CGAL_TANDEM_CUDA(
-        cudaMemcpyAsync(key, keys.Current(), size * sizeof(*key), cudaMemcpyDeviceToDevice, stream_of_thread()));
+    std::uint64_t* sorted = passes % 2 == 0 ? key : other.data();
+    const dim3 runs(unsigned(ranges), unsigned((largest + keys_of_run - 1) / keys_of_run));
+    sort_runs<<<runs, run_lanes, 0, stream_of_thread()>>>(range, key, sorted);
+    CGAL_TANDEM_CUDA_LAUNCHED();
+    for(std::size_t pass = 0; pass < passes; ++pass) {
+      std::uint64_t* const merged = sorted == key ? other.data() : key;
+      for_each_cell<unsigned char>(ranges, Merge_runs{range, sorted, merged, keys_of_run << pass});
+      sorted = merged;
+    }
   }
 
   template <class F>
