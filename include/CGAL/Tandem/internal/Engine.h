@@ -27,7 +27,7 @@ public:
   using Upload = No_upload;
 
   // The import has to stay.
-  Engine(Backend& backend, const Import& in, const Parameters& parameters) : in_(in), state_(backend)
+  Engine(Backend& backend, Import& in, const Parameters& parameters) : in_(in), state_(backend)
   {
     prepare(state_, in, parameters, order_, points_, neighbors_, times_);
   }

@@ -59,19 +59,33 @@ CGAL_TANDEM_HD inline Vector normalized(const Vector& v)
   return unit(v);
 }
 
+// The caller's values, where an engine has taken them while they were read.
+class Uploaded_values {
+public:
+  virtual ~Uploaded_values() = default;
+  // Fills the tables of the import, once.
+  virtual void bring() = 0;
+};
+
 // Of an engine that works where the caller's values are: nothing has to go anywhere.
 struct No_upload {
-  void start(const Vector_table&, const Vector_table&, std::size_t) {}
-  void send(std::size_t, std::size_t) {}
-  std::shared_ptr<void> finish() { return nullptr; }
+  struct Piece {
+    char* values = nullptr;
+  };
+
+  void start(Vector_table&, Vector_table&, std::size_t) {}
+  std::size_t most_points() const { return ~std::size_t(0); }
+  Piece begin() { return Piece(); }
+  void end(const Piece&, std::size_t, std::size_t) {}
+  std::shared_ptr<Uploaded_values> finish() { return nullptr; }
 };
 
 struct Import {
-  std::size_t count = 0;           // valid points: those below, in the caller's order
-  Vector_table coordinates;        // as the caller gave them
-  Vector_table normals;            // the same, of any length; empty if they are to be estimated
-  std::vector<std::uint32_t> item; // position in the caller's range; empty means identity
-  std::shared_ptr<void> uploaded;  // what an engine has of the values already; see No_upload
+  std::size_t count = 0;                     // valid points: those below, in the caller's order
+  Vector_table coordinates;                  // as the caller gave them
+  Vector_table normals;                      // the same, of any length; empty if they are to be estimated
+  std::vector<std::uint32_t> item;           // position in the caller's range; empty means identity
+  std::shared_ptr<Uploaded_values> uploaded; // then the values are in the tables only after bring_values()
   bool has_normals = false;
   Coordinate_box box;
 
@@ -87,6 +101,18 @@ struct Import {
   Vector position(std::size_t i) const { return coordinates[i]; }
   Vector normal(std::size_t i) const { return normalized(normals[i]); }
   std::size_t item_of(std::size_t i) const { return item.empty() ? i : item[i]; }
+
+  void bring_values() const
+  {
+    if(uploaded != nullptr)
+      uploaded->bring();
+  }
+
+  void drop_upload()
+  {
+    bring_values();
+    uploaded.reset();
+  }
 
   // Of a point and its normal.
   std::size_t value_bytes() const { return coordinates.vector_bytes() * (has_normals ? 2 : 1); }

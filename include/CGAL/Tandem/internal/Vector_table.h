@@ -56,6 +56,12 @@ public:
     return {doubles_.data(), false};
   }
 
+  // Null if there are none.
+  char* bytes()
+  {
+    return is_float() ? reinterpret_cast<char*>(floats_.data()) : reinterpret_cast<char*>(doubles_.data());
+  }
+
   Vector operator[](std::size_t i) const { return view()[i]; }
   std::size_t vector_bytes() const { return 3 * (is_float() ? sizeof(float) : sizeof(double)); }
 

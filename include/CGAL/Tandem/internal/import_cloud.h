@@ -84,19 +84,25 @@ void start_import(Import& in, std::size_t size, bool has_normals)
     in.normals.reset<Value>(size);
 }
 
-// Reads the items [first, last) to the places of the same numbers.
-template <class Traits>
+// Where values are.
+template <class Value>
+struct Values {
+  Value* point;
+  Value* normal; // null: there are none
+
+  Values from(std::size_t i) const { return {point + 3 * i, normal != nullptr ? normal + 3 * i : nullptr}; }
+};
+
+// Reads the items [first, last).
+template <class Traits, class Value>
 void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_range& points, std::size_t first,
-                std::size_t last, Import& in)
+                std::size_t last, Values<Value> values)
 {
-  using Value = typename Item_reader<Traits>::Value;
-  Value* p = in.coordinates.data<Value>();
-  Value* n = in.normals.data<Value>();
   for(std::size_t i = first; i < last; ++i) {
     const auto& item = *(points.begin() + std::ptrdiff_t(i));
-    reader.read_point(item, p + 3 * i);
+    reader.read_point(item, values.point + 3 * (i - first));
     if constexpr(Traits::has_normal_map)
-      reader.read_normal(item, n + 3 * i);
+      reader.read_normal(item, values.normal + 3 * (i - first));
   }
 }
 
@@ -145,28 +151,25 @@ Coordinate_box box_around(const Value* v, std::size_t n)
   return box;
 }
 
-// Whether the points [first, last) can be used, with their normals.
+// Whether the points can be used, with their normals.
 template <class Value>
-bool are_usable(Import& in, std::size_t first, std::size_t last)
+bool are_usable(const Values<Value>& values, std::size_t points)
 {
-  const std::size_t n = 3 * (last - first);
-  if(!are_finite(in.coordinates.data<Value>() + 3 * first, n))
-    return false;
-  const Value* const normals = in.normals.data<Value>();
-  return !in.has_normals || (are_finite(normals + 3 * first, n) && !has_null(normals + 3 * first, n));
+  const std::size_t n = 3 * points;
+  return are_finite(values.point, n) &&
+         (values.normal == nullptr || (are_finite(values.normal, n) && !has_null(values.normal, n)));
 }
 
-// The box around those of the points [first, last) that can be used. False if some cannot.
+// The box around those of the points that can be used. False if some cannot.
 template <class Value>
-bool inspect_points(Import& in, std::size_t first, std::size_t last, Coordinate_box& box)
+bool inspect_points(const Values<Value>& values, std::size_t points, Coordinate_box& box)
 {
-  const Value* const points = in.coordinates.data<Value>();
-  const bool is_complete = are_usable<Value>(in, first, last);
+  const bool is_complete = are_usable(values, points);
   if(is_complete)
-    box.add(box_around(points + 3 * first, 3 * (last - first)));
-  for(std::size_t i = first; i < last && !is_complete; ++i)
-    if(are_usable<Value>(in, i, i + 1))
-      box.add(in.position(i));
+    box.add(box_around(values.point, 3 * points));
+  for(std::size_t i = 0; i < points && !is_complete; ++i)
+    if(are_usable(values.from(i), 1))
+      box.add(box_around(values.from(i).point, 3));
   return is_complete;
 }
 
@@ -175,10 +178,11 @@ template <class Value>
 void drop_invalid(Import& in)
 {
   std::size_t kept = 0;
-  in.uploaded.reset();
+  in.drop_upload();
+  const Values<Value> values = {in.coordinates.data<Value>(), in.normals.data<Value>()};
   for(std::size_t i = 0; i < in.count; ++i) {
-    if(!are_usable<Value>(in, i, i + 1)) {
-      const bool has_position = are_finite(in.coordinates.data<Value>() + 3 * i, 3);
+    if(!are_usable(values.from(i), 1)) {
+      const bool has_position = are_finite(values.from(i).point, 3);
       ++(has_position ? in.number_of_ignored_normals : in.number_of_ignored_coordinates);
       continue;
     }
@@ -192,14 +196,15 @@ void drop_invalid(Import& in)
 }
 
 // The caller's range without the points that cannot be used: a coordinate is not finite, or the normal is
-// null or not finite. What has been read is uploaded while the rest is read.
+// null or not finite. They are read to where an engine takes them from, if it does, else to the tables.
 template <class Traits, class Backend, class Upload = No_upload>
 Import read_points(Backend& backend, const typename Traits::Point_range& points, typename Traits::Point_map point_map,
                    typename Traits::Normal_map normal_map, const Traits& traits, Upload upload = Upload())
 {
   using Reader = Item_reader<Traits>;
+  using Value = typename Reader::Value;
   Import in;
-  start_import<typename Reader::Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
+  start_import<Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
   upload.start(in.coordinates, in.normals, in.count);
   const Reader reader(traits, point_map, normal_map);
   // Number types that compute lazily are not meant to be read by several threads.
@@ -207,21 +212,36 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   const std::size_t grain = is_plain ? 65536 : in.count + 1;
   std::vector<Coordinate_box> boxes((in.count + grain - 1) / grain);
   std::atomic<bool> is_complete(true);
-  backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
+  const std::size_t most = upload.most_points();
+  const Values<Value> tables = {in.coordinates.data<Value>(), in.normals.data<Value>()};
+  const auto read = [&](std::size_t first, std::size_t last, const Values<Value>& values, Coordinate_box& box) {
     constexpr std::size_t batch = 512; // stays in the first cache
     for(std::size_t i = first; i < last; i += batch) {
       const std::size_t end = (std::min)(i + batch, last);
-      read_items(reader, points, i, end, in);
-      if(!inspect_points<typename Reader::Value>(in, i, end, boxes[first / grain]))
+      read_items(reader, points, i, end, values.from(i - first));
+      if(!inspect_points(values.from(i - first), end - i, box))
         is_complete = false;
     }
-    upload.send(first, last);
+  };
+  backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
+    for(std::size_t i = first; i < last;) {
+      const std::size_t size = (std::min)(most, last - i);
+      const typename Upload::Piece piece = upload.begin();
+      Values<Value> values = tables.from(i);
+      if(piece.values != nullptr) {
+        values.point = reinterpret_cast<Value*>(piece.values);
+        values.normal = in.has_normals ? values.point + 3 * size : nullptr;
+      }
+      read(i, i + size, values, boxes[first / grain]);
+      upload.end(piece, i, i + size);
+      i += size;
+    }
   });
   for(const Coordinate_box& box : boxes)
     in.box.add(box);
   in.uploaded = upload.finish();
   if(!is_complete)
-    drop_invalid<typename Reader::Value>(in);
+    drop_invalid<Value>(in);
   return in;
 }
 

@@ -119,10 +119,6 @@ std::vector<Link> sum_links(Backend& backend, const Link* source, std::size_t n,
   return sorted;
 }
 
-struct Nothing {
-  void operator()() const {}
-};
-
 // The links between live shapes with at least `least` relations, by falling
 // number of relations, then by ids. While a device looks at the points, the host does
 // `meanwhile`, which is about shapes.

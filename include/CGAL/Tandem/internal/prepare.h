@@ -156,7 +156,7 @@ void find_border(Tandem_state<Backend>& t)
 
 // The points on the grid, for the functors; a back end may have an overload of its own.
 template <class Backend>
-typename Backend::template Buffer<Grid_point> import_points(Backend& backend, const Import& in)
+typename Backend::template Buffer<Grid_point> import_points(Backend& backend, Import& in)
 {
   typename Backend::template Buffer<Grid_point> point(in.size());
   backend.for_each(in.size(), place_on_grid(in, point.data()));
@@ -199,15 +199,16 @@ inline std::size_t bytes_per_point(int k, const Import& in)
 }
 
 template <class Backend>
-void sort_points(Tandem_state<Backend>& t, const Import& in, std::size_t cell_size,
+void sort_points(Tandem_state<Backend>& t, Import& in, std::size_t cell_size,
                  typename Backend::template Buffer<std::uint32_t>& order,
                  typename Backend::template Buffer<Grid_point>& points)
 {
   const std::size_t n = in.size();
   const auto imported = import_points(t.backend, in);
   const Code_frame frame = make_code_frame(in.low, in.high);
-  const auto sorted = sort_along_curve(t.backend, imported.data(), n, frame,
-                                       [&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); });
+  const auto sorted = sort_along_curve(
+    t.backend, imported.data(), n, frame, [&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); },
+    [&] { in.bring_values(); });
   const std::vector<Range> leaves = split_leaves(t.backend, sorted, frame, cell_size);
   t.number_of_cells = leaves.size();
   t.cells.reset(leaves.size());
@@ -219,7 +220,7 @@ void sort_points(Tandem_state<Backend>& t, const Import& in, std::size_t cell_si
 }
 
 template <class Backend>
-void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& parameters,
+void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
              typename Backend::template Buffer<std::uint32_t>& order,
              typename Backend::template Buffer<Grid_point>& points,
              typename Backend::template Buffer<std::uint32_t>& neighbors, Stage_times& times)
@@ -237,6 +238,7 @@ void prepare(Tandem_state<Backend>& t, const Import& in, const Parameters& param
   Stage_timer search(times.neighbors);
   neighbors.reset(n * std::size_t(k));
   find_neighbors(t.backend, points.data(), std::uint32_t(n), k, neighbors.data());
+  in.bring_values(); // while a device searches
   t.cloud = {points.data(), neighbors.data(), std::uint32_t(n), k};
   search.stop();
 

@@ -47,6 +47,11 @@ struct Range {
   CGAL_TANDEM_HD std::uint32_t size() const { return last - first; }
 };
 
+// What is to be done where there is nothing to do.
+struct Nothing {
+  void operator()() const {}
+};
+
 // The first i in [first, last) without f(i), or last. f holds up to some place, and not from there on.
 template <class F>
 CGAL_TANDEM_HD std::uint32_t partition_point(std::uint32_t first, std::uint32_t last, F f)

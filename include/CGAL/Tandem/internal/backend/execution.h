@@ -39,7 +39,7 @@ public:
     if(can_use_device(in, parameters))
       device_ = std::make_unique<Cuda_engine>(in, parameters);
     else {
-      in.uploaded.reset();
+      in.drop_upload();
       host_ = std::make_unique<Engine<Backend>>(backend, in, parameters);
     }
   }

@@ -13,10 +13,10 @@
 #include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 namespace CGAL {
@@ -24,78 +24,118 @@ namespace Tandem {
 namespace internal {
 
 // The caller's values, as they are. Threads may send them a piece at a time.
-struct Values_on_device {
-  Values_on_device(const Vector_table& coordinates, const Vector_table& normals, std::size_t n)
-    : device(current_device()), vector_bytes(coordinates.vector_bytes()), source{coordinates.view(), normals.view()},
-      value{Device_buffer<char>(n * vector_bytes), Device_buffer<char>(normals.view().data ? n * vector_bytes : 0)}
+class Values_on_device : public Uploaded_values {
+public:
+  // The memory of the tables has to stay.
+  Values_on_device(Vector_table& coordinates, Vector_table& normals, std::size_t n)
+    : device_(current_device()), size_(n),
+      vector_bytes_(coordinates.vector_bytes()), table_{coordinates.bytes(), normals.bytes()},
+      value_{Device_buffer<char>(n * vector_bytes_), Device_buffer<char>(normals.bytes() ? n * vector_bytes_ : 0)}
   {
-    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // other threads use the memory
+    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // others use the memory
+    const std::size_t threads = (std::max)(1u, (std::min)(16u, std::thread::hardware_concurrency()));
+    for(std::size_t i = 0; i < (std::min)(threads, n / most_points() + 1); ++i)
+      give_back(make_pair());
   }
 
-  // Through `pair`, on the stream of the thread.
-  void send(std::size_t first, std::size_t last, Pinned_pair& pair)
+  int device() const { return device_; }
+  bool are_in_tables() const { return are_in_tables_; }
+  const char* coordinates() const { return value_[0].data(); }
+  const char* normals() const { return value_[1].data(); } // null if there are none
+
+  // Of a piece.
+  std::size_t most_points() const { return Pinned_pair::bytes / (number_of_tables() * vector_bytes_); }
+
+  Pinned_pair* take_pair()
   {
-    const std::size_t tables = source[1].data != nullptr ? 2 : 1;
-    const std::size_t most = Pinned_pair::bytes / (tables * vector_bytes);
-    for(std::size_t i = first; i < last; i += most) {
-      const std::size_t bytes = (std::min)(most, last - i) * vector_bytes;
-      char* memory = pair.next();
-      for(std::size_t t = 0; t < tables; ++t, memory += bytes) {
-        std::memcpy(memory, static_cast<const char*>(source[t].data) + i * vector_bytes, bytes);
-        CGAL_TANDEM_CUDA(cudaMemcpyAsync(value[t].data() + i * vector_bytes, memory, bytes, cudaMemcpyHostToDevice,
-                                         stream_of_thread()));
-      }
-      pair.close();
+    Pinned_pair* pair;
+    return free_.take(pair) ? pair : make_pair();
+  }
+
+  void give_back(Pinned_pair* pair) { free_.give(pair); }
+
+  // The points [first, last) from the piece of the pair that was begun last: coordinates, then normals.
+  void send(const char* piece, std::size_t first, std::size_t last, Pinned_pair& pair)
+  {
+    const std::size_t bytes = (last - first) * vector_bytes_;
+    for(std::size_t t = 0; t < number_of_tables(); ++t)
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(value_[t].data() + first * vector_bytes_, piece + t * bytes, bytes,
+                                       cudaMemcpyHostToDevice, pair.stream()));
+    pair.close();
+  }
+
+  // From the tables, all points.
+  void send_tables()
+  {
+    are_in_tables_ = true;
+    const std::size_t most = most_points();
+    Host_side().for_each_piece(size_, most, [&](std::size_t first, std::size_t last) {
+      const Device_guard guard(device_);
+      Pinned_pair* const pair = take_pair();
+      char* const piece = pair->next();
+      const std::size_t bytes = (last - first) * vector_bytes_;
+      for(std::size_t t = 0; t < number_of_tables(); ++t)
+        std::memcpy(piece + t * bytes, table_[t] + first * vector_bytes_, bytes);
+      send(piece, first, last, *pair);
+      give_back(pair);
+    });
+    close();
+  }
+
+  // All has been sent.
+  void close()
+  {
+    for(Pinned_pair* pair; free_.take(pair);) {
     }
+    pairs_.clear(); // waits for what they copy
   }
 
-  std::unique_ptr<Pinned_pair> take_pair()
+  void bring() override
   {
-    std::lock_guard<std::mutex> lock(mutex);
-    if(pairs.empty())
-      return std::make_unique<Pinned_pair>();
-    std::unique_ptr<Pinned_pair> pair = std::move(pairs.back());
-    pairs.pop_back();
-    return pair;
+    if(are_in_tables_)
+      return;
+    const Device_guard guard(device_);
+    const std::size_t bytes = size_ * vector_bytes_;
+    empty_pinned_pieces({{value_[0].data(), table_[0], bytes}, {value_[1].data(), table_[1], value_[1].size()}});
+    are_in_tables_ = true;
   }
 
-  void give_back(std::unique_ptr<Pinned_pair> pair)
+private:
+  std::size_t number_of_tables() const { return table_[1] != nullptr ? 2 : 1; }
+
+  Pinned_pair* make_pair()
   {
-    std::lock_guard<std::mutex> lock(mutex);
-    pairs.push_back(std::move(pair));
+    auto pair = std::make_unique<Pinned_pair>();
+    std::lock_guard<std::mutex> lock(mutex_);
+    pairs_.push_back(std::move(pair));
+    return pairs_.back().get();
   }
 
-  int device;
-  std::size_t vector_bytes;
-  Vectors_view source[2]; // coordinates and normals, on the host
-  Device_buffer<char> value[2];
-  std::vector<std::unique_ptr<Pinned_pair>> pairs; // that no thread uses, while they are read
-  std::mutex mutex;
-  std::atomic<bool> has_failed{false}; // to send some of them
+  const int device_;
+  const std::size_t size_, vector_bytes_;
+  char* const table_[2]; // coordinates and normals, on the host
+  Device_buffer<char> value_[2];
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Pinned_pair>> pairs_; // end before the memory to which they copy
+  Kept_items<Pinned_pair*> free_;
+  bool are_in_tables_ = false;
 };
 
-inline std::shared_ptr<Values_on_device> send_values(const Import& in)
-{
-  constexpr std::size_t piece = 65536;
-  auto values = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
-  std::atomic<std::size_t> next(0);
-  run_on_host_threads((in.size() + piece - 1) / piece, [&](Pinned_pair& pair) {
-    for(std::size_t first; (first = piece * next++) < in.size();)
-      values->send(first, (std::min)(first + piece, in.size()), pair);
-  });
-  return values;
-}
-
-inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, const Import& in)
+inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
 {
   Device_buffer<Grid_point> point(in.size());
-  const auto values = in.uploaded ? std::static_pointer_cast<Values_on_device>(in.uploaded) : send_values(in);
+  if(in.uploaded == nullptr) {
+    const auto values = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
+    values->send_tables();
+    in.uploaded = values;
+  }
+  const Values_on_device& values = static_cast<const Values_on_device&>(*in.uploaded);
   Place_on_grid place = place_on_grid(in, point.data());
-  place.coordinates.data = values->value[0].data();
-  place.normals.data = values->value[1].data();
+  place.coordinates.data = values.coordinates();
+  place.normals.data = values.normals();
   backend.for_each(in.size(), place);
-  for(Device_buffer<char>& value : values->value)
-    value.release();
+  if(values.are_in_tables())
+    in.uploaded.reset();
   return point;
 }
 
@@ -141,6 +181,7 @@ inline void take_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& sha
   Host_buffer<std::int32_t> table(n);
   grouped.keep_pages();
   table.keep_pages();
+  synchronize();
   empty_pinned_pieces({{position.Current(), grouped.data(), grouped.size() * sizeof(std::uint32_t)},
                        {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
   result.points = {std::vector<std::size_t>(first.begin(), first.end()), std::move(grouped)};

@@ -84,8 +84,10 @@ void copy_to_host(const T* source, std::size_t n, T* target)
   if(n == 0)
     return synchronize();
   const std::size_t bytes = n * sizeof(T);
-  if(bytes > Pinned_block::bytes)
+  if(bytes > Pinned_block::bytes) {
+    synchronize();
     return empty_pinned_pieces({{source, target, bytes}});
+  }
   char* const memory = Staging::of_thread().take(bytes);
   CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, bytes, cudaMemcpyDeviceToHost, stream_of_thread()));
   synchronize();

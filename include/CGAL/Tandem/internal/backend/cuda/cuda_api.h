@@ -17,17 +17,27 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-struct Values_on_device;
+class Pinned_pair;
+class Values_on_device;
 
-// Sends the caller's values to the current device while they are read. Where there is no device or no memory, it does
-// nothing; the engine then sends them itself.
+// Sends the caller's values to the current device while they are read. Where there is no device or no memory, they are
+// read to the tables, and the engine sends them itself.
 class Cuda_upload {
 public:
-  // Of n points; the tables have to stay until finish().
-  void start(const Vector_table& coordinates, const Vector_table& normals, std::size_t n);
-  // The points [first, last), by any thread.
-  void send(std::size_t first, std::size_t last);
-  std::shared_ptr<void> finish();
+  // What is read at a time, by one thread.
+  struct Piece {
+    char* values = nullptr; // where to: coordinates, then normals; null: to the tables
+    Pinned_pair* pair = nullptr;
+  };
+
+  // Of n points; the memory of the tables has to stay.
+  void start(Vector_table& coordinates, Vector_table& normals, std::size_t n);
+  // Of a piece.
+  std::size_t most_points() const;
+  Piece begin();
+  // The piece holds the points [first, last).
+  void end(const Piece& piece, std::size_t first, std::size_t last);
+  std::shared_ptr<Uploaded_values> finish();
 
 private:
   std::shared_ptr<Values_on_device> values_;

@@ -31,8 +31,7 @@ namespace Tandem {
 namespace internal {
 
 struct Cuda_engine::Implementation {
-  Implementation(const Import& in, const Parameters& parameters)
-    : device(current_device()), engine(backend, in, parameters)
+  Implementation(Import& in, const Parameters& parameters) : device(current_device()), engine(backend, in, parameters)
   {
     synchronize();
   }
@@ -104,7 +103,7 @@ void require_memory(Import& in, const Parameters& parameters)
 
 } // namespace
 
-void Cuda_upload::start(const Vector_table& coordinates, const Vector_table& normals, std::size_t n)
+void Cuda_upload::start(Vector_table& coordinates, Vector_table& normals, std::size_t n)
 try {
   if(n > 0 && is_cuda_available())
     values_ = std::make_shared<Values_on_device>(coordinates, normals, n);
@@ -112,29 +111,30 @@ try {
   static_cast<void>(cudaGetLastError());
 }
 
-void Cuda_upload::send(std::size_t first, std::size_t last)
+std::size_t Cuda_upload::most_points() const { return values_ != nullptr ? values_->most_points() : ~std::size_t(0); }
+
+Cuda_upload::Piece Cuda_upload::begin()
 {
-  if(values_ == nullptr || values_->has_failed)
-    return;
-  try {
-    const Device_guard guard(values_->device);
-    std::unique_ptr<Pinned_pair> pair = values_->take_pair();
-    values_->send(first, last, *pair);
-    values_->give_back(std::move(pair));
-  } catch(const std::runtime_error&) { // no pinned memory, say
-    static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
-    values_->has_failed = true;
-  }
+  if(values_ == nullptr)
+    return Piece();
+  const Device_guard guard(values_->device());
+  Pinned_pair* const pair = values_->take_pair();
+  return {pair->next(), pair};
 }
 
-std::shared_ptr<void> Cuda_upload::finish()
+void Cuda_upload::end(const Piece& piece, std::size_t first, std::size_t last)
+{
+  if(values_ == nullptr)
+    return;
+  const Device_guard guard(values_->device());
+  values_->send(piece.values, first, last, *piece.pair);
+  values_->give_back(piece.pair);
+}
+
+std::shared_ptr<Uploaded_values> Cuda_upload::finish()
 {
   if(values_ != nullptr)
-    values_->pairs.clear(); // waits for what they copy
-  if(values_ != nullptr && values_->has_failed) {
-    static_cast<void>(cudaGetLastError());
-    values_.reset();
-  }
+    values_->close();
   return std::move(values_);
 }
 
@@ -143,6 +143,7 @@ Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
   require_device();
   require_memory(in, parameters);
   with_host_team([&] { implementation_ = std::make_unique<Implementation>(in, parameters); });
+  in.uploaded.reset(); // the tables have been filled
   in.coordinates.keep_pages();
   in.normals.keep_pages();
 }
@@ -210,7 +211,7 @@ void release_cuda_memory()
 bool fits_on_device(Import& in, const Parameters& parameters)
 {
   if(in.size() > cuda_capacity(parameters, in.has_normals) && in.uploaded) {
-    in.uploaded.reset();
+    in.drop_upload();
     synchronize();
   }
   return in.size() <= cuda_capacity(parameters, in.has_normals);
