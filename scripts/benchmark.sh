@@ -25,7 +25,7 @@
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
-# The CUDA back end takes minutes to compile: only for the device that is there.
+# The CUDA back end takes a minute or so to compile for each architecture: only for the device that is there.
 architecture=$("$root/scripts/cuda_architecture.sh")
 cuda=${architecture:+-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=$architecture}
 cuda=${cuda:--DTANDEM_WITH_CUDA=OFF}

@@ -1,11 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Times of the back ends on simulated scans, host to host: one CSV row a run.
+// Times of the back ends, host to host: one CSV row a run. The first run of a process is cold.
 //   cuda_benchmark [BACKEND [RUNS [POINTS...]]]
-// BACKEND: cuda (the default), parallel or sequential. The first run of a process is cold.
+//   cuda_benchmark BACKEND RUNS CLOUD.ply EPSILON MINIMUM [own]
+// BACKEND: cuda (the default), parallel or sequential. Of simulated scans with so many points, or of a cloud, with its
+// normals if it has any; own: without them.
 
 #include "hall_scan.h"
+#include "ply_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 
@@ -43,54 +46,120 @@ Cloud scan(std::size_t points)
   return cloud;
 }
 
-template <class Tag>
-void run(const Cloud& cloud, int runs)
+Cloud read(const std::string& path)
 {
-  namespace np = CGAL::Tandem::parameters;
+  const CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::Ply_reader(path).read();
+  Cloud cloud(file.points.size());
+  for(std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto& p = file.points[i];
+    cloud[i].first = Kernel::Point_3(float(p.x), float(p.y), float(p.z));
+    if(file.has_normals())
+      cloud[i].second = Kernel::Vector_3(float(file.normals[i].x), float(file.normals[i].y), float(file.normals[i].z));
+  }
+  return cloud;
+}
+
+struct Job {
+  Cloud cloud;
+  double maximum_distance;
+  std::size_t minimum_region_size;
+  bool has_normals;
+};
+
+template <class Tag, class NP>
+void run(const Job& job, int runs, const NP& np)
+{
   for(int i = 0; i < runs; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const auto shapes = CGAL::Tandem::detect_planes<Tag>(
-      cloud, np::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
-               .normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>())
-               .maximum_distance(0.012)
-               .minimum_region_size((std::max)(std::size_t(200), (std::min)(cloud.size(), points_of_hall) / 10000)));
+    const auto shapes = CGAL::Tandem::detect_planes<Tag>(job.cloud, np);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     const auto& s = shapes.statistics();
-    std::cout << s.backend << ',' << cloud.size() << ',' << i << ',' << wall.count() * 1000;
-    for(double t : {s.times.sort, s.times.neighbors, s.times.growth, s.times.regularity, s.times.finish})
+    std::cout << s.backend << ',' << job.cloud.size() << ',' << i << ',' << wall.count() * 1000;
+    for(double t :
+        {s.times.sort, s.times.neighbors, s.times.normals, s.times.growth, s.times.regularity, s.times.finish})
       std::cout << ',' << t * 1000;
     std::cout << ',' << s.number_of_rounds << ',' << shapes.number_of_shapes() << ',' << s.coverage << ','
-              << double(s.peak_bytes) / double(cloud.size()) << ',' << std::hex << shapes.hash() << std::dec
+              << double(s.peak_bytes) / double(job.cloud.size()) << ',' << std::hex << shapes.hash() << std::dec
               << std::endl;
   }
 }
 
+template <class Tag>
+void run(const Job& job, int runs)
+{
+  namespace parameters = CGAL::Tandem::parameters;
+  const auto np = parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
+                    .maximum_distance(job.maximum_distance)
+                    .minimum_region_size(job.minimum_region_size);
+  if(job.has_normals)
+    run<Tag>(job, runs, np.normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>()));
+  else
+    run<Tag>(job, runs, np);
+}
+
+void run(const std::string& backend, const Job& job, int runs)
+{
+  if(backend == "sequential")
+    run<CGAL::Sequential_tag>(job, runs);
+  else if(backend == "parallel")
+    run<CGAL::Parallel_if_available_tag>(job, runs);
+#ifdef CGAL_TANDEM_USE_CUDA
+  else
+    run<CGAL::Tandem::Cuda_tag>(job, runs);
+#endif
+}
+
+[[noreturn]] void refuse(const std::string& what)
+{
+  std::cerr << "cuda_benchmark: " << what << R"(
+cuda_benchmark [cuda|parallel|sequential [RUNS [POINTS...]]]
+cuda_benchmark cuda|parallel|sequential RUNS CLOUD.ply EPSILON MINIMUM [own]
+)";
+  std::exit(2);
+}
+
+double number(const std::string& text, double smallest, double largest)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if(text.empty() || *end != '\0' || !(value >= smallest && value <= largest))
+    refuse("'" + text + "' is no number from " + std::to_string(smallest) + " to " + std::to_string(largest));
+  return value;
+}
+
 int main(int argc, char** argv)
 {
-  const std::string backend = argc > 1 ? argv[1] : "cuda";
-  const int runs = argc > 2 ? std::atoi(argv[2]) : 3;
+  constexpr double most_points = 2147483648.0;
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const std::string backend = !arguments.empty() ? arguments[0] : "cuda";
+  if(backend != "cuda" && backend != "parallel" && backend != "sequential")
+    refuse("unknown back end '" + backend + "'");
+  const int runs = arguments.size() > 1 ? int(number(arguments[1], 1, 1e6)) : 3;
+  const bool is_file = arguments.size() > 2 && arguments[2].find(".ply") != std::string::npos;
+  if(is_file && (arguments.size() < 5 || arguments.size() > 6 || (arguments.size() == 6 && arguments[5] != "own")))
+    refuse("a cloud needs EPSILON and MINIMUM");
   std::vector<std::size_t> sizes;
-  for(int i = 3; i < argc; ++i)
-    sizes.push_back(std::size_t(std::strtod(argv[i], nullptr)));
-  if(sizes.empty())
+  for(std::size_t i = 2; i < arguments.size() && !is_file; ++i)
+    sizes.push_back(std::size_t(number(arguments[i], 1, most_points)));
+  if(sizes.empty() && !is_file)
     sizes = {1000000, 5200000};
-  std::cout << "# " << CGAL::Tandem::cuda_device_report() << '\n'
-            << "backend,points,run,wall ms,sort,neighbors,growth,regularity,final,rounds,shapes,coverage,bytes a "
-               "point,hash\n";
+  if(backend == "cuda" && !CGAL::Tandem::cuda_available()) {
+    std::cerr << "cuda_benchmark: " << CGAL::Tandem::cuda_device_report() << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::cout
+    << "# " << CGAL::Tandem::cuda_device_report() << '\n'
+    << "backend,points,run,wall ms,sort,neighbors,normals,growth,regularity,final,rounds,shapes,coverage,bytes a "
+       "point,hash\n";
   try {
-    for(std::size_t size : sizes) {
-      const Cloud cloud = scan(size);
-      if(backend == "sequential")
-        run<CGAL::Sequential_tag>(cloud, runs);
-      else if(backend == "parallel")
-        run<CGAL::Parallel_if_available_tag>(cloud, runs);
-      else
-#ifdef CGAL_TANDEM_USE_CUDA
-        run<CGAL::Tandem::Cuda_tag>(cloud, runs);
-#else
-        throw std::runtime_error("built without CUDA");
-#endif
-    }
+    if(is_file)
+      run(backend,
+          {read(arguments[2]), number(arguments[3], 1e-30, 1e30), std::size_t(number(arguments[4], 3, most_points)),
+           arguments.size() == 5},
+          runs);
+    for(std::size_t size : sizes)
+      run(backend, {scan(size), 0.012, (std::max)(std::size_t(200), (std::min)(size, points_of_hall) / 10000), true},
+          runs);
   } catch(const std::exception& e) {
     std::cerr << "cuda_benchmark: " << e.what() << std::endl;
     return EXIT_FAILURE;

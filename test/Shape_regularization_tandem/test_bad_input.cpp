@@ -161,7 +161,9 @@ void test_misuse()
   check_refused(np::minimum_region_size(0), {"minimum_region_size", "0"}, __LINE__);
   check_refused(np::minimum_region_size(-5), {"minimum_region_size", "-5"}, __LINE__);
   check_refused(np::minimum_region_size(2), {"minimum_region_size", "2", "[3, "}, __LINE__);
+  check_refused(np::minimum_region_size(-5), {"minimum_region_size", "-5", "[3, 2147483648]"}, __LINE__);
   check_refused(np::k_neighbors(2), {"k_neighbors", "2", "[3, 64]"}, __LINE__);
+  check_refused(np::k_neighbors(0), {"k_neighbors", "0", "[3, 64]"}, __LINE__);
   check_refused(np::k_neighbors(65u), {"k_neighbors", "65", "[3, 64]"}, __LINE__);
   check_refused(np::k_neighbors(-1), {"k_neighbors", "-1"}, __LINE__);
   check_refused(np::cell_size(63), {"cell_size", "63", "[64, 65536]"}, __LINE__);

@@ -80,13 +80,29 @@ inline void check_length(const char* name, double value, double smallest)
                         : "[0, infinity), and at most 1e270 in practice");
 }
 
-inline void check_count(const char* name, std::size_t value, std::size_t smallest, std::size_t largest)
+constexpr std::size_t maximum_number_of_points = std::size_t(1) << 31;
+
+// The allowed values of a number.
+struct Count_range {
+  const char* name;
+  std::size_t smallest, largest;
+};
+
+constexpr Count_range minimum_region_size_range = {"minimum_region_size", 3, maximum_number_of_points};
+constexpr Count_range k_neighbors_range = {"k_neighbors", 3, 64};
+constexpr Count_range cell_size_range = {"cell_size", 64, 65536};
+constexpr Count_range regularity_period_range = {"regularity_period", 1, maximum_number_of_points};
+
+inline std::string to_text(const Count_range& range)
 {
-  if(value < smallest || value > largest)
-    refuse(name, value, "[" + to_text(smallest) + ", " + to_text(largest) + "]");
+  return "[" + to_text(range.smallest) + ", " + to_text(range.largest) + "]";
 }
 
-constexpr std::size_t maximum_number_of_points = std::size_t(1) << 31;
+inline void check_count(const Count_range& range, std::size_t value)
+{
+  if(value < range.smallest || value > range.largest)
+    refuse(range.name, value, to_text(range));
+}
 
 } // namespace internal
 
@@ -104,10 +120,10 @@ inline void check_parameters(const Parameters& p)
   if(!(p.angle_tolerance >= 0 && p.angle_tolerance < 45))
     internal::refuse("angle_tolerance", p.angle_tolerance, "[0, 45) degrees");
   internal::check_length("maximum_offset", p.maximum_offset, 0);
-  internal::check_count("minimum_region_size", p.minimum_region_size, 3, internal::maximum_number_of_points);
-  internal::check_count("k_neighbors", p.k_neighbors, 3, 64);
-  internal::check_count("cell_size", p.cell_size, 64, 65536);
-  internal::check_count("regularity_period", p.regularity_period, 1, internal::maximum_number_of_points);
+  internal::check_count(internal::minimum_region_size_range, p.minimum_region_size);
+  internal::check_count(internal::k_neighbors_range, p.k_neighbors);
+  internal::check_count(internal::cell_size_range, p.cell_size);
+  internal::check_count(internal::regularity_period_range, p.regularity_period);
 }
 
 } // namespace Tandem

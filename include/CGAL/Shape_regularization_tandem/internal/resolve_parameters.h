@@ -23,14 +23,14 @@ void read_real(const NP& np, double& value)
     value = CGAL::to_double(parameter<Tag>(np, 0));
 }
 
-// A negative number must not wrap around.
+// A negative number must not wrap around, and 0 would be taken for "to be estimated".
 template <class Tag, class NP>
-void read_count(const NP& np, const char* name, std::size_t& value)
+void read_count(const NP& np, const Count_range& range, std::size_t& value)
 {
   if constexpr(Is_given<Tag, NP>::value) {
     const auto given = parameter<Tag>(np, 0);
-    if(!(given >= decltype(given)(1)) || double(given) > double(maximum_number_of_points))
-      refuse(name, given, "a positive number, at most 2^31");
+    if(!(given >= decltype(given)(1)) || double(given) > double(range.largest))
+      refuse(range.name, given, to_text(range));
     value = std::size_t(given);
   }
 }
@@ -53,9 +53,9 @@ Parameters read_parameters(const NP& np)
   read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
   read_real<internal_np::angle_tolerance_t>(np, p.angle_tolerance);
   read_real<internal_np::maximum_offset_t>(np, p.maximum_offset);
-  read_count<internal_np::minimum_region_size_t>(np, "minimum_region_size", p.minimum_region_size);
-  read_count<internal_np::k_neighbors_t>(np, "k_neighbors", p.k_neighbors);
-  read_count<internal_np::cell_size_t>(np, "cell_size", p.cell_size);
+  read_count<internal_np::minimum_region_size_t>(np, minimum_region_size_range, p.minimum_region_size);
+  read_count<internal_np::k_neighbors_t>(np, k_neighbors_range, p.k_neighbors);
+  read_count<internal_np::cell_size_t>(np, cell_size_range, p.cell_size);
   read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);
   read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
   read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);

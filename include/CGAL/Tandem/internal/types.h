@@ -10,6 +10,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "Tandem gives the same answer everywhere and finds what is not finite: compile without -ffast-math and -Ofast"
+#endif
+
 #ifndef __SIZEOF_INT128__
 #error "Tandem needs 128-bit integers: use g++ or clang on a 64-bit machine"
 #endif

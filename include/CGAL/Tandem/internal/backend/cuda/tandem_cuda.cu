@@ -74,7 +74,10 @@ std::string missing_for_cuda()
   if(error == cudaSuccess)
     error = cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device);
   std::string missing;
-  if(error != cudaSuccess)
+  if(error == cudaErrorInsufficientDriver)
+    missing = "there is no NVIDIA driver, or one that is too old for CUDA " + to_text(CUDART_VERSION / 1000) + '.' +
+              to_text(CUDART_VERSION % 1000 / 10);
+  else if(error != cudaSuccess)
     missing = cudaGetErrorString(error);
   else if(devices == 0)
     missing = "the driver names none";
