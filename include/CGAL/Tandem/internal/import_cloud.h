@@ -212,7 +212,6 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   const std::size_t grain = is_plain ? 65536 : in.count + 1;
   std::vector<Coordinate_box> boxes((in.count + grain - 1) / grain);
   std::atomic<bool> is_complete(true);
-  const std::size_t most = upload.most_points();
   const Values<Value> tables = {in.coordinates.data<Value>(), in.normals.data<Value>()};
   const auto read = [&](std::size_t first, std::size_t last, const Values<Value>& values, Coordinate_box& box) {
     constexpr std::size_t batch = 512; // stays in the first cache
@@ -225,16 +224,15 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   };
   backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
     for(std::size_t i = first; i < last;) {
-      const std::size_t size = (std::min)(most, last - i);
-      const typename Upload::Piece piece = upload.begin();
+      const typename Upload::Piece piece = upload.begin(last - i);
       Values<Value> values = tables.from(i);
       if(piece.values != nullptr) {
         values.point = reinterpret_cast<Value*>(piece.values);
-        values.normal = in.has_normals ? values.point + 3 * size : nullptr;
+        values.normal = in.has_normals ? values.point + 3 * piece.size : nullptr;
       }
-      read(i, i + size, values, boxes[first / grain]);
-      upload.end(piece, i, i + size);
-      i += size;
+      read(i, i + piece.size, values, boxes[first / grain]);
+      upload.end(piece, i);
+      i += piece.size;
     }
   });
   for(const Coordinate_box& box : boxes)

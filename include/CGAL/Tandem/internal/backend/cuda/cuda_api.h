@@ -26,17 +26,17 @@ class Cuda_upload {
 public:
   // What is read at a time, by one thread.
   struct Piece {
+    std::size_t size;
     char* values = nullptr; // where to: coordinates, then normals; null: to the tables
     Pinned_pair* pair = nullptr;
   };
 
   // Of n points; the memory of the tables has to stay.
   void start(Vector_table& coordinates, Vector_table& normals, std::size_t n);
-  // Of a piece.
-  std::size_t most_points() const;
-  Piece begin();
-  // The piece holds the points [first, last).
-  void end(const Piece& piece, std::size_t first, std::size_t last);
+  // Of at most so many points.
+  Piece begin(std::size_t most);
+  // The piece holds the points from `first` on.
+  void end(const Piece& piece, std::size_t first);
   std::shared_ptr<Uploaded_values> finish();
 
 private:

@@ -114,23 +114,21 @@ try {
   static_cast<void>(cudaGetLastError());
 }
 
-std::size_t Cuda_upload::most_points() const { return values_ != nullptr ? values_->most_points() : ~std::size_t(0); }
-
-Cuda_upload::Piece Cuda_upload::begin()
+Cuda_upload::Piece Cuda_upload::begin(std::size_t most)
 {
   if(values_ == nullptr)
-    return Piece();
+    return {most};
   const Device_guard guard(values_->device());
   Pinned_pair* const pair = values_->take_pair();
-  return {pair->next(), pair};
+  return {(std::min)(most, values_->most_points()), pair->next(), pair};
 }
 
-void Cuda_upload::end(const Piece& piece, std::size_t first, std::size_t last)
+void Cuda_upload::end(const Piece& piece, std::size_t first)
 {
   if(values_ == nullptr)
     return;
   const Device_guard guard(values_->device());
-  values_->send(piece.values, first, last, *piece.pair);
+  values_->send(piece.values, first, first + piece.size, *piece.pair);
   values_->give_back(piece.pair);
 }
 
