@@ -39,7 +39,6 @@ public:
   }
 
   int device() const { return device_; }
-  bool are_in_tables() const { return are_in_tables_; }
   const char* coordinates() const { return value_[0].data(); }
   const char* normals() const { return value_[1].data(); } // null if there are none
 
@@ -98,9 +97,27 @@ public:
     const std::size_t bytes = size_ * vector_bytes_;
     empty_pinned_pieces({{value_[0].data(), table_[0], bytes}, {value_[1].data(), table_[1], value_[1].size()}});
     are_in_tables_ = true;
+    release_if_done();
+  }
+
+  // The device does not need them any more. Those of large clouds make room at once, the others while it searches.
+  void set_placed()
+  {
+    constexpr std::size_t large = std::size_t(8) << 30;
+    are_placed_ = true;
+    if(number_of_tables() * vector_bytes_ * size_ > large)
+      bring();
+    release_if_done();
   }
 
 private:
+  // Others need the memory.
+  void release_if_done()
+  {
+    for(int t = 0; t < 2 && are_in_tables_ && are_placed_; ++t)
+      value_[t].release();
+  }
+
   std::size_t number_of_tables() const { return table_[1] != nullptr ? 2 : 1; }
 
   Pinned_pair* make_pair()
@@ -118,7 +135,7 @@ private:
   std::mutex mutex_;
   std::vector<std::unique_ptr<Pinned_pair>> pairs_; // end before the memory to which they copy
   Kept_items<Pinned_pair*> free_;
-  bool are_in_tables_ = false;
+  bool are_in_tables_ = false, are_placed_ = false;
 };
 
 inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
@@ -129,13 +146,12 @@ inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in
     values->send_tables();
     in.uploaded = values;
   }
-  const Values_on_device& values = static_cast<const Values_on_device&>(*in.uploaded);
+  Values_on_device& values = static_cast<Values_on_device&>(*in.uploaded);
   Place_on_grid place = place_on_grid(in, point.data());
   place.coordinates.data = values.coordinates();
   place.normals.data = values.normals();
   backend.for_each(in.size(), place);
-  if(values.are_in_tables())
-    in.uploaded.reset();
+  values.set_placed();
   return point;
 }
 
