@@ -5,7 +5,7 @@
 //   cuda_benchmark [BACKEND [RUNS [POINTS...]]]
 //   cuda_benchmark BACKEND RUNS CLOUD.ply EPSILON MINIMUM [own]
 // BACKEND: cuda (the default), parallel or sequential. Of simulated scans with so many points, or of a cloud, with its
-// normals if it has any; own: without them.
+// normals if it has any; own: without them. Coordinates become floats.
 
 #include "hall_scan.h"
 #include "ply_cloud.h"
@@ -46,19 +46,6 @@ Cloud scan(std::size_t points)
   return cloud;
 }
 
-Cloud read(const std::string& path)
-{
-  const CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::Ply_reader(path).read();
-  Cloud cloud(file.points.size());
-  for(std::size_t i = 0; i < cloud.size(); ++i) {
-    const auto& p = file.points[i];
-    cloud[i].first = Kernel::Point_3(float(p.x), float(p.y), float(p.z));
-    if(file.has_normals())
-      cloud[i].second = Kernel::Vector_3(float(file.normals[i].x), float(file.normals[i].y), float(file.normals[i].z));
-  }
-  return cloud;
-}
-
 struct Job {
   Cloud cloud;
   double maximum_distance;
@@ -66,8 +53,25 @@ struct Job {
   bool has_normals;
 };
 
+Job job_of_scan(std::size_t points)
+{
+  return {scan(points), 0.012, (std::max)(std::size_t(200), (std::min)(points, points_of_hall) / 10000), true};
+}
+
+Job job_of_file(const std::string& path, double maximum_distance, std::size_t minimum_region_size, bool uses_normals)
+{
+  const CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::Ply_reader(path).read();
+  const bool has_normals = uses_normals && file.has_normals();
+  Job job = {Cloud(file.points.size()), maximum_distance, minimum_region_size, has_normals};
+  const auto to_vector = [](const auto& v) { return Kernel::Vector_3(float(v.x), float(v.y), float(v.z)); };
+  for(std::size_t i = 0; i < job.cloud.size(); ++i)
+    job.cloud[i] = {CGAL::ORIGIN + to_vector(file.points[i]),
+                    has_normals ? to_vector(file.normals[i]) : Kernel::Vector_3(0, 0, 0)};
+  return job;
+}
+
 template <class Tag, class NP>
-void run(const Job& job, int runs, const NP& np)
+void time_calls(const Job& job, int runs, const NP& np)
 {
   for(int i = 0; i < runs; ++i) {
     const auto start = std::chrono::steady_clock::now();
@@ -85,27 +89,27 @@ void run(const Job& job, int runs, const NP& np)
 }
 
 template <class Tag>
-void run(const Job& job, int runs)
+void run_with(const Job& job, int runs)
 {
   namespace parameters = CGAL::Tandem::parameters;
   const auto np = parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
                     .maximum_distance(job.maximum_distance)
                     .minimum_region_size(job.minimum_region_size);
   if(job.has_normals)
-    run<Tag>(job, runs, np.normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>()));
+    time_calls<Tag>(job, runs, np.normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>()));
   else
-    run<Tag>(job, runs, np);
+    time_calls<Tag>(job, runs, np);
 }
 
 void run(const std::string& backend, const Job& job, int runs)
 {
   if(backend == "sequential")
-    run<CGAL::Sequential_tag>(job, runs);
+    run_with<CGAL::Sequential_tag>(job, runs);
   else if(backend == "parallel")
-    run<CGAL::Parallel_if_available_tag>(job, runs);
+    run_with<CGAL::Parallel_if_available_tag>(job, runs);
 #ifdef CGAL_TANDEM_USE_CUDA
   else
-    run<CGAL::Tandem::Cuda_tag>(job, runs);
+    run_with<CGAL::Tandem::Cuda_tag>(job, runs);
 #endif
 }
 
@@ -123,7 +127,7 @@ double number(const std::string& text, double smallest, double largest)
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if(text.empty() || *end != '\0' || !(value >= smallest && value <= largest))
-    refuse("'" + text + "' is no number from " + std::to_string(smallest) + " to " + std::to_string(largest));
+    refuse("'" + text + "' is no number that is allowed there");
   return value;
 }
 
@@ -136,13 +140,21 @@ int main(int argc, char** argv)
     refuse("unknown back end '" + backend + "'");
   const int runs = arguments.size() > 1 ? int(number(arguments[1], 1, 1e6)) : 3;
   const bool is_file = arguments.size() > 2 && arguments[2].find(".ply") != std::string::npos;
-  if(is_file && (arguments.size() < 5 || arguments.size() > 6 || (arguments.size() == 6 && arguments[5] != "own")))
-    refuse("a cloud needs EPSILON and MINIMUM");
   std::vector<std::size_t> sizes;
-  for(std::size_t i = 2; i < arguments.size() && !is_file; ++i)
-    sizes.push_back(std::size_t(number(arguments[i], 1, most_points)));
-  if(sizes.empty() && !is_file)
-    sizes = {1000000, 5200000};
+  double maximum_distance = 0;
+  std::size_t minimum_region_size = 0;
+  if(is_file) {
+    const bool is_own = arguments.size() == 6 && arguments[5] == "own";
+    if(arguments.size() != 5 && !is_own)
+      refuse("a cloud needs EPSILON and MINIMUM");
+    maximum_distance = number(arguments[3], 1e-30, 1e30);
+    minimum_region_size = std::size_t(number(arguments[4], 3, most_points));
+  } else {
+    for(std::size_t i = 2; i < arguments.size(); ++i)
+      sizes.push_back(std::size_t(number(arguments[i], 1, most_points)));
+    if(sizes.empty())
+      sizes = {1000000, 5200000};
+  }
   if(backend == "cuda" && !CGAL::Tandem::cuda_available()) {
     std::cerr << "cuda_benchmark: " << CGAL::Tandem::cuda_device_report() << std::endl;
     return EXIT_FAILURE;
@@ -153,13 +165,9 @@ int main(int argc, char** argv)
        "point,hash\n";
   try {
     if(is_file)
-      run(backend,
-          {read(arguments[2]), number(arguments[3], 1e-30, 1e30), std::size_t(number(arguments[4], 3, most_points)),
-           arguments.size() == 5},
-          runs);
+      run(backend, job_of_file(arguments[2], maximum_distance, minimum_region_size, arguments.size() == 5), runs);
     for(std::size_t size : sizes)
-      run(backend, {scan(size), 0.012, (std::max)(std::size_t(200), (std::min)(size, points_of_hall) / 10000), true},
-          runs);
+      run(backend, job_of_scan(size), runs);
   } catch(const std::exception& e) {
     std::cerr << "cuda_benchmark: " << e.what() << std::endl;
     return EXIT_FAILURE;

@@ -66,8 +66,8 @@ void order_seeds(benchmark::State& state)
   Prepared_scan<Backend> scan(std::size_t(state.range(0)), true);
   const auto& t = scan.state;
   for(auto _ : state) {
-    auto seeds = internal::order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells, t.options.cell_size,
-                                       {t.options.growth.tolerance, t.options.tight});
+    auto seeds = internal::order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells,
+                                       {t.options.growth.tolerance, t.options.tight, t.options.cell_size});
     benchmark::DoNotOptimize(seeds.seed.data());
   }
   count_points(state);

@@ -88,10 +88,10 @@ struct Count_range {
   std::size_t smallest, largest;
 };
 
-constexpr Count_range minimum_region_size_range = {"minimum_region_size", 3, maximum_number_of_points};
-constexpr Count_range k_neighbors_range = {"k_neighbors", 3, 64};
-constexpr Count_range cell_size_range = {"cell_size", 64, 65536};
-constexpr Count_range regularity_period_range = {"regularity_period", 1, maximum_number_of_points};
+inline constexpr Count_range minimum_region_size_range = {"minimum_region_size", 3, maximum_number_of_points};
+inline constexpr Count_range k_neighbors_range = {"k_neighbors", 3, 64};
+inline constexpr Count_range cell_size_range = {"cell_size", 64, 65536};
+inline constexpr Count_range regularity_period_range = {"regularity_period", 1, maximum_number_of_points};
 
 inline std::string to_text(const Count_range& range)
 {

@@ -74,8 +74,8 @@ inline void check_given_parameters(Parameters p)
 - `maximum_offset` is `maximum_distance`.
 - `minimum_region_size` is 0.3 times the square root of the number of points, and at least 20.
 
-A stray point far from all others raises the estimate, by 2^-22 of its distance: remove such points before, or give
-`maximum_distance`. The estimate is computed on the host, whatever the tag.
+A stray point far from all others raises the estimate, to at least 2^-22 of its distance: remove such points before, or
+give `maximum_distance`. The estimate is computed on the host, whatever the tag.
 
 Points with coordinates that are not finite, and points whose given normal is null or not finite, do not count. The
 estimate does not depend on the order of the points. All lengths are in the units of the points.

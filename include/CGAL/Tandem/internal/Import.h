@@ -69,13 +69,17 @@ public:
 
 // Of an engine that works where the caller's values are: nothing has to go anywhere.
 struct No_upload {
+  // What is read at a time, by one thread.
   struct Piece {
     std::size_t size;
-    char* values = nullptr;
+    char* values = nullptr; // where to: coordinates, then normals; null: to the tables
   };
 
+  // Of so many points; the memory of the tables has to stay.
   void start(Vector_table&, Vector_table&, std::size_t) {}
+  // Of at most so many points.
   Piece begin(std::size_t most) { return {most}; }
+  // The piece holds the points from this one on.
   void end(const Piece&, std::size_t) {}
   std::shared_ptr<Uploaded_values> finish() { return nullptr; }
 };

@@ -12,7 +12,6 @@
 #include <CGAL/Tandem/internal/curve.h>
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 #include <tuple>
 #include <utility>
@@ -115,42 +114,40 @@ struct Scatter_tied {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(place[i], tied[i].code, tied[i].index); }
 };
 
-// By (code inside, coordinates, normal), and where these are the same by precedes.
-template <class Precedes>
-bool are_in_order(const Tied_point& a, const Tied_point& b, Precedes precedes)
+inline auto key_within_code(const Tied_point& t)
 {
-  const Grid_point &p = a.point, &q = b.point;
-  const auto left = std::tie(a.code_inside, p.x, p.y, p.z, p.normal),
-             right = std::tie(b.code_inside, q.x, q.y, q.z, q.normal);
-  return left != right ? left < right : precedes(a.index, b.index);
+  return std::tie(t.code_inside, t.point.x, t.point.y, t.point.z, t.point.normal);
 }
 
-// Sorts the points of each code. Returns whether precedes was asked.
+// The same on the grid.
+inline bool are_twins(const Tied_point& a, const Tied_point& b)
+{
+  return a.code == b.code && key_within_code(a) == key_within_code(b);
+}
+
+// Sorts the points of each code by (code inside, coordinates, normal), twins by precedes.
 template <class Backend, class Precedes>
-bool sort_tied(Backend& backend, std::vector<Tied_point>& tied, Precedes precedes)
+void sort_tied(Backend& backend, std::vector<Tied_point>& tied, Precedes precedes)
 {
   std::vector<std::size_t> run;
   for(std::size_t i = 0; i < tied.size(); ++i)
     if(i == 0 || tied[i].code != tied[i - 1].code)
       run.push_back(i);
   run.push_back(tied.size());
-  std::atomic<bool> was_asked(false);
   backend.for_each_on_host(run.size() - 1, [&](std::size_t r) {
     std::sort(tied.begin() + std::ptrdiff_t(run[r]), tied.begin() + std::ptrdiff_t(run[r + 1]),
               [&](const Tied_point& a, const Tied_point& b) {
-                return are_in_order(a, b, [&](std::uint32_t i, std::uint32_t j) {
-                  was_asked = true;
-                  return precedes(i, j);
-                });
+                const auto left = key_within_code(a), right = key_within_code(b);
+                return left != right ? left < right : precedes(a.index, b.index);
               });
   });
-  return was_asked;
 }
 
 // Sorts positions of `point` along the curve. precedes(i, j) decides between points
 // that are the same on the grid: a total order that depends on their position only
 // for exact duplicates, so that the result does not depend on the order of the points.
-// It is asked on the host, as all that concerns the few points of equal codes, after `prepare`.
+// It is asked on the host, as all that concerns the few points of equal codes; only if there are such points, and
+// after `prepare`.
 template <class Backend, class Precedes = std::less<std::uint32_t>, class Prepare = Nothing>
 typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
                                               const Code_frame& frame, Precedes precedes = Precedes(),
@@ -167,7 +164,8 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point
   backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
   std::vector<Tied_point> tied(place.size());
   backend.to_host(buffer.data(), tied.size(), tied.data());
-  if(sort_tied(backend, tied, std::less<std::uint32_t>())) {
+  sort_tied(backend, tied, std::less<std::uint32_t>());
+  if(std::adjacent_find(tied.begin(), tied.end(), are_twins) != tied.end()) {
     prepare();
     sort_tied(backend, tied, precedes);
   }

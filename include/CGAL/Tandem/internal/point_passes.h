@@ -121,7 +121,7 @@ std::vector<Link> sum_links(Backend& backend, const Link* source, std::size_t n,
 
 // The links between live shapes with at least `least` relations, by falling
 // number of relations, then by ids. While a device looks at the points, the host does
-// `meanwhile`, which is about shapes.
+// `meanwhile`, which changes neither labels, nor which shapes are live or changed.
 template <class Backend, class Work = Nothing>
 std::vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, Links which, Work meanwhile = Work())
 {

@@ -208,7 +208,7 @@ void sort_points(Tandem_state<Backend>& t, Import& in, std::size_t cell_size,
   const Code_frame frame = make_code_frame(in.low, in.high);
   const auto sorted = sort_along_curve(
     t.backend, imported.data(), n, frame, [&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); },
-    [&] { in.bring_values(); });
+    [&] { in.drop_upload(); });
   const std::vector<Range> leaves = split_leaves(t.backend, sorted, frame, cell_size);
   t.number_of_cells = leaves.size();
   t.cells.reset(leaves.size());
@@ -238,7 +238,7 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   Stage_timer search(times.neighbors);
   neighbors.reset(n * std::size_t(k));
   find_neighbors(t.backend, points.data(), std::uint32_t(n), k, neighbors.data());
-  in.bring_values(); // while a device searches
+  in.drop_upload(); // the values come back while a device searches
   t.cloud = {points.data(), neighbors.data(), std::uint32_t(n), k};
   search.stop();
 
@@ -249,8 +249,8 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
 
   Stage_timer growth(times.growth);
   find_border(t);
-  t.seeds = order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells, t.options.cell_size,
-                        {t.options.growth.tolerance, t.options.tight});
+  t.seeds = order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells,
+                        {t.options.growth.tolerance, t.options.tight, t.options.cell_size});
   t.seed_cursor.assign(t.number_of_cells, 0);
   t.leaf_shapes.reset(t.number_of_cells);
   t.backend.for_each(t.number_of_cells, Clear_lists{t.leaf_shapes.data()});

@@ -59,6 +59,7 @@ constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
 
 struct Seed_bounds {
   Tolerance tolerance, tight;
+  std::size_t cell_size; // most points of a leaf
 };
 
 struct Box_scratch {
@@ -120,10 +121,10 @@ struct Take_seeds {
   }
 };
 
-// The cells are a table of the back end, of at most cell_size points each.
+// The cells are a table of the back end.
 template <class Backend>
 Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const Range* cells, std::size_t size,
-                           std::size_t cell_size, const Seed_bounds& bounds)
+                           const Seed_bounds& bounds)
 {
   typename Backend::template Buffer<std::uint64_t> key(cloud.size);
   Seeds<Backend> seeds;
@@ -131,7 +132,7 @@ Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const Rang
   seeds.count.resize(size);
   auto count = backend.lend_empty(seeds.count);
   backend.template for_each_cell<Box_scratch>(size, Rate_seeds{cloud, cells, key.data(), bounds});
-  backend.sort_ranges(key.data(), cells, size, cloud.size, cell_size);
+  backend.sort_ranges(key.data(), cells, size, cloud.size, bounds.cell_size);
   backend.template for_each_cell<Box_scratch>(size, Take_seeds{cells, key.data(), seeds.seed.data(), count.data()});
   count.take_back();
   return seeds;

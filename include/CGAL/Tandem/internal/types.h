@@ -10,7 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
+  (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "Tandem gives the same answer everywhere and finds what is not finite: compile without -ffast-math and -Ofast"
 #endif
 

@@ -32,15 +32,17 @@ public:
       vector_bytes_(coordinates.vector_bytes()), table_{coordinates.bytes(), normals.bytes()},
       value_{Device_buffer<char>(n * vector_bytes_), Device_buffer<char>(normals.bytes() ? n * vector_bytes_ : 0)}
   {
-    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // others use the memory
-    const std::size_t threads = (std::max)(1u, (std::min)(16u, std::thread::hardware_concurrency()));
-    for(std::size_t i = 0; i < (std::min)(threads, n / most_points() + 1); ++i)
+    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // the streams of the pairs use the memory
+    const std::size_t threads = (std::max)(std::size_t(1), std::size_t(std::thread::hardware_concurrency()));
+    for(std::size_t i = 0; i < (std::min)({threads, most_copying_threads, n / most_points() + 1}); ++i) // or fail now
       give_back(make_pair());
   }
 
   int device() const { return device_; }
   const char* coordinates() const { return value_[0].data(); }
   const char* normals() const { return value_[1].data(); } // null if there are none
+  std::size_t bytes() const { return value_[0].size() + value_[1].size(); }
+  bool are_in_tables() const { return are_in_tables_; }
 
   // Of a piece.
   std::size_t most_points() const { return Pinned_pair::bytes / (number_of_tables() * vector_bytes_); }
@@ -60,7 +62,7 @@ public:
     for(std::size_t t = 0; t < number_of_tables(); ++t)
       CGAL_TANDEM_CUDA(cudaMemcpyAsync(value_[t].data() + first * vector_bytes_, piece + t * bytes, bytes,
                                        cudaMemcpyHostToDevice, pair.stream()));
-    pair.close();
+    pair.end_piece();
   }
 
   // From the tables, all points.
@@ -84,8 +86,7 @@ public:
   // All has been sent.
   void close()
   {
-    for(Pinned_pair* pair; free_.take(pair);) {
-    }
+    free_.clear();
     pairs_.clear(); // waits for what they copy
   }
 
@@ -97,27 +98,9 @@ public:
     const std::size_t bytes = size_ * vector_bytes_;
     empty_pinned_pieces({{value_[0].data(), table_[0], bytes}, {value_[1].data(), table_[1], value_[1].size()}});
     are_in_tables_ = true;
-    release_if_done();
-  }
-
-  // The device does not need them any more. Those of large clouds make room at once, the others while it searches.
-  void set_placed()
-  {
-    constexpr std::size_t large = std::size_t(8) << 30;
-    are_placed_ = true;
-    if(number_of_tables() * vector_bytes_ * size_ > large)
-      bring();
-    release_if_done();
   }
 
 private:
-  // Others need the memory.
-  void release_if_done()
-  {
-    for(int t = 0; t < 2 && are_in_tables_ && are_placed_; ++t)
-      value_[t].release();
-  }
-
   std::size_t number_of_tables() const { return table_[1] != nullptr ? 2 : 1; }
 
   Pinned_pair* make_pair()
@@ -135,23 +118,25 @@ private:
   std::mutex mutex_;
   std::vector<std::unique_ptr<Pinned_pair>> pairs_; // end before the memory to which they copy
   Kept_items<Pinned_pair*> free_;
-  bool are_in_tables_ = false, are_placed_ = false;
+  bool are_in_tables_ = false;
 };
 
 inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
 {
   Device_buffer<Grid_point> point(in.size());
   if(in.uploaded == nullptr) {
-    const auto values = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
-    values->send_tables();
-    in.uploaded = values;
+    const auto sent = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
+    sent->send_tables();
+    in.uploaded = sent;
   }
-  Values_on_device& values = static_cast<Values_on_device&>(*in.uploaded);
+  const Values_on_device& values = static_cast<const Values_on_device&>(*in.uploaded); // no other back end uploads
   Place_on_grid place = place_on_grid(in, point.data());
   place.coordinates.data = values.coordinates();
   place.normals.data = values.normals();
   backend.for_each(in.size(), place);
-  values.set_placed();
+  constexpr std::size_t large = std::size_t(8) << 30;
+  if(values.are_in_tables() || values.bytes() > large) // they would be in the way of the neighbors
+    in.drop_upload();
   return point;
 }
 

@@ -38,6 +38,12 @@ public:
     items_.push_back(item);
   }
 
+  void clear()
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    items_.clear();
+  }
+
 private:
   std::mutex mutex_;
   std::vector<T> items_;

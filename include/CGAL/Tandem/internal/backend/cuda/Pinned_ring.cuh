@@ -35,6 +35,9 @@ Kept_items<T>& kept_on_device(int device)
   return all[device];
 }
 
+// More do not copy faster.
+constexpr std::size_t most_copying_threads = 16;
+
 // Two pieces for one thread, on the current device: one is filled while the other one is copied.
 class Pinned_pair {
 public:
@@ -42,14 +45,14 @@ public:
 
   Pinned_pair() : device_(current_device())
   {
-    if(!kept_on_device<Calls>(device_).take(calls_))
-      calls_ = make_calls();
+    if(!kept_on_device<Copy_stream>(device_).take(copies_))
+      copies_ = make_copy_stream();
   }
 
   ~Pinned_pair()
   {
-    static_cast<void>(cudaStreamSynchronize(calls_.stream));
-    kept_on_device<Calls>(device_).give(calls_);
+    static_cast<void>(cudaStreamSynchronize(copies_.stream));
+    kept_on_device<Copy_stream>(device_).give(copies_);
   }
 
   Pinned_pair(const Pinned_pair&) = delete;
@@ -59,34 +62,34 @@ public:
   char* next()
   {
     piece_ = 1 - piece_;
-    CGAL_TANDEM_CUDA(cudaEventSynchronize(calls_.copied[piece_]));
+    CGAL_TANDEM_CUDA(cudaEventSynchronize(copies_.copied[piece_]));
     return block_.data() + piece_ * bytes;
   }
 
   // Of the copies.
-  cudaStream_t stream() const { return calls_.stream; }
+  cudaStream_t stream() const { return copies_.stream; }
 
   // All that is to be copied from the piece has been asked for.
-  void close() { CGAL_TANDEM_CUDA(cudaEventRecord(calls_.copied[piece_], calls_.stream)); }
+  void end_piece() { CGAL_TANDEM_CUDA(cudaEventRecord(copies_.copied[piece_], copies_.stream)); }
 
 private:
-  struct Calls {
+  struct Copy_stream {
     cudaStream_t stream;
     cudaEvent_t copied[2]; // of each piece
   };
 
-  static Calls make_calls()
+  static Copy_stream make_copy_stream()
   {
-    Calls calls;
-    CGAL_TANDEM_CUDA(cudaStreamCreateWithFlags(&calls.stream, cudaStreamNonBlocking));
-    for(cudaEvent_t& event : calls.copied)
+    Copy_stream made;
+    CGAL_TANDEM_CUDA(cudaStreamCreateWithFlags(&made.stream, cudaStreamNonBlocking));
+    for(cudaEvent_t& event : made.copied)
       CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
-    return calls;
+    return made;
   }
 
   int device_;
   Pinned_block block_;
-  Calls calls_;
+  Copy_stream copies_;
   std::size_t piece_ = 0;
 };
 
@@ -101,7 +104,6 @@ struct Copy_to_host {
 // what one of them has thrown. What has written the tables has ended; the stream of the thread is not waited for.
 inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
 {
-  constexpr std::size_t most_threads = 16;
   constexpr std::size_t most = Pinned_pair::bytes / 2; // a piece is copied twice, one after the other
   std::vector<Copy_to_host> pieces;
   for(const Copy_to_host& table : tables)
@@ -110,7 +112,7 @@ inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
                         (std::min)(most, table.bytes - first)});
   const int device = current_device();
   std::atomic<std::size_t> next(0);
-  Host_side().for_each_piece((std::min)(pieces.size(), most_threads), 1, [&](std::size_t, std::size_t) {
+  Host_side().for_each_piece((std::min)(pieces.size(), most_copying_threads), 1, [&](std::size_t, std::size_t) {
     const Device_guard guard(device);
     Pinned_pair pair;
     for(std::size_t i; (i = next++) < pieces.size();) {

@@ -21,21 +21,18 @@ class Pinned_pair;
 class Values_on_device;
 
 // Sends the caller's values to the current device while they are read. Where there is no device or no memory, they are
-// read to the tables, and the engine sends them itself.
+// read to the tables, and the engine sends them itself. A device that fails later is an exception, whatever the tag:
+// then the values are nowhere else.
 class Cuda_upload {
 public:
-  // What is read at a time, by one thread.
   struct Piece {
     std::size_t size;
-    char* values = nullptr; // where to: coordinates, then normals; null: to the tables
+    char* values = nullptr;
     Pinned_pair* pair = nullptr;
   };
 
-  // Of n points; the memory of the tables has to stay.
   void start(Vector_table& coordinates, Vector_table& normals, std::size_t n);
-  // Of at most so many points.
   Piece begin(std::size_t most);
-  // The piece holds the points from `first` on.
   void end(const Piece& piece, std::size_t first);
   std::shared_ptr<Uploaded_values> finish();
 

@@ -23,7 +23,7 @@ struct Less_key {
   __device__ bool operator()(std::uint64_t a, std::uint64_t b) const { return a < b; }
 };
 
-// blockIdx.y: the run in the range.
+// blockIdx.x: the range, blockIdx.y: the run in it.
 inline __global__ void __launch_bounds__(run_lanes)
   sort_runs(const Range* range, const std::uint64_t* from, std::uint64_t* to)
 {

@@ -144,7 +144,6 @@ Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
   require_device();
   require_memory(in, parameters);
   with_host_team([&] { implementation_ = std::make_unique<Implementation>(in, parameters); });
-  in.uploaded.reset(); // the tables have been filled
   in.coordinates.keep_pages();
   in.normals.keep_pages();
 }
