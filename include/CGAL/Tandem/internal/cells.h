@@ -125,22 +125,31 @@ inline bool are_twins(const Tied_point& a, const Tied_point& b)
   return a.code == b.code && key_within_code(a) == key_within_code(b);
 }
 
-// Sorts the points of each code by (code inside, coordinates, normal), twins by precedes.
-template <class Backend, class Precedes>
-void sort_tied(Backend& backend, std::vector<Tied_point>& tied, Precedes precedes)
+// Sorts each stretch of neighbors that are alike.
+template <class Backend, class Alike, class Less>
+void sort_stretches(Backend& backend, std::vector<Tied_point>& tied, Alike are_alike, Less less)
 {
-  std::vector<std::size_t> run;
+  std::vector<std::size_t> start;
   for(std::size_t i = 0; i < tied.size(); ++i)
-    if(i == 0 || tied[i].code != tied[i - 1].code)
-      run.push_back(i);
-  run.push_back(tied.size());
-  backend.for_each_on_host(run.size() - 1, [&](std::size_t r) {
-    std::sort(tied.begin() + std::ptrdiff_t(run[r]), tied.begin() + std::ptrdiff_t(run[r + 1]),
-              [&](const Tied_point& a, const Tied_point& b) {
-                const auto left = key_within_code(a), right = key_within_code(b);
-                return left != right ? left < right : precedes(a.index, b.index);
-              });
-  });
+    if(i == 0 || !are_alike(tied[i - 1], tied[i]))
+      start.push_back(i);
+  start.push_back(tied.size());
+  const auto at = [&](std::size_t s) { return tied.begin() + std::ptrdiff_t(start[s]); };
+  backend.for_each_on_host(start.size() - 1, [&](std::size_t s) { std::sort(at(s), at(s + 1), less); });
+}
+
+// Sorts the points of each code by (code inside, coordinates, normal), twins by precedes, after `prepare`.
+template <class Backend, class Precedes, class Prepare>
+void sort_tied(Backend& backend, std::vector<Tied_point>& tied, Precedes precedes, Prepare prepare)
+{
+  const auto have_one_code = [](const Tied_point& a, const Tied_point& b) { return a.code == b.code; };
+  sort_stretches(backend, tied, have_one_code,
+                 [](const Tied_point& a, const Tied_point& b) { return key_within_code(a) < key_within_code(b); });
+  if(std::adjacent_find(tied.begin(), tied.end(), are_twins) == tied.end())
+    return;
+  prepare();
+  sort_stretches(backend, tied, are_twins,
+                 [&](const Tied_point& a, const Tied_point& b) { return precedes(a.index, b.index); });
 }
 
 // Sorts positions of `point` along the curve. precedes(i, j) decides between points
@@ -164,11 +173,7 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point
   backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
   std::vector<Tied_point> tied(place.size());
   backend.to_host(buffer.data(), tied.size(), tied.data());
-  sort_tied(backend, tied, std::less<std::uint32_t>());
-  if(std::adjacent_find(tied.begin(), tied.end(), are_twins) != tied.end()) {
-    prepare();
-    sort_tied(backend, tied, precedes);
-  }
+  sort_tied(backend, tied, precedes, prepare);
   backend.from_host(tied.data(), tied.size(), buffer.data());
   backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), buffer.data()});
   return order;

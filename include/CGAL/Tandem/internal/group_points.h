@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The points of each shape, for n labels in the memory of the host. A counting sort in a few large pieces. Labels outside of the shapes are left out.
+// The points of each shape, for n labels in the memory of the host. A counting sort in a few large pieces. Labels
+// outside of the shapes are left out.
 template <class Backend>
 Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes)
 {

@@ -210,11 +210,14 @@ void release_cuda_memory()
 
 bool fits_on_device(Import& in, const Parameters& parameters)
 {
-  if(in.size() > cuda_capacity(parameters, in.has_normals) && in.uploaded) {
-    in.drop_upload();
-    synchronize();
-  }
-  return in.size() <= cuda_capacity(parameters, in.has_normals);
+  const auto fits = [&] { return in.size() <= cuda_capacity(parameters, in.has_normals); };
+  if(fits())
+    return true;
+  if(in.uploaded == nullptr)
+    return false;
+  in.drop_upload();
+  synchronize();
+  return fits();
 }
 
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals)
