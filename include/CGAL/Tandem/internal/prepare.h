@@ -233,6 +233,7 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
     return;
   Stage_timer sort(times.sort);
   sort_points(t, in, parameters.cell_size, order, points);
+  t.backend.wait();
   sort.stop();
 
   Stage_timer search(times.neighbors);
@@ -240,11 +241,13 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   find_neighbors(t.backend, points.data(), std::uint32_t(n), k, neighbors.data());
   in.drop_upload(); // the values come back while a device searches
   t.cloud = {points.data(), neighbors.data(), std::uint32_t(n), k};
+  t.backend.wait();
   search.stop();
 
   if(!in.has_normals) {
     Stage_timer normals(times.normals);
     estimate_normals(t.backend, t.cloud, points.data(), t.options.maximum_distance);
+    t.backend.wait();
   }
 
   Stage_timer growth(times.growth);

@@ -61,6 +61,9 @@ public:
     return Host_loan<T>(table.data());
   }
 
+  // Until all that has been asked for is done.
+  void wait() {}
+
   // n items from a buffer to the host, and back.
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)

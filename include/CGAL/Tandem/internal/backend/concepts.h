@@ -93,7 +93,7 @@ struct Is_backend<
   Backend,
   std::void_t<
     typename Backend::template Buffer<std::uint32_t>, decltype(static_cast<const char*>(Backend::name())),
-    decltype(bool(Backend::keeps_pages)),
+    decltype(bool(Backend::keeps_pages)), decltype(std::declval<Backend&>().wait()),
     decltype(std::declval<Backend&>().for_each(std::size_t(0), archetypes::Item_functor())),
     decltype(std::declval<Backend&>().template for_each_cell<archetypes::Scratch>(std::size_t(0),
                                                                                   archetypes::Cell_body())),

@@ -105,7 +105,7 @@ public:
     std::size_t passes = 0;
     while(keys_of_run << passes < largest)
       ++passes;
-    Device_buffer<std::uint64_t> other(size);
+    Device_buffer<std::uint64_t> other(passes > 0 ? size : 0);
     std::uint64_t* sorted = passes % 2 == 0 ? key : other.data();
     const dim3 runs(unsigned(ranges), unsigned((largest + keys_of_run - 1) / keys_of_run));
     sort_runs<<<runs, run_lanes, 0, stream_of_thread()>>>(range, key, sorted);
@@ -175,6 +175,8 @@ public:
   {
     return Device_loan_out<T>(table, false);
   }
+
+  void wait() { synchronize(); }
 
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
