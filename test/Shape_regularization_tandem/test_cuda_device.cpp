@@ -9,6 +9,8 @@
 
 #include "cuda_support.h"
 
+#include <CGAL/Tandem/internal/backend/cuda/Device_guard.cuh>
+
 #include <cuda_runtime_api.h>
 
 #include <cstdlib>
@@ -23,7 +25,14 @@ std::size_t free_memory()
   return free;
 }
 
-// All at the same time, each thread with a cloud of its own and once with the first.
+int number_of_devices()
+{
+  int devices = 0;
+  CHECK(cudaGetDeviceCount(&devices) == cudaSuccess);
+  return devices;
+}
+
+// All at the same time, each thread with a cloud of its own and once with the first, and on all devices.
 void test_threads()
 {
   constexpr std::size_t number = 6;
@@ -38,7 +47,8 @@ void test_threads()
   std::vector<int> wrong(number, 0);
   std::vector<std::thread> threads;
   for(std::size_t t = 0; t < number; ++t)
-    threads.emplace_back([&, t] {
+    threads.emplace_back([&, t, device = int(t) % number_of_devices()] {
+      wrong[t] += cudaSetDevice(device) != cudaSuccess;
       for(int run = 0; run < 4; ++run) {
         wrong[t] += detect<Cuda_tag>(clouds[t], parameters).hash() != expected[t];
         wrong[t] += detect<Cuda_tag>(clouds[0], parameters).hash() != expected[0];
@@ -50,7 +60,7 @@ void test_threads()
     check_equal(wrong[t], 0, "wrong results of thread " + std::to_string(t));
 }
 
-// A detection that is made by one thread and finished by another one.
+// A detection that is made by one thread, on the last device, and finished by another one.
 void test_moves_between_threads()
 {
   const Cloud cloud = make_cloud("house", 20000);
@@ -58,19 +68,38 @@ void test_moves_between_threads()
                       .point_map(First<Kernel>())
                       .normal_map(Second<Kernel>());
   using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Cuda_tag>;
+  CHECK(cudaSetDevice(number_of_devices() - 1) == cudaSuccess);
   CGAL::Tandem::Planar_shape_detection_3<Traits> detection(cloud, list);
-  std::thread([&] { detection.detect(); }).join();
+  CHECK(cudaSetDevice(0) == cudaSuccess);
+  int device_of_thread = -1;
+  std::thread([&] {
+    detection.detect();
+    CHECK(cudaGetDevice(&device_of_thread) == cudaSuccess);
+  }).join();
+  check_equal(device_of_thread, 0, "device of a thread that has chosen none");
   CHECK(detection.shapes().hash() == detect(cloud, make_parameters(.05, 40)).hash());
+}
+
+// The last device is used, and that alone: the first of several has no context afterwards, of any thread. To be called
+// before something else has made one.
+void test_last_device()
+{
+  const int last = number_of_devices() - 1;
+  const Cloud cloud = make_cloud("house", 300000);
+  const Parameters parameters = make_parameters(.05, 100);
+  CHECK(cudaSetDevice(last) == cudaSuccess);
+  CHECK(detect<Cuda_tag>(cloud, parameters).hash() == detect(cloud, parameters).hash());
+  CHECK(CGAL::Tandem::internal::has_context(last));
+  CHECK(last == 0 || !CGAL::Tandem::internal::has_context(0));
+  CHECK(cudaSetDevice(0) == cudaSuccess);
 }
 
 // On each device there is; the current one stays what it was.
 void test_current_device()
 {
-  int devices = 0;
-  CHECK(cudaGetDeviceCount(&devices) == cudaSuccess);
   const Cloud cloud = make_cloud("house", 10000);
   const std::uint64_t expected = detect(cloud, make_parameters(.05, 40)).hash();
-  for(int device = devices - 1; device >= 0; --device) {
+  for(int device = number_of_devices() - 1; device >= 0; --device) {
     CHECK(cudaSetDevice(device) == cudaSuccess);
     CHECK_AT(detect<Cuda_tag>(cloud, make_parameters(.05, 40)).hash() == expected, std::to_string(device));
     int now = -1;
@@ -78,6 +107,48 @@ void test_current_device()
     check_equal(now, device, "current device");
     CHECK(cudaGetLastError() == cudaSuccess);
   }
+}
+
+// Fails at the item in the middle.
+struct Failing_map {
+  using key_type = Cloud::value_type;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+  const Cloud* cloud;
+
+  friend reference get(const Failing_map& map, const key_type& item)
+  {
+    if(&item == &(*map.cloud)[map.cloud->size() / 2])
+      throw std::domain_error("no such point");
+    return item.first;
+  }
+};
+
+// Nothing is lost where a map fails in the middle of the upload, and where a callback throws between rounds.
+void test_exceptions()
+{
+  const Cloud cloud = make_cloud("house", 100000);
+  const auto settings = CGAL::Tandem::parameters::settings(make_parameters(.05, 40)).normal_map(Second<Kernel>());
+  const auto fail_in_upload = [&] {
+    CGAL::Tandem::detect_planes<Cuda_tag>(cloud, settings.point_map(Failing_map{&cloud}));
+  };
+  const auto fail_between_rounds = [&] {
+    int calls = 0;
+    const CGAL::Tandem::Callback callback = [&](double) -> bool {
+      return ++calls < 4 ? true : throw std::domain_error("no more");
+    };
+    CGAL::Tandem::detect_planes<Cuda_tag>(cloud, settings.point_map(First<Kernel>()).callback(callback));
+  };
+  std::size_t settled = 0;
+  for(int run = 0; run < 40; ++run) {
+    check_throws<std::domain_error>(fail_in_upload, {"no such point"}, __LINE__);
+    check_throws<std::domain_error>(fail_between_rounds, {"no more"}, __LINE__);
+    if(run == 19)
+      settled = free_memory();
+  }
+  check_equal(free_memory(), settled, "free memory after exceptions");
+  CHECK(detect<Cuda_tag>(cloud, make_parameters(.05, 40)).hash() == detect(cloud, make_parameters(.05, 40)).hash());
 }
 
 // What a run keeps for the next one is given back, as often as asked for.
@@ -135,15 +206,20 @@ void test_loop(int runs)
 
 int main(int argc, char** argv)
 {
+  int devices = 0;
+  if(cudaGetDeviceCount(&devices) == cudaSuccess && devices > 1)
+    static_cast<void>(cudaSetDevice(devices - 1)); // test_last_device()
   if(!has_device())
     return exit_skipped;
   if(argc > 1) {
     test_loop(std::atoi(argv[1]));
     return report();
   }
+  test_last_device();
   test_threads();
   test_moves_between_threads();
   test_current_device();
+  test_exceptions();
   test_release();
   test_too_large_cloud();
   test_loop(30);

@@ -31,7 +31,7 @@ struct Cuda_tag {};
 \ingroup PkgShapeRegularizationTandemRef
 
 `Cuda_tag` where the CUDA back end is linked, a device is there, and the points fit into its
-memory, otherwise `CGAL::Parallel_if_available_tag`.
+memory, otherwise `CGAL::Parallel_if_available_tag`. A device that fails between two rounds is an exception.
 */
 #ifdef CGAL_TANDEM_USE_CUDA
 struct Cuda_if_available_tag {};

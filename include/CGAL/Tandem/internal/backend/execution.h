@@ -35,10 +35,9 @@ public:
   using Upload = Cuda_engine::Upload;
 
   Cuda_or_host_engine(Backend& backend, Import& in, const Parameters& parameters)
+    : device_(engine_on_device(in, parameters))
   {
-    if(can_use_device(in, parameters))
-      device_ = std::make_unique<Cuda_engine>(in, parameters);
-    else {
+    if(device_ == nullptr) {
       in.drop_upload();
       host_ = std::make_unique<Engine<Backend>>(backend, in, parameters);
     }
@@ -51,14 +50,16 @@ public:
   Engine_result result() { return device_ ? device_->result() : host_->result(); }
 
 private:
-  // A device may be there, but busy or reserved.
-  static bool can_use_device(Import& in, const Parameters& parameters)
+  // Null if there is no device, or one that is busy, reserved or too small.
+  static std::unique_ptr<Cuda_engine> engine_on_device(Import& in, const Parameters& parameters)
   {
     try {
-      return is_cuda_available() && fits_on_device(in, parameters);
+      if(is_cuda_available())
+        return std::make_unique<Cuda_engine>(in, parameters);
     } catch(const std::runtime_error&) {
-      return false;
+    } catch(const std::length_error&) {
     }
+    return nullptr;
   }
 
   std::unique_ptr<Cuda_engine> device_;

@@ -87,8 +87,8 @@ inline std::vector<Link> sum_links(Cuda_backend& backend, const Link* source, st
   Device_buffer<std::int64_t> sums(1);
   with_cub_memory([&](void* memory, std::size_t& bytes) {
     return cub::DeviceReduce::ReduceByKey(memory, bytes, pair.Current(), pair.Alternate(), count.Current(),
-                                          count.Alternate(), sums.data(), thrust::plus<std::uint32_t>(), int(n),
-                                          stream_of_thread());
+                                          count.Alternate(), sums.data(), thrust::plus<std::uint32_t>(),
+                                          std::int64_t(n), stream_of_thread());
   });
   Device_buffer<std::uint32_t> ranks[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
   Device_buffer<std::uint32_t> places[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};

@@ -10,7 +10,8 @@
 #include <CGAL/Tandem/internal/Engine_result.h>
 #include <CGAL/Tandem/internal/Import.h>
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
-#include <CGAL/Tandem/internal/backend/cuda/Pinned_ring.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Pinned_copies.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
 
 #include <algorithm>
 #include <cstring>
@@ -26,6 +27,8 @@ namespace internal {
 // The caller's values, as they are. Threads may send them a piece at a time.
 class Values_on_device : public Uploaded_values {
 public:
+  using Piece = Cuda_upload::Piece;
+
   // The memory of the tables has to stay.
   Values_on_device(Vector_table& coordinates, Vector_table& normals, std::size_t n)
     : device_(current_device()), size_(n),
@@ -35,50 +38,53 @@ public:
     CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // the streams of the pairs use the memory
     const std::size_t threads = (std::max)(std::size_t(1), std::size_t(std::thread::hardware_concurrency()));
     for(std::size_t i = 0; i < (std::min)({threads, most_copying_threads, n / most_points() + 1}); ++i) // or fail now
-      give_back(make_pair());
+      free_.give(make_pair());
+  }
+
+  ~Values_on_device() override
+  {
+    const Device_guard guard(device_);
+    close();
+    for(Device_buffer<char>& value : value_)
+      value.release();
   }
 
   int device() const { return device_; }
   const char* coordinates() const { return value_[0].data(); }
   const char* normals() const { return value_[1].data(); } // null if there are none
-  std::size_t bytes() const { return value_[0].size() + value_[1].size(); }
   bool are_in_tables() const { return are_in_tables_; }
 
-  // Of a piece.
-  std::size_t most_points() const { return Pinned_pair::bytes / (number_of_tables() * vector_bytes_); }
-
-  Pinned_pair* take_pair()
+  // As those of Cuda_upload.
+  Piece begin(std::size_t most)
   {
+    const Device_guard guard(device_);
     Pinned_pair* pair;
-    return free_.take(pair) ? pair : make_pair();
+    if(!free_.take(pair))
+      pair = make_pair();
+    return {(std::min)(most, most_points()), pair->next(), pair};
   }
 
-  void give_back(Pinned_pair* pair) { free_.give(pair); }
-
-  // The points [first, last) from the piece of the pair that was begun last: coordinates, then normals.
-  void send(const char* piece, std::size_t first, std::size_t last, Pinned_pair& pair)
+  void end(const Piece& piece, std::size_t first)
   {
-    const std::size_t bytes = (last - first) * vector_bytes_;
+    const Device_guard guard(device_);
+    const std::size_t bytes = piece.size * vector_bytes_;
     for(std::size_t t = 0; t < number_of_tables(); ++t)
-      CGAL_TANDEM_CUDA(cudaMemcpyAsync(value_[t].data() + first * vector_bytes_, piece + t * bytes, bytes,
-                                       cudaMemcpyHostToDevice, pair.stream()));
-    pair.end_piece();
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(value_[t].data() + first * vector_bytes_, piece.values + t * bytes, bytes,
+                                       cudaMemcpyHostToDevice, piece.pair->stream()));
+    piece.pair->end_piece();
+    free_.give(piece.pair);
   }
 
   // From the tables, all points.
   void send_tables()
   {
     are_in_tables_ = true;
-    const std::size_t most = most_points();
-    Host_side().for_each_piece(size_, most, [&](std::size_t first, std::size_t last) {
-      const Device_guard guard(device_);
-      Pinned_pair* const pair = take_pair();
-      char* const piece = pair->next();
-      const std::size_t bytes = (last - first) * vector_bytes_;
+    Host_side().for_each_piece(size_, most_points(), [&](std::size_t first, std::size_t last) {
+      const Piece piece = begin(last - first);
+      const std::size_t bytes = piece.size * vector_bytes_;
       for(std::size_t t = 0; t < number_of_tables(); ++t)
-        std::memcpy(piece + t * bytes, table_[t] + first * vector_bytes_, bytes);
-      send(piece, first, last, *pair);
-      give_back(pair);
+        std::memcpy(piece.values + t * bytes, table_[t] + first * vector_bytes_, bytes);
+      end(piece, first);
     });
     close();
   }
@@ -101,6 +107,9 @@ public:
   }
 
 private:
+  // Of a piece.
+  std::size_t most_points() const { return Pinned_pair::bytes / (number_of_tables() * vector_bytes_); }
+
   std::size_t number_of_tables() const { return table_[1] != nullptr ? 2 : 1; }
 
   Pinned_pair* make_pair()
@@ -123,19 +132,23 @@ private:
 
 inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
 {
+  const auto values_of = [&]() -> const Values_on_device& { // no other back end uploads
+    return static_cast<const Values_on_device&>(*in.uploaded);
+  };
+  if(in.uploaded != nullptr && values_of().device() != current_device()) // the caller's callback has changed it
+    in.drop_upload();
   Device_buffer<Grid_point> point(in.size());
   if(in.uploaded == nullptr) {
     const auto sent = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
     sent->send_tables();
     in.uploaded = sent;
   }
-  const Values_on_device& values = static_cast<const Values_on_device&>(*in.uploaded); // no other back end uploads
+  const Values_on_device& values = values_of();
   Place_on_grid place = place_on_grid(in, point.data());
   place.coordinates.data = values.coordinates();
   place.normals.data = values.normals();
   backend.for_each(in.size(), place);
-  constexpr std::size_t large = std::size_t(8) << 30;
-  if(values.are_in_tables() || values.bytes() > large) // they would be in the way of the neighbors
+  if(values.are_in_tables()) // else they come back while the neighbors are searched
     in.drop_upload();
   return point;
 }

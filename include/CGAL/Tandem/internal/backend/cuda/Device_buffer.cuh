@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_BUFFER_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_DEVICE_BUFFER_CUH
 
-#include <CGAL/Tandem/internal/backend/cuda/cuda_check.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Device_guard.cuh>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,35 +21,6 @@ namespace Tandem {
 namespace internal {
 
 inline cudaStream_t stream_of_thread() { return cudaStreamPerThread; }
-
-inline int current_device()
-{
-  int device = 0;
-  CGAL_TANDEM_CUDA(cudaGetDevice(&device));
-  return device;
-}
-
-// Makes a device the current one for a while.
-class Device_guard {
-public:
-  explicit Device_guard(int device) : device_(device), before_(current_device())
-  {
-    if(device != before_)
-      CGAL_TANDEM_CUDA(cudaSetDevice(device));
-  }
-
-  ~Device_guard()
-  {
-    if(device_ != before_) // the call alone makes a context
-      static_cast<void>(cudaSetDevice(before_));
-  }
-
-  Device_guard(const Device_guard&) = delete;
-  Device_guard& operator=(const Device_guard&) = delete;
-
-private:
-  int device_, before_;
-};
 
 // The pools of the devices, made when they are used first.
 class Memory_pools {
@@ -65,8 +36,11 @@ public:
   static void trim()
   {
     std::lock_guard<std::mutex> lock(mutex());
-    for(const auto& pool : pools())
+    for(const auto& pool : pools()) {
+      const Device_guard guard(pool.first);
+      CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
       CGAL_TANDEM_CUDA(cudaMemPoolTrimTo(pool.second, 0));
+    }
   }
 
 private:
@@ -84,15 +58,16 @@ private:
     return pool;
   }
 
+  // Not destroyed at the end of the program, when somebody may still use them.
   static std::mutex& mutex()
   {
-    static std::mutex m;
+    static std::mutex& m = *new std::mutex;
     return m;
   }
 
   static std::map<int, cudaMemPool_t>& pools()
   {
-    static std::map<int, cudaMemPool_t> p;
+    static std::map<int, cudaMemPool_t>& p = *new std::map<int, cudaMemPool_t>;
     return p;
   }
 };
@@ -144,10 +119,15 @@ public:
 private:
   void allocate(std::size_t size)
   {
+    // The pool makes large memory of what has been freed only where the device has come that far.
+    constexpr std::size_t large = std::size_t(256) << 20;
+    const std::size_t bytes = size * sizeof(T);
     void* memory = nullptr;
-    if(size > 0)
-      CGAL_TANDEM_CUDA(cudaMallocFromPoolAsync(&memory, size * sizeof(T), Memory_pools::of_device(current_device()),
-                                               stream_of_thread()));
+    if(bytes >= large)
+      CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+    if(bytes > 0)
+      CGAL_TANDEM_CUDA(
+        cudaMallocFromPoolAsync(&memory, bytes, Memory_pools::of_device(current_device()), stream_of_thread()));
     data_ = static_cast<T*>(memory);
     size_ = size;
   }

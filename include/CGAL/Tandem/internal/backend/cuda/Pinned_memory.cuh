@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/backend/cuda/cuda_check.cuh>
 
 #include <cstddef>
+#include <exception>
 #include <mutex>
 #include <vector>
 
@@ -32,10 +33,14 @@ public:
     return true;
   }
 
-  void give(T item)
-  {
+  // False if there is no memory for it.
+  bool give(T item) noexcept
+  try {
     std::lock_guard<std::mutex> lock(mutex_);
     items_.push_back(item);
+    return true;
+  } catch(const std::exception&) {
+    return false;
   }
 
   void clear()
@@ -63,7 +68,11 @@ public:
     memory_ = static_cast<char*>(memory);
   }
 
-  ~Pinned_block() { kept().give(memory_); }
+  ~Pinned_block()
+  {
+    if(!kept().give(memory_))
+      static_cast<void>(cudaFreeHost(memory_));
+  }
 
   Pinned_block(const Pinned_block&) = delete;
   Pinned_block& operator=(const Pinned_block&) = delete;

@@ -34,12 +34,9 @@ public:
 
   ~Table_arena()
   {
-    int before = 0;
-    static_cast<void>(cudaGetDevice(&before));
-    static_cast<void>(cudaSetDevice(device_number_));
+    const Device_guard guard(device_number_);
     static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
     device_.release();
-    static_cast<void>(cudaSetDevice(before));
   }
 
   Table_arena(const Table_arena&) = delete;

@@ -77,9 +77,6 @@ bool is_cuda_available();
 std::string cuda_device_report();
 void release_cuda_memory();
 
-// Whether the current device has memory for the points. An upload that takes it is given up.
-bool fits_on_device(Import& in, const Parameters& parameters);
-
 // The number of points for which the current device has memory now.
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals);
 

@@ -24,7 +24,7 @@ struct Less_key {
 };
 
 // blockIdx.x: the range, blockIdx.y: the run in it.
-inline __global__ void __launch_bounds__(run_lanes)
+static __global__ void __launch_bounds__(run_lanes)
   sort_runs(const Range* range, const std::uint64_t* from, std::uint64_t* to)
 {
   using Sort = cub::BlockMergeSort<std::uint64_t, run_lanes, keys_of_lane>;

@@ -36,6 +36,20 @@ struct Cuda_engine::Implementation {
     synchronize();
   }
 
+  // Another thread may go on: the device has done all that f asks of it, also when f throws.
+  template <class F>
+  void on_device(F f)
+  {
+    const Device_guard guard(device);
+    try {
+      with_host_team(f);
+      synchronize();
+    } catch(...) {
+      static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
+      throw;
+    }
+  }
+
   int device;
   Cuda_backend backend;
   Engine<Cuda_backend> engine;
@@ -96,6 +110,19 @@ void require_device()
     throw std::runtime_error("Cuda_tag: no CUDA device: " + missing + "; use Cuda_if_available_tag, or another tag");
 }
 
+// Whether the current device has memory for the points. An upload that takes it is given up.
+bool fits_on_device(Import& in, const Parameters& parameters)
+{
+  const auto fits = [&] { return in.size() <= cuda_capacity(parameters, in.has_normals); };
+  if(fits())
+    return true;
+  if(in.uploaded == nullptr)
+    return false;
+  in.drop_upload();
+  synchronize();
+  return fits();
+}
+
 void require_memory(Import& in, const Parameters& parameters)
 {
   if(!fits_on_device(in, parameters))
@@ -108,28 +135,22 @@ void require_memory(Import& in, const Parameters& parameters)
 
 void Cuda_upload::start(Vector_table& coordinates, Vector_table& normals, std::size_t n)
 try {
-  if(n > 0 && is_cuda_available())
+  const bool has_normals = normals.bytes() != nullptr;
+  if(n > 0 && is_cuda_available() && n <= cuda_capacity(Parameters(), has_normals))
     values_ = std::make_shared<Values_on_device>(coordinates, normals, n);
-} catch(const std::runtime_error&) { // no memory
+} catch(const std::runtime_error&) { // the engine will say what is wrong with the device
   static_cast<void>(cudaGetLastError());
 }
 
 Cuda_upload::Piece Cuda_upload::begin(std::size_t most)
 {
-  if(values_ == nullptr)
-    return {most};
-  const Device_guard guard(values_->device());
-  Pinned_pair* const pair = values_->take_pair();
-  return {(std::min)(most, values_->most_points()), pair->next(), pair};
+  return values_ != nullptr ? values_->begin(most) : Piece{most};
 }
 
 void Cuda_upload::end(const Piece& piece, std::size_t first)
 {
-  if(values_ == nullptr)
-    return;
-  const Device_guard guard(values_->device());
-  values_->send(piece.values, first, first + piece.size, *piece.pair);
-  values_->give_back(piece.pair);
+  if(values_ != nullptr)
+    values_->end(piece, first);
 }
 
 std::shared_ptr<Uploaded_values> Cuda_upload::finish()
@@ -152,36 +173,28 @@ Cuda_engine::~Cuda_engine()
 {
   if(implementation_ == nullptr)
     return;
-  int before = 0;
-  static_cast<void>(cudaGetDevice(&before));
-  static_cast<void>(cudaSetDevice(implementation_->device));
+  const Device_guard guard(implementation_->device);
   implementation_.reset();
-  static_cast<void>(cudaSetDevice(before));
 }
 
 bool Cuda_engine::iterate()
 {
-  const Device_guard guard(implementation_->device);
   bool is_going_on = false;
-  with_host_team([&] { is_going_on = implementation_->engine.iterate(); });
-  synchronize();
+  implementation_->on_device([&] { is_going_on = implementation_->engine.iterate(); });
   return is_going_on;
 }
 
 void Cuda_engine::finish()
 {
-  const Device_guard guard(implementation_->device);
-  with_host_team([&] { implementation_->engine.finish(); });
-  synchronize();
+  implementation_->on_device([&] { implementation_->engine.finish(); });
 }
 
 double Cuda_engine::progress() const { return implementation_->engine.progress(); }
 
 Engine_result Cuda_engine::result()
 {
-  const Device_guard guard(implementation_->device);
   Engine_result result;
-  with_host_team([&] { result = implementation_->engine.result(); });
+  implementation_->on_device([&] { result = implementation_->engine.result(); });
   return result;
 }
 
@@ -201,23 +214,9 @@ std::string cuda_device_report()
 void release_cuda_memory()
 {
   Kept_pages::release();
-  if(!is_cuda_available())
-    return;
-  CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
+  Copy_streams::release();
   Pinned_block::release();
   Memory_pools::trim();
-}
-
-bool fits_on_device(Import& in, const Parameters& parameters)
-{
-  const auto fits = [&] { return in.size() <= cuda_capacity(parameters, in.has_normals); };
-  if(fits())
-    return true;
-  if(in.uploaded == nullptr)
-    return false;
-  in.drop_upload();
-  synchronize();
-  return fits();
 }
 
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals)

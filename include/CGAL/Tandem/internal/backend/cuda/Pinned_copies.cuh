@@ -4,8 +4,8 @@
 // Large tables travel through small pieces of pinned memory, which the threads of the host, several with
 // oneTBB, fill or empty while others are copied.
 
-#ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
-#define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_COPIES_CUH
+#define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_COPIES_CUH
 
 #include <CGAL/Tandem/internal/backend/cuda/Device_buffer.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
@@ -24,16 +24,67 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What is made for a device, and kept for the next who needs it: threads that make such things at the same time wait
-// for each other, longer than for a copy.
-template <class T>
-Kept_items<T>& kept_on_device(int device)
-{
-  static std::mutex& mutex = *new std::mutex;
-  static std::map<int, Kept_items<T>>& all = *new std::map<int, Kept_items<T>>;
-  std::lock_guard<std::mutex> lock(mutex);
-  return all[device];
-}
+// A stream for copies and an event for each of its two pieces.
+struct Copy_stream {
+  cudaStream_t stream = nullptr;
+  cudaEvent_t copied[2] = {};
+
+  // On the current device; leaves nothing behind when it throws.
+  void make()
+  try {
+    CGAL_TANDEM_CUDA(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
+    for(cudaEvent_t& event : copied)
+      CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
+  } catch(...) {
+    destroy();
+    throw;
+  }
+
+  void destroy()
+  {
+    for(cudaEvent_t event : copied)
+      if(event != nullptr)
+        static_cast<void>(cudaEventDestroy(event));
+    if(stream != nullptr)
+      static_cast<void>(cudaStreamDestroy(stream));
+  }
+};
+
+// Of each device, kept for the next who needs one: threads that make them at the same time wait for each other, longer
+// than for a copy.
+class Copy_streams {
+public:
+  static Kept_items<Copy_stream>& of_device(int device)
+  {
+    std::lock_guard<std::mutex> lock(mutex());
+    return all()[device];
+  }
+
+  // Destroys what no thread uses.
+  static void release()
+  {
+    std::lock_guard<std::mutex> lock(mutex());
+    for(auto& kept : all()) {
+      const Device_guard guard(kept.first);
+      for(Copy_stream copies; kept.second.take(copies);)
+        copies.destroy();
+    }
+  }
+
+private:
+  // Not destroyed at the end of the program, when the runtime may be gone.
+  static std::mutex& mutex()
+  {
+    static std::mutex& m = *new std::mutex;
+    return m;
+  }
+
+  static std::map<int, Kept_items<Copy_stream>>& all()
+  {
+    static std::map<int, Kept_items<Copy_stream>>& a = *new std::map<int, Kept_items<Copy_stream>>;
+    return a;
+  }
+};
 
 // More do not copy faster.
 constexpr std::size_t most_copying_threads = 16;
@@ -45,14 +96,15 @@ public:
 
   Pinned_pair() : device_(current_device())
   {
-    if(!kept_on_device<Copy_stream>(device_).take(copies_))
-      copies_ = make_copy_stream();
+    if(!Copy_streams::of_device(device_).take(copies_))
+      copies_.make();
   }
 
   ~Pinned_pair()
   {
     static_cast<void>(cudaStreamSynchronize(copies_.stream));
-    kept_on_device<Copy_stream>(device_).give(copies_);
+    if(!Copy_streams::of_device(device_).give(copies_))
+      copies_.destroy();
   }
 
   Pinned_pair(const Pinned_pair&) = delete;
@@ -73,20 +125,6 @@ public:
   void end_piece() { CGAL_TANDEM_CUDA(cudaEventRecord(copies_.copied[piece_], copies_.stream)); }
 
 private:
-  struct Copy_stream {
-    cudaStream_t stream;
-    cudaEvent_t copied[2]; // of each piece
-  };
-
-  static Copy_stream make_copy_stream()
-  {
-    Copy_stream made;
-    CGAL_TANDEM_CUDA(cudaStreamCreateWithFlags(&made.stream, cudaStreamNonBlocking));
-    for(cudaEvent_t& event : made.copied)
-      CGAL_TANDEM_CUDA(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
-    return made;
-  }
-
   int device_;
   Pinned_block block_;
   Copy_stream copies_;
@@ -129,4 +167,4 @@ inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_RING_CUH
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_CUDA_PINNED_COPIES_CUH
