@@ -7,7 +7,7 @@
 # which fails where a result of Tandem is wrong or differs between back ends; the micro-benchmarks
 # have to compile, where there is Google Benchmark. The manual has to build without a warning.
 #   test.sh [release] [sequential] [asan] [tsan] [cuda] [benchmark] [doc]    only these (default: all of them)
-# Where there is a CUDA compiler, the CUDA back end is built for one architecture, too;
+# Where there is a CUDA compiler, the CUDA back end is built, too, for one or two architectures;
 # its tests are skipped without a device.
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
@@ -66,13 +66,13 @@ run_tsan()
     "-DTANDEM_TESTS=test_(host_team|thread_backend)" "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 
-# For the device that is there, or one of the year 2022.
+# For the device that is there; else for the oldest kind that can be used, and one of the year 2022.
 run_cuda()
 {
   command -v "${CUDACXX:-nvcc}" > /dev/null || { echo "== cuda: skipped, there is no CUDA compiler"; return; }
   architecture=$("$root/scripts/cuda_architecture.sh")
   configuration cuda cuda -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_CUDA=ON \
-    "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-90}" -DTANDEM_TESTS=test_cuda \
+    "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real;90-real}" -DTANDEM_TESTS=test_cuda \
     -DTANDEM_EXAMPLES=detect_planes_on_device
 }
 
