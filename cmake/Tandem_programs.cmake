@@ -4,6 +4,7 @@
 # For the programs of this repository: warnings, and Tandem itself where the
 # folder of examples, tests or benchmarks is configured on its own.
 
+set(tandem_programs_dir "${CMAKE_CURRENT_LIST_DIR}")
 option(TANDEM_WARNINGS_AS_ERRORS "Warnings are errors in the programs of Tandem" ON)
 
 if(NOT TARGET Tandem::tandem)
@@ -25,6 +26,29 @@ function(tandem_add_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE Tandem::tandem)
   tandem_set_warnings(${name})
+  tandem_share_engine(${name} ${ARGN})
+endfunction()
+
+# Programs that detect planes need not compile the engine each. Beside CUDA it has other flags; there
+# are few programs then.
+function(tandem_share_engine program)
+  if(MSVC OR TARGET Tandem::tandem_cuda)
+    return()
+  endif()
+  foreach(source IN LISTS ARGN)
+    get_filename_component(source "${source}" ABSOLUTE)
+    file(STRINGS "${source}" uses_engine REGEX "include.*(Shape_regularization_tandem|_support\\.h|box_cloud\\.h|Engine\\.h)")
+    if(uses_engine)
+      if(NOT TARGET tandem_shared_engine)
+        add_library(tandem_shared_engine STATIC EXCLUDE_FROM_ALL "${tandem_programs_dir}/shared_engine.cpp")
+        target_link_libraries(tandem_shared_engine PRIVATE Tandem::tandem)
+        tandem_set_warnings(tandem_shared_engine)
+      endif()
+      target_compile_options(${program} PRIVATE -include "${tandem_programs_dir}/shared_engine.h")
+      target_link_libraries(${program} PRIVATE tandem_shared_engine)
+      return()
+    endif()
+  endforeach()
 endfunction()
 
 # Programs that offer the CUDA back end where it is built.

@@ -27,58 +27,21 @@ public:
   using Upload = No_upload;
 
   // The import has to stay.
-  Engine(Backend& backend, Import& in, const Parameters& parameters) : in_(in), state_(backend)
-  {
-    prepare(state_, in, parameters, order_, points_, neighbors_, times_);
-  }
+  Engine(Backend& backend, Import& in, const Parameters& parameters);
 
   static const char* name() { return Backend::name(); }
 
   // One round; false when nothing grows any more.
-  bool iterate()
-  {
-    if(state_.cloud.size == 0)
-      return false;
-    Stage_timer growth(times_.growth);
-    const std::size_t gained = grow_shapes(state_);
-    growth.stop();
-
-    Stage_timer regularity(times_.regularity);
-    std::vector<Link> links = collect_links(state_, least_links, Links::changed, [&] { refit_shapes(state_); });
-    merge_fragments(state_, links, misfit_share);
-    relations_ = regularize_shapes(state_, false, relations_);
-    split_layers(state_, relations_);
-    std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);
-    give_up_fragments(target);
-    merge_shapes(state_, target);
-    apply_planes(state_, target);
-    ++state_.round;
-    return is_going_on(gained);
-  }
+  bool iterate();
 
   // The end game. Afterwards result() is final and keeps the guarantees.
-  void finish()
-  {
-    Stage_timer timer(times_.finish);
-    if(state_.cloud.size > 0)
-      relations_ = end_game(state_);
-    final_ = extract_shapes(state_, relations_, in_, order_.data());
-    is_finished_ = true;
-  }
+  void finish();
 
   double progress() const { return is_finished_ ? 1 : 1 - 8. / (8 + state_.round); }
 
   // Between rounds: what has been found so far, not regularized to the end and not
   // checked exactly.
-  Engine_result result()
-  {
-    Engine_result r = is_finished_ ? final_ : extract_shapes(state_, relations_, in_, order_.data());
-    r.rounds = std::size_t(state_.round);
-    r.is_coarse = in_.grid.is_coarse;
-    r.times = times_;
-    r.peak_bytes = state_.peak_bytes;
-    return r;
-  }
+  Engine_result result();
 
 private:
   // In a joint-fit merge.
@@ -136,6 +99,57 @@ private:
   int idle_rounds_ = 0;
   bool is_finished_ = false;
 };
+
+// Not in the class, so that a program of many files may compile them once (`extern template class`).
+
+template <class Backend>
+Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& parameters) : in_(in), state_(backend)
+{
+  prepare(state_, in, parameters, order_, points_, neighbors_, times_);
+}
+
+template <class Backend>
+bool Engine<Backend>::iterate()
+{
+  if(state_.cloud.size == 0)
+    return false;
+  Stage_timer growth(times_.growth);
+  const std::size_t gained = grow_shapes(state_);
+  growth.stop();
+
+  Stage_timer regularity(times_.regularity);
+  std::vector<Link> links = collect_links(state_, least_links, Links::changed, [&] { refit_shapes(state_); });
+  merge_fragments(state_, links, misfit_share);
+  relations_ = regularize_shapes(state_, false, relations_);
+  split_layers(state_, relations_);
+  std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);
+  give_up_fragments(target);
+  merge_shapes(state_, target);
+  apply_planes(state_, target);
+  ++state_.round;
+  return is_going_on(gained);
+}
+
+template <class Backend>
+void Engine<Backend>::finish()
+{
+  Stage_timer timer(times_.finish);
+  if(state_.cloud.size > 0)
+    relations_ = end_game(state_);
+  final_ = extract_shapes(state_, relations_, in_, order_.data());
+  is_finished_ = true;
+}
+
+template <class Backend>
+Engine_result Engine<Backend>::result()
+{
+  Engine_result r = is_finished_ ? final_ : extract_shapes(state_, relations_, in_, order_.data());
+  r.rounds = std::size_t(state_.round);
+  r.is_coarse = in_.grid.is_coarse;
+  r.times = times_;
+  r.peak_bytes = state_.peak_bytes;
+  return r;
+}
 
 } // namespace internal
 } // namespace Tandem
