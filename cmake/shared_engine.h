@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Included before each program of this repository that detects planes: the engine, which takes longest to compile, is
-// compiled once for all of them, in shared_engine.cpp.
+// Included before tests and examples: the engine, which takes longest to compile, is compiled once for all of them, in
+// shared_engine.cpp.
 
 #ifndef CGAL_TANDEM_SHARED_ENGINE_H
 #define CGAL_TANDEM_SHARED_ENGINE_H
