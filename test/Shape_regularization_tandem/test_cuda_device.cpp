@@ -76,7 +76,7 @@ void test_moves_between_threads()
     detection.detect();
     CHECK(cudaGetDevice(&device_of_thread) == cudaSuccess);
   }).join();
-  check_equal(device_of_thread, 0, "device of a thread that has chosen none");
+  check_equal(device_of_thread, 0, "device of a thread that has chosen none, where the first one is in use");
   CHECK(detection.shapes().hash() == detect(cloud, make_parameters(.05, 40)).hash());
 }
 

@@ -50,12 +50,11 @@ public:
   Engine_result result() { return device_ ? device_->result() : host_->result(); }
 
 private:
-  // Null if there is no device, or one that is busy, reserved or too small.
+  // Null if there is no device, or one that is busy, reserved, too small, or fails before the first round.
   static std::unique_ptr<Cuda_engine> engine_on_device(Import& in, const Parameters& parameters)
   {
     try {
-      if(is_cuda_available())
-        return std::make_unique<Cuda_engine>(in, parameters);
+      return std::make_unique<Cuda_engine>(in, parameters);
     } catch(const std::runtime_error&) {
     } catch(const std::length_error&) {
     }

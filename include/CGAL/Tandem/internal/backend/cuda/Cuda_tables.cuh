@@ -43,7 +43,7 @@ public:
 
   ~Values_on_device() override
   {
-    const Device_guard guard(device_);
+    const Device_guard guard(device_, std::nothrow);
     close();
     for(Device_buffer<char>& value : value_)
       value.release();

@@ -35,8 +35,10 @@ public:
   // Gives back what is not in use.
   static void trim()
   {
-    std::lock_guard<std::mutex> lock(mutex());
-    for(const auto& pool : pools()) {
+    std::unique_lock<std::mutex> lock(mutex());
+    const std::map<int, cudaMemPool_t> all = pools();
+    lock.unlock(); // others may ask for memory meanwhile
+    for(const auto& pool : all) {
       const Device_guard guard(pool.first);
       CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
       CGAL_TANDEM_CUDA(cudaMemPoolTrimTo(pool.second, 0));
@@ -119,7 +121,7 @@ public:
 private:
   void allocate(std::size_t size)
   {
-    // The pool makes large memory of what has been freed only where the device has come that far.
+    // The pool joins what has been freed to larger memory only when the stream has come to where it was freed.
     constexpr std::size_t large = std::size_t(256) << 20;
     const std::size_t bytes = size * sizeof(T);
     void* memory = nullptr;

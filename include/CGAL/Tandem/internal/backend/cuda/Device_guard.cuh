@@ -8,6 +8,8 @@
 
 #include <cuda.h>
 
+#include <new>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -19,39 +21,47 @@ inline int current_device()
   return device;
 }
 
-// Whether anybody has used the device; asks the driver, which is not linked.
+// Whether anybody has used the device. Before CUDA 12 it does not matter: there cudaSetDevice() makes no context.
 inline bool has_context(int device)
 {
-  using Get_state = CUresult(CUDAAPI*)(CUdevice, unsigned*, int*);
-  const char* const name = "cuDevicePrimaryCtxGetState";
+  int is_active = 1;
+#if CUDART_VERSION >= 12000
+  const char* const name = "cuDevicePrimaryCtxGetState"; // of the driver, which is not linked
   void* function = nullptr;
 #if CUDART_VERSION >= 12050
   constexpr unsigned since = 7000;
-  const cudaError_t error = cudaGetDriverEntryPointByVersion(name, &function, since, cudaEnableDefault, nullptr);
-#elif CUDART_VERSION >= 12000
-  const cudaError_t error = cudaGetDriverEntryPoint(name, &function, cudaEnableDefault, nullptr);
+  const cudaError_t error = cudaGetDriverEntryPointByVersion(name, &function, since, cudaEnableDefault);
 #else
   const cudaError_t error = cudaGetDriverEntryPoint(name, &function, cudaEnableDefault);
 #endif
+  using Get_state = CUresult(CUDAAPI*)(CUdevice, unsigned*, int*);
   unsigned flags = 0;
-  int is_active = 1;
   if(error == cudaSuccess && function != nullptr)
     static_cast<void>(reinterpret_cast<Get_state>(function)(device, &flags, &is_active));
+#else
+  static_cast<void>(device);
+#endif
   return is_active != 0;
 }
 
-// Makes a device the current one of the thread for a while. Throws nothing: it is for destructors as well, and what
-// fails here fails in the next call. A thread that has chosen no device, as those of oneTBB, looks like one of device
-// 0, where cudaSetDevice() would make a context of some hundred megabytes: where nobody has used that device, the
-// thread keeps the other one.
+// Makes a device the current one of the thread for a while. A thread that has chosen none, as those of oneTBB, looks
+// like one of device 0, where cudaSetDevice() would make a context of some hundred megabytes: where nobody has used
+// that device, the thread keeps the other one.
 class Device_guard {
 public:
-  explicit Device_guard(int device)
+  explicit Device_guard(int device) : Device_guard(device, std::nothrow)
   {
-    static_cast<void>(cudaGetDevice(&before_));
-    is_other_ = device != before_;
+    check_cuda(error_, "cudaSetDevice(device)", __FILE__, __LINE__);
+  }
+
+  // For destructors: the device may be gone.
+  Device_guard(int device, const std::nothrow_t&) : error_(cudaGetDevice(&before_))
+  {
+    is_other_ = error_ == cudaSuccess && device != before_;
     if(is_other_)
-      static_cast<void>(cudaSetDevice(device));
+      error_ = cudaSetDevice(device);
+    if(error_ != cudaSuccess)
+      static_cast<void>(cudaGetLastError()); // so that it is not reported again
   }
 
   ~Device_guard()
@@ -65,6 +75,7 @@ public:
 
 private:
   int before_ = 0;
+  cudaError_t error_;
   bool is_other_;
 };
 

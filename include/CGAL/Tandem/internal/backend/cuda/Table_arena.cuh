@@ -34,7 +34,7 @@ public:
 
   ~Table_arena()
   {
-    const Device_guard guard(device_number_);
+    const Device_guard guard(device_number_, std::nothrow);
     static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
     device_.release();
   }

@@ -173,7 +173,7 @@ Cuda_engine::~Cuda_engine()
 {
   if(implementation_ == nullptr)
     return;
-  const Device_guard guard(implementation_->device);
+  const Device_guard guard(implementation_->device, std::nothrow);
   implementation_.reset();
 }
 
