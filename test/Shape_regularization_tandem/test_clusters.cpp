@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Joint-fit clusters: links that are tried at the same time give what they give one
-// after the other, on all back ends.
+// after the other, on all back ends. What is refused without a fit would have been refused with it.
 
 #undef NDEBUG
 
@@ -88,8 +88,43 @@ void check(Backend& backend, const Outcome& expected, const std::string& name)
   CHECK_AT(std::equal(outcome.plane.begin(), outcome.plane.end(), expected.plane.begin(), is_same), name + ": planes");
 }
 
+void check_apart()
+{
+  Sequential_backend backend;
+  Tandem_state<Sequential_backend> t(backend);
+  make_fragments(t);
+  const Joint_fit_test test = {.95, maximum_distance};
+  int refused = 0, apart = 0;
+  for(const Link& link : make_links()) {
+    const Shape &a = t.shapes[link.first()], &b = t.shapes[link.second()];
+    Fitted_moments joint;
+    const bool is_refused = !test.fit(a, b, joint);
+    refused += is_refused;
+    apart += test.are_apart(a, b);
+    CHECK(is_refused || !test.are_apart(a, b));
+    check_equal(test(a, b, joint), !is_refused, "with and without the shortcut");
+  }
+  CHECK_AT(refused > 200 && 2 * apart > refused, std::to_string(apart) + " of " + std::to_string(refused));
+}
+
+// The eigenvalues of a turned diagonal matrix are known.
+void check_eigenvalues()
+{
+  const Vector u = unit({1, 2, 3}), v = unit(cross(u, {1, 0, 0})), w = cross(u, v);
+  const auto along = [](double s, const Vector& n) {
+    return Symmetric_matrix{s * n.x * n.x, s * n.x * n.y, s * n.x * n.z, s * n.y * n.y, s * n.y * n.z, s * n.z * n.z};
+  };
+  const Symmetric_matrix m = along(2, u) + along(5, v) + along(7e3, w);
+  CHECK(has_eigenvalues_above(m, 1.999));
+  for(const double value : {2.001, 4., 6., 7.1e3})
+    CHECK_AT(!has_eigenvalues_above(m, value), std::to_string(value));
+  CHECK(!has_eigenvalues_above({0, 0, 0, 0, 0, 0}, 0));
+}
+
 int main()
 {
+  check_eigenvalues();
+  check_apart();
   Sequential_backend sequential;
   const Outcome expected = unite(sequential, std::size_t(-1));
   check_equal(expected.steps, 0u, "one after the other");

@@ -52,17 +52,37 @@ struct Joint_fit_test {
 
   bool is_tolerable(const Fitted_moments& m, const Regular_plane& plane) const
   {
-    const double most = tolerated_rms * maximum_distance, little = negligible_rms * maximum_distance;
-    const double more = excess(m.scatter, m.fit, plane);
-    return more <= most * most * m.scatter.count && more <= std::fma(little * little, m.scatter.count, m.fit.smallest);
+    return excess(m.scatter, m.fit, plane) <= most_excess(m);
   }
 
   bool operator()(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
+  {
+    return !are_apart(a, b) && fit(a, b, joint);
+  }
+
+  // Whether fit() refuses them for certain, since even the best plane of all points is too far from them: without
+  // its eigenvectors, as most pairs are apart. The margins are for rounding.
+  bool are_apart(const Fitted_moments& a, const Fitted_moments& b) const
+  {
+    const Symmetric_matrix joint = joint_matrix(a.scatter, b.scatter);
+    const double most = a.fit.smallest + most_excess(a) + b.fit.smallest + most_excess(b);
+    return has_eigenvalues_above(joint, std::fma(1e-8, joint.xx + joint.yy + joint.zz, 1.000001 * most));
+  }
+
+  bool fit(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
   {
     joint.moments = a.moments;
     joint.moments += b.moments;
     refit(joint);
     return is_tolerable(a, joint.local) && is_tolerable(b, joint.local);
+  }
+
+private:
+  // How much the sum of squared distances may grow.
+  double most_excess(const Fitted_moments& m) const
+  {
+    const double most = tolerated_rms * maximum_distance, little = negligible_rms * maximum_distance;
+    return (std::min)(most * most * m.scatter.count, std::fma(little * little, m.scatter.count, m.fit.smallest));
   }
 };
 

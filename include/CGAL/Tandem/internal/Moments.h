@@ -108,6 +108,15 @@ CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
   return s;
 }
 
+// The scatter matrix of two sets of points together.
+CGAL_TANDEM_HD inline Symmetric_matrix joint_matrix(const Scatter& a, const Scatter& b)
+{
+  const Vector d = b.centroid - a.centroid;
+  const double w = a.count * b.count / (a.count + b.count);
+  return a.matrix + b.matrix +
+         Symmetric_matrix{w * d.x * d.x, w * d.x * d.y, w * d.x * d.z, w * d.y * d.y, w * d.y * d.z, w * d.z * d.z};
+}
+
 // Least-squares plane of a set of points.
 struct Fit {
   Vector normal;   // unit

@@ -69,6 +69,19 @@ CGAL_TANDEM_HD inline Vector operator*(const Symmetric_matrix& m, const Vector& 
 // v' M v
 CGAL_TANDEM_HD inline double quadratic_form(const Symmetric_matrix& m, const Vector& v) { return dot(v, m * v); }
 
+// Whether all eigenvalues are larger, within rounding: m - value I is positive definite.
+CGAL_TANDEM_HD inline bool has_eigenvalues_above(const Symmetric_matrix& m, double value)
+{
+  const double p = m.xx - value;
+  if(!(p > 0))
+    return false;
+  const double q = std::fma(-m.xy / p, m.xy, m.yy - value);
+  if(!(q > 0))
+    return false;
+  const double r = std::fma(-m.xy / p, m.xz, m.yz);
+  return std::fma(-r / q, r, std::fma(-m.xz / p, m.xz, m.zz - value)) > 0;
+}
+
 struct Eigen_system {
   double value[3]; // ascending
   Vector vector[3];

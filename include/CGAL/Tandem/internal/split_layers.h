@@ -18,6 +18,8 @@ namespace internal {
 
 // Of the distances to the plane, over [-2, 2] epsilon.
 constexpr int histogram_bins = 64;
+// Fewer of them are left to one thread.
+constexpr std::size_t few_histograms = 16;
 
 template <class Backend>
 struct Count_distances {
@@ -198,15 +200,21 @@ void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
     integer_planes.push_back(rounded(planes[h]));
   }
   count_distances(t, histogram_of, integer_planes, histogram);
+  std::vector<double> layer(entries.size());
+  t.backend.for_each_on_host(
+    entries.size(),
+    [&](std::size_t h) {
+      const Shape& shape = t.shapes[r.id[entries[h]]];
+      const bool is_crooked =
+        shape.moments.count >= crooked_size && length(cross(planes[h].normal, shape.local.normal)) > certain_lean;
+      layer[h] = find_layer(histogram.data() + h * histogram_bins, is_crooked);
+    },
+    few_histograms);
   for(std::size_t h = 0; h < entries.size(); ++h) {
-    Shape& shape = t.shapes[r.id[entries[h]]];
-    const bool is_crooked =
-      shape.moments.count >= crooked_size && length(cross(planes[h].normal, shape.local.normal)) > certain_lean;
-    const double layer = find_layer(histogram.data() + h * histogram_bins, is_crooked);
-    if(layer == 0)
+    if(layer[h] == 0)
       continue;
-    planes[h].offset = std::fma(layer, t.options.maximum_distance, planes[h].offset);
-    shape.plane = planes[h];
+    planes[h].offset = std::fma(layer[h], t.options.maximum_distance, planes[h].offset);
+    t.shapes[r.id[entries[h]]].plane = planes[h];
     set_own_plane(r.relations, entries[h], planes[h]); // it has left its relations
   }
 }
