@@ -51,6 +51,9 @@ private:
   static constexpr int most_rounds = 300;
   static constexpr int most_idle_rounds = 3;
   static constexpr int young_rounds = 4;
+  // Next to no gain: at most one point of so many, and so many points a leaf (in large ones shapes wait long).
+  static constexpr std::size_t points_of_idle_gain = 500;
+  static constexpr std::size_t idle_gain_of_leaf = 8;
 
   // Shapes of more than two rounds that stopped growing while they are small, unless
   // others are merged into them.
@@ -77,7 +80,9 @@ private:
     for(std::uint32_t id : chosen_shapes(state_, is_settled))
       settled += std::size_t(state_.shapes[id].moments.count);
     const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
-    const bool is_idle = (most_settled_ - best_before) * 10000 <= state_.cloud.size;
+    const std::size_t gain = most_settled_ - best_before;
+    const bool is_idle =
+      gain * points_of_idle_gain <= state_.cloud.size && gain <= idle_gain_of_leaf * state_.number_of_cells;
     idle_rounds_ = is_idle && state_.round > young_rounds ? idle_rounds_ + 1 : 0;
     bool is_alive = gained > 0;
     for(std::uint32_t id : state_.live)
