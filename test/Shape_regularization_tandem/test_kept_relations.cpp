@@ -160,7 +160,7 @@ int main()
   after.resize(Walls::large);
   CHECK(are_same(after, before));
 
-  walls.add_points(4, 4, 600);
+  walls.add_points(4, 4, 2400); // more than two percent
   r = regularize_shapes(t, false, r);
   check_tables(t, r, "found anew");
   after = walls.planes();
