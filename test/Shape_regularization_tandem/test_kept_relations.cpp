@@ -160,7 +160,15 @@ int main()
   after.resize(Walls::large);
   CHECK(are_same(after, before));
 
-  walls.add_points(4, 4, 2400); // more than two percent
+  walls.add_points(3, 3, 600);
+  walls.add_points(7, 7, 900); // less than two percent in all
+  r = regularize_shapes(t, false, r);
+  check_tables(t, r, "more points");
+  std::vector<Regular_plane> kept = walls.planes();
+  kept.resize(Walls::large);
+  CHECK(are_same(kept, before));
+
+  walls.add_points(4, 4, 600); // more than two percent in all
   r = regularize_shapes(t, false, r);
   check_tables(t, r, "found anew");
   after = walls.planes();

@@ -125,8 +125,30 @@ void test_large_minimum()
   CHECK_AT(shapes.statistics().number_of_rounds > 4, std::to_string(shapes.statistics().number_of_rounds));
 }
 
+// Small faces in one leaf, after the large plane that the others have is done: the loop does not end before them.
+void test_late_faces()
+{
+  Random random(4);
+  Cloud cloud;
+  for(int i = 0; i < 200000; ++i)
+    add(cloud, {between(random, 0, 100), between(random, 0, 100), between(random, 0, .002)}, {0, 0, 1});
+  const int tiles = 12, side = 7; // tiles of side x side points, tiles x tiles of them
+  const double spacing = .02, pitch = 1.3 * side * spacing;
+  for(int t = 0; t < tiles * tiles; ++t) {
+    const double x0 = 40 + pitch * (t / tiles), y0 = 40 + pitch * (t % tiles), z0 = between(random, 3, 3.3);
+    const double slope_x = between(random, -.3, .3), slope_y = between(random, -.3, .3);
+    for(int i = 0; i < side * side; ++i) {
+      const double x = spacing * (i / side + between(random, 0, .3)), y = spacing * (i % side + between(random, 0, .3));
+      add(cloud, {x0 + x, y0 + y, z0 + slope_x * x + slope_y * y}, unit(Vec{-slope_x, -slope_y, 1}));
+    }
+  }
+  const Shapes shapes = detect_valid("late faces", cloud, make_parameters(.005, 29));
+  CHECK_AT(shapes.number_of_shapes() > 130, std::to_string(shapes.number_of_shapes()));
+}
+
 int main()
 {
+  test_late_faces();
   test_many_faces();
   test_grid_twins();
   test_full_leaf();

@@ -60,8 +60,9 @@ struct Joint_fit_test {
     return !are_apart(a, b) && fit(a, b, joint);
   }
 
-  // Whether fit() refuses them for certain, since even the best plane of all points is too far from them: without
-  // its eigenvectors, as most pairs are apart. The margins are for rounding.
+  // Whether fit() is certain to refuse them, at less cost. If it did not, the sum of squared distances of all points to
+  // its plane, and so the smallest eigenvalue of their scatter matrix, would be at most `most`. The margins, relative
+  // to that and to the extent, are for rounding.
   bool are_apart(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const Symmetric_matrix joint = joint_matrix(a.scatter, b.scatter);

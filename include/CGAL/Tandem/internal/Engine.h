@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/prepare.h>
 #include <CGAL/Tandem/internal/split_layers.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace CGAL {
@@ -51,9 +52,10 @@ private:
   static constexpr int most_rounds = 300;
   static constexpr int most_idle_rounds = 3;
   static constexpr int young_rounds = 4;
-  // Next to no gain: at most one point of so many, and so many points a leaf (in large ones shapes wait long).
-  static constexpr std::size_t points_of_idle_gain = 500;
-  static constexpr std::size_t idle_gain_of_leaf = 8;
+  // Next to no gain of a round: so many points for each leaf where shapes may still begin, but at least one point of
+  // the first so many, and at most one of the second. (One leaf may have faces for many rounds, and the others none.)
+  static constexpr std::size_t gain_of_open_leaf = 32;
+  static constexpr std::size_t points_of_least_gain = 10000, points_of_most_gain = 500;
 
   // Shapes of more than two rounds that stopped growing while they are small, unless
   // others are merged into them.
@@ -71,6 +73,12 @@ private:
         target[id] = is_free;
   }
 
+  std::size_t next_to_no_gain(std::size_t open_leaves) const
+  {
+    const std::size_t n = state_.cloud.size;
+    return (std::max)(n / points_of_least_gain, (std::min)(n / points_of_most_gain, gain_of_open_leaf * open_leaves));
+  }
+
   bool is_going_on(std::size_t gained)
   {
     std::size_t settled = 0; // points of shapes that are large enough; fragments come and go for ever
@@ -80,15 +88,14 @@ private:
     for(std::uint32_t id : chosen_shapes(state_, is_settled))
       settled += std::size_t(state_.shapes[id].moments.count);
     const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
-    const std::size_t gain = most_settled_ - best_before;
-    const bool is_idle =
-      gain * points_of_idle_gain <= state_.cloud.size && gain <= idle_gain_of_leaf * state_.number_of_cells;
+    std::size_t open_leaves = 0;
+    for(std::size_t c = 0; c < state_.number_of_cells; ++c)
+      open_leaves += state_.seed_cursor[c] < state_.seeds.count[c];
+    const bool is_idle = most_settled_ - best_before <= next_to_no_gain(open_leaves);
     idle_rounds_ = is_idle && state_.round > young_rounds ? idle_rounds_ + 1 : 0;
-    bool is_alive = gained > 0;
+    bool is_alive = gained > 0 || open_leaves > 0;
     for(std::uint32_t id : state_.live)
       is_alive = is_alive || state_.is_restarted[id];
-    for(std::size_t c = 0; c < state_.number_of_cells; ++c)
-      is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
     return is_alive && idle_rounds_ < most_idle_rounds && state_.round < most_rounds;
   }
 

@@ -112,9 +112,10 @@ CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
 CGAL_TANDEM_HD inline Symmetric_matrix joint_matrix(const Scatter& a, const Scatter& b)
 {
   const Vector d = b.centroid - a.centroid;
-  const double w = a.count * b.count / (a.count + b.count);
-  return a.matrix + b.matrix +
-         Symmetric_matrix{w * d.x * d.x, w * d.x * d.y, w * d.x * d.z, w * d.y * d.y, w * d.y * d.z, w * d.z * d.z};
+  const Vector e = a.count * b.count / (a.count + b.count) * d;
+  const Symmetric_matrix s = a.matrix + b.matrix;
+  return {std::fma(e.x, d.x, s.xx), std::fma(e.x, d.y, s.xy), std::fma(e.x, d.z, s.xz),
+          std::fma(e.y, d.y, s.yy), std::fma(e.y, d.z, s.yz), std::fma(e.z, d.z, s.zz)};
 }
 
 // Least-squares plane of a set of points.
