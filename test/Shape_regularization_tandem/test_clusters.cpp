@@ -27,7 +27,7 @@ std::int32_t height(int x, int y, std::mt19937& random)
 }
 
 template <class Backend>
-void make_fragments(Tandem_state<Backend>& t)
+void make_fragments(Tandem_state<Backend>& t, std::int32_t shift = 0)
 {
   std::mt19937 random(3);
   t.shapes.resize(t.backend, columns * rows);
@@ -35,7 +35,7 @@ void make_fragments(Tandem_state<Backend>& t)
     Shape& shape = t.shapes[std::size_t(id)];
     for(int i = 0; i < 20 + int(random() % 200); ++i) {
       const int x = id % columns * width + int(random() % width), y = id / columns * width + int(random() % width);
-      shape.moments.add({x, y, height(x, y, random), no_normal}, 1);
+      shape.moments.add({x + shift, y + shift, height(x, y, random) + shift, no_normal}, 1);
     }
     refit(shape);
     t.live.push_back(std::uint32_t(id));
@@ -88,11 +88,11 @@ void check(Backend& backend, const Outcome& expected, const std::string& name)
   CHECK_AT(std::equal(outcome.plane.begin(), outcome.plane.end(), expected.plane.begin(), is_same), name + ": planes");
 }
 
-void check_apart()
+void check_apart(std::int32_t shift)
 {
   Sequential_backend backend;
   Tandem_state<Sequential_backend> t(backend);
-  make_fragments(t);
+  make_fragments(t, shift);
   const Joint_fit_test test = {.95, maximum_distance};
   int refused = 0, apart = 0;
   for(const Link& link : make_links()) {
@@ -124,7 +124,8 @@ void check_eigenvalues()
 int main()
 {
   check_eigenvalues();
-  check_apart();
+  check_apart(0);
+  check_apart(1 << 30);
   Sequential_backend sequential;
   const Outcome expected = unite(sequential, std::size_t(-1));
   check_equal(expected.steps, 0u, "one after the other");
