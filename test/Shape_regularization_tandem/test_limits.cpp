@@ -148,11 +148,11 @@ void test_late_faces()
 
 int main()
 {
-  test_late_faces();
   test_many_faces();
   test_grid_twins();
   test_full_leaf();
   test_stray_point();
   test_large_minimum();
+  test_late_faces();
   return report();
 }
