@@ -3,16 +3,19 @@
 //
 // Scenes that reach the limits of tables and of the grid: many small faces in one
 // leaf, points that coincide on a coarse grid, leaves as wide and as full as they
-// may be, stray points far away.
+// may be, stray points far away, faces behind better seeds.
 
 #undef NDEBUG
 
-#include "test_support.h"
+#include "patches_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 using scenes::Random;
 using scenes::Vec;
@@ -146,6 +149,36 @@ void test_late_faces()
   CHECK_AT(shapes.number_of_shapes() > 130, std::to_string(shapes.number_of_shapes()));
 }
 
+// Patches too small for a shape have the best seeds of all leaves: the loop does not end before the faces begin.
+void test_faces_behind_patches()
+{
+  struct Case {
+    std::size_t patches;
+    double face_noise;
+    std::size_t minimum_region_size, cell_size;
+  };
+  for(const Case& c : {Case{500, .02, 100, 8192}, Case{500, .02, 100, 65535}, Case{1000, .01, 100, 8192},
+                       Case{1000, .02, 100, 8192}, Case{1000, .02, points_of_patch + 1, 8192}}) {
+    const std::string name = "faces behind " + std::to_string(c.patches) + " patches, minimum " +
+                             std::to_string(c.minimum_region_size) + ", cells of " + std::to_string(c.cell_size);
+    const Cloud cloud = make_patches_cloud(c.patches, c.face_noise);
+    Parameters parameters = make_parameters(.05, c.minimum_region_size);
+    parameters.cell_size = c.cell_size;
+    const Shapes shapes = detect_valid(name, cloud, parameters);
+    for(std::size_t face = 0; face < rough_faces; ++face) {
+      std::map<std::ptrdiff_t, std::size_t> points_of; // by shape
+      for(std::size_t i = 0; i < points_of_rough_face; ++i)
+        ++points_of[shapes.shape_index(face * points_of_rough_face + i)];
+      std::size_t most = 0;
+      for(const auto& [shape, points] : points_of)
+        most = shape < 0 ? most : (std::max)(most, points);
+      CHECK_AT(2 * most > points_of_rough_face, name + ": face " + std::to_string(face));
+    }
+    CHECK_AT(shapes.statistics().number_of_rounds < 100,
+             name + ": " + std::to_string(shapes.statistics().number_of_rounds) + " rounds");
+  }
+}
+
 int main()
 {
   test_many_faces();
@@ -154,5 +187,6 @@ int main()
   test_stray_point();
   test_large_minimum();
   test_late_faces();
+  test_faces_behind_patches();
   return report();
 }

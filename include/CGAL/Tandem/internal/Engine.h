@@ -47,15 +47,12 @@ public:
 private:
   // In a joint-fit merge.
   static constexpr double misfit_share = 0.05;
-  // The bounds of the loop: rounds, and rounds in a row with next to no gain. In the first rounds
-  // shapes are small because they are young.
+  // The bounds of the loop: rounds, and idle rounds in a row: slow ones, after which no leaf has many seeds left. A slow
+  // round gains at most one point of so many; in the first rounds shapes are small because they are young.
   static constexpr int most_rounds = 300;
-  static constexpr int most_idle_rounds = 3;
+  static constexpr int most_idle_rounds = 2;
   static constexpr int young_rounds = 4;
-  // Next to no gain of a round: so many points for each leaf where shapes may still begin, but at least one point of
-  // the first so many, and at most one of the second. (One leaf may have faces for many rounds, and the others none.)
-  static constexpr std::size_t gain_of_open_leaf = 32;
-  static constexpr std::size_t points_of_least_gain = 10000, points_of_most_gain = 500;
+  static constexpr std::size_t points_of_slow_gain = 500;
 
   // Shapes of more than two rounds that stopped growing while they are small, unless
   // others are merged into them.
@@ -73,13 +70,9 @@ private:
         target[id] = is_free;
   }
 
-  std::size_t next_to_no_gain(std::size_t open_leaves) const
-  {
-    const std::size_t n = state_.cloud.size;
-    return (std::max)(n / points_of_least_gain, (std::min)(n / points_of_most_gain, gain_of_open_leaf * open_leaves));
-  }
-
-  bool is_going_on(std::size_t gained)
+  // The more rounds in a row are slow, the more shapes may grow in a leaf at a time: patches that are too small for a
+  // shape must not keep the faces behind them waiting.
+  void count_idle_rounds()
   {
     std::size_t settled = 0; // points of shapes that are large enough; fragments come and go for ever
     const auto is_settled = [&](const Shape& shape, std::uint32_t) {
@@ -88,12 +81,20 @@ private:
     for(std::uint32_t id : chosen_shapes(state_, is_settled))
       settled += std::size_t(state_.shapes[id].moments.count);
     const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
-    std::size_t open_leaves = 0;
+    const bool is_slow =
+      state_.round > young_rounds && most_settled_ - best_before <= state_.cloud.size / points_of_slow_gain;
+    slow_rounds_ = is_slow ? slow_rounds_ + 1 : 0;
+    idle_rounds_ = is_slow && !has_untried_leaf(state_) ? idle_rounds_ + 1 : 0;
+    state_.options.growth.seeds_in_flight =
+      (std::min)(least_seeds_in_flight << (std::min)(slow_rounds_, 4), int(max_seeds_in_flight));
+  }
+
+  bool is_going_on(std::size_t gained)
+  {
+    count_idle_rounds();
+    bool is_alive = gained > 0;
     for(std::size_t c = 0; c < state_.number_of_cells; ++c)
-      open_leaves += state_.seed_cursor[c] < state_.seeds.count[c];
-    const bool is_idle = most_settled_ - best_before <= next_to_no_gain(open_leaves);
-    idle_rounds_ = is_idle && state_.round > young_rounds ? idle_rounds_ + 1 : 0;
-    bool is_alive = gained > 0 || open_leaves > 0;
+      is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
     for(std::uint32_t id : state_.live)
       is_alive = is_alive || state_.is_restarted[id];
     return is_alive && idle_rounds_ < most_idle_rounds && state_.round < most_rounds;
@@ -108,6 +109,7 @@ private:
   Stage_times times_;
   Engine_result final_;
   std::size_t most_settled_ = 0;
+  int slow_rounds_ = 0;
   int idle_rounds_ = 0;
   bool is_finished_ = false;
 };

@@ -28,6 +28,13 @@ constexpr std::uint8_t no_seed = 2;     // a shape that started here has failed
 constexpr std::uint8_t detached_once = 4;
 constexpr std::uint8_t is_interior = 8; // all of its neighbors have had its label
 
+struct Labels_view {
+  std::uint32_t* label;
+  std::uint8_t* state;
+
+  CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return label[i] == is_free && !(state[i] & no_seed); }
+};
+
 // Integer bounds of a set of points; grows only.
 struct Box {
   std::int32_t low[3] = {(std::numeric_limits<std::int32_t>::max)(), (std::numeric_limits<std::int32_t>::max)(),

@@ -25,11 +25,6 @@ struct Shapes_view {
   Shared_moments* gain;             // what the pass adds
 };
 
-struct Labels_view {
-  std::uint32_t* label;
-  std::uint8_t* state;
-};
-
 struct Growth_options {
   Tolerance tolerance;
   int seeds_in_flight;     // most shapes that may be growing in a leaf for a new one to begin
@@ -50,7 +45,8 @@ struct Cell_job {
   bool has_restarted = true;  // maybe: some shape grows again from all of its points
 };
 
-constexpr std::uint32_t max_seeds_in_flight = 16;
+constexpr int least_seeds_in_flight = 8;
+constexpr std::uint32_t max_seeds_in_flight = 32;
 
 // Points of a leaf, at most: the queue of a small one fits into fast memory.
 constexpr std::uint32_t small_cell = 8192;
@@ -210,16 +206,17 @@ private:
 
   CGAL_TANDEM_HD std::uint32_t skip_used_candidates()
   {
-    const std::uint32_t at = block_.find_first(*job_.seed_cursor, job_.seed_count, [&](std::uint32_t c) {
-      return label_[job_.seed[c]] == is_free && !(state_[job_.seed[c]] & no_seed);
-    });
+    const std::uint32_t at =
+      block_.find_first(*job_.seed_cursor, job_.seed_count, [&](std::uint32_t c) { return is_untried(job_.seed[c]); });
     block_.single([&] { *job_.seed_cursor = at; });
     return at;
   }
 
+  CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return Labels_view{label_, state_}.is_untried(i); }
+
   CGAL_TANDEM_HD bool is_candidate(std::uint32_t i) const
   {
-    if(label_[i] != is_free || (state_[i] & no_seed))
+    if(!is_untried(i))
       return false;
     for(std::uint32_t a = 0; a < s_.active_count; ++a)
       if(fits(shapes_.plane[s_.active[a]], cloud_.point[i], options_.tolerance))

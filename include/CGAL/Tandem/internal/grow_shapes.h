@@ -212,6 +212,44 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   return t.assigned - before;
 }
 
+// Whether a leaf has as many untried candidates as the smallest shape has points.
+struct Find_untried_leaves {
+  Labels_view labels;
+  Cells_view cells;
+  const std::uint32_t* seed;
+  const std::uint32_t* seed_count;
+  const std::uint32_t* seed_cursor;
+  std::uint32_t smallest_shape;
+  std::uint8_t* is_found;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, std::uint32_t& untried, std::uint32_t c) const
+  {
+    const std::uint32_t first = cells[c].first + seed_cursor[c];
+    block.single([&] { untried = 0; });
+    block.for_each(seed_count[c] - seed_cursor[c], [&](std::uint32_t at) {
+      if(labels.is_untried(seed[first + at]))
+        block.append(untried);
+    });
+    block.single([&] { is_found[c] = untried >= smallest_shape; });
+  }
+};
+
+template <class Backend>
+bool has_untried_leaf(Tandem_state<Backend>& t)
+{
+  std::vector<std::uint8_t> is_untried(t.number_of_cells);
+  const auto count = t.backend.lend(t.seeds.count);
+  const auto cursor = t.backend.lend(t.seed_cursor);
+  auto found = t.backend.lend_empty(is_untried);
+  const std::uint32_t smallest = std::uint32_t((std::min)(t.options.minimum_region_size, std::int64_t(t.cloud.size)));
+  t.backend.template for_each_cell<std::uint32_t>(
+    t.number_of_cells, Find_untried_leaves{t.labels(), t.cells_view(), t.seeds.seed.data(), count.data(), cursor.data(),
+                                           smallest, found.data()});
+  found.take_back();
+  return std::find(is_untried.begin(), is_untried.end(), 1) != is_untried.end();
+}
+
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL
