@@ -55,6 +55,8 @@ private:
 // Positions, counts and atomics are those of Serial_block: they are as random as
 // the order in which the items ask for them.
 struct Shuffled_block : Serial_block {
+  static constexpr std::uint32_t lookahead = 3;
+
   explicit Shuffled_block(Dice& dice) : dice(dice) {}
 
   template <class F>

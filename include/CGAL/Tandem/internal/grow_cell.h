@@ -8,8 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROW_CELL_H
 #define CGAL_TANDEM_INTERNAL_GROW_CELL_H
 
-#include <CGAL/Tandem/internal/Cloud.h>
-#include <CGAL/Tandem/internal/Moment_table.h>
+#include <CGAL/Tandem/internal/Cell_job.h>
 #include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/seeds.h>
 
@@ -17,56 +16,10 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What the shapes look like to the points during one round: plain arrays, by shape.
-struct Shapes_view {
-  Plane* plane;
-  std::uint16_t* rounds;            // breadth-first rounds of this pass
-  const std::uint8_t* is_restarted; // all of its points are on the frontier
-  Shared_moments* gain;             // what the pass adds
-};
-
-struct Growth_options {
-  Tolerance tolerance;
-  int seeds_in_flight;     // most shapes that may be growing in a leaf for a new one to begin
-  int seed_tries;          // candidates that may fail in one pass
-  std::uint32_t core_size; // fewest points that a shape begins with
-};
-
-// The part of one leaf in a pass.
-struct Cell_job {
-  Range cell;
-  const std::uint32_t* border;   // its points with a neighbor in another leaf ...
-  const std::uint32_t* proposal; // ... and the shapes that they join first, or no_index
-  std::uint32_t border_size;
-  const std::uint32_t* seed; // candidates
-  std::uint32_t seed_count;
-  std::uint32_t* seed_cursor; // candidates before it are used up
-  std::uint32_t new_shape;    // the ids from here on are those of new shapes
-  bool has_restarted = true;  // maybe: some shape grows again from all of its points
-};
-
-constexpr int least_seeds_in_flight = 8;
-constexpr std::uint32_t max_seeds_in_flight = 32;
-
-// Points of a leaf, at most: the queue of a small one fits into fast memory.
-constexpr std::uint32_t small_cell = 8192;
-constexpr std::uint32_t largest_cell = 65536;
-
-template <std::uint32_t CellSize>
-struct Growth_scratch {
-  std::uint16_t queue[CellSize]; // cell-relative points; each is queued at most once
-  std::uint32_t tail;
-  Moment_table table;
-  std::uint32_t active[max_seeds_in_flight]; // shapes on the frontier of this leaf, ascending
-  std::uint32_t active_count;
-  std::uint32_t core[65];
-  std::uint32_t core_count;
-  Cell_moments core_sums;
-};
-
 template <class Backend, class Block, class Scratch>
 class Cell_growth {
   static_assert(Is_block<Block>::value, "the block is no model of the concept Block");
+  static_assert(Block::lookahead > 0 && Block::lookahead <= most_lookahead, "the scratch has no room for the trials");
 
 public:
   CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
@@ -188,20 +141,40 @@ private:
     const std::uint32_t first = s_.tail;
     std::uint32_t at = skip_used_candidates();
     int room = options_.seeds_in_flight - int(s_.active_count);
-    std::uint32_t shape = job_.new_shape;
-    for(int tries = options_.seed_tries; room > 0 && tries > 0;) {
-      at = block_.find_first(at, job_.seed_count, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); });
+    int tries = options_.seed_tries;
+    Plane plane;
+    for(std::uint32_t shape = job_.new_shape; room > 0; --room, ++shape, ++at) {
+      at = find_core(at, tries, plane);
       if(at == job_.seed_count)
         break;
-      if(begin_shape(job_.seed[at], shape)) {
-        ++shape;
-        --room;
-      } else {
-        --tries;
-      }
-      ++at;
+      begin_shape(job_.seed[at], plane, shape);
     }
     expand(first, s_.tail);
+  }
+
+  // The next candidate with a core, and the plane of that, or seed_count. Those without one before it are
+  // no seeds any more, and each costs a try. As long as no shape begins a block may look at some of them ahead.
+  CGAL_TANDEM_HD std::uint32_t find_core(std::uint32_t at, int& tries, Plane& plane)
+  {
+    const auto is_next = [&](std::uint32_t c) { return is_candidate(job_.seed[c]); };
+    while(tries > 0 && (at = block_.find_first(at, job_.seed_count, is_next)) < job_.seed_count) {
+      const std::uint32_t left = job_.seed_count - at;
+      const std::uint32_t size = left < Block::lookahead ? left : Block::lookahead;
+      try_candidates(at, size);
+      std::uint32_t end = 0;
+      for(; end < size && tries > 0 && s_.trial[end].count < options_.core_size; ++end)
+        tries -= s_.trial[end].is_candidate;
+      if(end < size)
+        plane = s_.trial[end].plane;
+      block_.for_each(end, [&](std::uint32_t i) {
+        if(s_.trial[i].is_candidate)
+          state_[job_.seed[at + i]] |= no_seed;
+      });
+      at += end;
+      if(end < size && tries > 0)
+        return at;
+    }
+    return job_.seed_count;
   }
 
   CGAL_TANDEM_HD std::uint32_t skip_used_candidates()
@@ -229,62 +202,70 @@ private:
     return q >= job_.cell.first && q < job_.cell.last && label_[q] == is_free;
   }
 
-  // The seed and its free neighbors that fit its plane, then those that fit the
-  // plane through them, are the core of a new shape. False if they are too few.
-  CGAL_TANDEM_HD bool begin_shape(std::uint32_t seed, std::uint32_t shape)
-  {
-    bool is_core = gather_core(seed, own_plane(cloud_.point[seed]));
-    if(is_core) {
-      fit_core(shapes_.plane[shape]);
-      is_core = gather_core(seed, shapes_.plane[shape]);
-    }
-    block_.single([&] {
-      state_[seed] |= no_seed;
-      if(is_core) {
-        shapes_.rounds[shape] = 1;
-        s_.active[s_.active_count++] = shape;
-      }
-    });
-    if(!is_core)
-      return false;
-    block_.for_each(s_.core_count, [&](std::uint32_t c) {
-      label_[s_.core[c]] = shape;
-      state_[s_.core[c]] |= on_frontier;
-      push(s_.core[c]);
-    });
-    return true;
-  }
-
-  // True if there are enough for a shape.
-  CGAL_TANDEM_HD bool gather_core(std::uint32_t seed, const Plane& plane)
-  {
-    const std::uint32_t* row = cloud_.row(seed);
-    block_.single([&] { s_.core_count = 0; });
-    block_.for_each(std::uint32_t(cloud_.k) + 1, [&](std::uint32_t j) {
-      const std::uint32_t q = j == 0 ? seed : row[j - 1];
-      if(is_own_free(q) && fits(plane, cloud_.point[q], options_.tolerance))
-        s_.core[block_.append(s_.core_count)] = q;
-    });
-    return s_.core_count >= options_.core_size;
-  }
-
-  CGAL_TANDEM_HD void fit_core(Plane& plane)
+  CGAL_TANDEM_HD void try_candidates(std::uint32_t first, std::uint32_t size)
   {
     const Grid_point& o = base();
-    block_.single([&] { s_.core_sums = Cell_moments(); });
-    block_.template accumulate<Cell_moments>(
-      s_.core_count,
-      [&](std::uint32_t c, Cell_moments& sums) {
-        const Grid_point& p = cloud_.point[s_.core[c]];
-        sums.add(std::int64_t(p.x) - o.x, std::int64_t(p.y) - o.y, std::int64_t(p.z) - o.z);
-      },
-      [&](const Cell_moments& sums) {
-        if(sums.count > 0)
-          block_.add_moments(s_.core_sums, sums);
-      });
+    block_.for_each(size, [&](std::uint32_t i) {
+      const std::uint32_t seed = job_.seed[first + i];
+      s_.trial[i] = {is_candidate(seed), own_plane(cloud_.point[seed]), Cell_moments(), 0};
+    });
+    for_each_of_cores(first, size, [&](Trial& trial, const Grid_point& p) {
+      Cell_moments sums;
+      sums.add(std::int64_t(p.x) - o.x, std::int64_t(p.y) - o.y, std::int64_t(p.z) - o.z);
+      block_.add_moments(trial.sums, sums);
+    });
+    block_.for_each(size, [&](std::uint32_t i) {
+      Trial& trial = s_.trial[i];
+      if(trial.sums.count < std::int64_t(options_.core_size))
+        return;
+      const Scatter scatter = make_scatter(shifted(trial.sums, o.x, o.y, o.z));
+      trial.plane = make_plane(fit_plane(scatter).normal, scatter.centroid);
+    });
+    for_each_of_cores(first, size, [&](Trial& trial, const Grid_point&) {
+      if(trial.sums.count >= std::int64_t(options_.core_size))
+        block_.append(trial.count);
+    });
+  }
+
+  // f(trial, point) for what fits the plane of each trial.
+  template <class F>
+  CGAL_TANDEM_HD void for_each_of_cores(std::uint32_t first, std::uint32_t size, F f)
+  {
+    const std::uint32_t width = std::uint32_t(cloud_.k) + 1;
+    block_.for_each(size * width, [&](std::uint32_t at) {
+      Trial& trial = s_.trial[at / width];
+      const std::uint32_t q = near_seed(job_.seed[first + at / width], at % width);
+      if(trial.is_candidate && is_in_core(q, trial.plane))
+        f(trial, cloud_.point[q]);
+    });
+  }
+
+  // The seed and its neighbors.
+  CGAL_TANDEM_HD std::uint32_t near_seed(std::uint32_t seed, std::uint32_t j) const
+  {
+    return j == 0 ? seed : cloud_.row(seed)[j - 1];
+  }
+
+  CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
+  {
+    return is_own_free(q) && fits(plane, cloud_.point[q], options_.tolerance);
+  }
+
+  CGAL_TANDEM_HD void begin_shape(std::uint32_t seed, const Plane& plane, std::uint32_t shape)
+  {
     block_.single([&] {
-      const Scatter scatter = make_scatter(shifted(s_.core_sums, o.x, o.y, o.z));
-      plane = make_plane(fit_plane(scatter).normal, scatter.centroid);
+      shapes_.plane[shape] = plane;
+      shapes_.rounds[shape] = 1;
+      state_[seed] |= no_seed;
+      s_.active[s_.active_count++] = shape;
+    });
+    block_.for_each(std::uint32_t(cloud_.k) + 1, [&](std::uint32_t j) {
+      const std::uint32_t q = near_seed(seed, j);
+      if(!is_in_core(q, plane))
+        return;
+      label_[q] = shape;
+      state_[q] |= on_frontier;
+      push(q);
     });
   }
 

@@ -18,6 +18,9 @@ namespace Tandem {
 namespace internal {
 
 struct Serial_block {
+  static constexpr std::uint32_t lookahead =
+    1; // items that are worth trying before it is known whether they are needed
+
   // f(i) for i in [0, n), then all lanes have seen all writes.
   template <class F>
   void for_each(std::uint32_t n, F f)

@@ -70,7 +70,7 @@ template <class Block>
 struct Is_block<
   Block,
   std::void_t<
-    decltype(std::declval<Block&>().for_each(0u, archetypes::Predicate())),
+    decltype(std::uint32_t(Block::lookahead)), decltype(std::declval<Block&>().for_each(0u, archetypes::Predicate())),
     decltype(std::declval<Block&>().for_each_neighbor(0u, 0, archetypes::Row(), archetypes::Neighbor_functor())),
     decltype(std::uint32_t(std::declval<Block&>().find_first(0u, 0u, archetypes::Predicate()))),
     decltype(std::uint32_t(std::declval<Block&>().min(0u, archetypes::Value()))),

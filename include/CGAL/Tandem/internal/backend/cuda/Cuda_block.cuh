@@ -16,6 +16,8 @@ namespace internal {
 // operations is not overwritten before all have read it.
 template <unsigned Lanes>
 struct Cuda_block {
+  static constexpr std::uint32_t lookahead = 32;
+
   template <class F>
   __device__ void for_each(std::uint32_t n, F f)
   {
