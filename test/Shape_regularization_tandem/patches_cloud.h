@@ -9,38 +9,49 @@
 
 #include "test_support.h"
 
-constexpr std::size_t rough_faces = 30, points_of_rough_face = 400, points_of_patch = 30;
-
-struct Roughness {
-  double distance, angle; // standard deviations
+// Turned anyhow, with a corner somewhere in the cube [low, high]^3.
+struct Squares {
+  std::size_t count, points; // of each
+  double side, low, high;
+  double distance_noise, angle_noise; // standard deviations
 };
 
-// Somewhere in a cube of side 6, turned anyhow.
-inline void add_square(scenes::Random& random, Cloud& cloud, std::size_t points, double side,
-                       const Roughness& roughness)
+inline void add_squares(scenes::Random& random, Cloud& cloud, const Squares& squares)
 {
   using scenes::Vec;
-  const Vec n = random.direction();
-  const Vec u = unit(cross(n, random.direction())), v = cross(n, u);
-  const Vec corner{6 * random.uniform(), 6 * random.uniform(), 6 * random.uniform()};
-  for(std::size_t i = 0; i < points; ++i) {
-    const Vec in_plane = add_scaled(add_scaled(corner, side * random.uniform(), u), side * random.uniform(), v);
-    const Vec p = add_scaled(in_plane, roughness.distance * random.gaussian(), n);
-    const Vec m = unit(add_scaled(n, roughness.angle, random.gaussian_vector()));
-    cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(m.x, m.y, m.z));
+  const auto place = [&] { return squares.low + (squares.high - squares.low) * random.uniform(); };
+  for(std::size_t i = 0; i < squares.count; ++i) {
+    const Vec n = random.direction();
+    const Vec u = unit(cross(n, random.direction())), v = cross(n, u);
+    const double x = place(), y = place(), z = place();
+    for(std::size_t j = 0; j < squares.points; ++j) {
+      const double a = squares.side * random.uniform(), b = squares.side * random.uniform();
+      const Vec in_plane = add_scaled(add_scaled(Vec{x, y, z}, a, u), b, v);
+      const Vec p = add_scaled(in_plane, squares.distance_noise * random.gaussian(), n);
+      const Vec m = unit(add_scaled(n, squares.angle_noise, random.gaussian_vector()));
+      cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(m.x, m.y, m.z));
+    }
   }
 }
 
-// The points of each face first, one face after the other.
-inline Cloud make_patches_cloud(std::size_t patches, double face_noise)
+// The points of the faces first, one face after the other.
+inline Cloud make_squares_cloud(const Squares& faces, const Squares& patches)
 {
   scenes::Random random(11);
   Cloud cloud;
-  for(std::size_t i = 0; i < rough_faces; ++i)
-    add_square(random, cloud, points_of_rough_face, 1, {face_noise, .1});
-  for(std::size_t i = 0; i < patches; ++i)
-    add_square(random, cloud, points_of_patch, .3, {0, 0});
+  add_squares(random, cloud, faces);
+  add_squares(random, cloud, patches);
   return cloud;
+}
+
+constexpr std::size_t points_of_patch = 30;
+
+inline Squares make_rough_faces(double noise) { return {30, 400, 1, 0, 6, noise, .1}; }
+inline Squares make_patches(std::size_t count) { return {count, points_of_patch, .3, 0, 6, 0, 0}; }
+
+inline Cloud make_patches_cloud(std::size_t patches, double face_noise)
+{
+  return make_squares_cloud(make_rough_faces(face_noise), make_patches(patches));
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_PATCHES_CLOUD_H

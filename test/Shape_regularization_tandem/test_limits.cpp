@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Scenes that reach the limits of tables and of the grid: many small faces in one
-// leaf, points that coincide on a coarse grid, leaves as wide and as full as they
-// may be, stray points far away, faces behind better seeds.
+// leaf, points that coincide on a coarse grid, leaves as wide, as full and as small as
+// they may be, stray points far away, faces behind better seeds.
 
 #undef NDEBUG
 
@@ -150,33 +150,48 @@ void test_late_faces()
 }
 
 // Patches too small for a shape have the best seeds of all leaves: the loop does not end before the faces begin.
+void test_faces_behind_patches(const Squares& faces, const Squares& patches, std::size_t minimum, std::size_t cell_size)
+{
+  const std::string name = "faces behind " + std::to_string(patches.count) + " patches, minimum " +
+                           std::to_string(minimum) + ", cells of " + std::to_string(cell_size);
+  Parameters parameters = make_parameters(.05, minimum);
+  parameters.cell_size = cell_size;
+  const Shapes shapes = detect_valid(name, make_squares_cloud(faces, patches), parameters);
+  for(std::size_t face = 0; face < faces.count; ++face) {
+    std::map<std::ptrdiff_t, std::size_t> points_of; // by shape
+    for(std::size_t i = 0; i < faces.points; ++i)
+      ++points_of[shapes.shape_index(face * faces.points + i)];
+    std::size_t most = 0;
+    for(const auto& [shape, points] : points_of)
+      most = shape < 0 ? most : (std::max)(most, points);
+    CHECK_AT(2 * most > faces.points, name + ": face " + std::to_string(face));
+  }
+  const std::size_t rounds = shapes.statistics().number_of_rounds;
+  CHECK_AT(rounds < 100, name + ": " + std::to_string(rounds) + " rounds");
+}
+
 void test_faces_behind_patches()
 {
-  struct Case {
-    std::size_t patches;
-    double face_noise;
-    std::size_t minimum_region_size, cell_size;
-  };
-  for(const Case& c : {Case{500, .02, 100, 8192}, Case{500, .02, 100, 65535}, Case{1000, .01, 100, 8192},
-                       Case{1000, .02, 100, 8192}, Case{1000, .02, points_of_patch + 1, 8192}}) {
-    const std::string name = "faces behind " + std::to_string(c.patches) + " patches, minimum " +
-                             std::to_string(c.minimum_region_size) + ", cells of " + std::to_string(c.cell_size);
-    const Cloud cloud = make_patches_cloud(c.patches, c.face_noise);
-    Parameters parameters = make_parameters(.05, c.minimum_region_size);
-    parameters.cell_size = c.cell_size;
-    const Shapes shapes = detect_valid(name, cloud, parameters);
-    for(std::size_t face = 0; face < rough_faces; ++face) {
-      std::map<std::ptrdiff_t, std::size_t> points_of; // by shape
-      for(std::size_t i = 0; i < points_of_rough_face; ++i)
-        ++points_of[shapes.shape_index(face * points_of_rough_face + i)];
-      std::size_t most = 0;
-      for(const auto& [shape, points] : points_of)
-        most = shape < 0 ? most : (std::max)(most, points);
-      CHECK_AT(2 * most > points_of_rough_face, name + ": face " + std::to_string(face));
-    }
-    CHECK_AT(shapes.statistics().number_of_rounds < 100,
-             name + ": " + std::to_string(shapes.statistics().number_of_rounds) + " rounds");
-  }
+  test_faces_behind_patches(make_rough_faces(.02), make_patches(500), 100, 8192);
+  test_faces_behind_patches(make_rough_faces(.02), make_patches(500), 100, 65535);
+  test_faces_behind_patches(make_rough_faces(.01), make_patches(1000), 100, 8192);
+  test_faces_behind_patches(make_rough_faces(.02), make_patches(1000), 100, 8192);
+  test_faces_behind_patches(make_rough_faces(.02), make_patches(1000), points_of_patch + 1, 8192);
+  // No leaf has as many points of a face as the smallest shape.
+  test_faces_behind_patches({3, 8000, 1, 1, 2, .02, .1}, {30000, 13, .03, 0, 3, 0, 0}, 5000, 8192);
+}
+
+// Of at most as many points as a point has neighbors.
+void test_small_leaves()
+{
+  Cloud cloud;
+  for(int i = 0; i < 130 * 130; ++i)
+    add(cloud, {.1 * (i % 130), .1 * (i / 130), 0}, {0, 0, 1});
+  Parameters parameters = make_parameters(.05, 100);
+  parameters.k_neighbors = parameters.cell_size = 64;
+  const Shapes shapes = detect_valid("small leaves", cloud, parameters);
+  check_counts("small leaves", shapes, 1, 1, 1);
+  CHECK_AT(shapes.statistics().coverage > .99, std::to_string(shapes.statistics().coverage));
 }
 
 int main()
@@ -188,5 +203,6 @@ int main()
   test_large_minimum();
   test_late_faces();
   test_faces_behind_patches();
+  test_small_leaves();
   return report();
 }

@@ -212,7 +212,7 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   return t.assigned - before;
 }
 
-// Whether a leaf has as many untried candidates as the smallest shape has points.
+// Whether a leaf has many untried candidates: as many as the smallest shape has points, or as a quarter of the leaf has.
 struct Find_untried_leaves {
   Labels_view labels;
   Cells_view cells;
@@ -226,12 +226,13 @@ struct Find_untried_leaves {
   CGAL_TANDEM_HD void operator()(Block& block, std::uint32_t& untried, std::uint32_t c) const
   {
     const std::uint32_t first = cells[c].first + seed_cursor[c];
+    const std::uint32_t quarter = cells[c].size() / 4 + 1;
     block.single([&] { untried = 0; });
     block.for_each(seed_count[c] - seed_cursor[c], [&](std::uint32_t at) {
       if(labels.is_untried(seed[first + at]))
         block.append(untried);
     });
-    block.single([&] { is_found[c] = untried >= smallest_shape; });
+    block.single([&] { is_found[c] = untried >= (quarter < smallest_shape ? quarter : smallest_shape); });
   }
 };
 
