@@ -55,7 +55,7 @@ private:
 // Positions, counts and atomics are those of Serial_block: they are as random as
 // the order in which the items ask for them.
 struct Shuffled_block : Serial_block {
-  static constexpr std::uint32_t lookahead = 3;
+  static constexpr std::uint32_t lookahead = 32; // of a CUDA block
 
   explicit Shuffled_block(Dice& dice) : dice(dice) {}
 

@@ -42,7 +42,8 @@ struct Cell_job {
 };
 
 constexpr int least_seeds_in_flight = 8;
-constexpr std::uint32_t max_seeds_in_flight = 32;
+constexpr int most_doublings = 2; // of them
+constexpr int most_seeds_in_flight = least_seeds_in_flight << most_doublings;
 
 // Points of a leaf, at most: the queue of a small one fits into fast memory.
 constexpr std::uint32_t small_cell = 8192;
@@ -63,7 +64,7 @@ struct Growth_scratch {
   std::uint16_t queue[CellSize]; // cell-relative points; each is queued at most once
   std::uint32_t tail;
   Moment_table table;
-  std::uint32_t active[max_seeds_in_flight]; // shapes on the frontier of this leaf, ascending
+  std::uint32_t active[most_seeds_in_flight]; // shapes on the frontier of this leaf, ascending
   std::uint32_t active_count;
   Trial trial[most_lookahead];
 };

@@ -70,8 +70,6 @@ private:
         target[id] = is_free;
   }
 
-  // The more rounds in a row are slow, the more shapes may grow in a leaf at a time: patches that are too small for a
-  // shape must not keep the faces behind them waiting.
   void count_idle_rounds()
   {
     std::size_t settled = 0; // points of shapes that are large enough; fragments come and go for ever
@@ -85,13 +83,13 @@ private:
       state_.round > young_rounds && most_settled_ - best_before <= state_.cloud.size / points_of_slow_gain;
     slow_rounds_ = is_slow ? slow_rounds_ + 1 : 0;
     idle_rounds_ = is_slow && !has_untried_leaf(state_) ? idle_rounds_ + 1 : 0;
-    state_.options.growth.seeds_in_flight =
-      (std::min)(least_seeds_in_flight << (std::min)(slow_rounds_, 4), int(max_seeds_in_flight));
   }
 
   bool is_going_on(std::size_t gained)
   {
     count_idle_rounds();
+    // Patches that are too small for a shape must not keep the faces behind them waiting.
+    state_.options.growth.seeds_in_flight = least_seeds_in_flight << (std::min)(slow_rounds_, most_doublings);
     bool is_alive = gained > 0;
     for(std::size_t c = 0; c < state_.number_of_cells; ++c)
       is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];

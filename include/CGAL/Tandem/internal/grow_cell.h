@@ -221,10 +221,7 @@ private:
       const Scatter scatter = make_scatter(shifted(trial.sums, o.x, o.y, o.z));
       trial.plane = make_plane(fit_plane(scatter).normal, scatter.centroid);
     });
-    for_each_of_cores(first, size, [&](Trial& trial, const Grid_point&) {
-      if(trial.sums.count >= std::int64_t(options_.core_size))
-        block_.append(trial.count);
-    });
+    for_each_of_cores(first, size, [&](Trial& trial, const Grid_point&) { block_.append(trial.count); });
   }
 
   // f(trial, point) for what fits the plane of each trial.

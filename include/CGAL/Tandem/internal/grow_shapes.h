@@ -102,7 +102,7 @@ std::vector<std::uint32_t> new_ids(const Tandem_state<Backend>& t)
   first[0] = std::uint32_t(t.shapes.size());
   for(std::size_t c = 0; c < t.number_of_cells; ++c)
     first[c + 1] =
-      first[c] + (t.seed_cursor[c] < t.seeds.count[c] ? std::uint32_t(t.options.growth.seeds_in_flight) : 0);
+      first[c] + (std::min)(std::uint32_t(t.options.growth.seeds_in_flight), t.seeds.count[c] - t.seed_cursor[c]);
   return first;
 }
 
@@ -212,7 +212,8 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   return t.assigned - before;
 }
 
-// Whether a leaf has many untried candidates: as many as the smallest shape has points, or as a quarter of the leaf has.
+// Whether a leaf has many untried candidates: as many as the smallest shape has points, or more than a quarter of
+// its points.
 struct Find_untried_leaves {
   Labels_view labels;
   Cells_view cells;

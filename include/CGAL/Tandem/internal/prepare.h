@@ -78,7 +78,8 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.tight = make_tolerance(o.maximum_distance / 4, cosine_deg(p.maximum_angle / 2));
   o.growth.seeds_in_flight = least_seeds_in_flight;
   o.growth.seed_tries = 64;
-  o.growth.core_size = std::uint32_t((std::min)(p.k_neighbors / 2 + 1, p.cell_size / 8)); // a leaf must have as many
+  o.growth.core_size =
+    std::uint32_t((std::min)(p.k_neighbors / 2 + 1, p.cell_size / 8)); // at most an eighth of a full leaf
   o.regularity = {p.angle_tolerance,
                   p.maximum_offset / step,
                   o.maximum_distance,

@@ -18,8 +18,8 @@ namespace Tandem {
 namespace internal {
 
 struct Serial_block {
-  static constexpr std::uint32_t lookahead =
-    1; // items that are worth trying before it is known whether they are needed
+  // As many items are worth trying before it is known whether they are needed. Results do not depend on it.
+  static constexpr std::uint32_t lookahead = 1;
 
   // f(i) for i in [0, n), then all lanes have seen all writes.
   template <class F>
