@@ -15,6 +15,7 @@
 #include <random>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 using namespace CGAL::Tandem::internal;
 
@@ -90,7 +91,7 @@ void test_sort(Host_team& team)
 void test_short_loops()
 {
   for(int round = 0; round < 100; ++round) {
-    Host_team team;
+    Host_team team(3);
     const Members members(team, 2);
     for(std::size_t loop = 0; loop < 100; ++loop) {
       std::vector<int> visits(loop % 4, 0);
@@ -168,8 +169,9 @@ void test_host_side()
 
 int main()
 {
-  for(int threads : {0, 1, 3}) {
-    Host_team team;
+  // Threads that help, and seats, the leader's among them.
+  for(const auto& [threads, seats] : {std::pair(0, 1u), {1, 2u}, {3, 4u}, {1, 4u}, {3, 2u}}) {
+    Host_team team(seats);
     const Members members(team, threads);
     test_loops(team);
     test_failures(team);

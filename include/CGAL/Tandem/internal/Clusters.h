@@ -60,9 +60,10 @@ struct Joint_fit_test {
     return !are_apart(a, b) && fit(a, b, joint);
   }
 
-  // Whether fit() is certain to refuse them, at less cost. If it did not, the sum of squared distances of all points to
-  // its plane, and so the smallest eigenvalue of their scatter matrix, would be at most `most`. The margins, relative
-  // to that and to the extent, are for rounding.
+  // Whether it is certain, at less cost, that fit() refuses them and that none of them tolerates the plane of the
+  // other. If one of that were not so, the sum of squared distances of all points to one plane, and so the smallest
+  // eigenvalue of their scatter matrix, would be at most `most`. The margins, relative to that and to the extent, are
+  // for rounding.
   bool are_apart(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const Symmetric_matrix joint = joint_matrix(a.scatter, b.scatter);
@@ -101,31 +102,33 @@ public:
   {}
 
   // As if link after link were tried: a link depends on those before it that have a cluster in
-  // common with it, so what depends on nothing else is tried at the same time. Returns the number of steps
-  // in which that happened.
+  // common with it, so what depends on nothing else is tried at the same time. Many are of two shapes that no plane
+  // fits, and hold up nobody as long as these have not changed: that is found out ahead. Returns the number of steps in
+  // which many links were tried.
   std::uint32_t unite_along(const std::vector<Link>& links)
   {
+    const bool is_ahead = links.size() > few_;
     std::vector<Pair> pending(links.size());
     t_.backend.for_each_on_host(links.size(), [&](std::size_t i) {
-      pending[i] = {links[i].first(), links[i].second(), no_index};
+      const Shape &a = t_.shapes[links[i].first()], &b = t_.shapes[links[i].second()];
+      const bool is_refused = is_ahead && (!test_.are_aligned(a, b) || test_.are_apart(a, b));
+      pending[i] = {links[i].first(), links[i].second(), no_index, is_refused};
     });
-    std::vector<Claim> claims(pending.size() > few_ ? t_.shapes.size() : 0);
+    std::vector<Claim> claims(is_ahead ? t_.shapes.size() : 0);
     std::uint32_t steps = 0;
     for(std::size_t head = 0; head < pending.size();) {
-      const std::size_t end = (std::min)(head + window, pending.size());
-      bool is_worth_it = end - head > few_;
+      bool is_worth_it = pending.size() - head > few_;
       if(is_worth_it) {
-        std::vector<Pair> chained;
-        const std::vector<std::uint32_t> first = chain_links(++steps, claims, pending, head, end, chained);
+        const std::size_t end = chain_links(++steps, claims, pending, head);
         const auto try_chain = [&](std::size_t c) {
-          for(std::uint32_t i = first[c]; i != no_index; i = chained[i].next)
-            try_to_unite(unions_.root(chained[i].a), unions_.root(chained[i].b));
+          for(std::uint32_t i = chains_[c].first; i != no_index; i = chained_[i].next)
+            try_link(chained_[i]);
         };
-        t_.backend.for_each_on_host(first.size(), try_chain, few_chains);
-        is_worth_it = end - head < most_waiting * chained.size();
+        t_.backend.for_each_on_host(chains_.size(), try_chain, few_chains);
+        is_worth_it = end - head <= most_waiting * chained_.size();
       }
-      for(; head < end && !is_worth_it; ++head)
-        try_to_unite(unions_.root(pending[head].a), unions_.root(pending[head].b));
+      for(const std::size_t end = (std::min)(head + window, pending.size()); head < end && !is_worth_it; ++head)
+        try_link(pending[head]);
     }
     for(std::uint32_t id = 0; id < t_.shapes.size(); ++id)
       unions_.set_parent(id, unions_.root(id)); // so that threads may ask for it
@@ -151,6 +154,15 @@ private:
   struct Pair {
     std::uint32_t a, b;
     std::uint32_t next; // of its chain
+    bool is_refused;    // as long as both are what they were at first
+  };
+
+  // Links of a step that are tried one after the other.
+  struct Chain {
+    std::uint32_t joint; // the chain that it has become a part of, or itself
+    std::uint32_t first, last;
+    std::uint32_t size;
+    bool is_open; // no link of it waits
   };
 
   // The chain that a cluster belongs to in a step.
@@ -161,56 +173,83 @@ private:
 
   // A step looks at so many links: later ones mostly wait for them.
   static constexpr std::size_t window = 1024;
+  static constexpr std::uint32_t longest_joint = 16;
   static constexpr std::size_t few_chains = 8;    // are left to one thread
   static constexpr std::size_t most_waiting = 16; // for each link that is tried in a step
 
-  // Moves links of [head, end) to chains without a cluster in common, and drops those within a cluster. A link goes to
-  // the chain of its clusters; where they have two it waits, and so do all later links of both chains. What waits
-  // stays in [head, end), with a later head. Returns where the chains begin.
-  std::vector<std::uint32_t> chain_links(std::uint32_t step, std::vector<Claim>& claims, std::vector<Pair>& pending,
-                                         std::size_t& head, std::size_t end, std::vector<Pair>& chained)
+  // Moves links to chains without a cluster in common, and drops those within a cluster and those that are refused
+  // whatever else happens in this step. A link goes to the chain of its clusters. Where they have two these become one,
+  // or if that were long the link waits, and so do all later links of both chains. Looks at links from the head on, up
+  // to the end that it returns, until there are many of those; what waits stays in [head, end), with a later head.
+  std::size_t chain_links(std::uint32_t step, std::vector<Claim>& claims, std::vector<Pair>& pending, std::size_t& head)
   {
-    std::vector<std::uint32_t> first, last;
-    std::vector<char> is_open; // by chain: no link of it waits
-    std::size_t kept = head;
-    for(std::size_t i = head; i < end; ++i) {
-      const Pair roots = {unions_.root(pending[i].a), unions_.root(pending[i].b), no_index};
-      if(roots.a == roots.b)
+    chains_.clear();
+    chained_.clear();
+    std::size_t kept = head, end = head;
+    for(; end < pending.size() && chained_.size() + (kept - head) < window; ++end) {
+      const Pair link = {unions_.root(pending[end].a), unions_.root(pending[end].b), no_index, pending[end].is_refused};
+      if(link.a == link.b)
         continue;
-      Claim &a = claims[roots.a], &b = claims[roots.b];
-      const bool is_new = a.step != step && b.step != step;
-      const std::uint32_t place = std::uint32_t(chained.size());
-      if(is_new) {
-        a = b = {step, std::uint32_t(first.size())};
-        first.push_back(place);
-        last.push_back(place);
-        is_open.push_back(1);
-      } else {
-        if(a.step != step)
-          a = b;
-        if(b.step != step)
-          b = a;
-        if(a.chain != b.chain)
-          is_open[a.chain] = is_open[b.chain] = 0;
-        if(!is_open[a.chain]) {
-          pending[kept++] = roots;
+      Claim &a = claims[link.a], &b = claims[link.b];
+      if(a.step != step && b.step != step) {
+        if(is_refused(link))
           continue;
-        }
-        last[a.chain] = chained[last[a.chain]].next = place;
+        a = b = {step, std::uint32_t(chains_.size())};
+        chains_.push_back({a.chain, std::uint32_t(chained_.size()), std::uint32_t(chained_.size()), 1, true});
+        chained_.push_back(link);
+        continue;
       }
-      chained.push_back(roots);
+      if(a.step != step)
+        a = b;
+      if(b.step != step)
+        b = a;
+      Chain &chain = chain_of(a), &other = chain_of(b);
+      const std::uint32_t size = chain.size + (&chain == &other ? 0 : other.size) + 1;
+      const bool is_one = &chain == &other || (chain.is_open && other.is_open && size <= longest_joint);
+      if(!is_one)
+        chain.is_open = other.is_open = false;
+      if(!chain.is_open) {
+        pending[kept++] = link;
+        continue;
+      }
+      if(&chain != &other) {
+        chained_[chain.last].next = std::exchange(other.first, no_index);
+        chain.last = other.last;
+        other.joint = a.chain = b.chain = chain.joint;
+      }
+      chain.size = size;
+      chain.last = chained_[chain.last].next = std::uint32_t(chained_.size());
+      chained_.push_back(link);
     }
     const auto at = [&](std::size_t i) { return pending.begin() + std::ptrdiff_t(i); };
     std::move_backward(at(head), at(kept), at(end));
     head = end - (kept - head);
-    return first;
+    return end;
+  }
+
+  Chain& chain_of(const Claim& claim)
+  {
+    std::uint32_t c = claim.chain;
+    while(chains_[c].joint != c)
+      c = chains_[c].joint;
+    return chains_[c];
+  }
+
+  bool is_refused(const Pair& roots) const
+  {
+    return roots.is_refused && whole_[roots.a] == no_index && whole_[roots.b] == no_index;
+  }
+
+  void try_link(const Pair& link)
+  {
+    const Pair roots = {unions_.root(link.a), unions_.root(link.b), no_index, link.is_refused};
+    if(roots.a != roots.b && !is_refused(roots))
+      try_to_unite(roots.a, roots.b);
   }
 
   // The larger one, then the one with the smaller id, stays the root. Touches nothing but these two.
   void try_to_unite(std::uint32_t a, std::uint32_t b)
   {
-    if(a == b)
-      return;
     if(size(a) < size(b) || (size(a) == size(b) && b < a))
       std::swap(a, b);
     if(!test_.are_aligned(whole(a), whole(b)))
@@ -257,6 +296,8 @@ private:
   Unions unions_;
   const Joint_fit_test test_;
   const std::size_t few_;
+  std::vector<Pair> chained_; // these two of a step: the links that are tried
+  std::vector<Chain> chains_;
   std::vector<std::uint32_t> whole_; // index into merged_, by root
   Host_buffer<Whole> merged_;
   std::atomic<std::uint32_t> number_of_merged_{0};

@@ -170,8 +170,10 @@ std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shap
     plane_of[r.id[i]] = r.relations.plane_of[i];
   Unions unions(t.shapes.size());
   for(const Link& link : links) {
+    if(plane_of[link.first()] < 0 || plane_of[link.first()] != plane_of[link.second()])
+      continue; // what is united has one plane
     std::uint32_t a = unions.root(link.first()), b = unions.root(link.second());
-    if(a == b || plane_of[a] < 0 || plane_of[a] != plane_of[b])
+    if(a == b)
       continue;
     const std::int64_t na = t.shapes[a].moments.count, nb = t.shapes[b].moments.count;
     if(na < nb || (na == nb && b < a))

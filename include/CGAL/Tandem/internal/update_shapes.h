@@ -112,21 +112,26 @@ template <class Backend>
 void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target,
                    const std::vector<std::uint8_t>& is_checked)
 {
+  const bool is_any_checked = std::find(is_checked.begin(), is_checked.end(), 1) != is_checked.end();
+  const std::vector<Plane> none;
   const auto new_label = t.backend.lend(target);
   const auto checked = t.backend.lend(is_checked);
-  const auto plane = t.backend.lend(t.plane);
+  const auto plane = t.backend.lend(is_any_checked ? t.plane : none);
   t.backend.template for_each_cell<Moment_table>(
     t.number_of_cells,
     Update_points<Backend>{t.cloud, t.cells_view(), t.labels(), new_label.data(), checked.data(), plane.data(),
                            start_gains(t, t.shapes.size()), t.options.growth.tolerance});
   t.backend.for_each(t.number_of_cells, Relabel_lists{t.leaf_shapes.data(), new_label.data()});
-  if(std::find(is_checked.begin(), is_checked.end(), 1) == is_checked.end())
+  if(!is_any_checked)
     return;
-  for(const Gain& loss : take_gains(t, t.shapes.size())) {
-    t.shapes[loss.id].moments += loss.sums.moments();
-    t.shapes[loss.id].is_dirty = true;
+  const Host_buffer<Gain> losses = take_gains(t, t.shapes.size());
+  t.backend.for_each_on_host(losses.size(), [&](std::size_t l) {
+    Shape& shape = t.shapes[losses[l].id];
+    shape.moments += losses[l].sums.moments();
+    shape.is_dirty = true;
+  });
+  for(const Gain& loss : losses)
     t.assigned -= std::size_t(-loss.sums.count);
-  }
   forget_empty_shapes(t);
 }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -21,7 +22,8 @@ namespace internal {
 
 class Host_team {
 public:
-  Host_team() = default;
+  // For so many threads, the leader among them. Not all of them have to come.
+  explicit Host_team(std::size_t seats) : seats_(seats), seat_(new Seat[seats]) {}
   Host_team(const Host_team&) = delete;
   Host_team& operator=(const Host_team&) = delete;
 
@@ -43,15 +45,21 @@ public:
   // What other threads do, from any time on: they take part in the loops until the team is dissolved.
   void help() noexcept
   {
+    const std::size_t mine = taken_.fetch_add(1, std::memory_order_relaxed);
+    if(mine >= seats_)
+      return;
+    std::size_t waits = 0;
     for(std::uint64_t done = 0; !is_dissolved_.load(std::memory_order_relaxed);) {
-      std::uint64_t state = state_.load(std::memory_order_relaxed);
-      if((state & is_open) == 0 || state >> 32 == done) {
-        std::this_thread::yield();
-      } else if(state_.compare_exchange_weak(state, state + 1, std::memory_order_acquire, std::memory_order_relaxed)) {
-        done = state >> 32;
-        take_items();
-        state_.fetch_sub(1, std::memory_order_release);
+      const std::uint64_t loop = loop_.load(std::memory_order_relaxed);
+      if(loop == done || loop % 2 == 0) {
+        wait_a_little(++waits);
+        continue;
       }
+      seat_[mine].is_busy.store(true); // and only then it looks at the loop again, which the leader closes
+      if(loop_.load() == loop)         // before he looks who is busy
+        take_items(mine, loop);
+      seat_[mine].is_busy.store(false, std::memory_order_release);
+      done = loop;
     }
   }
 
@@ -66,13 +74,14 @@ public:
     item_ = [](void* body, std::size_t i) { (*static_cast<F*>(body))(i); };
     body_ = &f;
     size_ = n;
-    next_.store(0, std::memory_order_relaxed);
     has_failed_.store(false, std::memory_order_relaxed);
-    state_.store(++loops_ << 32 | is_open, std::memory_order_release);
-    take_items();
-    state_.fetch_and(~is_open, std::memory_order_relaxed);
-    while((state_.load(std::memory_order_acquire) & members) != 0)
-      std::this_thread::yield();
+    const std::uint64_t loop = loop_.load(std::memory_order_relaxed) + 1;
+    loop_.store(loop, std::memory_order_release);
+    take_items(0, loop);
+    loop_.store(loop + 1);
+    for(std::size_t s = 1, waits = 0; s < seats_; ++s)
+      while(seat_[s].is_busy.load())
+        wait_a_little(++waits);
     if(failure_)
       std::rethrow_exception(std::exchange(failure_, nullptr));
   }
@@ -91,9 +100,12 @@ public:
   }
 
 private:
-  // Of the state: who comes may take part; and how many do. Above them, the number of the loop.
-  static constexpr std::uint64_t is_open = std::uint64_t(1) << 31;
-  static constexpr std::uint64_t members = is_open - 1;
+  // Of a thread, which begins with its own part of the items and goes on with what others have left of theirs. In
+  // cache lines of its own: threads that count in one place wait for each other, longer than most items take.
+  struct Seat {
+    alignas(64) std::atomic<std::uint64_t> taken{0}; // loop << 32 | items of the part
+    alignas(64) std::atomic<bool> is_busy{false};
+  };
 
   static Host_team*& led()
   {
@@ -101,30 +113,59 @@ private:
     return team;
   }
 
-  void take_items() noexcept
+  // Threads may share a core: who waits in `pause` takes less of it away from the leader. Now and then others are
+  // let go first, where there are more threads than cores.
+  static void wait_a_little(std::size_t waits)
   {
-    for(std::size_t i; (i = next_.fetch_add(1, std::memory_order_relaxed)) < size_;) {
+#if defined(__x86_64__) || defined(__i386__)
+    if(waits % 64 != 0)
+      return __builtin_ia32_pause();
+#endif
+    static_cast<void>(waits);
+    std::this_thread::yield();
+  }
+
+  void take_items(std::size_t mine, std::uint64_t loop) noexcept
+  {
+    for(std::size_t k = 0; k < seats_; ++k) {
+      const std::size_t s = (mine + k) % seats_;
+      take_items_of(seat_[s].taken, loop, size_ * s / seats_, size_ * (s + 1) / seats_);
+    }
+  }
+
+  void take_items_of(std::atomic<std::uint64_t>& taken, std::uint64_t loop, std::size_t first,
+                     std::size_t last) noexcept
+  {
+    const std::uint64_t none = loop << 32;
+    std::uint64_t before = taken.load(std::memory_order_relaxed);
+    for(;;) {
+      const std::size_t i = first + (before >> 32 == none >> 32 ? before - none : 0);
+      if(i >= last || has_failed_.load(std::memory_order_relaxed))
+        return;
+      if(!taken.compare_exchange_weak(before, none + (i - first) + 1, std::memory_order_relaxed))
+        continue;
+      before = none + (i - first) + 1;
       try {
         item_(body_, i);
       } catch(...) {
         if(!has_failed_.exchange(true, std::memory_order_relaxed))
           failure_ = std::current_exception();
-        next_.store(size_, std::memory_order_relaxed);
       }
     }
   }
 
-  // To open the state publishes the loop, and the leader sees what members have written when they are gone. The
-  // number of the loop keeps a member that is late out of the next one.
-  alignas(64) std::atomic<std::uint64_t> state_{0};
-  alignas(64) std::atomic<std::size_t> next_{0}; // item
+  // The number of the loop is odd while it is open. To open it publishes the loop, and the leader sees what others
+  // have written when they are not busy any more.
+  alignas(64) std::atomic<std::uint64_t> loop_{0};
   std::atomic<bool> has_failed_{false};
   std::atomic<bool> is_dissolved_{false};
-  std::uint64_t loops_ = 0;
   void (*item_)(void*, std::size_t) = nullptr;
   void* body_ = nullptr;
   std::size_t size_ = 0;
+  const std::size_t seats_;
+  const std::unique_ptr<Seat[]> seat_;
   std::exception_ptr failure_;
+  alignas(64) std::atomic<std::size_t> taken_{1}; // seats; the first one is the leader's
 };
 
 } // namespace internal

@@ -46,7 +46,7 @@ void with_host_team(F work)
     tbb::task_group group_;
   };
   tbb::this_task_arena::isolate([&] {
-    Host_team team;
+    Host_team team{std::size_t(tbb::this_task_arena::max_concurrency())};
     Members members(team);
     members.call();
     const Host_team::Leadership leadership(&team);
