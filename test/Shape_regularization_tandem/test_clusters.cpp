@@ -19,15 +19,17 @@ using namespace CGAL::Tandem::internal;
 constexpr int columns = 60, rows = 50, width = 1000; // of square fragments, in grid steps
 constexpr double maximum_distance = 60;
 
-// Roofs of three slopes and a few steps, so that some neighbors have one plane, some nearly, some not.
-std::int32_t height(int x, int y, std::mt19937& random)
+// Roofs of three slopes and a few steps, so that some neighbors have one plane, some nearly, some not: the more
+// uneven, the fewer.
+std::int32_t height(int x, int y, int unevenness, std::mt19937& random)
 {
   const int slope = x < 20 * width ? x / 8 : x < 40 * width ? 2500 - (x - 20 * width) / 10 : 500;
-  return slope + 70 * (y / (5 * width)) + int(random() % 60);
+  const int step = 70 * (y / (5 * width)) + unevenness * (37 * (x / width % 7) + 61 * (y / width % 5));
+  return slope + step + int(random() % 60);
 }
 
 template <class Backend>
-void make_fragments(Tandem_state<Backend>& t, std::int32_t shift = 0)
+void make_fragments(Tandem_state<Backend>& t, int unevenness, std::int32_t shift = 0)
 {
   std::mt19937 random(3);
   t.shapes.resize(t.backend, columns * rows);
@@ -35,7 +37,7 @@ void make_fragments(Tandem_state<Backend>& t, std::int32_t shift = 0)
     Shape& shape = t.shapes[std::size_t(id)];
     for(int i = 0; i < 20 + int(random() % 200); ++i) {
       const int x = id % columns * width + int(random() % width), y = id / columns * width + int(random() % width);
-      shape.moments.add({x + shift, y + shift, height(x, y, random) + shift, no_normal}, 1);
+      shape.moments.add({x + shift, y + shift, height(x, y, unevenness, random) + shift, no_normal}, 1);
     }
     refit(shape);
     t.live.push_back(std::uint32_t(id));
@@ -54,6 +56,14 @@ std::vector<Link> make_links()
   return links;
 }
 
+// What is to be found: the fewest and most clusters, and the most steps. Without refusals ahead, or if no chains became
+// one, it would take more.
+struct Scene {
+  int unevenness;
+  std::size_t fewest, most;
+  std::uint32_t most_steps;
+};
+
 struct Outcome {
   std::vector<std::uint32_t> root;
   std::vector<Regular_plane> plane;
@@ -61,10 +71,10 @@ struct Outcome {
 };
 
 template <class Backend>
-Outcome unite(Backend& backend, std::size_t few)
+Outcome unite(Backend& backend, int unevenness, std::size_t few)
 {
   Tandem_state<Backend> t(backend);
-  make_fragments(t);
+  make_fragments(t, unevenness);
   Clusters<Backend> clusters(t, {.95, maximum_distance}, few);
   Outcome outcome;
   outcome.steps = clusters.unite_along(make_links());
@@ -77,10 +87,10 @@ Outcome unite(Backend& backend, std::size_t few)
 }
 
 template <class Backend>
-void check(Backend& backend, const Outcome& expected, const std::string& name)
+void check(Backend& backend, const Scene& scene, const Outcome& expected, const std::string& name)
 {
-  const Outcome outcome = unite(backend, 0);
-  CHECK_AT(outcome.steps > 2, name + ": steps");
+  const Outcome outcome = unite(backend, scene.unevenness, 0);
+  CHECK_AT(outcome.steps > 0 && outcome.steps <= scene.most_steps, name + ": steps " + std::to_string(outcome.steps));
   CHECK_AT(outcome.root == expected.root, name);
   const auto is_same = [](const Regular_plane& a, const Regular_plane& b) {
     return a.normal == b.normal && a.offset == b.offset;
@@ -92,7 +102,7 @@ void check_apart(std::int32_t shift)
 {
   Sequential_backend backend;
   Tandem_state<Sequential_backend> t(backend);
-  make_fragments(t, shift);
+  make_fragments(t, 0, shift);
   const Joint_fit_test test = {.95, maximum_distance};
   int refused = 0, apart = 0;
   for(const Link& link : make_links()) {
@@ -121,24 +131,32 @@ void check_eigenvalues()
   CHECK(!has_eigenvalues_above({0, 0, 0, 0, 0, 0}, 0));
 }
 
+void check_scene(const Scene& scene)
+{
+  Sequential_backend sequential;
+  const Outcome expected = unite(sequential, scene.unevenness, std::size_t(-1));
+  check_equal(expected.steps, 0u, "one after the other");
+  const std::set<std::uint32_t> roots(expected.root.begin(), expected.root.end());
+  CHECK_AT(roots.size() >= scene.fewest && roots.size() <= scene.most, std::to_string(roots.size()));
+  check(sequential, scene, expected, "sequential");
+  for(unsigned threads = 2; threads <= 8; threads *= 2) {
+    Thread_backend backend(threads);
+    check(backend, scene, expected, std::to_string(threads) + " threads");
+  }
+  for(unsigned seed = 1; seed <= 3; ++seed) {
+    Shuffled_backend backend(seed);
+    check(backend, scene, expected, "shuffled " + std::to_string(seed));
+  }
+}
+
 int main()
 {
   check_eigenvalues();
   check_apart(0);
   check_apart(1 << 30);
-  Sequential_backend sequential;
-  const Outcome expected = unite(sequential, std::size_t(-1));
-  check_equal(expected.steps, 0u, "one after the other");
-  const std::set<std::uint32_t> roots(expected.root.begin(), expected.root.end());
-  CHECK_AT(roots.size() > 20 && roots.size() < columns * rows / 3, std::to_string(roots.size()));
-  check(sequential, expected, "sequential");
-  for(unsigned threads = 2; threads <= 8; threads *= 2) {
-    Thread_backend backend(threads);
-    check(backend, expected, std::to_string(threads) + " threads");
-  }
-  for(unsigned seed = 1; seed <= 3; ++seed) {
-    Shuffled_backend backend(seed);
-    check(backend, expected, "shuffled " + std::to_string(seed));
-  }
+  constexpr std::size_t all = columns * rows;
+  for(const Scene& scene :
+      {Scene{0, 20, all / 3, 10}, {1, all / 10, all / 3, 16}, {2, all / 3, all - 1, 8}, {4, all, all, 1}})
+    check_scene(scene);
   return report();
 }

@@ -10,6 +10,8 @@
 #include <CGAL/Tandem/internal/backend/Host_team.h>
 #include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
 
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <numeric>
 #include <random>
@@ -93,11 +95,34 @@ void test_short_loops()
   for(int round = 0; round < 100; ++round) {
     Host_team team(3);
     const Members members(team, 2);
-    for(std::size_t loop = 0; loop < 100; ++loop) {
+    for(std::size_t loop = 0; loop < 1000; ++loop) {
       std::vector<int> visits(loop % 4, 0);
       team.run(visits.size(), [&](std::size_t i) { ++visits[i]; });
       CHECK(visits == std::vector<int>(loop % 4, 1));
     }
+  }
+}
+
+// The leader waits for a member that is still at an item.
+void test_slow_members()
+{
+  Host_team team(2);
+  const Members members(team, 1);
+  const std::thread::id leader = std::this_thread::get_id();
+  for(int loop = 0; loop < 20; ++loop) {
+    std::atomic<bool> is_there(false);
+    int visits[2] = {0, 0};
+    team.run(2, [&](std::size_t i) {
+      if(std::this_thread::get_id() == leader) {
+        while(!is_there)
+          std::this_thread::yield();
+      } else {
+        is_there = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      }
+      visits[i] = 1;
+    });
+    CHECK(visits[0] == 1 && visits[1] == 1);
   }
 }
 
@@ -179,6 +204,7 @@ int main()
     test_leadership(team);
   }
   test_short_loops();
+  test_slow_members();
   test_host_side();
   return report();
 }

@@ -60,10 +60,9 @@ struct Joint_fit_test {
     return !are_apart(a, b) && fit(a, b, joint);
   }
 
-  // Whether it is certain, at less cost, that fit() refuses them and that none of them tolerates the plane of the
-  // other. If one of that were not so, the sum of squared distances of all points to one plane, and so the smallest
-  // eigenvalue of their scatter matrix, would be at most `most`. The margins, relative to that and to the extent, are
-  // for rounding.
+  // Whether it is certain, at less cost, that fit() refuses them and that neither tolerates the plane of the other.
+  // Otherwise the sum of squared distances of all points to one plane, and so the smallest eigenvalue of their scatter
+  // matrix, would be at most `most`. The margins, relative to that and to the extent, are for rounding.
   bool are_apart(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const Symmetric_matrix joint = joint_matrix(a.scatter, b.scatter);
@@ -102,9 +101,9 @@ public:
   {}
 
   // As if link after link were tried: a link depends on those before it that have a cluster in
-  // common with it, so what depends on nothing else is tried at the same time. Many are of two shapes that no plane
-  // fits, and hold up nobody as long as these have not changed: that is found out ahead. Returns the number of steps in
-  // which many links were tried.
+  // common with it, so what depends on nothing else is tried at the same time. Many are refused, and hold up nobody as
+  // long as their shapes have not changed: that is found out ahead. Returns the number of steps in which many links
+  // were tried.
   std::uint32_t unite_along(const std::vector<Link>& links)
   {
     const bool is_ahead = links.size() > few_;
@@ -159,7 +158,7 @@ private:
 
   // Links of a step that are tried one after the other.
   struct Chain {
-    std::uint32_t joint; // the chain that it has become a part of, or itself
+    std::uint32_t part_of; // another chain, or itself
     std::uint32_t first, last;
     std::uint32_t size;
     bool is_open; // no link of it waits
@@ -171,16 +170,17 @@ private:
     std::uint32_t chain = 0;
   };
 
-  // A step looks at so many links: later ones mostly wait for them.
+  // A step ends when so many links are tried or wait: later ones mostly wait for them.
   static constexpr std::size_t window = 1024;
-  static constexpr std::uint32_t longest_joint = 16;
-  static constexpr std::size_t few_chains = 8;    // are left to one thread
-  static constexpr std::size_t most_waiting = 16; // for each link that is tried in a step
+  static constexpr std::uint32_t most_joined = 16; // links of a chain that was two
+  static constexpr std::size_t few_chains = 8;     // are left to one thread
+  static constexpr std::size_t most_waiting = 16;  // for each link that is tried in a step
 
   // Moves links to chains without a cluster in common, and drops those within a cluster and those that are refused
   // whatever else happens in this step. A link goes to the chain of its clusters. Where they have two these become one,
   // or if that were long the link waits, and so do all later links of both chains. Looks at links from the head on, up
-  // to the end that it returns, until there are many of those; what waits stays in [head, end), with a later head.
+  // to the end that it returns, until a window of them is tried or waits; what waits stays in [head, end), with a later
+  // head.
   std::size_t chain_links(std::uint32_t step, std::vector<Claim>& claims, std::vector<Pair>& pending, std::size_t& head)
   {
     chains_.clear();
@@ -205,7 +205,7 @@ private:
         b = a;
       Chain &chain = chain_of(a), &other = chain_of(b);
       const std::uint32_t size = chain.size + (&chain == &other ? 0 : other.size) + 1;
-      const bool is_one = &chain == &other || (chain.is_open && other.is_open && size <= longest_joint);
+      const bool is_one = &chain == &other || (chain.is_open && other.is_open && size <= most_joined);
       if(!is_one)
         chain.is_open = other.is_open = false;
       if(!chain.is_open) {
@@ -215,7 +215,7 @@ private:
       if(&chain != &other) {
         chained_[chain.last].next = std::exchange(other.first, no_index);
         chain.last = other.last;
-        other.joint = a.chain = b.chain = chain.joint;
+        other.part_of = a.chain = b.chain = chain.part_of;
       }
       chain.size = size;
       chain.last = chained_[chain.last].next = std::uint32_t(chained_.size());
@@ -230,8 +230,8 @@ private:
   Chain& chain_of(const Claim& claim)
   {
     std::uint32_t c = claim.chain;
-    while(chains_[c].joint != c)
-      c = chains_[c].joint;
+    while(chains_[c].part_of != c)
+      c = chains_[c].part_of;
     return chains_[c];
   }
 

@@ -23,7 +23,9 @@ namespace internal {
 class Host_team {
 public:
   // For so many threads, the leader among them. Not all of them have to come.
-  explicit Host_team(std::size_t seats) : seats_(seats), seat_(new Seat[seats]) {}
+  explicit Host_team(std::size_t seats)
+    : number_of_seats_((std::max)(seats, std::size_t(1))), seat_(new Seat[number_of_seats_])
+  {}
   Host_team(const Host_team&) = delete;
   Host_team& operator=(const Host_team&) = delete;
 
@@ -42,11 +44,13 @@ public:
   // The team of the calling thread, if it leads one and is in none of its loops; else null.
   static Host_team* of_leader() { return led(); }
 
-  // What other threads do, from any time on: they take part in the loops until the team is dissolved.
+  // What other threads do, from any time on: they take part in the loops until the team is dissolved. One says that it
+  // is busy, then looks at the loop again; the leader closes the loop, then looks who is busy: in a sequentially
+  // consistent order one of them sees the other.
   void help() noexcept
   {
-    const std::size_t mine = taken_.fetch_add(1, std::memory_order_relaxed);
-    if(mine >= seats_)
+    const std::size_t mine = next_seat_.fetch_add(1, std::memory_order_relaxed);
+    if(mine >= number_of_seats_)
       return;
     std::size_t waits = 0;
     for(std::uint64_t done = 0; !is_dissolved_.load(std::memory_order_relaxed);) {
@@ -55,8 +59,8 @@ public:
         wait_a_little(++waits);
         continue;
       }
-      seat_[mine].is_busy.store(true); // and only then it looks at the loop again, which the leader closes
-      if(loop_.load() == loop)         // before he looks who is busy
+      seat_[mine].is_busy.store(true);
+      if(loop_.load() == loop)
         take_items(mine, loop);
       seat_[mine].is_busy.store(false, std::memory_order_release);
       done = loop;
@@ -79,7 +83,7 @@ public:
     loop_.store(loop, std::memory_order_release);
     take_items(0, loop);
     loop_.store(loop + 1);
-    for(std::size_t s = 1, waits = 0; s < seats_; ++s)
+    for(std::size_t s = 1, waits = 0; s < number_of_seats_; ++s)
       while(seat_[s].is_busy.load())
         wait_a_little(++waits);
     if(failure_)
@@ -127,24 +131,26 @@ private:
 
   void take_items(std::size_t mine, std::uint64_t loop) noexcept
   {
-    for(std::size_t k = 0; k < seats_; ++k) {
-      const std::size_t s = (mine + k) % seats_;
-      take_items_of(seat_[s].taken, loop, size_ * s / seats_, size_ * (s + 1) / seats_);
+    for(std::size_t k = 0; k < number_of_seats_; ++k) {
+      const std::size_t s = (mine + k) % number_of_seats_;
+      const std::size_t first = size_ * s / number_of_seats_, last = size_ * (s + 1) / number_of_seats_;
+      if(first < last)
+        take_items_of(seat_[s].taken, loop, first, last);
     }
   }
 
   void take_items_of(std::atomic<std::uint64_t>& taken, std::uint64_t loop, std::size_t first,
                      std::size_t last) noexcept
   {
-    const std::uint64_t none = loop << 32;
+    const std::uint64_t start = loop << 32;
     std::uint64_t before = taken.load(std::memory_order_relaxed);
     for(;;) {
-      const std::size_t i = first + (before >> 32 == none >> 32 ? before - none : 0);
+      const std::size_t i = first + (before >> 32 == start >> 32 ? before - start : 0);
       if(i >= last || has_failed_.load(std::memory_order_relaxed))
         return;
-      if(!taken.compare_exchange_weak(before, none + (i - first) + 1, std::memory_order_relaxed))
+      if(!taken.compare_exchange_weak(before, start + (i - first) + 1, std::memory_order_relaxed))
         continue;
-      before = none + (i - first) + 1;
+      before = start + (i - first) + 1;
       try {
         item_(body_, i);
       } catch(...) {
@@ -162,10 +168,10 @@ private:
   void (*item_)(void*, std::size_t) = nullptr;
   void* body_ = nullptr;
   std::size_t size_ = 0;
-  const std::size_t seats_;
+  const std::size_t number_of_seats_;
   const std::unique_ptr<Seat[]> seat_;
   std::exception_ptr failure_;
-  alignas(64) std::atomic<std::size_t> taken_{1}; // seats; the first one is the leader's
+  alignas(64) std::atomic<std::size_t> next_seat_{1}; // seats; the first one is the leader's
 };
 
 } // namespace internal

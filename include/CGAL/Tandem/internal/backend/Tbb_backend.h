@@ -136,6 +136,8 @@ private:
   template <class F>
   static void run(std::size_t n, F f)
   {
+    if(n == 0)
+      return;
     if(n == 1)
       f(0);
     else if(Host_team* const team = Host_team::of_leader())

@@ -21,7 +21,7 @@ public:
   Table_on_device(const T* table, std::size_t size, bool is_read) : bytes_(size * sizeof(T))
   {
     piece_ = arena_.take(bytes_);
-    if(piece_.host != nullptr && is_read)
+    if(piece_.host != nullptr && is_read && size > 0)
       std::memcpy(piece_.host, table, bytes_);
     if(piece_.host != nullptr)
       return;
