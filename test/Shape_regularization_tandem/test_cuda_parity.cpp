@@ -175,7 +175,7 @@ void test_rounds()
     compare_rounds<Second<Kernel>>(name, cloud, parameters);
     compare_rounds<CGAL::Default>(name + std::string(", own normals"), cloud, parameters);
   }
-  compare_rounds<Second<Kernel>>("patches", make_patches_cloud(500, .02), make_parameters(.05, 100)); // slow rounds
+  compare_rounds<Second<Kernel>>("patches", make_patches_cloud(500, .02), make_parameters(.05, 100)); // several passes
 }
 
 // However the device is stopped, the shapes are those of the host stopped there.

@@ -160,15 +160,17 @@ int main()
   after.resize(Walls::large);
   CHECK(are_same(after, before));
 
-  walls.add_points(3, 3, 600);
-  walls.add_points(7, 7, 900); // less than two percent in all
+  walls.add_points(3, 3, 1000);
+  walls.add_points(7, 7, 1200);
+  walls.add_points(9, 9, 1200);
+  walls.add_points(11, 11, 1100); // less than five percent in all
   r = regularize_shapes(t, false, r);
   check_tables(t, r, "more points");
   std::vector<Regular_plane> kept = walls.planes();
   kept.resize(Walls::large);
   CHECK(are_same(kept, before));
 
-  walls.add_points(4, 4, 600); // more than two percent in all
+  walls.add_points(4, 4, 800); // more than five percent in all
   r = regularize_shapes(t, false, r);
   check_tables(t, r, "found anew");
   after = walls.planes();

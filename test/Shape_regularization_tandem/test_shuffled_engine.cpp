@@ -65,6 +65,6 @@ int main()
   test("staircase", scene_options(3000, .001, .05), .01, 30, 3);
   test("indoor", scene_options(10000, .0005, .05), .03, 40, 2);
   test("slope", scene_options(4000, .001), .03, 50, 3);
-  compare<Second<Kernel>>("patches", make_patches_cloud(200, .02), make_parameters(.05, 100), 1); // slow rounds
+  compare<Second<Kernel>>("patches", make_patches_cloud(200, .02), make_parameters(.05, 100), 1); // several passes
   return report();
 }

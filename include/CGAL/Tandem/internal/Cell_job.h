@@ -41,9 +41,8 @@ struct Cell_job {
   bool has_restarted = true;  // maybe: some shape grows again from all of its points
 };
 
-constexpr int least_seeds_in_flight = 8;
-constexpr int most_doublings = 2; // of them
-constexpr int most_seeds_in_flight = least_seeds_in_flight << most_doublings;
+constexpr int young_seeds_in_flight = 8; // in the first rounds
+constexpr int most_seeds_in_flight = 32;
 
 // Points of a leaf, at most: the queue of a small one fits into fast memory.
 constexpr std::uint32_t small_cell = 8192;

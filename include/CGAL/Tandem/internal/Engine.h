@@ -51,23 +51,39 @@ private:
   // round gains at most one point of so many; in the first rounds shapes are small because they are young.
   static constexpr int most_rounds = 300;
   static constexpr int most_idle_rounds = 2;
-  static constexpr int young_rounds = 4;
+  static constexpr int young_rounds = 3;
   static constexpr std::size_t points_of_slow_gain = 500;
+  // Passes of growth in a round, the next one if more than one of so many leaves has many seeds left.
+  static constexpr int most_passes = 9;
+  static constexpr std::size_t leaves_of_untried_leaf = 16;
 
-  // Shapes of more than two rounds that stopped growing while they are small, unless
-  // others are merged into them.
-  void give_up_fragments(std::vector<std::uint32_t>& target) const
+  // One pass; after the first rounds more of them as long as many leaves have many seeds left: patches that are too
+  // small for a shape must not keep the faces behind them waiting, nor make the table of shapes large in each round.
+  std::size_t grow()
   {
-    std::vector<std::uint8_t> is_joined(target.size(), 0);
-    for(std::uint32_t id : state_.live)
-      is_joined[target[id]] |= target[id] != id;
+    const bool is_young = state_.round < young_rounds;
+    state_.options.growth.seeds_in_flight = is_young ? young_seeds_in_flight : most_seeds_in_flight;
+    std::size_t gained = grow_shapes(state_);
+    for(int pass = 1; !is_young && pass < most_passes && has_many_untried_leaves(); ++pass) {
+      take_local_planes(state_);
+      gained += grow_shapes(state_);
+    }
+    return gained;
+  }
+
+  // A pass costs nearly the same whether few leaves have anything to try or all.
+  bool has_many_untried_leaves()
+  {
+    return count_untried_leaves(state_) * leaves_of_untried_leaf > state_.number_of_cells;
+  }
+
+  // Shapes of more than one pass that stopped growing while they are small.
+  void give_up_fragments()
+  {
     const std::int64_t least = state_.options.minimum_fragment_size;
-    const auto is_fragment = [&](const Shape& shape, std::uint32_t) {
-      return !shape.is_active && shape.age > 2 && shape.moments.count < least;
-    };
-    for(std::uint32_t id : chosen_shapes(state_, is_fragment))
-      if(target[id] == id && !is_joined[id])
-        target[id] = is_free;
+    give_up_shapes(state_, [&](const Shape& shape, std::uint32_t) {
+      return !shape.is_active && shape.age > 1 && shape.moments.count < least;
+    });
   }
 
   void count_idle_rounds()
@@ -81,15 +97,12 @@ private:
     const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
     const bool is_slow =
       state_.round > young_rounds && most_settled_ - best_before <= state_.cloud.size / points_of_slow_gain;
-    slow_rounds_ = is_slow ? slow_rounds_ + 1 : 0;
-    idle_rounds_ = is_slow && !has_untried_leaf(state_) ? idle_rounds_ + 1 : 0;
+    idle_rounds_ = is_slow && count_untried_leaves(state_) == 0 ? idle_rounds_ + 1 : 0;
   }
 
   bool is_going_on(std::size_t gained)
   {
     count_idle_rounds();
-    // Patches that are too small for a shape must not keep the faces behind them waiting.
-    state_.options.growth.seeds_in_flight = least_seeds_in_flight << (std::min)(slow_rounds_, most_doublings);
     bool is_alive = gained > 0;
     for(std::size_t c = 0; c < state_.number_of_cells; ++c)
       is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
@@ -107,7 +120,6 @@ private:
   Stage_times times_;
   Engine_result final_;
   std::size_t most_settled_ = 0;
-  int slow_rounds_ = 0;
   int idle_rounds_ = 0;
   bool is_finished_ = false;
 };
@@ -126,16 +138,16 @@ bool Engine<Backend>::iterate()
   if(state_.cloud.size == 0)
     return false;
   Stage_timer growth(times_.growth);
-  const std::size_t gained = grow_shapes(state_);
+  const std::size_t gained = grow();
   growth.stop();
 
   Stage_timer regularity(times_.regularity);
+  give_up_fragments();
   std::vector<Link> links = collect_links(state_, least_links, Links::changed, [&] { refit_shapes(state_); });
   merge_fragments(state_, links, misfit_share);
   relations_ = regularize_shapes(state_, false, relations_);
   split_layers(state_, relations_);
-  std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);
-  give_up_fragments(target);
+  const std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);
   merge_shapes(state_, target);
   apply_planes(state_, target);
   ++state_.round;

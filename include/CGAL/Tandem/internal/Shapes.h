@@ -99,7 +99,7 @@ struct Shape : Fitted_moments {
   Regular_plane plane = {};     // local or regular
   Regular_plane checked = {};   // the plane when the points were last checked against it
   Regular_plane restarted = {}; // the plane when the whole shape was last put on the frontier
-  int age = 0;                  // rounds since it began
+  int age = 0;                  // passes of growth since it began
   int rollbacks = 0;
   int retry_round = 0;            // not regularized before this round ...
   std::int64_t retry_count = 0;   // ... or before it has this many points

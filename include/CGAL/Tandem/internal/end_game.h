@@ -47,12 +47,8 @@ std::vector<std::uint8_t> all_shapes(const Tandem_state<Backend>& t)
 template <class Backend>
 void drop_small(Tandem_state<Backend>& t)
 {
-  std::vector<std::uint32_t> target = identity_targets(t);
-  for(std::uint32_t id : t.live)
-    if(t.shapes[id].moments.count < t.options.minimum_region_size)
-      target[id] = is_free;
-  merge_shapes(t, target);
-  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+  give_up_shapes(
+    t, [&](const Shape& shape, std::uint32_t) { return shape.moments.count < t.options.minimum_region_size; });
 }
 
 template <class Backend>

@@ -212,6 +212,18 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   return t.assigned - before;
 }
 
+// So that shapes that have just begun can go on growing before they have relations.
+template <class Backend>
+void take_local_planes(Tandem_state<Backend>& t)
+{
+  refit_shapes(t);
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
+    const Shape& shape = t.shapes[t.live[l]];
+    if(shape.age == 1)
+      t.plane[t.live[l]] = rounded(shape.local);
+  });
+}
+
 // Whether a leaf has many untried candidates: as many as the smallest shape has points, or more than a quarter of
 // its points.
 struct Find_untried_leaves {
@@ -238,7 +250,7 @@ struct Find_untried_leaves {
 };
 
 template <class Backend>
-bool has_untried_leaf(Tandem_state<Backend>& t)
+std::size_t count_untried_leaves(Tandem_state<Backend>& t)
 {
   std::vector<std::uint8_t> is_untried(t.number_of_cells);
   const auto count = t.backend.lend(t.seeds.count);
@@ -249,7 +261,7 @@ bool has_untried_leaf(Tandem_state<Backend>& t)
     t.number_of_cells, Find_untried_leaves{t.labels(), t.cells_view(), t.seeds.seed.data(), count.data(), cursor.data(),
                                            smallest, found.data()});
   found.take_back();
-  return std::find(is_untried.begin(), is_untried.end(), 1) != is_untried.end();
+  return std::size_t(std::count(is_untried.begin(), is_untried.end(), 1));
 }
 
 } // namespace internal

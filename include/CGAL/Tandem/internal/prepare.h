@@ -76,7 +76,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.minimum_fragment_size = (std::max)(std::int64_t(6), o.minimum_region_size * 3 / 20);
   o.growth.tolerance = make_tolerance(o.maximum_distance, cosine);
   o.tight = make_tolerance(o.maximum_distance / 4, cosine_deg(p.maximum_angle / 2));
-  o.growth.seeds_in_flight = least_seeds_in_flight;
+  o.growth.seeds_in_flight = young_seeds_in_flight;
   o.growth.seed_tries = 64;
   o.growth.core_size =
     std::uint32_t((std::min)(p.k_neighbors / 2 + 1, p.cell_size / 8)); // at most an eighth of a full leaf

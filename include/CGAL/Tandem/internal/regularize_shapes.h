@@ -64,7 +64,7 @@ private:
 // Relations are found anew when shapes have gained, lost or exchanged this share of their points, in the loop
 // and in the end game. Until then they hold on: in the late rounds little changes. (With a period of more than one
 // round they never do.)
-constexpr double changed_share = 0.02, changed_share_at_end = 1e-4;
+constexpr double changed_share = 0.05, changed_share_at_end = 1e-4;
 
 // A shape that is new, or has changed much by itself, is not held by relations found before. (It has none at 0.)
 inline bool is_as_it_was(const Shape& shape)

@@ -135,6 +135,20 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
   forget_empty_shapes(t);
 }
 
+// The points of the shapes with is_given_up(shape, id) are free again.
+template <class Backend, class Predicate>
+void give_up_shapes(Tandem_state<Backend>& t, Predicate is_given_up)
+{
+  const std::vector<std::uint32_t> ids = chosen_shapes(t, is_given_up);
+  if(ids.empty())
+    return;
+  std::vector<std::uint32_t> target = identity_targets(t);
+  for(std::uint32_t id : ids)
+    target[id] = is_free;
+  merge_shapes(t, target);
+  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+}
+
 // Hands the planes over to the points, checks the points of the shapes whose plane
 // has moved or which are new unions, and restarts shapes that have moved far.
 template <class Backend>
