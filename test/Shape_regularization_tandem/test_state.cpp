@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // After each round the table of shapes and the labels of the points say the same:
-// labels are live shapes or marks, counts, sums and boxes are those of the points.
+// labels are live shapes or marks, counts, sums and boxes are those of the points, which see the planes of the shapes.
 
 #undef NDEBUG
 
@@ -59,6 +59,8 @@ bool contains(const Box& outer, const Box& inner)
   return true;
 }
 
+bool is_same(const Plane& a, const Plane& b) { return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.d == b.d; }
+
 void check_state(const State& t, const std::string& where)
 {
   const std::map<std::uint32_t, Sums> sums = sums_of_labels(t);
@@ -73,6 +75,7 @@ void check_state(const State& t, const std::string& where)
     }
     CHECK_AT(is_same(t.shapes[s.first].moments, s.second.moments), shape + ": moments");
     CHECK_AT(contains(t.shapes[s.first].box, s.second.box), shape + ": box");
+    CHECK_AT(is_same(t.plane[s.first], rounded(t.shapes[s.first].plane)), shape + ": plane");
     assigned += std::size_t(s.second.moments.count);
   }
   check_equal(t.assigned, assigned, where + ": assigned points");
@@ -80,6 +83,16 @@ void check_state(const State& t, const std::string& where)
     CHECK_AT(sums.count(id) > 0 || t.shapes[id].moments.count == 0, where + ", dead shape " + std::to_string(id));
   for(const Shared_moments& gain : t.gain)
     CHECK_AT(gain.count == 0, where + ": gains that were not taken");
+}
+
+// Most shapes go out of use, between two passes of growth: the others get new ids, and stay what they are.
+void check_new_ids(State& t, const std::string& where)
+{
+  give_up_shapes(t, [](const Shape&, std::uint32_t id) { return id % 4 != 0; });
+  Host_buffer<Gain> none;
+  number_shapes(t, t.shapes.size(), none);
+  CHECK_AT(t.shapes.size() <= 2 * t.live.size(), where + ": " + std::to_string(t.shapes.size()) + " ids");
+  check_state(t, where);
 }
 
 // Returns the number of rounds.
@@ -91,13 +104,15 @@ int test(const std::string& name, const scenes::Options& options, Parameters par
   Import in = read_points(backend, cloud, First<Kernel>(), Second<Kernel>(), Traits());
   choose_grid(in, parameters.maximum_distance);
   Engine<Sequential_backend> engine(backend, in, parameters);
-  const State& state = engine.*reveal(State_of_engine());
+  State& state = engine.*reveal(State_of_engine());
   const int failures_before = failures();
   for(bool goes_on = true; goes_on && failures() == failures_before;) {
     goes_on = engine.iterate();
     check_state(state, name + ", round " + std::to_string(state.round));
   }
-  return state.round;
+  const int rounds = state.round;
+  check_new_ids(state, name + ", new ids");
+  return rounds;
 }
 
 int main()

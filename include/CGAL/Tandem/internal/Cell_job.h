@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What the shapes look like to the points during one round: plain arrays, by shape.
+// What the shapes look like to the points during one pass: plain arrays, by shape.
 struct Shapes_view {
   Plane* plane;
   std::uint16_t* rounds;            // breadth-first rounds of this pass

@@ -51,11 +51,11 @@ private:
   // round gains at most one point of so many; in the first rounds shapes are small because they are young.
   static constexpr int most_rounds = 300;
   static constexpr int most_idle_rounds = 2;
-  static constexpr int young_rounds = 3;
+  static constexpr int young_rounds = 4;
   static constexpr std::size_t points_of_slow_gain = 500;
   // Passes of growth in a round, the next one if more than one of so many leaves has many seeds left.
   static constexpr int most_passes = 9;
-  static constexpr std::size_t leaves_of_untried_leaf = 16;
+  static constexpr std::size_t leaves_of_untried_leaf = 64;
 
   // One pass; after the first rounds more of them as long as many leaves have many seeds left: patches that are too
   // small for a shape must not keep the faces behind them waiting, nor make the table of shapes large in each round.
@@ -77,7 +77,8 @@ private:
     return count_untried_leaves(state_) * leaves_of_untried_leaf > state_.number_of_cells;
   }
 
-  // Shapes of more than one pass that stopped growing while they are small.
+  // Shapes of more than one pass that stopped growing while they are small, whether or not they have met others to
+  // merge with: the others, or new ones, take their points.
   void give_up_fragments()
   {
     const std::int64_t least = state_.options.minimum_fragment_size;

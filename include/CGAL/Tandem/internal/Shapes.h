@@ -107,7 +107,7 @@ struct Shape : Fitted_moments {
   std::int64_t regular_count = 0; // points when its relations were found; 0 if it has none yet
   int entry = 0;                  // its place in the relations, if it has some
   Answer answer;
-  bool is_active = false;
+  bool is_active = false; // it has gained points in the last pass
   bool is_changed = true; // its points or its plane have changed since its links were collected
   bool is_dirty = true;   // its points have changed since it was fitted
 };

@@ -97,7 +97,7 @@ struct Tandem_state {
 
   Growing_table<Shape> shapes;     // by id, which changes in grow_shapes() only; those not in `live` hold nothing
   std::vector<std::uint32_t> live; // ascending
-  std::vector<Plane> plane;        // these three: the points' view of the shapes, made anew in each round
+  std::vector<Plane> plane;        // these three: the points' view of the shapes; the next two are made in each pass
   std::vector<std::uint16_t> rounds;
   std::vector<std::uint8_t> is_restarted;
   Buffer<Shared_moments> gain; // of each shape, zero between passes

@@ -154,8 +154,11 @@ void number_shapes(Tandem_state<Backend>& t, std::size_t ids, Host_buffer<Gain>&
   std::vector<std::uint32_t> new_id(ids, is_free);
   for(std::size_t l = 0; l < t.live.size(); ++l)
     new_id[t.live[l]] = is_sparse ? std::uint32_t(l) : t.live[l];
-  if(is_sparse)
+  if(is_sparse) {
     t.shapes.keep(t.backend, t.live);
+    for(std::size_t l = 0; l < t.live.size(); ++l)
+      t.plane[l] = t.plane[t.live[l]]; // l <= live[l]
+  }
   const std::size_t kept = t.shapes.size();
   std::size_t next = kept;
   for(Gain& gain : gains) {
@@ -212,15 +215,17 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
   return t.assigned - before;
 }
 
-// So that shapes that have just begun can go on growing before they have relations.
+// So that shapes that have just begun can go on growing before they have relations. They are on the frontier as a whole.
 template <class Backend>
 void take_local_planes(Tandem_state<Backend>& t)
 {
   refit_shapes(t);
   t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
-    const Shape& shape = t.shapes[t.live[l]];
-    if(shape.age == 1)
-      t.plane[t.live[l]] = rounded(shape.local);
+    Shape& shape = t.shapes[t.live[l]];
+    if(shape.age != 1)
+      return;
+    t.plane[t.live[l]] = rounded(shape.local);
+    shape.restarted = shape.local;
   });
 }
 

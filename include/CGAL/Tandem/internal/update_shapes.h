@@ -61,7 +61,6 @@ void join_shape(Tandem_state<Backend>& t, Shape& root, std::uint32_t id)
   root.moments += shape.moments;
   root.box.add(shape.box);
   root.age = (std::max)(root.age, shape.age);
-  root.is_active = root.is_active || shape.is_active;
   root.is_dirty = root.is_changed = true;
   root.layered_count = 0;
   forget_shape(t, id);
@@ -164,7 +163,6 @@ void apply_planes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
     is_moved[id] = bound_motion(shape.box, shape.checked, shape.plane) > negligible_motion * epsilon;
     if(bound_motion(shape.box, shape.restarted, shape.plane) > restart_motion * epsilon) {
       t.is_restarted[id] = shape.age > 1; // a new shape is on the frontier as a whole
-      shape.is_active = true;
       shape.restarted = shape.plane;
     }
     if(is_moved[id]) {
