@@ -62,8 +62,7 @@ bool merge_fragments(Tandem_state<Backend>& t, std::vector<Link>& links, double 
   const bool is_any = std::any_of(t.live.begin(), t.live.end(), [&](std::uint32_t id) { return target[id] != id; });
   if(!is_any)
     return false;
-  merge_shapes(t, target);
-  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+  merge_points(t, target);
   refit_shapes(t);
   t.backend.for_each_on_host(links.size(), [&](std::size_t i) {
     const std::uint32_t a = target[links[i].first()], b = target[links[i].second()];

@@ -134,6 +134,14 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
   forget_empty_shapes(t);
 }
 
+// Merges the shapes and their points. No point is checked.
+template <class Backend>
+void merge_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target)
+{
+  merge_shapes(t, target);
+  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+}
+
 // The points of the shapes with is_given_up(shape, id) are free again.
 template <class Backend, class Predicate>
 void give_up_shapes(Tandem_state<Backend>& t, Predicate is_given_up)
@@ -144,8 +152,7 @@ void give_up_shapes(Tandem_state<Backend>& t, Predicate is_given_up)
   std::vector<std::uint32_t> target = identity_targets(t);
   for(std::uint32_t id : ids)
     target[id] = is_free;
-  merge_shapes(t, target);
-  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+  merge_points(t, target);
 }
 
 // Hands the planes over to the points, checks the points of the shapes whose plane
