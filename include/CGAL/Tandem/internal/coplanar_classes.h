@@ -58,6 +58,8 @@ private:
   struct Class {
     std::vector<int> members; // by rising offset
     double offset;
+    // The first members of the classes behind and before it that it was not joined with, or -1.
+    int refused_behind, refused_before;
   };
 
   // The shapes that share a direction, one direction after the other.
@@ -104,7 +106,7 @@ private:
         for(int& k : c)
           k = pending[first[d] + std::size_t(k)];
         if(c.size() > 1)
-          classes.push_back({c, 0});
+          classes.push_back({c, 0, -1, -1});
       }
     verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
   }
@@ -126,7 +128,7 @@ private:
         has_class[i] = 1;
     for(std::size_t i = 0; i < shapes.size(); ++i)
       if(direction[i] >= 0 && !has_class[i])
-        classes.push_back({{int(i)}, plane[i].offset});
+        classes.push_back({{int(i)}, plane[i].offset, -1, -1});
   }
 
   // Classes have shrunk where members were refused, and may lie side by side with what
@@ -147,7 +149,11 @@ private:
       const Class &a = classes[c], &b = classes[c + 1];
       if(direction[a.members.front()] != direction[b.members.front()] || b.offset - a.offset > maximum_offset)
         continue;
-      Class joint = {a.members, 0};
+      if(a.refused_behind == b.members.front() && b.refused_before == a.members.front()) {
+        ++c; // as in the step before the last
+        continue;
+      }
+      Class joint = {a.members, 0, -1, -1};
       joint.members.insert(joint.members.end(), b.members.begin(), b.members.end());
       joint.offset = mean_offset(joint, plane);
       for(int i : joint.members) {
@@ -156,13 +162,19 @@ private:
       }
       joints.push_back({c++, joint});
     }
+    if(joints.empty())
+      return;
     const std::vector<char> is_refused = verified.test(candidates, planes);
     auto answer = is_refused.begin();
     for(auto& joint : joints) {
       const auto end = answer + std::ptrdiff_t(joint.second.members.size());
+      Class &a = classes[joint.first], &b = classes[joint.first + 1];
       if(std::find(answer, end, char(1)) == end) {
-        classes[joint.first + 1].members.clear();
-        classes[joint.first] = std::move(joint.second);
+        a = std::move(joint.second);
+        b.members.clear();
+      } else {
+        a.refused_behind = b.members.front();
+        b.refused_before = a.members.front();
       }
       answer = end;
     }

@@ -85,6 +85,13 @@ private:
     std::vector<int> leaves; // by falling weight
   };
 
+  // What most groups are told apart by, side by side.
+  struct Candidate {
+    Vector rounded;
+    double sine;
+    int group;
+  };
+
   std::vector<int> by_weight() const
   {
     std::vector<int> order(groups.size());
@@ -98,23 +105,30 @@ private:
   }
 
   // A right angle that costs both sides too much would only be refused later.
-  bool is_leaf(const Direction_group& m, const Direction_group& j) const
+  bool is_leaf(const Candidate& master, const Candidate& leaf) const
   {
-    if(!(std::fabs(rounded_dot(m.rounded, j.rounded)) < (std::min)(m.sine, j.sine)))
+    if(!(std::fabs(rounded_dot(master.rounded, leaf.rounded)) < (std::min)(master.sine, leaf.sine)))
       return false;
+    const Direction_group &m = groups[master.group], &j = groups[leaf.group];
     return cost_of_right_angle(j.eigen, m.fitted) <= squared_rms * j.weight ||
            cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
   }
 
-  std::vector<Star> make_stars(std::vector<int> pool) const
+  std::vector<Star> make_stars(const std::vector<int>& pool) const
   {
     std::vector<Star> stars;
-    for(std::vector<int> rest; !pool.empty(); pool.swap(rest)) {
-      Star star = {pool.front(), {}};
-      rest.clear();
-      for(std::size_t k = 1; k < pool.size(); ++k)
-        (is_leaf(groups[star.master], groups[pool[k]]) ? star.leaves : rest).push_back(pool[k]);
-      stars.push_back(star);
+    std::vector<Candidate> rest;
+    for(int g : pool)
+      rest.push_back({groups[g].rounded, groups[g].sine, g});
+    for(std::size_t end = rest.size(), kept; end > 0; end = kept) {
+      const Candidate master = rest.front();
+      stars.push_back({master.group, {}});
+      kept = 0;
+      for(std::size_t k = 1; k < end; ++k)
+        if(is_leaf(master, rest[k]))
+          stars.back().leaves.push_back(rest[k].group);
+        else
+          rest[kept++] = rest[k];
     }
     return stars;
   }
