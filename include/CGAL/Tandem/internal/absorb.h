@@ -65,13 +65,22 @@ private:
   }
 };
 
-// Later rounds: only the points that were absorbed in the last one have news.
+// Later rounds: only the points that were absorbed in the last one have news. Nobody is asked any more when they were
+// few.
 template <class Backend>
 struct Offer_again {
   Offer<Backend> offer;
   const std::uint32_t* absorbed;
+  const std::uint32_t* size;
+  std::size_t few;
+  std::size_t items; // that this is called with
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { offer.from(absorbed[i]); }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(*size > few)
+      for(std::size_t at = i; at < *size; at += items)
+        offer.from(absorbed[at]);
+  }
 };
 
 struct Clear_offers {
@@ -99,12 +108,13 @@ struct Accept_offers {
   }
 };
 
-// Free points join the shapes that they fit, until next to none does.
+// Free points join the shapes that they fit, until next to none does. The host looks after some rounds how many they
+// were: a wait takes longer than a round.
 template <class Backend>
 void absorb(Tandem_state<Backend>& t)
 {
-  constexpr int most_rounds = 16;
-  const std::size_t n = t.cloud.size;
+  constexpr std::size_t batches = 4, rounds = 4; // in each of them
+  const std::size_t n = t.cloud.size, few = n / 100000, items = (std::min)(n, std::size_t(1) << 18);
   typename Backend::template Buffer<std::uint64_t> offer(n);
   typename Backend::template Buffer<std::uint32_t> absorbed(n);
   const auto plane = t.backend.lend(t.plane);
@@ -112,15 +122,18 @@ void absorb(Tandem_state<Backend>& t)
   const Offer<Backend> first = {t.cloud,      t.label.data(), t.state.data(),
                                 plane.data(), offer.data(),   t.options.growth.tolerance};
   t.backend.for_each(n, first);
-  for(int round = 0; round < most_rounds; ++round) {
-    std::vector<std::uint32_t> size(1, 0);
-    auto counter = t.backend.lend_out(size);
-    t.backend.for_each(
-      n, Accept_offers<Backend>{t.label.data(), t.state.data(), offer.data(), absorbed.data(), counter.data()});
-    counter.take_back();
-    if(std::size_t(size[0]) * 100000 <= n)
+  for(std::size_t batch = 0; batch < batches; ++batch) {
+    std::vector<std::uint32_t> size(rounds, 0); // by round
+    auto counts = t.backend.lend_out(size);
+    for(std::size_t round = 0; round < rounds; ++round) {
+      std::uint32_t* const count = counts.data() + round;
+      t.backend.for_each(n,
+                         Accept_offers<Backend>{t.label.data(), t.state.data(), offer.data(), absorbed.data(), count});
+      t.backend.for_each(items, Offer_again<Backend>{first, absorbed.data(), count, few, items});
+    }
+    counts.take_back();
+    if(size.back() <= few)
       break;
-    t.backend.for_each(size[0], Offer_again<Backend>{first, absorbed.data()});
   }
 }
 
