@@ -47,34 +47,50 @@ public:
 private:
   // In a joint-fit merge.
   static constexpr double misfit_share = 0.05;
-  // The bounds of the loop: rounds, and idle rounds in a row: slow ones, after which no leaf has many seeds left. A slow
-  // round gains at most one point of so many; in the first rounds shapes are small because they are young.
+  // The bounds of the loop: rounds, and a slow one after which no leaf has many seeds left. A slow round gains at most
+  // one point of so many; in the first rounds shapes are small because they are young.
   static constexpr int most_rounds = 300;
-  static constexpr int most_idle_rounds = 2;
   static constexpr int young_rounds = 4;
-  static constexpr std::size_t points_of_slow_gain = 500;
+  static constexpr std::size_t points_of_slow_gain = 100;
   // Passes of growth in a round, the next one if more than one of so many leaves has many seeds left.
   static constexpr int most_passes = 9;
   static constexpr std::size_t leaves_of_untried_leaf = 64;
 
-  // One pass; after the first rounds more of them as long as many leaves have many seeds left: patches that are too
-  // small for a shape must not keep the faces behind them waiting, nor make the table of shapes large in each round.
+  // One pass; after the first rounds more of them as long as many leaves have many seeds left, and in slow rounds as
+  // long as any has: patches that are too small for a shape must not keep the faces behind them waiting, nor make the
+  // table of shapes large in each round.
   std::size_t grow()
   {
     const bool is_young = state_.round < young_rounds;
-    state_.options.growth.seeds_in_flight = is_young ? young_seeds_in_flight : most_seeds_in_flight;
+    if(!is_young)
+      state_.options.growth.seeds_in_flight = most_seeds_in_flight;
     std::size_t gained = grow_shapes(state_);
-    for(int pass = 1; !is_young && pass < most_passes && has_many_untried_leaves(); ++pass) {
-      take_local_planes(state_);
-      gained += grow_shapes(state_);
-    }
+    if(is_young)
+      return gained;
+    int passes = 1;
+    const auto sweep = [&](std::size_t most_untried_leaves) {
+      while((untried_leaves_ = count_untried_leaves(state_)) > most_untried_leaves && passes < most_passes) {
+        take_local_planes(state_);
+        gained += grow_shapes(state_);
+        ++passes;
+      }
+    };
+    sweep(state_.number_of_cells / leaves_of_untried_leaf);
+    is_slow_ = gain_settled() <= state_.cloud.size / points_of_slow_gain;
+    if(is_slow_)
+      sweep(0);
     return gained;
   }
 
-  // A pass costs nearly the same whether few leaves have anything to try or all.
-  bool has_many_untried_leaves()
+  // The points that shapes which are large enough have gained; fragments come and go for ever.
+  std::size_t gain_settled()
   {
-    return count_untried_leaves(state_) * leaves_of_untried_leaf > state_.number_of_cells;
+    std::size_t settled = 0;
+    for(std::uint32_t id : state_.live)
+      if(state_.shapes[id].moments.count >= state_.options.minimum_region_size)
+        settled += std::size_t(state_.shapes[id].moments.count);
+    const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
+    return most_settled_ - best_before;
   }
 
   // Shapes of more than one pass that stopped growing while they are small, whether or not they have met others to
@@ -87,29 +103,15 @@ private:
     });
   }
 
-  void count_idle_rounds()
+  bool is_going_on(std::size_t gained) const
   {
-    std::size_t settled = 0; // points of shapes that are large enough; fragments come and go for ever
-    const auto is_settled = [&](const Shape& shape, std::uint32_t) {
-      return shape.moments.count >= state_.options.minimum_region_size;
-    };
-    for(std::uint32_t id : chosen_shapes(state_, is_settled))
-      settled += std::size_t(state_.shapes[id].moments.count);
-    const std::size_t best_before = std::exchange(most_settled_, (std::max)(most_settled_, settled));
-    const bool is_slow =
-      state_.round > young_rounds && most_settled_ - best_before <= state_.cloud.size / points_of_slow_gain;
-    idle_rounds_ = is_slow && count_untried_leaves(state_) == 0 ? idle_rounds_ + 1 : 0;
-  }
-
-  bool is_going_on(std::size_t gained)
-  {
-    count_idle_rounds();
     bool is_alive = gained > 0;
     for(std::size_t c = 0; c < state_.number_of_cells; ++c)
       is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
     for(std::uint32_t id : state_.live)
       is_alive = is_alive || state_.is_restarted[id];
-    return is_alive && idle_rounds_ < most_idle_rounds && state_.round < most_rounds;
+    const bool is_idle = is_slow_ && untried_leaves_ == 0;
+    return is_alive && !is_idle && state_.round < most_rounds;
   }
 
   const Import& in_;
@@ -120,8 +122,8 @@ private:
   Shape_relations relations_;
   Stage_times times_;
   Engine_result final_;
-  std::size_t most_settled_ = 0;
-  int idle_rounds_ = 0;
+  std::size_t most_settled_ = 0, untried_leaves_ = 0;
+  bool is_slow_ = false;
   bool is_finished_ = false;
 };
 
