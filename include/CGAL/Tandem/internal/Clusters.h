@@ -7,11 +7,12 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLUSTERS_H
 #define CGAL_TANDEM_INTERNAL_CLUSTERS_H
 
-#include <CGAL/Tandem/internal/Joint_fit_test.h>
 #include <CGAL/Tandem/internal/point_passes.h>
+#include <CGAL/Tandem/internal/update_shapes.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -21,6 +22,70 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// Below this size the normal of a shape says little.
+constexpr std::int64_t reliable_normal_size = 30;
+// How much worse, in epsilons (rms), another plane may be than the local one (R2).
+constexpr double tolerated_rms = 0.5;
+// In a joint fit it may also not be worse by more than the shape's own distances and
+// this: a plane that bridges two narrow strips is close to both, but not as close as
+// their own planes.
+constexpr double negligible_rms = 0.2;
+
+// How much the sum of squared distances grows when the shape gives up its local plane.
+inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
+{
+  const double e = dot(plane.normal, scatter.centroid) - plane.offset;
+  return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
+}
+
+// Of moments only: no point is looked at.
+struct Joint_fit_test {
+  double squared_cosine;
+  double maximum_distance;
+
+  bool are_aligned(const Fitted_moments& a, const Fitted_moments& b) const
+  {
+    const double cosine = dot(a.fit.normal, b.fit.normal);
+    return (std::min)(a.moments.count, b.moments.count) <= reliable_normal_size || cosine * cosine >= squared_cosine;
+  }
+
+  bool is_tolerable(const Fitted_moments& m, const Regular_plane& plane) const
+  {
+    return excess(m.scatter, m.fit, plane) <= most_excess(m);
+  }
+
+  bool operator()(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
+  {
+    return !are_apart(a, b) && fit(a, b, joint);
+  }
+
+  // Whether it is certain, at less cost, that fit() refuses them and that neither tolerates the plane of the other.
+  // Otherwise the sum of squared distances of all points to one plane, and so the smallest eigenvalue of their scatter
+  // matrix, would be at most `most`. The margins, relative to that and to the extent, are for rounding.
+  bool are_apart(const Fitted_moments& a, const Fitted_moments& b) const
+  {
+    const Symmetric_matrix joint = joint_matrix(a.scatter, b.scatter);
+    const double most = a.fit.smallest + most_excess(a) + b.fit.smallest + most_excess(b);
+    return has_eigenvalues_above(joint, std::fma(1e-8, joint.xx + joint.yy + joint.zz, 1.000001 * most));
+  }
+
+  bool fit(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
+  {
+    joint.moments = a.moments;
+    joint.moments += b.moments;
+    refit(joint);
+    return is_tolerable(a, joint.local) && is_tolerable(b, joint.local);
+  }
+
+private:
+  // How much the sum of squared distances may grow.
+  double most_excess(const Fitted_moments& m) const
+  {
+    const double most = tolerated_rms * maximum_distance, little = negligible_rms * maximum_distance;
+    return (std::min)(most * most * m.scatter.count, std::fma(little * little, m.scatter.count, m.fit.smallest));
+  }
+};
 
 // Unions of shapes with the moments of the whole. A small shape that tolerates the plane of
 // a large one joins it without a new fit: the plane of both together is not worse for it.
@@ -36,7 +101,7 @@ public:
   {}
 
   // As if link after link were tried: a link depends on those before it that have a cluster in
-  // common with it, so what depends on nothing else is tried at the same time. Most are refused, and hold up nobody as
+  // common with it, so what depends on nothing else is tried at the same time. Many are refused, and hold up nobody as
   // long as their shapes have not changed: that is found out ahead. Returns the number of steps in which many links
   // were tried.
   std::uint32_t unite_along(const std::vector<Link>& links)
@@ -44,8 +109,9 @@ public:
     const bool is_ahead = links.size() > few_;
     std::vector<Pair> pending(links.size());
     t_.backend.for_each_on_host(links.size(), [&](std::size_t i) {
-      pending[i] = {links[i].first(), links[i].second(), no_index, false};
-      pending[i].is_refused = is_ahead && is_refused_at_first(pending[i]);
+      const Shape &a = t_.shapes[links[i].first()], &b = t_.shapes[links[i].second()];
+      const bool is_refused = is_ahead && (!test_.are_aligned(a, b) || test_.are_apart(a, b));
+      pending[i] = {links[i].first(), links[i].second(), no_index, is_refused};
     });
     std::vector<Claim> claims(is_ahead ? t_.shapes.size() : 0);
     std::uint32_t steps = 0;
@@ -169,15 +235,6 @@ private:
     return chains_[c];
   }
 
-  // Whether the shapes of a link do not become one, as long as both are what they were at first.
-  bool is_refused_at_first(Pair link) const
-  {
-    put_larger_first(link);
-    const Shape &a = t_.shapes[link.a], &b = t_.shapes[link.b];
-    Fitted_moments joint;
-    return !test_.are_aligned(a, b) || (!test_.is_tolerable_part(b, a) && !test_(a, b, joint));
-  }
-
   bool is_refused(const Pair& roots) const
   {
     return roots.is_refused && whole_[roots.a] == no_index && whole_[roots.b] == no_index;
@@ -185,27 +242,19 @@ private:
 
   void try_link(const Pair& link)
   {
-    Pair roots = {unions_.root(link.a), unions_.root(link.b), no_index, link.is_refused};
-    if(roots.a == roots.b || is_refused(roots))
-      return;
-    put_larger_first(roots);
-    try_to_unite(roots.a, roots.b);
+    const Pair roots = {unions_.root(link.a), unions_.root(link.b), no_index, link.is_refused};
+    if(roots.a != roots.b && !is_refused(roots))
+      try_to_unite(roots.a, roots.b);
   }
 
-  // The larger one, then the one with the smaller id, stays the root.
-  void put_larger_first(Pair& roots) const
-  {
-    const std::int64_t size_a = whole(roots.a).moments.count, size_b = whole(roots.b).moments.count;
-    if(size_a < size_b || (size_a == size_b && roots.b < roots.a))
-      std::swap(roots.a, roots.b);
-  }
-
-  // Touches nothing but these two.
+  // The larger one, then the one with the smaller id, stays the root. Touches nothing but these two.
   void try_to_unite(std::uint32_t a, std::uint32_t b)
   {
+    if(size(a) < size(b) || (size(a) == size(b) && b < a))
+      std::swap(a, b);
     if(!test_.are_aligned(whole(a), whole(b)))
       return;
-    if(test_.is_tolerable_part(whole(b), whole(a))) {
+    if(4 * size(b) < size(a) && test_.is_tolerable(whole(b), whole(a).local)) {
       Whole& w = own_whole(a);
       w.moments += whole(b).moments;
       if(4 * w.moments.count > 5 * w.fitted_count)
@@ -222,6 +271,8 @@ private:
     }
     unions_.set_parent(b, a);
   }
+
+  std::int64_t size(std::uint32_t root) const { return whole(root).moments.count; }
 
   Whole& own_whole(std::uint32_t root)
   {
