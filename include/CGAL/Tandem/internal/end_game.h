@@ -14,6 +14,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+constexpr int consolidation_rounds = 2;
 constexpr double consolidation_misfit_share = 0.15;
 constexpr int reassignment_rounds = 4;
 
@@ -64,31 +65,38 @@ void refit_fragments(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& 
 template <class Backend>
 void consolidate(Tandem_state<Backend>& t)
 {
-  const std::vector<std::uint8_t> is_fragment = shapes_below(t, t.options.minimum_region_size);
-  refit_fragments(t, is_fragment);
-  detach_misfits(t, is_fragment);
-  std::vector<Link> links = collect_links(t, least_links, Links::all, [&] { refit_shapes(t); });
-  links.erase(std::remove_if(links.begin(), links.end(),
-                             [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
-              links.end());
-  if(merge_fragments(t, links, consolidation_misfit_share))
+  for(int round = 0; round < consolidation_rounds; ++round) {
+    const std::vector<std::uint8_t> is_fragment = shapes_below(t, t.options.minimum_region_size);
+    const std::size_t shapes_before = t.live.size(), assigned_before = t.assigned;
     refit_fragments(t, is_fragment);
-  t.sample.reset(0); // others need the memory
-  detach_misfits(t, is_fragment);
-  absorb(t);
-  reassign(t, shapes_below(t, t.options.minimum_region_size), all_shapes(t), false);
-  recount(t);
+    detach_misfits(t, is_fragment);
+    std::vector<Link> links = collect_links(t, least_links, Links::all, [&] { refit_shapes(t); });
+    links.erase(std::remove_if(links.begin(), links.end(),
+                               [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
+                links.end());
+    if(merge_fragments(t, links, consolidation_misfit_share))
+      refit_fragments(t, is_fragment);
+    t.sample.reset(0); // others need the memory
+    detach_misfits(t, is_fragment);
+    absorb(t);
+    reassign(t, shapes_below(t, t.options.minimum_region_size), all_shapes(t), false);
+    recount(t);
+    if(t.live.size() * 50 >= shapes_before * 49 && t.assigned * 1000 < assigned_before * 1001)
+      break;
+  }
 }
 
 // A last regularity step over all shapes, which have just been counted; returns the
-// relations, by shape.
+// relations, by shape. `before`: those of the last such step.
 template <class Backend>
-Shape_relations settle(Tandem_state<Backend>& t)
+Shape_relations settle(Tandem_state<Backend>& t, const Shape_relations& before = {})
 {
   refit_shapes(t);
-  const Shape_relations relations = regularize_shapes(t, true, {});
+  const Shape_relations relations = regularize_shapes(t, true, before);
   t.sample.reset(0); // others need the memory
-  merge_points(t, coplanar_targets(t, relations, collect_links(t, least_links, Links::all)));
+  const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links, Links::all));
+  merge_shapes(t, target);
+  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
   detach_misfits(t, all_shapes(t));
   absorb(t);
   recount(t);
@@ -132,9 +140,7 @@ Shape_relations end_game(Tandem_state<Backend>& t)
   forget_interior(t);
   consolidate(t);
   drop_small(t);
-  absorb(t); // what the small ones have left
-  recount(t);
-  const Shape_relations relations = settle(t);
+  const Shape_relations relations = settle(t, settle(t));
   forget_interior(t);
   reassign_to_larger(t);
   return relations;

@@ -61,9 +61,10 @@ private:
   Misfit_counter<Backend> count_;
 };
 
-// Relations are found anew when shapes have gained, lost or exchanged this share of their points. Until then they
-// hold on: in the late rounds little changes. (With a period of more than one round they never do.)
-constexpr double changed_share = 0.05;
+// Relations are found anew when shapes have gained, lost or exchanged this share of their points, in the loop
+// and in the end game. Until then they hold on: in the late rounds little changes. (With a period of more than one
+// round they never do.)
+constexpr double changed_share = 0.05, changed_share_at_end = 1e-4;
 
 // A shape that is new, or has changed much by itself, is not held by relations found before. (It has none at 0.)
 inline bool is_as_it_was(const Shape& shape)
@@ -72,14 +73,17 @@ inline bool is_as_it_was(const Shape& shape)
 }
 
 template <class Backend>
-bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before)
+bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before,
+                  bool is_end)
 {
   std::int64_t changed = before.points; // less those that are still there: of shapes that have gone
   for(std::uint32_t id : ids) {
     const Shape& shape = t.shapes[id];
+    if(is_end && !is_as_it_was(shape))
+      return true;
     changed += std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
   }
-  return double(changed) > changed_share * double(t.assigned);
+  return double(changed) > (is_end ? changed_share_at_end : changed_share) * double(t.assigned);
 }
 
 // The entry has a plane, and a direction, that no other one has.
@@ -115,12 +119,12 @@ Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::
   return r;
 }
 
-// is_last: in the end game, also small shapes and those that wait, and anew. `before`: the relations of the last step.
+// retry_all: in the end game, also small shapes and those that wait. `before`: the relations of the last step.
 template <class Backend>
-Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool is_last, const Shape_relations& before)
+Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, const Shape_relations& before)
 {
-  const bool is_due = is_last || (t.round + 1) % t.options.regularity_period == 0;
-  const std::int64_t least = is_last ? t.options.minimum_regular_size : t.options.minimum_related_size;
+  const bool is_due = retry_all || (t.round + 1) % t.options.regularity_period == 0;
+  const std::int64_t least = retry_all ? t.options.minimum_regular_size : t.options.minimum_related_size;
   Shape_relations r;
   r.id = chosen_shapes(t, [&](const Shape&, std::uint32_t id) {
     Shape& shape = t.shapes[id];
@@ -129,7 +133,8 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool is_last, const 
       shape.regular_count = 0;
     return shape.moments.count >= least;
   });
-  if(is_due && !is_last && !have_changed(t, r.id, before))
+  const bool is_first = retry_all && before.id.empty(); // those of the loop are of other shapes
+  if(is_due && !is_first && !have_changed(t, r.id, before, retry_all))
     return keep_relations(t, r.id, before);
   std::vector<Shape_fit> fits(r.id.size());
   std::vector<char> is_excluded(r.id.size());
@@ -137,11 +142,11 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool is_last, const 
     const Shape& shape = t.shapes[r.id[i]];
     fits[i] = {shape.scatter, shape.fit};
     const bool is_waiting = t.round < shape.retry_round && shape.moments.count < shape.retry_count;
-    is_excluded[i] = !is_due || (!is_last && is_waiting);
+    is_excluded[i] = !is_due || (!retry_all && is_waiting);
   });
   Point_verifier<Backend> verify(t, r.id);
   Regularity_options options = t.options.regularity;
-  options.is_last = is_last;
+  options.is_last = retry_all;
   r.relations = regularize(fits, is_excluded, options, verify);
   for(std::size_t i = 0; i < r.id.size(); ++i) {
     Shape& shape = t.shapes[r.id[i]];
