@@ -47,8 +47,8 @@ public:
 private:
   // In a joint-fit merge.
   static constexpr double misfit_share = 0.05;
-  // The bounds of the loop: rounds, and a slow one after which no leaf has many seeds left. A slow round gains at most
-  // one point of so many; in the first rounds shapes are small because they are young.
+  // The bounds of the loop: rounds, and a slow one whose growth leaves no leaf with many seeds. A slow round gains at
+  // most one point of so many. The first rounds are not slow: shapes are small because they are young.
   static constexpr int most_rounds = 300;
   static constexpr int young_rounds = 4;
   static constexpr std::size_t points_of_slow_gain = 100;

@@ -150,7 +150,7 @@ private:
       if(direction[a.members.front()] != direction[b.members.front()] || b.offset - a.offset > maximum_offset)
         continue;
       if(a.refused_behind == b.members.front() && b.refused_before == a.members.front()) {
-        ++c; // as in the step before the last
+        ++c; // refused in an earlier step
         continue;
       }
       Class joint = {a.members, 0, -1, -1};

@@ -94,9 +94,7 @@ Shape_relations settle(Tandem_state<Backend>& t, const Shape_relations& before =
   refit_shapes(t);
   const Shape_relations relations = regularize_shapes(t, true, before);
   t.sample.reset(0); // others need the memory
-  const std::vector<std::uint32_t> target = coplanar_targets(t, relations, collect_links(t, least_links, Links::all));
-  merge_shapes(t, target);
-  update_points(t, target, std::vector<std::uint8_t>(t.shapes.size(), 0));
+  merge_points(t, coplanar_targets(t, relations, collect_links(t, least_links, Links::all)));
   detach_misfits(t, all_shapes(t));
   absorb(t);
   recount(t);
