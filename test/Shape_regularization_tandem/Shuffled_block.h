@@ -101,6 +101,24 @@ struct Shuffled_block : Serial_block {
     return n;
   }
 
+  // As a device does it: all items of a window, the first of them in any order.
+  template <class F, class Take>
+  std::uint32_t find(std::uint32_t first, std::uint32_t n, std::uint32_t most, F f, Take take)
+  {
+    std::vector<std::uint32_t> found;
+    for(; first < n && found.size() < most; first += window) {
+      const std::uint32_t end = (std::min)(first + window, n);
+      std::vector<char> is_hit(end - first);
+      dice.visit(first, end, [&](std::size_t i) { is_hit[i - first] = f(std::uint32_t(i)); });
+      for(std::uint32_t i = first; i < end; ++i)
+        if(is_hit[i - first])
+          found.push_back(i);
+    }
+    const std::uint32_t size = (std::min)(std::uint32_t(found.size()), most);
+    for_each(size, [&](std::uint32_t rank) { take(rank, found[rank]); });
+    return size;
+  }
+
   template <class F>
   std::uint32_t min(std::uint32_t n, F f)
   {

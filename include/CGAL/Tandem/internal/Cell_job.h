@@ -51,10 +51,12 @@ constexpr std::uint32_t largest_cell = 65536;
 // A candidate that is tried: the seed and its free neighbors that fit its plane, then those that fit the plane
 // through them, are the core of a new shape, unless they are too few.
 struct Trial {
-  bool is_candidate;
-  Plane plane;         // of the seed, then of the core
-  Cell_moments sums;   // of what fits the first ...
-  std::uint32_t count; // ... and the second
+  std::uint32_t at, seed; // the seed among the candidates, and the point
+  bool is_candidate;      // still: no shape that has begun meanwhile may reach it
+  Plane plane;            // of the seed, then of the core
+  Cell_moments sums;      // of what fits the first ...
+  std::uint32_t count;    // ... and the second
+  std::uint32_t lost;     // neighbors that shapes have taken since
 };
 constexpr std::uint32_t most_lookahead = 32;
 

@@ -125,7 +125,7 @@ private:
   // Claims are marked, and become labels when the round is over.
   CGAL_TANDEM_HD void propose(std::uint32_t s, std::uint32_t q)
   {
-    if(q < job_.cell.first || q >= job_.cell.last)
+    if(!is_own(q))
       return;
     const std::uint32_t claim = first_mark | s;
     const std::uint32_t old = label_[q];
@@ -136,45 +136,39 @@ private:
       push(q);
   }
 
+  // New shapes begin at the first candidates with a core. Those without one are no seeds any more, and each costs a
+  // try. A block may try some of them ahead.
   CGAL_TANDEM_HD void begin_shapes()
   {
     const std::uint32_t first = s_.tail;
-    std::uint32_t at = skip_used_candidates();
+    std::uint32_t at = skip_used_candidates(), shape = job_.new_shape;
     int room = options_.seeds_in_flight - int(s_.active_count);
     int tries = options_.seed_tries;
-    Plane plane;
-    for(std::uint32_t shape = job_.new_shape; room > 0; --room, ++shape, ++at) {
-      at = find_core(at, tries, plane);
-      if(at == job_.seed_count)
+    while(room > 0 && tries > 0) {
+      const std::uint32_t size = try_candidates(at);
+      if(size == 0)
         break;
-      begin_shape(job_.seed[at], plane, shape);
+      std::uint32_t next = 0;
+      for(; next < size && room > 0 && tries > 0; ++next) {
+        if(!s_.trial[next].is_candidate)
+          continue;
+        if(s_.trial[next].lost > 0)
+          break; // to be tried again
+        if(s_.trial[next].count < options_.core_size) {
+          --tries;
+          continue;
+        }
+        begin_shape(s_.trial[next], shape++);
+        look_again(next, size);
+        --room;
+      }
+      block_.for_each(next, [&](std::uint32_t i) {
+        if(s_.trial[i].is_candidate)
+          state_[s_.trial[i].seed] |= no_seed;
+      });
+      at = next < size ? s_.trial[next].at : s_.trial[size - 1].at + 1;
     }
     expand(first, s_.tail);
-  }
-
-  // The next candidate with a core, and the plane of that, or seed_count. Those without one before it are
-  // no seeds any more, and each costs a try. As long as no shape begins a block may look at some of them ahead.
-  CGAL_TANDEM_HD std::uint32_t find_core(std::uint32_t at, int& tries, Plane& plane)
-  {
-    const auto is_next = [&](std::uint32_t c) { return is_candidate(job_.seed[c]); };
-    while(tries > 0 && (at = block_.find_first(at, job_.seed_count, is_next)) < job_.seed_count) {
-      const std::uint32_t left = job_.seed_count - at;
-      const std::uint32_t size = left < Block::lookahead ? left : Block::lookahead;
-      try_candidates(at, size);
-      std::uint32_t end = 0;
-      for(; end < size && tries > 0 && s_.trial[end].count < options_.core_size; ++end)
-        tries -= s_.trial[end].is_candidate;
-      if(end < size)
-        plane = s_.trial[end].plane;
-      block_.for_each(end, [&](std::uint32_t i) {
-        if(s_.trial[i].is_candidate)
-          state_[job_.seed[at + i]] |= no_seed;
-      });
-      at += end;
-      if(end < size && tries > 0)
-        return at;
-    }
-    return job_.seed_count;
   }
 
   CGAL_TANDEM_HD std::uint32_t skip_used_candidates()
@@ -197,19 +191,19 @@ private:
     return true;
   }
 
-  CGAL_TANDEM_HD bool is_own_free(std::uint32_t q) const
-  {
-    return q >= job_.cell.first && q < job_.cell.last && label_[q] == is_free;
-  }
+  CGAL_TANDEM_HD bool is_own(std::uint32_t q) const { return q >= job_.cell.first && q < job_.cell.last; }
 
-  CGAL_TANDEM_HD void try_candidates(std::uint32_t first, std::uint32_t size)
+  // Tries the next candidates, some of them; returns how many.
+  CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at)
   {
     const Grid_point& o = base();
-    block_.for_each(size, [&](std::uint32_t i) {
-      const std::uint32_t seed = job_.seed[first + i];
-      s_.trial[i] = {is_candidate(seed), own_plane(cloud_.point[seed]), Cell_moments(), 0};
-    });
-    for_each_of_cores(first, size, [&](Trial& trial, const Grid_point& p) {
+    const std::uint32_t size = block_.find(
+      at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); },
+      [&](std::uint32_t i, std::uint32_t c) {
+        const std::uint32_t seed = job_.seed[c];
+        s_.trial[i] = {c, seed, true, own_plane(cloud_.point[seed]), Cell_moments(), 0, 0};
+      });
+    for_each_of_cores(size, [&](Trial& trial, const Grid_point& p) {
       Cell_moments sums;
       sums.add(std::int64_t(p.x) - o.x, std::int64_t(p.y) - o.y, std::int64_t(p.z) - o.z);
       block_.add_moments(trial.sums, sums);
@@ -221,18 +215,33 @@ private:
       const Scatter scatter = make_scatter(shifted(trial.sums, o.x, o.y, o.z));
       trial.plane = make_plane(fit_plane(scatter).normal, scatter.centroid);
     });
-    for_each_of_cores(first, size, [&](Trial& trial, const Grid_point&) { block_.append(trial.count); });
+    for_each_of_cores(size, [&](Trial& trial, const Grid_point&) { block_.append(trial.count); });
+    return size;
+  }
+
+  // The trials behind one whose shape has begun: it may reach their seed, or have taken points of their core.
+  CGAL_TANDEM_HD void look_again(std::uint32_t begun, std::uint32_t size)
+  {
+    const std::uint32_t width = std::uint32_t(cloud_.k) + 1, shape = s_.active[s_.active_count - 1];
+    block_.for_each((size - begun - 1) * width, [&](std::uint32_t at) {
+      Trial& trial = s_.trial[begun + 1 + at / width];
+      const std::uint32_t j = at % width, q = near_seed(trial.seed, j);
+      if(j == 0 && (label_[q] != is_free || fits(shapes_.plane[shape], cloud_.point[q], options_.tolerance)))
+        trial.is_candidate = false;
+      if(is_own(q) && label_[q] == shape)
+        block_.append(trial.lost);
+    });
   }
 
   // f(trial, point) for what fits the plane of each trial.
   template <class F>
-  CGAL_TANDEM_HD void for_each_of_cores(std::uint32_t first, std::uint32_t size, F f)
+  CGAL_TANDEM_HD void for_each_of_cores(std::uint32_t size, F f)
   {
     const std::uint32_t width = std::uint32_t(cloud_.k) + 1;
     block_.for_each(size * width, [&](std::uint32_t at) {
       Trial& trial = s_.trial[at / width];
-      const std::uint32_t q = near_seed(job_.seed[first + at / width], at % width);
-      if(trial.is_candidate && is_in_core(q, trial.plane))
+      const std::uint32_t q = near_seed(trial.seed, at % width);
+      if(is_in_core(q, trial.plane))
         f(trial, cloud_.point[q]);
     });
   }
@@ -245,20 +254,19 @@ private:
 
   CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
   {
-    return is_own_free(q) && fits(plane, cloud_.point[q], options_.tolerance);
+    return is_own(q) && label_[q] == is_free && fits(plane, cloud_.point[q], options_.tolerance);
   }
 
-  CGAL_TANDEM_HD void begin_shape(std::uint32_t seed, const Plane& plane, std::uint32_t shape)
+  CGAL_TANDEM_HD void begin_shape(const Trial& trial, std::uint32_t shape)
   {
     block_.single([&] {
-      shapes_.plane[shape] = plane;
+      shapes_.plane[shape] = trial.plane;
       shapes_.rounds[shape] = 1;
-      state_[seed] |= no_seed;
       s_.active[s_.active_count++] = shape;
     });
     block_.for_each(std::uint32_t(cloud_.k) + 1, [&](std::uint32_t j) {
-      const std::uint32_t q = near_seed(seed, j);
-      if(!is_in_core(q, plane))
+      const std::uint32_t q = near_seed(trial.seed, j);
+      if(!is_in_core(q, trial.plane))
         return;
       label_[q] = shape;
       state_[q] |= on_frontier;

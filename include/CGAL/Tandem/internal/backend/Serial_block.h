@@ -54,6 +54,18 @@ struct Serial_block {
     return n;
   }
 
+  // take(rank, i) for the first i in [first, n) with f(i), at most so many of them, by rising i; returns how many. f
+  // has no side effects.
+  template <class F, class Take>
+  std::uint32_t find(std::uint32_t first, std::uint32_t n, std::uint32_t most, F f, Take take)
+  {
+    std::uint32_t size = 0;
+    for(std::uint32_t i = first; i < n && size < most; ++i)
+      if(f(i))
+        take(size++, i);
+    return size;
+  }
+
   // The smallest f(i) for i in [0, n), or no_index.
   template <class F>
   std::uint32_t min(std::uint32_t n, F f)

@@ -41,6 +41,10 @@ struct Taker {
   std::int64_t take(std::uint32_t) const { return 0; }
 };
 
+struct Found {
+  void operator()(std::uint32_t, std::uint32_t) const {}
+};
+
 struct Value {
   std::uint32_t operator()(std::uint32_t) const { return 0; }
 };
@@ -73,6 +77,7 @@ struct Is_block<
     decltype(std::uint32_t(Block::lookahead)), decltype(std::declval<Block&>().for_each(0u, archetypes::Predicate())),
     decltype(std::declval<Block&>().for_each_neighbor(0u, 0, archetypes::Row(), archetypes::Neighbor_functor())),
     decltype(std::uint32_t(std::declval<Block&>().find_first(0u, 0u, archetypes::Predicate()))),
+    decltype(std::uint32_t(std::declval<Block&>().find(0u, 0u, 0u, archetypes::Predicate(), archetypes::Found()))),
     decltype(std::uint32_t(std::declval<Block&>().min(0u, archetypes::Value()))),
     decltype(std::uint32_t(std::declval<Block&>().load(std::declval<const std::uint32_t&>()))),
     decltype(std::uint32_t(std::declval<Block&>().fetch_min(std::declval<std::uint32_t&>(), 0u))),

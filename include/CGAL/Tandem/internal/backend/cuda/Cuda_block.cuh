@@ -89,6 +89,31 @@ struct Cuda_block {
     return n;
   }
 
+  template <class F, class Take>
+  __device__ std::uint32_t find(std::uint32_t first, std::uint32_t n, std::uint32_t most, F f, Take take)
+  {
+    __shared__ std::uint32_t hits_of_warp[Lanes / 32];
+    const unsigned warp = threadIdx.x / 32, lane = threadIdx.x % 32;
+    std::uint32_t size = 0;
+    __syncthreads();
+    for(std::uint32_t base = first; base < n && size < most; base += Lanes) {
+      const std::uint32_t i = base + threadIdx.x;
+      const unsigned hits = __ballot_sync(0xffffffffu, i < n && f(i));
+      if(lane == 0)
+        hits_of_warp[warp] = std::uint32_t(__popc(hits));
+      __syncthreads();
+      std::uint32_t rank = size + std::uint32_t(__popc(hits & ((1u << lane) - 1)));
+      for(unsigned w = 0; w < Lanes / 32; ++w) {
+        rank += w < warp ? hits_of_warp[w] : 0;
+        size += hits_of_warp[w];
+      }
+      if((hits >> lane & 1) != 0 && rank < most)
+        take(rank, i);
+      __syncthreads();
+    }
+    return size < most ? size : most;
+  }
+
   template <class F>
   __device__ std::uint32_t min(std::uint32_t n, F f)
   {
