@@ -239,15 +239,27 @@ private:
         add_point(expected_loss[s], f_.point[i], -1);
       }
     }
-    backend_.template for_each_cell<Moment_table>(f_.cells.size(), Update_points<Backend>{f_.cloud,
-                                                                                          f_.cells_view(),
-                                                                                          {label.data(), state.data()},
-                                                                                          target.data(),
-                                                                                          is_checked.data(),
-                                                                                          plane.data(),
-                                                                                          loss.data(),
-                                                                                          f_.tolerance});
+    std::vector<Leaf_shapes> lists = f_.lists;
+    backend_.template for_each_cell<Update_scratch>(f_.cells.size(),
+                                                    Update_points<Backend>{f_.cloud,
+                                                                           f_.cells.data(),
+                                                                           lists.data(),
+                                                                           {label.data(), state.data()},
+                                                                           target.data(),
+                                                                           is_checked.data(),
+                                                                           plane.data(),
+                                                                           loss.data(),
+                                                                           f_.tolerance});
     check_lists(label, expected, name_ + ": update");
+    for(std::size_t c = 0; c < lists.size(); ++c) {
+      std::multiset<std::uint32_t> relabeled;
+      for(std::uint32_t i = 0; i < f_.lists[c].size; ++i)
+        if(target[f_.lists[c].shape[i]] < first_mark)
+          relabeled.insert(target[f_.lists[c].shape[i]]);
+      CHECK_AT(f_.lists[c].size <= Leaf_shapes::capacity &&
+                 relabeled == std::multiset<std::uint32_t>(lists[c].shape, lists[c].shape + lists[c].size),
+               name_ + ": list of leaf " + std::to_string(c) + " after an update");
+    }
     check_moments(loss, expected_loss, name_ + ": update");
   }
 

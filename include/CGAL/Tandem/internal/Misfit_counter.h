@@ -35,7 +35,7 @@ struct Collect_samples {
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
     block.single([&] { range[c] = {0, 0}; });
-    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return mask[s] != nobody; }))
+    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return mask[s] != nobody; }))
       return;
     const Range cell = cells[c];
     std::uint32_t& count = scratch.count[0];
@@ -78,7 +78,7 @@ struct Count_misfits {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return query_of[s] != no_index; }))
+    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return query_of[s] != no_index; }))
       return;
     const Range range = ranges[c];
     scratch.clear(block);

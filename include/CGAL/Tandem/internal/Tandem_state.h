@@ -44,13 +44,10 @@ struct Leaf_shapes {
   std::uint32_t size;
   std::uint32_t shape[capacity];
 
-  template <class Predicate>
-  CGAL_TANDEM_HD bool may_have(Predicate is_asked) const
+  template <class Block, class Predicate>
+  CGAL_TANDEM_HD bool may_have(Block& block, Predicate is_asked) const
   {
-    for(std::uint32_t i = 0; i < size && i < capacity; ++i)
-      if(is_asked(shape[i]))
-        return true;
-    return size > capacity;
+    return size > capacity || block.find_first(0, size, [&](std::uint32_t i) { return is_asked(shape[i]); }) < size;
   }
 };
 

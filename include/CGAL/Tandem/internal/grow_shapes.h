@@ -88,7 +88,7 @@ struct Grow_cells {
       leaves.seed_count[c],
       leaves.seed_cursor + c,
       new_shape[c],
-      leaves.cells.shapes[c].may_have([&](std::uint32_t s) { return shapes.is_restarted[s] != 0; })};
+      leaves.cells.shapes[c].may_have(block, [&](std::uint32_t s) { return shapes.is_restarted[s] != 0; })};
     Cell_growth<Backend, Block, Scratch>(block, scratch, job, cloud, shapes, labels, options).run();
   }
 };

@@ -62,22 +62,20 @@ void list_shapes(Tandem_state<Backend>& t)
                                                  List_shapes{t.cells.data(), t.label.data(), t.leaf_shapes.data()});
 }
 
-struct Relabel_lists {
-  Leaf_shapes* lists;
-  const std::uint32_t* target; // by old label
-
-  CGAL_TANDEM_HD void operator()(std::size_t c) const
-  {
-    Leaf_shapes& list = lists[c];
-    if(list.size > Leaf_shapes::capacity)
-      return;
-    std::uint32_t kept = 0;
-    for(std::uint32_t i = 0; i < list.size; ++i)
-      if(target[list.shape[i]] < first_mark)
-        list.shape[kept++] = target[list.shape[i]];
-    list.size = kept;
-  }
-};
+// Gives the shapes of a list their new labels; those with a mark leave it. `labels` has room for a list.
+template <class Block>
+CGAL_TANDEM_HD void relabel_list(Block& block, Leaf_shapes& list, const std::uint32_t* target, std::uint32_t* labels)
+{
+  const std::uint32_t size = list.size;
+  if(size > Leaf_shapes::capacity)
+    return;
+  block.for_each(size, [&](std::uint32_t i) { labels[i] = target[list.shape[i]]; });
+  block.single([&] { list.size = 0; });
+  block.for_each(size, [&](std::uint32_t i) {
+    if(labels[i] < first_mark)
+      list.shape[block.append(list.size)] = labels[i];
+  });
+}
 
 struct Clear_lists {
   Leaf_shapes* lists;

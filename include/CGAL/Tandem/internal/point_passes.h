@@ -49,7 +49,7 @@ struct Collect_links {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Link_scratch& scratch, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return is_asked[s] != 0; }))
+    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return is_asked[s] != 0; }))
       return;
     const Range cell = cells[c];
     block.for_each(Link_scratch::slots, [&](std::uint32_t i) { scratch.link[i] = {~std::uint64_t(0), 0}; });
@@ -187,12 +187,18 @@ struct Count_scratch {
   }
 };
 
+struct Update_scratch {
+  Moment_table table;
+  std::uint32_t labels[Leaf_shapes::capacity];
+};
+
 // Gives each point the label `target` of its shape. Where that is a mark the shape
 // is given up; where the shape is checked, points that do not fit are detached.
 template <class Backend>
 struct Update_points {
   Cloud_view cloud;
-  Cells_view cells;
+  const Range* cells;
+  Leaf_shapes* lists;
   Labels_view labels;
   const std::uint32_t* target; // these two by old label
   const std::uint8_t* is_checked;
@@ -201,12 +207,14 @@ struct Update_points {
   Tolerance tolerance;
 
   template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
+  CGAL_TANDEM_HD void operator()(Block& block, Update_scratch& scratch, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return target[s] != s || is_checked[s] != 0; }))
+    if(!lists[c].may_have(block, [&](std::uint32_t s) { return target[s] != s || is_checked[s] != 0; }))
       return;
+    relabel_list(block, lists[c], target, scratch.labels);
     const Range cell = cells[c];
     const Grid_point& base = cloud.point[cell.first];
+    Moment_table& table = scratch.table;
     table.clear(block);
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;

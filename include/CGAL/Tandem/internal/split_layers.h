@@ -34,7 +34,7 @@ struct Count_distances {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return histogram_of[s] != no_index; }))
+    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return histogram_of[s] != no_index; }))
       return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {
@@ -104,7 +104,7 @@ struct Sum_normals {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have([&](std::uint32_t s) { return query_of[s] != no_index; }))
+    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return query_of[s] != no_index; }))
       return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {

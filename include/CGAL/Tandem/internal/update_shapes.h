@@ -116,11 +116,10 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
   const auto new_label = t.backend.lend(target);
   const auto checked = t.backend.lend(is_checked);
   const auto plane = t.backend.lend(is_any_checked ? t.plane : none);
-  t.backend.template for_each_cell<Moment_table>(
+  t.backend.template for_each_cell<Update_scratch>(
     t.number_of_cells,
-    Update_points<Backend>{t.cloud, t.cells_view(), t.labels(), new_label.data(), checked.data(), plane.data(),
-                           start_gains(t, t.shapes.size()), t.options.growth.tolerance});
-  t.backend.for_each(t.number_of_cells, Relabel_lists{t.leaf_shapes.data(), new_label.data()});
+    Update_points<Backend>{t.cloud, t.cells.data(), t.leaf_shapes.data(), t.labels(), new_label.data(), checked.data(),
+                           plane.data(), start_gains(t, t.shapes.size()), t.options.growth.tolerance});
   if(!is_any_checked)
     return;
   const Host_buffer<Gain> losses = take_gains(t, t.shapes.size());
