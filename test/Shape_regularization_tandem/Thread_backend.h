@@ -104,17 +104,22 @@ public:
   }
 
   template <class T>
-  static void atomic_min(T& target, T value)
+  static T atomic_min(T& target, T value)
   {
-    for(T old = atomic_load(target); value < old;)
-      old = exchange_or_load(target, old, value);
+    T old = atomic_load(target);
+    while(value < old &&
+          !__atomic_compare_exchange_n(&target, &old, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+    return old;
   }
 
   template <class T>
   static void atomic_max(T& target, T value)
   {
-    for(T old = atomic_load(target); old < value;)
-      old = exchange_or_load(target, old, value);
+    T old = atomic_load(target);
+    while(old < value &&
+          !__atomic_compare_exchange_n(&target, &old, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
   }
 
   template <class T>
@@ -131,13 +136,6 @@ public:
   }
 
 private:
-  // The value that target has afterwards.
-  template <class T>
-  static T exchange_or_load(T& target, T old, T value)
-  {
-    return __atomic_compare_exchange_n(&target, &old, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED) ? value : old;
-  }
-
   // work(next, end) on each thread, which takes the items below end from next.
   template <class Work>
   void run(std::size_t end, Work work)

@@ -44,22 +44,46 @@ private:
         make(i, q);
         make(q, i);
       });
-    std::vector<std::uint32_t> label = f_.label, expected = label, absorbed(n), expected_absorbed;
+    std::vector<std::uint32_t> label = f_.label, expected = label, offered(n), end = {0, 0, 0}, expected_offered;
     for(std::uint32_t i = 0; i < n; ++i)
       if(!offers[i].empty()) {
         expected[i] = offers[i].begin()->second;
-        expected_absorbed.push_back(i);
+        expected_offered.push_back(i);
       }
     std::vector<std::uint8_t> state(n, 0);
     std::vector<std::uint64_t> offer(n, no_offer);
-    std::uint32_t size = 0;
-    backend_.for_each(
-      n, Offer<Backend>{f_.cloud, label.data(), state.data(), f_.plane.data(), offer.data(), f_.tolerance});
-    backend_.for_each(n, Accept_offers<Backend>{label.data(), state.data(), offer.data(), absorbed.data(), &size});
-    absorbed.resize(size);
-    std::sort(absorbed.begin(), absorbed.end());
+    Offer<Backend> pass = {f_.cloud,     label.data(), state.data(),   f_.plane.data(),
+                           offer.data(), f_.tolerance, offered.data(), end.data() + 1};
+    backend_.for_each(n, pass);
+    const Offered first = {offered.data(), end.data()};
+    const std::size_t items = 7;
+    backend_.for_each(items, Accept_offers{{label.data(), state.data()}, offer.data(), first, items});
     check_lists(label, expected, name_ + ": absorption");
-    check_lists(absorbed, expected_absorbed, name_ + ": absorbed points");
+    CHECK_AT(std::count(offer.begin(), offer.end(), no_offer) == std::ptrdiff_t(n), name_ + ": offers that stay");
+    const std::uint32_t size = end[1];
+    std::sort(offered.begin(), offered.begin() + size);
+    check_lists(std::vector<std::uint32_t>(offered.begin(), offered.begin() + size), expected_offered,
+                name_ + ": points that got offers");
+    pass.end = end.data() + 2;
+    test_offers_again(pass, first, items, size);
+  }
+
+  // The points that were absorbed pass offers of their shapes on, once each, unless they were few.
+  void test_offers_again(const Offer<Backend>& pass, const Offered& absorbed, std::size_t items, std::uint32_t size)
+  {
+    std::set<std::uint32_t> expected;
+    for(std::uint32_t at = 0; at < size; ++at) {
+      const std::uint32_t i = absorbed.point[at], s = pass.label[i];
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        if(pass.label[q] >= first_mark && f_.fits(s, q))
+          expected.insert(q);
+      });
+    }
+    backend_.for_each(items, Offer_again<Backend>{pass, absorbed, size, items});
+    CHECK_AT(absorbed.end[2] == size, name_ + ": few points pass offers on");
+    backend_.for_each(items, Offer_again<Backend>{pass, absorbed, 0, items});
+    const std::set<std::uint32_t> got(absorbed.point + size, absorbed.point + absorbed.end[2]);
+    CHECK_AT(absorbed.end[2] - size == got.size() && got == expected, name_ + ": points that get offers later");
   }
 
   // The largest of the shapes that are not much farther than the nearest one.

@@ -104,11 +104,14 @@ public:
     return old;
   }
 
+  // Returns the old target, too.
   template <class T>
-  static void atomic_min(T& target, T value)
+  static T atomic_min(T& target, T value)
   {
-    if(value < target)
+    const T old = target;
+    if(value < old)
       target = value;
+    return old;
   }
 
   template <class T>

@@ -103,11 +103,12 @@ public:
   }
 
   template <class T>
-  static void atomic_min(T& target, T value)
+  static T atomic_min(T& target, T value)
   {
     T old = __atomic_load_n(&target, __ATOMIC_RELAXED);
     while(value < old && !__atomic_compare_exchange_n(&target, &old, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
     }
+    return old;
   }
 
   template <class T>

@@ -117,7 +117,7 @@ struct Is_backend<
     decltype(std::declval<Backend&>().sort_ranges(std::declval<std::uint64_t*>(), std::declval<const Range*>(),
                                                   std::size_t(0), std::size_t(0), std::size_t(0))),
     decltype(std::uint32_t(Backend::atomic_add(std::declval<std::uint32_t&>(), 0u))),
-    decltype(Backend::atomic_min(std::declval<std::uint64_t&>(), std::uint64_t(0))),
+    decltype(std::uint64_t(Backend::atomic_min(std::declval<std::uint64_t&>(), std::uint64_t(0)))),
     decltype(Backend::atomic_max(std::declval<std::int32_t&>(), std::int32_t(0))),
     decltype(std::uint32_t(Backend::atomic_load(std::declval<const std::uint32_t&>()))),
     decltype(std::uint32_t(Backend::atomic_exchange_if(std::declval<std::uint32_t&>(), 0u, 0u)))>> : std::true_type {};

@@ -197,9 +197,9 @@ public:
   }
 
   template <class T>
-  __device__ static void atomic_min(T& target, T value)
+  __device__ static T atomic_min(T& target, T value)
   {
-    device_min(target, value);
+    return device_min(target, value);
   }
 
   template <class T>

@@ -32,13 +32,21 @@ __device__ inline std::uint32_t device_exchange_if(std::uint32_t& target, std::u
   return atomicCAS(&target, expected, value);
 }
 
-__device__ inline void device_min(std::uint64_t& target, std::uint64_t value)
+__device__ inline std::uint64_t device_min(std::uint64_t& target, std::uint64_t value)
 {
-  atomicMin(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));
+  return atomicMin(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));
 }
 
-__device__ inline void device_min(std::uint32_t& target, std::uint32_t value) { atomicMin(&target, value); }
-__device__ inline void device_min(std::int32_t& target, std::int32_t value) { atomicMin(&target, value); }
+__device__ inline std::uint32_t device_min(std::uint32_t& target, std::uint32_t value)
+{
+  return atomicMin(&target, value);
+}
+
+__device__ inline std::int32_t device_min(std::int32_t& target, std::int32_t value)
+{
+  return atomicMin(&target, value);
+}
+
 __device__ inline void device_max(std::int32_t& target, std::int32_t value) { atomicMax(&target, value); }
 
 } // namespace internal
