@@ -31,17 +31,26 @@ struct Has_item {
   __device__ bool operator()(std::uint32_t i) const { return f.has(i); }
 };
 
+// The items that were found, with their number in the place before them. Of those places that are copied none stays
+// as it was.
 template <class T, class F>
 struct Take_items {
   F f;
   const std::int64_t* size;
   const std::uint32_t* found;
+  std::size_t copied;
   T* item;
 
   __device__ void operator()(std::size_t i) const
   {
     if(std::int64_t(i) < *size)
-      item[i] = f.take(found[i]);
+      item[1 + i] = f.take(found[i]);
+    else if(i < copied)
+      item[1 + i] = T();
+    if(i == 0) {
+      item[0] = T();
+      memcpy(item, size, sizeof(*size));
+    }
   }
 };
 
@@ -132,29 +141,31 @@ public:
     return result;
   }
 
-  // With one copy and one wait, unless there are many items.
+  // With one copy and one wait, unless there are many more items than the last time.
   template <class T, class F>
   Host_buffer<T> collect(std::size_t n, F f)
   {
     static_assert(sizeof(T) >= sizeof(std::int64_t) && std::is_trivially_copyable<T>::value, "plain data");
-    constexpr std::size_t in_first_copy = (std::size_t(128) << 10) / sizeof(T);
+    constexpr std::size_t few = (std::size_t(128) << 10) / sizeof(T), most = Pinned_block::bytes / sizeof(T) - 1;
     if(n == 0)
       return {};
+    const std::size_t copied = (std::min)({n, most, (std::max)(few, likely_items_)}); // at once, found or not
     Buffer<std::uint32_t> found(n);
-    Buffer<T> buffer(1 + n);                               // the place of the first item holds their number
-    Host_buffer<T> head(1 + (std::min)(n, in_first_copy)); // the first copy is of so many, written or not
-    CGAL_TANDEM_CUDA(cudaMemsetAsync(buffer.data(), 0, head.size() * sizeof(T), stream_of_thread()));
-    std::int64_t* const counter = reinterpret_cast<std::int64_t*>(buffer.data());
-    select(n, Has_item<F>{f}, found.data(), counter);
-    for_each(n, Take_items<T, F>{f, counter, found.data(), buffer.data() + 1});
-    copy_to_host(buffer.data(), head.size(), head.data());
+    Buffer<std::int64_t> counter(1);
+    Buffer<T> buffer(1 + n);
+    select(n, Has_item<F>{f}, found.data(), counter.data());
+    for_each(n, Take_items<T, F>{f, counter.data(), found.data(), copied, buffer.data()});
+    const T* const head = look_at(buffer.data(), 1 + copied);
     std::int64_t size;
-    std::memcpy(&size, head.data(), sizeof(size));
+    std::memcpy(&size, head, sizeof(size));
     Host_buffer<T> items{std::size_t(size)};
-    const std::size_t there = (std::min)(head.size() - 1, items.size());
-    std::copy_n(head.data() + 1, there, items.data());
+    const std::size_t there = (std::min)(copied, items.size());
+    host_.for_each_piece(there, few / 2, [&](std::size_t first, std::size_t last) {
+      std::copy(head + 1 + first, head + 1 + last, items.data() + first);
+    });
     if(items.size() > there)
       copy_to_host(buffer.data() + 1 + there, items.size() - there, items.data() + there);
+    likely_items_ = items.size() + items.size() / 4;
     return items;
   }
 
@@ -222,6 +233,7 @@ public:
 
 private:
   Host_side host_;
+  std::size_t likely_items_ = 0; // of the next collect()
 
   static constexpr std::size_t shared_bytes = 47 << 10; // what a block has on all devices, less its own
   static constexpr std::size_t blocks_in_turns = 512;

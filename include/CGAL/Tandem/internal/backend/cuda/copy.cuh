@@ -77,6 +77,16 @@ void copy_to_device(const T* source, std::size_t n, T* target)
     synchronize();
 }
 
+// Waits for the items, which stay until the next copy of this thread. At most Pinned_block::bytes.
+template <class T>
+const T* look_at(const T* source, std::size_t n)
+{
+  char* const memory = Staging::of_thread().take(n * sizeof(T));
+  CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, n * sizeof(T), cudaMemcpyDeviceToHost, stream_of_thread()));
+  synchronize();
+  return reinterpret_cast<const T*>(memory);
+}
+
 // Waits for the items.
 template <class T>
 void copy_to_host(const T* source, std::size_t n, T* target)
@@ -88,10 +98,7 @@ void copy_to_host(const T* source, std::size_t n, T* target)
     synchronize();
     return empty_pinned_pieces({{source, target, bytes}});
   }
-  char* const memory = Staging::of_thread().take(bytes);
-  CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, bytes, cudaMemcpyDeviceToHost, stream_of_thread()));
-  synchronize();
-  std::memcpy(target, memory, bytes);
+  std::memcpy(target, look_at(source, n), bytes);
 }
 
 } // namespace internal
