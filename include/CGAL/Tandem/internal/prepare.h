@@ -164,6 +164,11 @@ typename Backend::template Buffer<Grid_point> import_points(Backend& backend, Im
   return point;
 }
 
+// The leaves of the loops over them; a back end may have an overload of its own, which prepares for them.
+template <class Backend>
+void expect_cells(Backend&, const std::vector<Range>&)
+{}
+
 template <class Table>
 struct Gather_sorted {
   Table sorted;
@@ -214,6 +219,7 @@ void sort_points(Tandem_state<Backend>& t, Import& in, std::size_t cell_size,
   t.number_of_cells = leaves.size();
   t.cells.reset(leaves.size());
   t.backend.from_host(leaves.data(), leaves.size(), t.cells.data());
+  expect_cells(t.backend, leaves);
   order.reset(n);
   points.reset(n);
   using Table = typename Backend::Sort_table::View;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -94,7 +95,8 @@ public:
       return;
     Table_arena::of_thread().flush();
     if constexpr(sizeof(Scratch) <= shared_bytes)
-      run_cells<Scratch><<<unsigned(cells), cell_lanes, sizeof(Scratch), stream_of_thread()>>>(body);
+      run_cells<Scratch><<<unsigned(cells), cell_lanes, sizeof(Scratch), stream_of_thread()>>>(
+        cells == order_.size() ? order_.data() : nullptr, body);
     else {
       const std::size_t blocks = (std::min)(cells, blocks_in_turns);
       Device_buffer<Scratch> scratch(blocks);
@@ -102,6 +104,17 @@ public:
         <<<unsigned(blocks), cell_lanes, 0, stream_of_thread()>>>(std::uint32_t(cells), body, scratch.data());
     }
     CGAL_TANDEM_CUDA_LAUNCHED();
+  }
+
+  // The largest of these cells begin first: a loop over them ends with its slowest block.
+  void expect_cells(const std::vector<Range>& cells)
+  {
+    std::vector<std::uint64_t> order(cells.size()); // ~size << 32 | cell
+    host_.for_each_on_host(cells.size(), [&](std::size_t c) { order[c] = std::uint64_t(~cells[c].size()) << 32 | c; });
+    host_.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
+    const std::vector<std::uint32_t> cell(order.begin(), order.end()); // the lower halves
+    order_.reset(cell.size());
+    copy_to_device(cell.data(), cell.size(), order_.data());
   }
 
   void sort(Sort_table& table) { table.sort(); }
@@ -234,6 +247,7 @@ public:
 private:
   Host_side host_;
   std::size_t likely_items_ = 0; // of the next collect()
+  Buffer<std::uint32_t> order_;  // of the cells that are expected
 
   static constexpr std::size_t shared_bytes = 47 << 10; // what a block has on all devices, less its own
   static constexpr std::size_t blocks_in_turns = 512;

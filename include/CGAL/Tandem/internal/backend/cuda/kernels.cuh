@@ -31,13 +31,13 @@ constexpr unsigned cell_blocks = 2; // it holds 1024 threads, all others 1536 an
 constexpr unsigned cell_blocks = 3;
 #endif
 
-// One block for each cell, its scratch in shared memory.
+// One block for each cell, its scratch in shared memory. In an order, or if that is null as they are numbered.
 template <class Scratch, class Body>
-__global__ void __launch_bounds__(cell_lanes, cell_blocks) run_cells(const Body body)
+__global__ void __launch_bounds__(cell_lanes, cell_blocks) run_cells(const std::uint32_t* order, const Body body)
 {
   extern __shared__ __align__(16) unsigned char memory[];
   Cuda_block<cell_lanes> block;
-  body(block, *reinterpret_cast<Scratch*>(memory), blockIdx.x);
+  body(block, *reinterpret_cast<Scratch*>(memory), order != nullptr ? order[blockIdx.x] : blockIdx.x);
 }
 
 // A few blocks take turns with the cells: each has a scratch in global memory,

@@ -20,6 +20,8 @@ inline void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t
   find_neighbors_cuda(point, n, k, out, scratch.data(), stream_of_thread());
 }
 
+inline void expect_cells(Cuda_backend& backend, const std::vector<Range>& cells) { backend.expect_cells(cells); }
+
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL
