@@ -68,17 +68,19 @@ private:
     if(is_young)
       return gained;
     int passes = 1;
+    std::size_t untried_leaves = count_untried_leaves(state_);
     const auto sweep = [&](std::size_t most_untried_leaves) {
-      while((untried_leaves_ = count_untried_leaves(state_)) > most_untried_leaves && passes < most_passes) {
+      for(; untried_leaves > most_untried_leaves && passes < most_passes; ++passes) {
         take_local_planes(state_);
         gained += grow_shapes(state_);
-        ++passes;
+        untried_leaves = count_untried_leaves(state_);
       }
     };
     sweep(state_.number_of_cells / leaves_of_untried_leaf);
-    is_slow_ = gain_settled() <= state_.cloud.size / points_of_slow_gain;
-    if(is_slow_)
+    const bool is_slow = gain_settled() <= state_.cloud.size / points_of_slow_gain;
+    if(is_slow)
       sweep(0);
+    is_idle_ = is_slow && untried_leaves == 0;
     return gained;
   }
 
@@ -110,8 +112,7 @@ private:
       is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
     for(std::uint32_t id : state_.live)
       is_alive = is_alive || state_.is_restarted[id];
-    const bool is_idle = is_slow_ && untried_leaves_ == 0;
-    return is_alive && !is_idle && state_.round < most_rounds;
+    return is_alive && !is_idle_ && state_.round < most_rounds;
   }
 
   const Import& in_;
@@ -122,8 +123,8 @@ private:
   Shape_relations relations_;
   Stage_times times_;
   Engine_result final_;
-  std::size_t most_settled_ = 0, untried_leaves_ = 0;
-  bool is_slow_ = false;
+  std::size_t most_settled_ = 0;
+  bool is_idle_ = false; // growth was slow in this round, and no leaf has many seeds left
   bool is_finished_ = false;
 };
 

@@ -9,7 +9,9 @@
 #include <CGAL/Tandem/internal/relations.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -120,8 +122,9 @@ public:
 
   void grow(std::size_t n)
   {
-    for(std::uint32_t i = std::uint32_t(parent_.size()); i < n; ++i)
-      parent_.push_back(i);
+    const std::size_t before = parent_.size();
+    parent_.resize((std::max)(before, n));
+    std::iota(parent_.begin() + std::ptrdiff_t(before), parent_.end(), std::uint32_t(before));
   }
 
   std::uint32_t root(std::uint32_t i)

@@ -59,7 +59,7 @@ private:
     std::vector<int> members; // by rising offset
     double offset;
     // The first members of the classes behind and before it that it was not joined with, or -1.
-    int refused_behind, refused_before;
+    int refused_behind = -1, refused_before = -1;
   };
 
   // The shapes that share a direction, one direction after the other.
@@ -106,7 +106,7 @@ private:
         for(int& k : c)
           k = pending[first[d] + std::size_t(k)];
         if(c.size() > 1)
-          classes.push_back({c, 0, -1, -1});
+          classes.push_back({c, 0});
       }
     verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
   }
@@ -128,7 +128,7 @@ private:
         has_class[i] = 1;
     for(std::size_t i = 0; i < shapes.size(); ++i)
       if(direction[i] >= 0 && !has_class[i])
-        classes.push_back({{int(i)}, plane[i].offset, -1, -1});
+        classes.push_back({{int(i)}, plane[i].offset});
   }
 
   // Classes have shrunk where members were refused, and may lie side by side with what
@@ -153,7 +153,7 @@ private:
         ++c; // refused in an earlier step
         continue;
       }
-      Class joint = {a.members, 0, -1, -1};
+      Class joint = {a.members, 0};
       joint.members.insert(joint.members.end(), b.members.begin(), b.members.end());
       joint.offset = mean_offset(joint, plane);
       for(int i : joint.members) {

@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/Placed_directions.h>
 
 #include <numeric>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -69,13 +70,13 @@ public:
 
   void tie()
   {
-    std::vector<int> pool;
+    std::vector<Candidate> pool;
     for(int g : by_weight())
       if(groups[g].is_frozen)
         placed.add(groups[g]);
       else
-        pool.push_back(g);
-    for(const Star& star : make_stars(pool))
+        pool.push_back({groups[g].rounded, groups[g].sine, g});
+    for(const Star& star : make_stars(std::move(pool)))
       place(star);
   }
 
@@ -114,12 +115,9 @@ private:
            cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
   }
 
-  std::vector<Star> make_stars(const std::vector<int>& pool) const
+  std::vector<Star> make_stars(std::vector<Candidate> rest) const
   {
     std::vector<Star> stars;
-    std::vector<Candidate> rest;
-    for(int g : pool)
-      rest.push_back({groups[g].rounded, groups[g].sine, g});
     for(std::size_t end = rest.size(), kept; end > 0; end = kept) {
       const Candidate master = rest.front();
       stars.push_back({master.group, {}});
