@@ -173,9 +173,7 @@ public:
     std::memcpy(&size, head, sizeof(size));
     Host_buffer<T> items{std::size_t(size)};
     const std::size_t there = (std::min)(copied, items.size());
-    host_.for_each_piece(there, few / 2, [&](std::size_t first, std::size_t last) {
-      std::copy(head + 1 + first, head + 1 + last, items.data() + first);
-    });
+    copy_on_host(items.data(), head + 1, there * sizeof(T));
     if(items.size() > there)
       copy_to_host(buffer.data() + 1 + there, items.size() - there, items.data() + there);
     likely_items_ = items.size() + items.size() / 4;

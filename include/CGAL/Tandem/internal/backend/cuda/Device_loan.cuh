@@ -22,7 +22,7 @@ public:
   {
     piece_ = arena_.take(bytes_);
     if(piece_.host != nullptr && is_read && size > 0)
-      std::memcpy(piece_.host, table, bytes_);
+      copy_on_host(piece_.host, table, bytes_);
     if(piece_.host != nullptr)
       return;
     own_.reset(size);

@@ -56,6 +56,15 @@ private:
   std::size_t used_ = 0;
 };
 
+// As memcpy, by all threads.
+inline void copy_on_host(void* target, const void* source, std::size_t bytes)
+{
+  constexpr std::size_t grain = std::size_t(64) << 10;
+  Host_side().for_each_piece(bytes, grain, [&](std::size_t first, std::size_t last) {
+    std::memcpy(static_cast<char*>(target) + first, static_cast<const char*>(source) + first, last - first);
+  });
+}
+
 // Everything that this thread has asked for is done.
 inline void synchronize() { Staging::of_thread().synchronize(); }
 
@@ -69,7 +78,7 @@ void copy_to_device(const T* source, std::size_t n, T* target)
   const void* from = source;
   if(bytes <= Pinned_block::bytes) {
     char* const memory = Staging::of_thread().take(bytes);
-    std::memcpy(memory, source, bytes);
+    copy_on_host(memory, source, bytes);
     from = memory;
   }
   CGAL_TANDEM_CUDA(cudaMemcpyAsync(target, from, bytes, cudaMemcpyHostToDevice, stream_of_thread()));
@@ -98,7 +107,7 @@ void copy_to_host(const T* source, std::size_t n, T* target)
     synchronize();
     return empty_pinned_pieces({{source, target, bytes}});
   }
-  std::memcpy(target, look_at(source, n), bytes);
+  copy_on_host(target, look_at(source, n), bytes);
 }
 
 } // namespace internal
