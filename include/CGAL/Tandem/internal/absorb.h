@@ -248,8 +248,8 @@ bool reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_los
               const std::vector<std::uint8_t>& may_gain, bool marks_interior)
 {
   std::vector<std::int64_t> size(t.shapes.size(), 0);
-  for(std::uint32_t id : t.live)
-    size[id] = t.shapes[id].moments.count;
+  t.backend.for_each_on_host(t.live.size(),
+                             [&](std::size_t l) { size[t.live[l]] = t.shapes[t.live[l]].moments.count; });
   typename Backend::template Buffer<std::uint32_t> chosen(t.cloud.size);
   const auto plane = t.backend.lend(t.plane);
   const auto sizes = t.backend.lend(size);
@@ -261,12 +261,12 @@ bool reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_los
     t.number_of_cells,
     Take_chosen<Backend>{t.cloud, t.cells.data(), chosen.data(), t.labels(), start_gains(t, t.shapes.size())});
   const Host_buffer<Gain> changes = take_gains(t, t.shapes.size());
-  for(const Gain& change : changes) {
-    Shape& shape = t.shapes[change.id];
-    shape.moments += change.sums.moments();
-    shape.box.add(change.sums.box);
+  t.backend.for_each_on_host(changes.size(), [&](std::size_t c) {
+    Shape& shape = t.shapes[changes[c].id];
+    shape.moments += changes[c].sums.moments();
+    shape.box.add(changes[c].sums.box);
     shape.is_dirty = true;
-  }
+  });
   return changes.size() > 0;
 }
 
@@ -309,16 +309,17 @@ void recount(Tandem_state<Backend>& t)
   t.backend.template for_each_cell<Moment_table>(
     t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), start_gains(t, t.shapes.size())});
   list_shapes(t);
-  for(std::uint32_t id : t.live)
-    t.shapes[id].moments = Moments();
-  t.assigned = 0;
-  for(const Gain& gain : take_gains(t, t.shapes.size())) {
-    Shape& shape = t.shapes[gain.id];
-    shape.moments = gain.sums.moments();
-    shape.box = gain.sums.box;
+  const Host_buffer<Gain> sums = take_gains(t, t.shapes.size());
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) { t.shapes[t.live[l]].moments = Moments(); });
+  t.backend.for_each_on_host(sums.size(), [&](std::size_t g) {
+    Shape& shape = t.shapes[sums[g].id];
+    shape.moments = sums[g].sums.moments();
+    shape.box = sums[g].sums.box;
     shape.is_dirty = true;
-    t.assigned += std::size_t(shape.moments.count);
-  }
+  });
+  t.assigned = 0;
+  for(const Gain& gain : sums)
+    t.assigned += std::size_t(gain.sums.count);
   forget_empty_shapes(t);
 }
 

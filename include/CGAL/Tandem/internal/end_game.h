@@ -22,8 +22,8 @@ template <class Backend>
 std::vector<std::uint8_t> shapes_below(const Tandem_state<Backend>& t, std::int64_t size)
 {
   std::vector<std::uint8_t> is_below(t.shapes.size(), 0);
-  for(std::uint32_t id : t.live)
-    is_below[id] = t.shapes[id].moments.count < size;
+  t.backend.for_each_on_host(t.live.size(),
+                             [&](std::size_t l) { is_below[t.live[l]] = t.shapes[t.live[l]].moments.count < size; });
   return is_below;
 }
 
@@ -31,10 +31,11 @@ std::vector<std::uint8_t> shapes_below(const Tandem_state<Backend>& t, std::int6
 template <class Backend>
 void detach_misfits(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_checked)
 {
-  for(std::uint32_t id : t.live) {
-    t.plane[id] = rounded(t.shapes[id].plane);
-    t.shapes[id].checked = t.shapes[id].plane;
-  }
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
+    Shape& shape = t.shapes[t.live[l]];
+    t.plane[t.live[l]] = rounded(shape.plane);
+    shape.checked = shape.plane;
+  });
   update_points(t, identity_targets(t), is_checked);
 }
 
@@ -55,9 +56,10 @@ template <class Backend>
 void refit_fragments(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_fragment)
 {
   refit_shapes(t);
-  for(std::uint32_t id : t.live)
-    if(is_fragment[id])
-      t.shapes[id].plane = t.shapes[id].local;
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
+    if(is_fragment[t.live[l]])
+      t.shapes[t.live[l]].plane = t.shapes[t.live[l]].local;
+  });
 }
 
 // Fragments below the minimum size are not lost at once: they may be parts of one

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 namespace CGAL {
 namespace Tandem {
@@ -73,17 +74,22 @@ void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
 {
   std::size_t kept = 0;
   std::vector<std::uint64_t> joins; // target << 32 | shape
+  std::vector<std::uint32_t> given_up;
   for(std::uint32_t id : t.live) {
-    if(target[id] == id) {
+    if(target[id] == id)
       t.live[kept++] = id;
-    } else if(target[id] < first_mark) {
+    else if(target[id] < first_mark)
       joins.push_back(std::uint64_t(target[id]) << 32 | id);
-    } else {
-      t.assigned -= std::size_t(t.shapes[id].moments.count);
-      forget_shape(t, id);
-    }
+    else
+      given_up.push_back(id);
   }
   t.live.resize(kept);
+  std::vector<std::int64_t> lost(given_up.size());
+  t.backend.for_each_on_host(given_up.size(), [&](std::size_t i) {
+    lost[i] = t.shapes[given_up[i]].moments.count;
+    forget_shape(t, given_up[i]);
+  });
+  t.assigned -= std::size_t(std::accumulate(lost.begin(), lost.end(), std::int64_t(0)));
   t.backend.sort_on_host(joins.begin(), joins.end(), std::less<std::uint64_t>());
   t.backend.for_each_on_host(joins.size(), [&](std::size_t first) {
     const std::uint64_t root = joins[first] >> 32;
