@@ -70,6 +70,9 @@ public:
   }
 
 private:
+  // Fewer of them are left to one thread.
+  static constexpr std::size_t few_groups = 16;
+
   // Groups that lost members are fitted again and tied within the smaller angle. At the last level what was
   // accepted stays as it is.
   void freeze(double right_sine)
@@ -161,9 +164,13 @@ private:
 
   void refit()
   {
-    for(std::size_t g = 0; g < groups.size(); ++g)
-      if(is_dirty[g])
-        refit(groups[g]);
+    verified.for_each(
+      groups.size(),
+      [&](std::size_t g) {
+        if(is_dirty[g])
+          refit(groups[g]);
+      },
+      few_groups);
     std::fill(is_dirty.begin(), is_dirty.end(), char(0));
   }
 
@@ -184,7 +191,7 @@ private:
   {
     if(options.orthogonality) {
       const double rms = regularity::rms_share * options.maximum_distance;
-      Frames(groups, rms * rms).tie();
+      Frames(groups, rms * rms).tie(verified);
     } else {
       for(Direction_group& g : groups)
         if(!g.is_frozen)

@@ -68,7 +68,9 @@ public:
     : groups(groups), squared_rms(squared_rms), placed(0.25 * squared_rms)
   {}
 
-  void tie()
+  // The loops run on the executor: see Mean_shift.
+  template <class Executor>
+  void tie(const Executor& executor)
   {
     std::vector<Candidate> pool;
     for(int g : by_weight())
@@ -77,10 +79,13 @@ public:
       else
         pool.push_back({groups[g].rounded, groups[g].sine, g});
     for(const Star& star : make_stars(std::move(pool)))
-      place(star);
+      place(star, executor);
   }
 
 private:
+  // Fewer of them are left to one thread.
+  static constexpr std::size_t few_leaves = 8;
+
   struct Star {
     int master;
     std::vector<int> leaves; // by falling weight
@@ -144,18 +149,22 @@ private:
     return joint;
   }
 
-  void place(const Star& star)
+  template <class Executor>
+  void place(const Star& star, const Executor& executor)
   {
     placed.begin_star();
     const Vector n = placed.settle(groups[star.master], placed.chained(joint_group(star)), {0, 0, 0});
     std::vector<Vector> leaf(star.leaves.size());
     std::vector<char> is_fixed(star.leaves.size());
-    for(std::size_t k = 0; k < leaf.size(); ++k) {
-      const Direction_group& group = groups[star.leaves[k]];
-      is_fixed[k] = placed.chain(group, n, group.rounded, leaf[k]);
-      if(!is_fixed[k])
-        leaf[k] = fit_orthogonal(group.matrix, n, group.fitted);
-    }
+    executor.for_each(
+      leaf.size(),
+      [&](std::size_t k) {
+        const Direction_group& group = groups[star.leaves[k]];
+        is_fixed[k] = placed.chain(group, n, group.rounded, leaf[k]);
+        if(!is_fixed[k])
+          leaf[k] = fit_orthogonal(group.matrix, n, group.fitted);
+      },
+      few_leaves);
     pair_leaves(star, n, leaf, is_fixed);
     for(std::size_t k = 0; k < leaf.size(); ++k)
       placed.settle(groups[star.leaves[k]], leaf[k], n);

@@ -10,7 +10,9 @@
 #include <CGAL/Tandem/internal/merge_fragments.h>
 #include <CGAL/Tandem/internal/regularize.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <numeric>
 
 namespace CGAL {
 namespace Tandem {
@@ -76,13 +78,16 @@ template <class Backend>
 bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before,
                   bool is_end)
 {
-  std::int64_t changed = before.points; // less those that are still there: of shapes that have gone
-  for(std::uint32_t id : ids) {
-    const Shape& shape = t.shapes[id];
-    if(is_end && !is_as_it_was(shape))
-      return true;
-    changed += std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
-  }
+  std::vector<std::int64_t> change(ids.size()); // less the points that are still there
+  std::vector<char> is_another(ids.size());
+  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+    const Shape& shape = t.shapes[ids[i]];
+    change[i] = std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
+    is_another[i] = !is_as_it_was(shape);
+  });
+  if(is_end && std::find(is_another.begin(), is_another.end(), 1) != is_another.end())
+    return true;
+  const std::int64_t changed = std::accumulate(change.begin(), change.end(), before.points);
   return double(changed) > (is_end ? changed_share_at_end : changed_share) * double(t.assigned);
 }
 
@@ -148,15 +153,16 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
   Regularity_options options = t.options.regularity;
   options.is_last = retry_all;
   r.relations = regularize(fits, is_excluded, options, verify);
-  for(std::size_t i = 0; i < r.id.size(); ++i) {
+  t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
     Shape& shape = t.shapes[r.id[i]];
     shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
     shape.entry = int(i);
     shape.regular_count = is_due ? shape.moments.count : 0;
-    r.points += shape.regular_count;
     if(r.relations.is_rolled_back[i])
       schedule_retry(shape, t.round);
-  }
+  });
+  for(std::size_t i = 0; i < r.id.size() && is_due; ++i)
+    r.points += std::int64_t(fits[i].scatter.count);
   return r;
 }
 

@@ -151,18 +151,24 @@ template <class Backend>
 std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape_relations& r,
                                            std::vector<Regular_plane>& planes)
 {
+  std::vector<char> is_asked(r.id.size());
+  t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
+    const Shape& shape = t.shapes[r.id[i]];
+    is_asked[i] = shape.moments.count >= reliable_normal_size && shape.moments.count * 10 >= shape.layered_count * 11;
+  });
   std::vector<std::uint32_t> query_of(t.shapes.size(), no_index);
   std::vector<std::size_t> asked;
-  std::vector<Lean_query> query;
-  for(std::size_t i = 0; i < r.id.size(); ++i) {
-    Shape& shape = t.shapes[r.id[i]];
-    if(shape.moments.count < reliable_normal_size || shape.moments.count * 10 < shape.layered_count * 11)
-      continue;
-    query_of[r.id[i]] = std::uint32_t(asked.size());
-    asked.push_back(i);
-    query.push_back({sample_mask(shape), rounded(shape.plane)});
+  for(std::size_t i = 0; i < r.id.size(); ++i)
+    if(is_asked[i]) {
+      query_of[r.id[i]] = std::uint32_t(asked.size());
+      asked.push_back(i);
+    }
+  std::vector<Lean_query> query(asked.size());
+  t.backend.for_each_on_host(asked.size(), [&](std::size_t q) {
+    Shape& shape = t.shapes[r.id[asked[q]]];
+    query[q] = {sample_mask(shape), rounded(shape.plane)};
     shape.layered_count = shape.moments.count;
-  }
+  });
   std::vector<std::size_t> entries;
   if(asked.empty())
     return entries;
