@@ -64,6 +64,9 @@ private:
     std::sort(offered.begin(), offered.begin() + size);
     check_lists(std::vector<std::uint32_t>(offered.begin(), offered.begin() + size), expected_offered,
                 name_ + ": points that got offers");
+    for(std::uint32_t i = 0; i < n; i += 2) // so that there are many to pass offers on to
+      if(!std::binary_search(expected_offered.begin(), expected_offered.end(), i))
+        label[i] = is_free;
     pass.end = end.data() + 2;
     test_offers_again(pass, first, items, size);
   }
@@ -84,6 +87,7 @@ private:
     backend_.for_each(items, Offer_again<Backend>{pass, absorbed, 0, items});
     const std::set<std::uint32_t> got(absorbed.point + size, absorbed.point + absorbed.end[2]);
     CHECK_AT(absorbed.end[2] - size == got.size() && got == expected, name_ + ": points that get offers later");
+    CHECK_AT(2 * expected.size() >= size, name_ + ": there are too few of these");
   }
 
   // The largest of the shapes that are not much farther than the nearest one.

@@ -7,6 +7,7 @@
 
 #undef NDEBUG
 
+#include "block_searches.h"
 #include "body_fixture.h"
 
 #include <CGAL/Tandem/internal/extract_shapes.h>
@@ -25,6 +26,7 @@ public:
 
   void run()
   {
+    test_searches();
     test_compact();
     test_order();
     test_border();
@@ -40,6 +42,14 @@ private:
   static std::vector<std::uint32_t> to_vector(const Buffer& buffer)
   {
     return std::vector<std::uint32_t>(buffer.begin(), buffer.end());
+  }
+
+  void test_searches()
+  {
+    for(std::uint32_t start : search_starts)
+      for(std::uint32_t most : search_sizes)
+        CHECK_AT(count_wrong_searches(backend_, start, most) == 0,
+                 name_ + ": searches from " + std::to_string(start) + " on for " + std::to_string(most) + " items");
   }
 
   void test_compact()

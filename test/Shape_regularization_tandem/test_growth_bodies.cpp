@@ -240,6 +240,7 @@ private:
       }
     }
     std::vector<Leaf_shapes> lists = f_.lists;
+    lists[0].size = Leaf_shapes::capacity + 1; // of all shapes, maybe: stays so
     backend_.template for_each_cell<Update_scratch>(f_.cells.size(),
                                                     Update_points<Backend>{f_.cloud,
                                                                            f_.cells.data(),
@@ -251,7 +252,8 @@ private:
                                                                            loss.data(),
                                                                            f_.tolerance});
     check_lists(label, expected, name_ + ": update");
-    for(std::size_t c = 0; c < lists.size(); ++c) {
+    CHECK_AT(lists[0].size == Leaf_shapes::capacity + 1, name_ + ": a list that has overflown");
+    for(std::size_t c = 1; c < lists.size(); ++c) {
       std::multiset<std::uint32_t> relabeled;
       for(std::uint32_t i = 0; i < f_.lists[c].size; ++i)
         if(target[f_.lists[c].shape[i]] < first_mark)

@@ -56,7 +56,7 @@ struct Trial {
   Plane plane;            // of the seed, then of the core
   Cell_moments sums;      // of what fits the first ...
   std::uint32_t count;    // ... and the second
-  std::uint32_t lost;     // neighbors that shapes have taken since
+  std::uint32_t lost;     // points, of the seed and its neighbors, that shapes have taken since
 };
 constexpr std::uint32_t most_lookahead = 32;
 

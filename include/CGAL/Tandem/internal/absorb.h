@@ -40,7 +40,8 @@ struct Offer {
     const std::uint32_t i = std::uint32_t(at);
     const std::uint32_t* row = cloud.row(i);
     if(label[i] < first_mark) {
-      for(int j = 0; !(state[i] & is_interior) && j < cloud.k && row[j] != no_index; ++j)
+      const bool has_others = !(state[i] & is_interior);
+      for(int j = 0; has_others && j < cloud.k && row[j] != no_index; ++j)
         to(row[j], label[i]);
       return;
     }

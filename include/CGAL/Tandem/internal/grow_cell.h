@@ -158,14 +158,16 @@ private:
           --tries;
           continue;
         }
-        begin_shape(s_.trial[next], shape++);
-        look_again(next, size);
+        begin_shape(s_.trial[next], shape);
+        look_again(shape++, next + 1, size);
         --room;
       }
       block_.for_each(next, [&](std::uint32_t i) {
         if(s_.trial[i].is_candidate)
           state_[s_.trial[i].seed] |= no_seed;
       });
+      if(next == size && size < Block::lookahead)
+        break; // there were no more
       at = next < size ? s_.trial[next].at : s_.trial[size - 1].at + 1;
     }
     expand(first, s_.tail);
@@ -219,12 +221,12 @@ private:
     return size;
   }
 
-  // The trials behind one whose shape has begun: it may reach their seed, or have taken points of their core.
-  CGAL_TANDEM_HD void look_again(std::uint32_t begun, std::uint32_t size)
+  // The trials behind that of a shape which has begun: it may reach their seed, or have taken points of their core.
+  CGAL_TANDEM_HD void look_again(std::uint32_t shape, std::uint32_t first, std::uint32_t last)
   {
-    const std::uint32_t width = std::uint32_t(cloud_.k) + 1, shape = s_.active[s_.active_count - 1];
-    block_.for_each((size - begun - 1) * width, [&](std::uint32_t at) {
-      Trial& trial = s_.trial[begun + 1 + at / width];
+    const std::uint32_t width = std::uint32_t(cloud_.k) + 1;
+    block_.for_each((last - first) * width, [&](std::uint32_t at) {
+      Trial& trial = s_.trial[first + at / width];
       const std::uint32_t j = at % width, q = near_seed(trial.seed, j);
       if(j == 0 && (label_[q] != is_free || fits(shapes_.plane[shape], cloud_.point[q], options_.tolerance)))
         trial.is_candidate = false;

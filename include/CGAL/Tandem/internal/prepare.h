@@ -164,7 +164,7 @@ typename Backend::template Buffer<Grid_point> import_points(Backend& backend, Im
   return point;
 }
 
-// The leaves of the loops over them; a back end may have an overload of its own, which prepares for them.
+// Tells the back end the leaves that most loops will be over; it may have an overload of its own.
 template <class Backend>
 void expect_cells(Backend&, const std::vector<Range>&)
 {}

@@ -153,16 +153,16 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
   Regularity_options options = t.options.regularity;
   options.is_last = retry_all;
   r.relations = regularize(fits, is_excluded, options, verify);
+  std::vector<std::int64_t> count(r.id.size());
   t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
     Shape& shape = t.shapes[r.id[i]];
     shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
     shape.entry = int(i);
-    shape.regular_count = is_due ? shape.moments.count : 0;
+    shape.regular_count = count[i] = is_due ? shape.moments.count : 0;
     if(r.relations.is_rolled_back[i])
       schedule_retry(shape, t.round);
   });
-  for(std::size_t i = 0; i < r.id.size() && is_due; ++i)
-    r.points += std::int64_t(fits[i].scatter.count);
+  r.points = std::accumulate(count.begin(), count.end(), std::int64_t(0));
   return r;
 }
 

@@ -55,7 +55,7 @@ struct Serial_block {
   }
 
   // take(rank, i) for the first i in [first, n) with f(i), at most so many of them, by rising i; returns how many. f
-  // has no side effects.
+  // has no side effects, and does not depend on what take() writes.
   template <class F, class Take>
   std::uint32_t find(std::uint32_t first, std::uint32_t n, std::uint32_t most, F f, Take take)
   {

@@ -32,8 +32,8 @@ struct Has_item {
   __device__ bool operator()(std::uint32_t i) const { return f.has(i); }
 };
 
-// The items that were found, with their number in the place before them. Of those places that are copied none stays
-// as it was.
+// The items that were found, with their number in the place before them. All places that are copied are written:
+// those behind the items are T().
 template <class T, class F>
 struct Take_items {
   F f;
@@ -106,7 +106,8 @@ public:
     CGAL_TANDEM_CUDA_LAUNCHED();
   }
 
-  // The largest of these cells begin first: a loop over them ends with its slowest block.
+  // In loops over as many cells, be they these or others, those in the places of the largest of these begin first: a
+  // loop ends with its slowest block. (Not where blocks take turns.)
   void expect_cells(const std::vector<Range>& cells)
   {
     std::vector<std::uint64_t> order(cells.size()); // ~size << 32 | cell
@@ -154,7 +155,8 @@ public:
     return result;
   }
 
-  // With one copy and one wait, unless there are many more items than the last time.
+  // With one copy and one wait, unless there are many more items than there were of late, or more than pinned memory
+  // has room for.
   template <class T, class F>
   Host_buffer<T> collect(std::size_t n, F f)
   {
@@ -176,7 +178,7 @@ public:
     copy_on_host(items.data(), head + 1, there * sizeof(T));
     if(items.size() > there)
       copy_to_host(buffer.data() + 1 + there, items.size() - there, items.data() + there);
-    likely_items_ = items.size() + items.size() / 4;
+    likely_items_ = (std::max)(items.size() + items.size() / 4, likely_items_ / 2);
     return items;
   }
 

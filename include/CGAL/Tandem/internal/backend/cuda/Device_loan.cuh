@@ -6,7 +6,6 @@
 
 #include <CGAL/Tandem/internal/backend/cuda/Table_arena.cuh>
 
-#include <cstring>
 #include <vector>
 
 namespace CGAL {
@@ -48,7 +47,7 @@ public:
     if(bytes_ == 0)
       return;
     arena_.fetch(piece_, bytes_);
-    std::memcpy(table, piece_.host, bytes_);
+    copy_on_host(table, piece_.host, bytes_);
   }
 
 private:

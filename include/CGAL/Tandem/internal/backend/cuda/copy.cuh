@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CUDA_COPY_CUH
 #define CGAL_TANDEM_INTERNAL_BACKEND_CUDA_COPY_CUH
 
+#include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
 #include <CGAL/Tandem/internal/backend/cuda/Pinned_copies.cuh>
 
 #include <algorithm>
