@@ -12,6 +12,7 @@ The whole package.
 #include <CGAL/Shape_regularization_tandem/Parameters.h>
 #include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/Plane_relations.h>
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>

@@ -13,6 +13,7 @@
 #include "test_support.h"
 
 #include <CGAL/Tandem/internal/absorb.h>
+#include <CGAL/Tandem/internal/reassign.h>
 #include <CGAL/Tandem/internal/prepare.h>
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_END_GAME_H
 
 #include <CGAL/Tandem/internal/absorb.h>
+#include <CGAL/Tandem/internal/reassign.h>
 #include <CGAL/Tandem/internal/regularize_shapes.h>
 
 namespace CGAL {

@@ -146,8 +146,6 @@ private:
     int tries = options_.seed_tries;
     while(room > 0 && tries > 0) {
       const std::uint32_t size = try_candidates(at);
-      if(size == 0)
-        break;
       std::uint32_t next = 0;
       for(; next < size && room > 0 && tries > 0; ++next) {
         if(!s_.trial[next].is_candidate)
@@ -248,7 +246,6 @@ private:
     });
   }
 
-  // The seed and its neighbors.
   CGAL_TANDEM_HD std::uint32_t near_seed(std::uint32_t seed, std::uint32_t j) const
   {
     return j == 0 ? seed : cloud_.row(seed)[j - 1];
