@@ -13,8 +13,8 @@
 #include "test_support.h"
 
 #include <CGAL/Tandem/internal/absorb.h>
-#include <CGAL/Tandem/internal/reassign.h>
 #include <CGAL/Tandem/internal/prepare.h>
+#include <CGAL/Tandem/internal/reassign.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
