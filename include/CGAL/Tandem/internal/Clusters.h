@@ -32,7 +32,8 @@ public:
   static constexpr std::size_t few_links = 256;
 
   Clusters(Tandem_state<Backend>& t, const Joint_fit_test& test, std::size_t few = few_links)
-    : t_(t), unions_(t.shapes.size()), test_(test), few_(few), whole_(t.shapes.size(), no_index), merged_(t.live.size())
+    : t_(t), unions_(t.shapes.size()), test_(test), few_(few), root_(t.shapes.size()),
+      whole_(t.shapes.size(), no_index), merged_(t.live.size())
   {}
 
   // As if link after link were tried: a link depends on those before it that have a cluster in
@@ -53,7 +54,9 @@ public:
     for(std::size_t head = 0; head < pending.size();) {
       bool is_worth_it = pending.size() - head > few_;
       if(is_worth_it) {
-        const std::size_t end = chain_links(++steps, claims, pending, head);
+        const std::size_t most = (std::min)(pending.size() - head, most_known);
+        t_.backend.for_each_on_host(most, [&](std::size_t i) { find_clusters(pending[head + i]); });
+        const std::size_t end = chain_links(++steps, claims, pending, head, head + most);
         const auto try_chain = [&](std::size_t c) {
           for(std::uint32_t i = chains_[c].first; i != no_index; i = chained_[i].next)
             try_link(chained_[i]);
@@ -64,8 +67,8 @@ public:
       for(const std::size_t end = (std::min)(head + window, pending.size()); head < end && !is_worth_it; ++head)
         try_link(pending[head]);
     }
-    for(std::uint32_t id = 0; id < t_.shapes.size(); ++id)
-      unions_.set_parent(id, unions_.root(id)); // so that threads may ask for it
+    t_.backend.for_each_on_host(root_.size(),
+                                [&](std::size_t id) { root_[id] = unions_.find_root(std::uint32_t(id)); });
     t_.backend.for_each_on_host(number_of_merged_, [&](std::size_t i) { refresh(merged_[i]); });
     return steps;
   }
@@ -73,7 +76,7 @@ public:
   // After unite_along(), as what follows: whether others are in its cluster.
   bool is_merged(std::uint32_t id) const { return whole_[root(id)] != no_index; }
 
-  std::uint32_t root(std::uint32_t id) const { return unions_.parent(id); }
+  std::uint32_t root(std::uint32_t id) const { return root_[id]; }
 
   const Fitted_moments& whole(std::uint32_t root) const
   {
@@ -105,8 +108,9 @@ private:
     std::uint32_t chain = 0;
   };
 
-  // A step ends when so many links are tried or wait: later ones mostly wait for them.
-  static constexpr std::size_t window = 1024;
+  // A step ends when so many links are tried or wait: later ones mostly wait for them. The clusters of a few more are
+  // found ahead.
+  static constexpr std::size_t window = 1024, most_known = window * 5 / 4;
   static constexpr std::uint32_t most_joined = 16; // links of a chain that was two
   static constexpr std::size_t few_chains = 8;     // are left to one thread
   static constexpr std::size_t most_waiting = 16;  // for each link that is tried in a step
@@ -115,19 +119,22 @@ private:
   // whatever else happens in this step. A link goes to the chain of its clusters. Where they have two these become one,
   // or if that were long the link waits, and so do all later links of both chains. Looks at links from the head on, up
   // to the end that it returns, until a window of them is tried or waits; what waits stays in [head, end), with a later
-  // head.
-  std::size_t chain_links(std::uint32_t step, std::vector<Claim>& claims, std::vector<Pair>& pending, std::size_t& head)
+  // head. The clusters of those before `known` are known.
+  std::size_t chain_links(std::uint32_t step, std::vector<Claim>& claims, std::vector<Pair>& pending, std::size_t& head,
+                          std::size_t known)
   {
     chains_.clear();
     chained_.clear();
     std::size_t kept = head, end = head;
     for(; end < pending.size() && chained_.size() + (kept - head) < window; ++end) {
-      const Pair link = {unions_.root(pending[end].a), unions_.root(pending[end].b), no_index, pending[end].is_refused};
+      if(end >= known)
+        find_clusters(pending[end]);
+      const Pair link = pending[end];
       if(link.a == link.b)
         continue;
       Claim &a = claims[link.a], &b = claims[link.b];
       if(a.step != step && b.step != step) {
-        if(is_refused(link))
+        if(link.is_refused)
           continue;
         a = b = {step, std::uint32_t(chains_.size())};
         chains_.push_back({a.chain, std::uint32_t(chained_.size()), std::uint32_t(chained_.size()), 1, true});
@@ -168,6 +175,14 @@ private:
     while(chains_[c].part_of != c)
       c = chains_[c].part_of;
     return chains_[c];
+  }
+
+  // Mostly by all threads, before a step: the one that makes the chains would fetch each line that another has written.
+  void find_clusters(Pair& link) const
+  {
+    link.a = unions_.find_root(link.a);
+    link.b = unions_.find_root(link.b);
+    link.is_refused = is_refused(link);
   }
 
   bool is_refused(const Pair& roots) const
@@ -233,6 +248,7 @@ private:
   const std::size_t few_;
   std::vector<Pair> chained_; // these two of a step: the links that are tried
   std::vector<Chain> chains_;
+  std::vector<std::uint32_t> root_;  // by id, after unite_along()
   std::vector<std::uint32_t> whole_; // index into merged_, by root
   Host_buffer<Whole> merged_;
   std::atomic<std::uint32_t> number_of_merged_{0};

@@ -14,6 +14,8 @@
 #include <CGAL/Tandem/internal/relations.h>
 #include <CGAL/Tandem/internal/seeds.h>
 
+#include <array>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -120,11 +122,32 @@ std::vector<std::uint32_t> chosen_shapes(const Tandem_state<Backend>& t, Predica
   std::vector<char> is_in(t.live.size());
   t.backend.for_each_on_host(is_in.size(),
                              [&](std::size_t l) { is_in[l] = is_chosen(t.shapes[t.live[l]], t.live[l]); });
-  std::vector<std::uint32_t> chosen;
-  for(std::size_t l = 0; l < is_in.size(); ++l)
-    if(is_in[l])
-      chosen.push_back(t.live[l]);
+  std::vector<std::uint32_t> chosen(is_in.size());
+  std::size_t size = 0;
+  for(std::size_t l = 0; l < is_in.size(); ++l) { // without a branch that nobody can predict
+    chosen[size] = t.live[l];
+    size += std::size_t(is_in[l] != 0);
+  }
+  chosen.resize(size);
   return chosen;
+}
+
+// The sum of value(i) for i in [0, n), asked once of each, of many at a time.
+template <class Backend, class F>
+std::int64_t sum_on_host(Backend& backend, std::size_t n, F value)
+{
+  constexpr std::size_t pieces = 64, few = 256; // fewer of them are left to one thread
+  std::array<std::int64_t, pieces> sums;
+  backend.for_each_on_host(
+    pieces,
+    [&](std::size_t p) {
+      std::int64_t sum = 0;
+      for(std::size_t i = n * p / pieces; i < n * (p + 1) / pieces; ++i)
+        sum += value(i);
+      sums[p] = sum;
+    },
+    n < few ? pieces + 1 : 1);
+  return std::accumulate(sums.begin(), sums.end(), std::int64_t(0));
 }
 
 } // namespace internal

@@ -152,20 +152,23 @@ void number_shapes(Tandem_state<Backend>& t, std::size_t ids, Host_buffer<Gain>&
   const std::size_t old_ids = t.shapes.size();
   const bool is_sparse = 2 * t.live.size() < old_ids;
   std::vector<std::uint32_t> new_id(ids, is_free);
-  for(std::size_t l = 0; l < t.live.size(); ++l)
-    new_id[t.live[l]] = is_sparse ? std::uint32_t(l) : t.live[l];
+  t.backend.for_each_on_host(t.live.size(),
+                             [&](std::size_t l) { new_id[t.live[l]] = is_sparse ? std::uint32_t(l) : t.live[l]; });
   if(is_sparse) {
     t.shapes.keep(t.backend, t.live);
     for(std::size_t l = 0; l < t.live.size(); ++l)
       t.plane[l] = t.plane[t.live[l]]; // l <= live[l]
   }
   const std::size_t kept = t.shapes.size();
-  std::size_t next = kept;
-  for(Gain& gain : gains) {
-    if(gain.id >= old_ids)
-      new_id[gain.id] = std::uint32_t(next++);
-    gain.id = new_id[gain.id];
-  }
+  const Gain* const begun =
+    std::partition_point(gains.begin(), gains.end(), [&](const Gain& gain) { return gain.id < old_ids; });
+  const std::size_t first_begun = std::size_t(begun - gains.begin()), next = kept + gains.size() - first_begun;
+  t.backend.for_each_on_host(gains.size(), [&](std::size_t g) {
+    std::uint32_t& id = new_id[gains[g].id];
+    if(g >= first_begun)
+      id = std::uint32_t(kept + (g - first_begun));
+    gains[g].id = id;
+  });
   if(is_sparse || next > kept) {
     const auto numbers = t.backend.lend(new_id);
     t.backend.for_each(t.cloud.size, Take_ids{numbers.data(), t.label.data()});
@@ -191,14 +194,13 @@ void take_all_gains(Tandem_state<Backend>& t, const Host_buffer<Gain>& gains)
     ++shape.age;
     t.rounds[id] = std::uint16_t(shape.age < 9 ? 1 << shape.age : most_growth_rounds);
   });
-  t.backend.for_each_on_host(gains.size(), [&](std::size_t g) {
+  t.assigned += std::size_t(sum_on_host(t.backend, gains.size(), [&](std::size_t g) {
     Shape& shape = t.shapes[gains[g].id];
     shape.moments += gains[g].sums.moments();
     shape.box.add(gains[g].sums.box);
     shape.is_active = shape.is_dirty = shape.is_changed = true;
-  });
-  for(const Gain& gain : gains)
-    t.assigned += std::size_t(gain.sums.count);
+    return gains[g].sums.count;
+  }));
 }
 
 // Returns the number of points that were gained.

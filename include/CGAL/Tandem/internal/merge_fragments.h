@@ -48,9 +48,10 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const std
     if(stays == ids.size() || sizes[stays] < sizes[i])
       stays = i;
   }
-  for(std::size_t i = 0; i < ids.size(); ++i)
+  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
     if(shares[i] <= misfit_share)
       target[ids[i]] = ids[first[clusters.root(ids[i])]];
+  });
   return target;
 }
 

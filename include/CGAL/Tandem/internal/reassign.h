@@ -174,15 +174,13 @@ void recount(Tandem_state<Backend>& t)
   list_shapes(t);
   const Host_buffer<Gain> sums = take_gains(t, t.shapes.size());
   t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) { t.shapes[t.live[l]].moments = Moments(); });
-  t.backend.for_each_on_host(sums.size(), [&](std::size_t g) {
+  t.assigned = std::size_t(sum_on_host(t.backend, sums.size(), [&](std::size_t g) {
     Shape& shape = t.shapes[sums[g].id];
     shape.moments = sums[g].sums.moments();
     shape.box = sums[g].sums.box;
     shape.is_dirty = true;
-  });
-  t.assigned = 0;
-  for(const Gain& gain : sums)
-    t.assigned += std::size_t(gain.sums.count);
+    return sums[g].sums.count;
+  }));
   forget_empty_shapes(t);
 }
 

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 
 namespace CGAL {
 namespace Tandem {
@@ -78,16 +77,14 @@ template <class Backend>
 bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before,
                   bool is_end)
 {
-  std::vector<std::int64_t> change(ids.size()); // less the points that are still there
-  std::vector<char> is_another(ids.size());
-  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+  const auto change = [&](std::size_t i) { // less the points that are still there
     const Shape& shape = t.shapes[ids[i]];
-    change[i] = std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
-    is_another[i] = !is_as_it_was(shape);
-  });
-  if(is_end && std::find(is_another.begin(), is_another.end(), 1) != is_another.end())
+    return std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
+  };
+  const auto is_another = [&](std::size_t i) { return std::int64_t(!is_as_it_was(t.shapes[ids[i]])); };
+  if(is_end && sum_on_host(t.backend, ids.size(), is_another) > 0)
     return true;
-  const std::int64_t changed = std::accumulate(change.begin(), change.end(), before.points);
+  const std::int64_t changed = before.points + sum_on_host(t.backend, ids.size(), change);
   return double(changed) > (is_end ? changed_share_at_end : changed_share) * double(t.assigned);
 }
 
@@ -153,16 +150,15 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
   Regularity_options options = t.options.regularity;
   options.is_last = retry_all;
   r.relations = regularize(fits, is_excluded, options, verify);
-  std::vector<std::int64_t> count(r.id.size());
-  t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
+  r.points = sum_on_host(t.backend, r.id.size(), [&](std::size_t i) {
     Shape& shape = t.shapes[r.id[i]];
     shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
     shape.entry = int(i);
-    shape.regular_count = count[i] = is_due ? shape.moments.count : 0;
+    shape.regular_count = is_due ? shape.moments.count : 0;
     if(r.relations.is_rolled_back[i])
       schedule_retry(shape, t.round);
+    return shape.regular_count;
   });
-  r.points = std::accumulate(count.begin(), count.end(), std::int64_t(0));
   return r;
 }
 
@@ -174,20 +170,27 @@ std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shap
   std::vector<int> plane_of(t.shapes.size(), -1);
   for(std::size_t i = 0; i < r.id.size(); ++i)
     plane_of[r.id[i]] = r.relations.plane_of[i];
+  std::vector<char> is_coplanar(links.size());
+  t.backend.for_each_on_host(links.size(), [&](std::size_t i) {
+    const int plane = plane_of[links[i].first()];
+    is_coplanar[i] = plane >= 0 && plane == plane_of[links[i].second()]; // what is united has one plane
+  });
   Unions unions(t.shapes.size());
-  for(const Link& link : links) {
-    if(plane_of[link.first()] < 0 || plane_of[link.first()] != plane_of[link.second()])
-      continue; // what is united has one plane
-    std::uint32_t a = unions.root(link.first()), b = unions.root(link.second());
+  std::vector<std::uint32_t> united;
+  for(std::size_t i = 0; i < links.size(); ++i) {
+    if(!is_coplanar[i])
+      continue;
+    std::uint32_t a = unions.root(links[i].first()), b = unions.root(links[i].second());
     if(a == b)
       continue;
     const std::int64_t na = t.shapes[a].moments.count, nb = t.shapes[b].moments.count;
     if(na < nb || (na == nb && b < a))
       std::swap(a, b);
     unions.set_parent(b, a);
+    united.push_back(b);
   }
   std::vector<std::uint32_t> target = identity_targets(t);
-  for(std::uint32_t id : t.live)
+  for(std::uint32_t id : united)
     target[id] = unions.root(id);
   return target;
 }

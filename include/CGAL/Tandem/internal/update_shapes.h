@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
 namespace CGAL {
 namespace Tandem {
@@ -72,24 +71,28 @@ void join_shape(Tandem_state<Backend>& t, Shape& root, std::uint32_t id)
 template <class Backend>
 void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target)
 {
-  std::size_t kept = 0;
+  std::vector<std::uint32_t> gone(t.live.size());
+  std::size_t kept = 0, left = 0;
+  for(std::uint32_t id : t.live) { // without a branch that nobody can predict
+    const bool stays = target[id] == id;
+    t.live[kept] = gone[left] = id;
+    kept += std::size_t(stays);
+    left += std::size_t(!stays);
+  }
+  t.live.resize(kept);
+  gone.resize(left);
   std::vector<std::uint64_t> joins; // target << 32 | shape
   std::vector<std::uint32_t> given_up;
-  for(std::uint32_t id : t.live) {
-    if(target[id] == id)
-      t.live[kept++] = id;
-    else if(target[id] < first_mark)
+  for(std::uint32_t id : gone)
+    if(target[id] < first_mark)
       joins.push_back(std::uint64_t(target[id]) << 32 | id);
     else
       given_up.push_back(id);
-  }
-  t.live.resize(kept);
-  std::vector<std::int64_t> lost(given_up.size());
-  t.backend.for_each_on_host(given_up.size(), [&](std::size_t i) {
-    lost[i] = t.shapes[given_up[i]].moments.count;
+  t.assigned -= std::size_t(sum_on_host(t.backend, given_up.size(), [&](std::size_t i) {
+    const std::int64_t lost = t.shapes[given_up[i]].moments.count;
     forget_shape(t, given_up[i]);
-  });
-  t.assigned -= std::size_t(std::accumulate(lost.begin(), lost.end(), std::int64_t(0)));
+    return lost;
+  }));
   t.backend.sort_on_host(joins.begin(), joins.end(), std::less<std::uint64_t>());
   t.backend.for_each_on_host(joins.size(), [&](std::size_t first) {
     const std::uint64_t root = joins[first] >> 32;
@@ -129,13 +132,12 @@ void update_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& t
   if(!is_any_checked)
     return;
   const Host_buffer<Gain> losses = take_gains(t, t.shapes.size());
-  t.backend.for_each_on_host(losses.size(), [&](std::size_t l) {
+  t.assigned -= std::size_t(sum_on_host(t.backend, losses.size(), [&](std::size_t l) {
     Shape& shape = t.shapes[losses[l].id];
     shape.moments += losses[l].sums.moments();
     shape.is_dirty = true;
-  });
-  for(const Gain& loss : losses)
-    t.assigned -= std::size_t(-loss.sums.count);
+    return -losses[l].sums.count;
+  }));
   forget_empty_shapes(t);
 }
 
@@ -167,7 +169,6 @@ void apply_planes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
 {
   const double epsilon = t.options.maximum_distance;
   std::vector<std::uint8_t> is_moved(t.shapes.size(), 0), is_checked(t.shapes.size(), 0);
-  bool is_any = false;
   t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
     const std::uint32_t id = t.live[l];
     Shape& shape = t.shapes[id];
@@ -182,11 +183,11 @@ void apply_planes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
       shape.is_changed = true;
     }
   });
-  for(std::size_t id = 0; id < target.size(); ++id) {
+  const std::int64_t changes = sum_on_host(t.backend, target.size(), [&](std::size_t id) {
     is_checked[id] = target[id] < first_mark && (target[id] != id || is_moved[target[id]]);
-    is_any = is_any || is_checked[id] || target[id] != id;
-  }
-  if(is_any)
+    return std::int64_t(is_checked[id] || target[id] != id);
+  });
+  if(changes > 0)
     update_points(t, target, is_checked);
 }
 
