@@ -542,6 +542,25 @@ void print_hash()
   check_equal(double(hash(run(shapes, 0.02, 600)) == hash(r)), 1, "same bits twice");
 }
 
+// In the loop few shapes that were refused keep their local planes, in the last step all are tried again.
+void test_few_refused()
+{
+  const auto have_one_direction = [](int refused, bool is_last) {
+    std::vector<Rectangle> rectangles;
+    for(int i = 0; i < 130; ++i)
+      rectangles.push_back({i < refused ? polar(0, 84 - .1 * i) : Vector{0, 0, 1}, {i * 100 * epsilon, 0, 0}});
+    Regularity_options o = all_on;
+    o.is_last = is_last;
+    const Relations r = run(rectangles, sine_deg(3), 1e30, o);
+    check_tables(r, rectangles.size(), "few refused");
+    check(r.direction_of[1] != r.direction_of[refused], "few refused: not the others' direction");
+    return r.direction_of[0] == r.direction_of[1];
+  };
+  check(!have_one_direction(2, false), "two of 130 refused, in the loop");
+  check(have_one_direction(3, false), "three of 130 refused, in the loop");
+  check(have_one_direction(2, true), "two of 130 refused, in the last step");
+}
+
 } // namespace
 
 int main()
@@ -557,6 +576,7 @@ int main()
   test_village();
   test_rollback();
   test_leftovers();
+  test_few_refused();
   test_coplanar();
   test_switches();
   test_degenerate();

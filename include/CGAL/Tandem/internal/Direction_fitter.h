@@ -33,12 +33,12 @@ public:
     : shapes(shapes), options(options), verified(verified)
   {}
 
-  // Groups the given shapes; those refused at every level are in no group.
+  // Groups the given shapes; those refused at every level, or left over, are in no group.
   void fit(std::vector<int> pending)
   {
     was_refused.assign(shapes.size(), 0);
     refused_cost.assign(shapes.size(), 0);
-    for(int level = 0; level < regularity::levels && !pending.empty(); ++level) {
+    for(int level = 0; level < regularity::levels && options.try_again(pending.size(), shapes.size(), level); ++level) {
       const double parallel_sine = sine_deg(options.angle_tolerance_deg * regularity::parallel_share[level]);
       const double right_sine = sine_deg(options.angle_tolerance_deg * regularity::right_share[level]);
       freeze(right_sine);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -22,8 +23,9 @@ namespace internal {
 class Coplanar_classes {
 public:
   // direction: what shapes share a direction, -1 if none.
-  Coplanar_classes(const std::vector<Shape_fit>& shapes, const std::vector<int>& direction, double maximum_offset)
-    : shapes(shapes), direction(direction), maximum_offset(maximum_offset)
+  Coplanar_classes(const std::vector<Shape_fit>& shapes, const std::vector<int>& direction,
+                   const Regularity_options& options)
+    : shapes(shapes), direction(direction), options(options)
   {}
 
   // plane: the planes through the centroids, which become those of the classes.
@@ -31,14 +33,15 @@ public:
   void fit(Verified& verified, std::vector<Regular_plane>& plane, std::vector<int>& class_of)
   {
     std::vector<int> pending = by_direction();
-    double radius = maximum_offset;
-    for(int round = 0; round < rounds && !pending.empty(); ++round, radius *= 0.5) {
+    double radius = options.maximum_offset;
+    for(int round = 0; round < rounds && options.try_again(pending.size(), shapes.size(), round); ++round) {
       add_classes(verified, pending, plane, radius);
       pending = ask_points(verified, plane);
+      radius *= 0.5;
     }
     add_singles(plane);
-    for(int step = 0; step < joining_steps; ++step)
-      join_neighbors(verified, plane, step % 2);
+    for(int step = 0; step < (options.is_last ? last_joining_steps : joining_steps); ++step)
+      join_neighbors(verified, plane);
     for(std::size_t c = 0; c < classes.size(); ++c)
       for(int i : classes[c].members)
         if(classes[c].members.size() > 1) {
@@ -50,8 +53,8 @@ public:
 private:
   // What is refused is tried again with half the radius.
   static constexpr int rounds = 4;
-  // Then neighbors are joined, twice in each of both pairings.
-  static constexpr int joining_steps = 4;
+  // Then neighbors are joined, a class with at most one other in a step.
+  static constexpr int joining_steps = 2, last_joining_steps = 4;
   // Fewer of them are left to one thread.
   static constexpr std::size_t few_directions = 8;
 
@@ -134,7 +137,7 @@ private:
   // Classes have shrunk where members were refused, and may lie side by side with what
   // is left: pairs of them become one where no member objects.
   template <class Verified>
-  void join_neighbors(Verified& verified, const std::vector<Regular_plane>& plane, int start)
+  void join_neighbors(Verified& verified, const std::vector<Regular_plane>& plane)
   {
     auto is_before = [&](const Class& a, const Class& b) {
       return std::make_tuple(direction[a.members.front()], a.offset, a.members.front()) <
@@ -145,14 +148,12 @@ private:
     std::vector<std::pair<std::size_t, Class>> joints; // with the first of the two
     std::vector<int> candidates;
     std::vector<Regular_plane> planes;
-    for(std::size_t c = std::size_t(start); c + 1 < classes.size(); ++c) {
+    for(std::size_t c = 0; c + 1 < classes.size(); ++c) {
       const Class &a = classes[c], &b = classes[c + 1];
-      if(direction[a.members.front()] != direction[b.members.front()] || b.offset - a.offset > maximum_offset)
+      if(direction[a.members.front()] != direction[b.members.front()] || b.offset - a.offset > options.maximum_offset)
         continue;
-      if(a.refused_behind == b.members.front() && b.refused_before == a.members.front()) {
-        ++c; // refused in an earlier step
-        continue;
-      }
+      if(a.refused_behind == b.members.front() && b.refused_before == a.members.front())
+        continue; // in an earlier step
       Class joint = {a.members, 0};
       joint.members.insert(joint.members.end(), b.members.begin(), b.members.end());
       joint.offset = mean_offset(joint, plane);
@@ -160,7 +161,7 @@ private:
         candidates.push_back(i);
         planes.push_back({plane[i].normal, joint.offset});
       }
-      joints.push_back({c++, joint});
+      joints.push_back({c++, std::move(joint)});
     }
     if(joints.empty())
       return;
@@ -213,7 +214,7 @@ private:
 
   const std::vector<Shape_fit>& shapes;
   const std::vector<int>& direction;
-  double maximum_offset;
+  const Regularity_options& options;
   std::vector<Class> classes;
 };
 

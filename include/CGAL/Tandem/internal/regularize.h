@@ -84,7 +84,7 @@ Relations regularize(const std::vector<Shape_fit>& shapes, const std::vector<cha
   const std::vector<int> direction = shared_directions(fitter.result(), shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);
   if(options.coplanarity && options.maximum_offset > 0)
-    Coplanar_classes(shapes, direction, options.maximum_offset).fit(verified, plane, coplanar);
+    Coplanar_classes(shapes, direction, options).fit(verified, plane, coplanar);
   Relations r;
   number_relations(plane, direction, coplanar, r);
   r.is_rolled_back = fitter.rolled_back();

@@ -29,6 +29,13 @@ struct Regularity_options {
   double maximum_distance;    // epsilon
   bool parallelism, orthogonality, coplanarity;
   bool is_last; // nothing grows any more: leftovers join settled directions
+
+  // Whether `pending` of n shapes that were refused `tries` times are tried again. That costs as much as for all shapes:
+  // in the loop few of them keep their local planes, and those that their points refused wait as after a rollback.
+  bool try_again(std::size_t pending, std::size_t n, int tries) const
+  {
+    return pending > (is_last || tries == 0 ? 0 : n / 64);
+  }
 };
 
 // normal . g = offset
