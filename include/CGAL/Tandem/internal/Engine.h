@@ -51,7 +51,7 @@ private:
   // most one point of so many. The first rounds are not slow: shapes are small because they are young.
   static constexpr int most_rounds = 300;
   static constexpr int young_rounds = 4;
-  static constexpr std::size_t points_of_slow_gain = 100;
+  static constexpr std::size_t points_of_slow_gain = 32;
   // Passes of growth in a round, the next one if more than one of so many leaves has many seeds left.
   static constexpr int most_passes = 9;
   static constexpr std::size_t leaves_of_untried_leaf = 64;
