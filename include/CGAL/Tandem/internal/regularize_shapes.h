@@ -65,12 +65,14 @@ private:
 // Relations are found anew when shapes have gained, lost or exchanged this share of their points, in the loop
 // and in the end game. Until then they hold on: in the late rounds little changes. (With a period of more than one
 // round they never do.)
-constexpr double changed_share = 0.05, changed_share_at_end = 1e-4;
+constexpr double changed_share = 0.05, changed_share_at_end = 0.03;
 
-// A shape that is new, or has changed much by itself, is not held by relations found before. (It has none at 0.)
-inline bool is_as_it_was(const Shape& shape)
+// A shape without relations, or in the loop one that has changed much by itself, is not held by those found before. (In
+// the end game all of its points fit its plane.)
+inline bool is_held(const Shape& shape, bool is_end)
 {
-  return 4 * std::abs(shape.moments.count - shape.regular_count) <= shape.regular_count;
+  const std::int64_t before = shape.regular_count; // 0 if it has none
+  return is_end ? before > 0 : 4 * std::abs(shape.moments.count - before) <= before;
 }
 
 template <class Backend>
@@ -81,9 +83,6 @@ bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_
     const Shape& shape = t.shapes[ids[i]];
     return std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
   };
-  const auto is_another = [&](std::size_t i) { return std::int64_t(!is_as_it_was(t.shapes[ids[i]])); };
-  if(is_end && sum_on_host(t.backend, ids.size(), is_another) > 0)
-    return true;
   const std::int64_t changed = before.points + sum_on_host(t.backend, ids.size(), change);
   return double(changed) > (is_end ? changed_share_at_end : changed_share) * double(t.assigned);
 }
@@ -97,10 +96,10 @@ inline void set_own_plane(Relations& r, std::size_t entry, const Regular_plane& 
   r.planes.push_back(plane);
 }
 
-// Shapes that are as they were keep the planes of their relations, the others stay at their local planes.
+// Shapes that are held keep the planes of their relations, the others stay at their local planes.
 template <class Backend>
 Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids,
-                               const Shape_relations& before)
+                               const Shape_relations& before, bool is_end)
 {
   const std::size_t n = ids.size();
   Shape_relations r = {ids, before.relations, before.points};
@@ -109,7 +108,7 @@ Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::
   r.relations.is_rolled_back.assign(n, 0);
   for(std::size_t i = 0; i < n; ++i) {
     Shape& shape = t.shapes[ids[i]];
-    if(is_as_it_was(shape)) {
+    if(is_held(shape, is_end)) {
       r.relations.direction_of[i] = before.relations.direction_of[std::size_t(shape.entry)];
       r.relations.plane_of[i] = before.relations.plane_of[std::size_t(shape.entry)];
     } else {
@@ -137,7 +136,7 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
   });
   const bool is_first = retry_all && before.id.empty(); // those of the loop are of other shapes
   if(is_due && !is_first && !have_changed(t, r.id, before, retry_all))
-    return keep_relations(t, r.id, before);
+    return keep_relations(t, r.id, before, retry_all);
   std::vector<Shape_fit> fits(r.id.size());
   std::vector<char> is_excluded(r.id.size());
   t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
