@@ -103,10 +103,10 @@ void test_short_loops()
   }
 }
 
-// The leader waits for a member that is still at an item.
-void test_slow_members()
+// The leader waits for a member that is still at an item, also where nobody has come for most seats.
+void test_slow_members(std::size_t seats)
 {
-  Host_team team(2);
+  Host_team team(seats);
   const Members members(team, 1);
   const std::thread::id leader = std::this_thread::get_id();
   for(int loop = 0; loop < 20; ++loop) {
@@ -195,7 +195,7 @@ void test_host_side()
 int main()
 {
   // Threads that help, and seats, the leader's among them.
-  for(const auto& [threads, seats] : {std::pair(0, 1u), {1, 2u}, {3, 4u}, {1, 4u}, {3, 2u}}) {
+  for(const auto& [threads, seats] : {std::pair(0, 1u), {1, 2u}, {3, 4u}, {1, 4u}, {3, 2u}, {2, 9u}, {8, 9u}}) {
     Host_team team(seats);
     const Members members(team, threads);
     test_loops(team);
@@ -204,7 +204,8 @@ int main()
     test_leadership(team);
   }
   test_short_loops();
-  test_slow_members();
+  test_slow_members(2);
+  test_slow_members(16);
   test_host_side();
   return report();
 }

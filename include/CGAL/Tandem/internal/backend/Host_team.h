@@ -78,6 +78,7 @@ public:
     item_ = [](void* body, std::size_t i) { (*static_cast<F*>(body))(i); };
     body_ = &f;
     size_ = n;
+    parts_ = (std::min)(next_seat_.load(std::memory_order_relaxed), number_of_seats_);
     has_failed_.store(false, std::memory_order_relaxed);
     const std::uint64_t loop = loop_.load(std::memory_order_relaxed) + 1;
     loop_.store(loop, std::memory_order_release);
@@ -129,11 +130,16 @@ private:
     std::this_thread::yield();
   }
 
+  // Those who had come when the loop was opened have a part each. The leader goes through all parts, as somebody may
+  // sleep, and so does who comes later. The others look only after those 1, 2, 4 ... seats further, so that each part
+  // has several who help out and few threads meet in one line.
   void take_items(std::size_t mine, std::uint64_t loop) noexcept
   {
-    for(std::size_t k = 0; k < number_of_seats_; ++k) {
-      const std::size_t s = (mine + k) % number_of_seats_;
-      const std::size_t first = size_ * s / number_of_seats_, last = size_ * (s + 1) / number_of_seats_;
+    const bool takes_all = mine == 0 || mine >= parts_;
+    for(std::size_t distance = 0; distance < parts_;
+        distance = takes_all || distance == 0 ? distance + 1 : 2 * distance) {
+      const std::size_t s = (mine + distance) % parts_;
+      const std::size_t first = size_ * s / parts_, last = size_ * (s + 1) / parts_;
       if(first < last)
         take_items_of(seat_[s].taken, loop, first, last);
     }
@@ -161,13 +167,13 @@ private:
   }
 
   // The number of the loop is odd while it is open. To open it publishes the loop, and the leader sees what others
-  // have written when they are not busy any more.
+  // have written when they are not busy any more. Who waits looks at this line, the leader writes to the next one first.
   alignas(64) std::atomic<std::uint64_t> loop_{0};
-  std::atomic<bool> has_failed_{false};
   std::atomic<bool> is_dissolved_{false};
+  alignas(64) std::atomic<bool> has_failed_{false};
   void (*item_)(void*, std::size_t) = nullptr;
   void* body_ = nullptr;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, parts_ = 1;
   const std::size_t number_of_seats_;
   const std::unique_ptr<Seat[]> seat_;
   std::exception_ptr failure_;
