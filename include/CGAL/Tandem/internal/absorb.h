@@ -126,7 +126,7 @@ struct Accept_offers {
 template <class Backend>
 void absorb(Tandem_state<Backend>& t)
 {
-  constexpr std::size_t batches = 4, rounds = 4; // in each of them
+  constexpr std::size_t batches = 2, rounds = 8; // in each of them
   const std::size_t n = t.cloud.size, few = n / 100000, items = (std::min)(n, std::size_t(1) << 18);
   typename Backend::template Buffer<std::uint64_t> offer(n);
   typename Backend::template Buffer<std::uint32_t> offered(n);

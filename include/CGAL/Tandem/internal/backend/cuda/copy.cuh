@@ -60,7 +60,7 @@ private:
 // As memcpy, by all threads.
 inline void copy_on_host(void* target, const void* source, std::size_t bytes)
 {
-  constexpr std::size_t grain = std::size_t(64) << 10;
+  constexpr std::size_t grain = std::size_t(16) << 10;
   Host_side().for_each_piece(bytes, grain, [&](std::size_t first, std::size_t last) {
     std::memcpy(static_cast<char*>(target) + first, static_cast<const char*>(source) + first, last - first);
   });
