@@ -561,6 +561,23 @@ void test_few_refused()
   check(have_one_direction(2, true), "two of 130 refused, in the last step");
 }
 
+// The one in the middle is not joined with the first, but then with the last: a pair that was refused is asked no more.
+void test_refused_neighbors()
+{
+  std::vector<Rectangle> rectangles;
+  for(int i = 0; i < 197; ++i)
+    rectangles.push_back({{0, 0, 1}, {0, 0, (i + 100) * 100 * epsilon}});
+  const int first = int(rectangles.size()), middle = first + 1, last = first + 2;
+  for(const double offset : {0., .6, 1.})
+    rectangles.push_back({{0, 0, 1}, {0, 0, offset * epsilon}});
+  Regularity_options o = all_on;
+  o.is_last = false;
+  const Relations r = run(rectangles, 2, .25 * epsilon, o);
+  check_tables(r, rectangles.size(), "refused neighbors");
+  check(r.plane_of[first] != r.plane_of[middle], "the first and the middle one have two planes");
+  check(r.plane_of[middle] == r.plane_of[last], "the middle and the last one have one plane");
+}
+
 } // namespace
 
 int main()
@@ -577,6 +594,7 @@ int main()
   test_rollback();
   test_leftovers();
   test_few_refused();
+  test_refused_neighbors();
   test_coplanar();
   test_switches();
   test_degenerate();

@@ -130,13 +130,9 @@ public:
   // Writes only what becomes shorter: threads that ask for roots side by side have the same lines in their caches.
   std::uint32_t root(std::uint32_t i)
   {
-    for(std::uint32_t parent = parent_[i];;) {
-      const std::uint32_t next = parent_[parent];
-      if(next == parent)
-        return parent;
-      i = parent_[i] = next;
-      parent = parent_[i];
-    }
+    while(parent_[i] != parent_[parent_[i]])
+      i = parent_[i] = parent_[parent_[i]];
+    return parent_[i];
   }
 
   // Without making anything shorter: with the larger of two as the root no way is long.
