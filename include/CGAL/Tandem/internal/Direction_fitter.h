@@ -164,6 +164,8 @@ private:
 
   void refit()
   {
+    if(std::find(is_dirty.begin(), is_dirty.end(), char(1)) == is_dirty.end())
+      return;
     verified.for_each(
       groups.size(),
       [&](std::size_t g) {

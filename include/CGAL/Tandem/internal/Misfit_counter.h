@@ -104,7 +104,7 @@ inline std::uint32_t sample_mask(const Shape& shape)
   return mask;
 }
 
-// Asks the points: which share of each listed shape fits its local plane, but not
+// Asks the points: which share of each listed shape (once in the list) fits its local plane, but not
 // the candidate. Planes that hardly move need no answer from the points, and what
 // was asked last, about hardly other planes, is answered from memory.
 template <class Backend>
@@ -130,31 +130,25 @@ public:
   std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
   {
     std::vector<double> shares(ids.size(), 0);
-    std::vector<std::size_t> asked;
     std::vector<std::uint32_t> query_of(t_.shapes.size(), no_index);
-    std::vector<char> is_known(ids.size());
-    t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+    std::vector<Misfit_query> query(ids.size());
+    const std::int64_t asked = sum_on_host(t_.backend, ids.size(), [&](std::size_t i) {
       const Shape& shape = t_.shapes[ids[i]];
-      is_known[i] = is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]);
+      if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
+        return 0;
+      query_of[ids[i]] = std::uint32_t(i);
+      query[i] = {rounded(shape.local), rounded(candidates[i])};
+      return 1;
     });
-    for(std::size_t i = 0; i < ids.size(); ++i) {
-      if(is_known[i])
-        continue;
-      query_of[ids[i]] = std::uint32_t(asked.size());
-      asked.push_back(i);
-    }
-    if(asked.empty())
+    if(asked == 0)
       return shares;
-    std::vector<Misfit_query> query(asked.size());
-    t_.backend.for_each_on_host(asked.size(), [&](std::size_t q) {
-      query[q] = {rounded(t_.shapes[ids[asked[q]]].local), rounded(candidates[asked[q]])};
-    });
     const std::vector<std::uint32_t> count = ask_points(query_of, query);
-    t_.backend.for_each_on_host(asked.size(), [&](std::size_t q) {
-      Shape& shape = t_.shapes[ids[asked[q]]];
-      double& share = shares[asked[q]];
-      share = double(count[q]) * (double(mask_[ids[asked[q]]]) + 1) / double(shape.moments.count);
-      shape.answer = {shape.local, candidates[asked[q]], shape.moments.count, share};
+    t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+      if(query_of[ids[i]] == no_index)
+        return;
+      Shape& shape = t_.shapes[ids[i]];
+      shares[i] = double(count[i]) * (double(mask_[ids[i]]) + 1) / double(shape.moments.count);
+      shape.answer = {shape.local, candidates[i], shape.moments.count, shares[i]};
     });
     return shares;
   }

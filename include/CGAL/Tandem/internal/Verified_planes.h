@@ -70,7 +70,7 @@ public:
            regularity::rms_share * maximum_distance;
   }
 
-  // Asks the points, in one call. Returns for each candidate whether it was refused.
+  // Asks the points, in one call. Returns for each candidate whether it was refused. No shape is there twice.
   std::vector<char> test(const std::vector<int>& candidates, const std::vector<Regular_plane>& planes,
                          const Misfit_limit& limit = {regularity::misfit_share, 1e300})
   {
@@ -93,13 +93,13 @@ public:
     std::vector<std::int64_t> counts(asked.size(), 0);
     if(!asked.empty())
       verify(asked, asked_planes, counts);
-    for(std::size_t a = 0; a < asked.size(); ++a) {
+    for_each(asked.size(), [&](std::size_t a) {
       const bool is_refused =
         double(counts[a]) > (std::min)(limit.share * shapes[asked[a]].scatter.count, limit.points);
       answer[position[a]] = is_refused ? refused : still;
       if(!is_refused)
         accepted[asked[a]] = asked_planes[a];
-    }
+    });
     for(char& a : answer)
       a = a == refused;
     return answer;

@@ -46,8 +46,9 @@ public:
     for(std::size_t i = 0; i < ids.size(); ++i)
       ids[i] = ids_[std::size_t(shapes[i])];
     const std::vector<double> shares = count_(ids, candidates);
-    for(std::size_t i = 0; i < ids.size(); ++i)
+    t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
       counts[i] = std::int64_t(shares[i] * double(t_.shapes[ids[i]].moments.count));
+    });
   }
 
   template <class F>
