@@ -251,8 +251,8 @@ public:
     return collect_on<T>(*this, n, f);
   }
 
-  template <class T>
-  Copied_loan<const T> lend(const std::vector<T>& table)
+  template <class T, class Allocator>
+  Copied_loan<const T> lend(const std::vector<T, Allocator>& table)
   {
     return {table.data(), table.size(), Copied_loan<const T>::copied};
   }

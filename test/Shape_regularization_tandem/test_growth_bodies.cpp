@@ -161,7 +161,7 @@ private:
           ++expected[std::uint64_t((std::min)(s, t)) << 32 | (std::max)(s, t)];
       });
     }
-    std::vector<Link> links(f_.neighbor.size());
+    Unset_vector<Link> links(f_.neighbor.size());
     std::uint32_t size = 0;
     std::vector<std::uint32_t> label = f_.label;
     backend_.template for_each_cell<Link_scratch>(
@@ -189,7 +189,7 @@ private:
   {
     const std::vector<Plane> after = moved_planes();
     std::vector<std::uint32_t> query_of, mask, expected;
-    std::vector<Misfit_query> query;
+    Unset_vector<Misfit_query> query;
     for(std::uint32_t s = 0; s < after.size(); ++s) {
       const bool is_asked = s % 4 != 3;
       query_of.push_back(is_asked ? std::uint32_t(query.size()) : no_index);

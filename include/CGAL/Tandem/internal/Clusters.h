@@ -40,10 +40,10 @@ public:
   // common with it, so what depends on nothing else is tried at the same time. Many are refused, and hold up nobody as
   // long as their shapes have not changed: that is found out ahead. Returns the number of steps in which many links
   // were tried.
-  std::uint32_t unite_along(const std::vector<Link>& links)
+  std::uint32_t unite_along(const Unset_vector<Link>& links)
   {
     const bool is_ahead = links.size() > few_;
-    std::vector<Pair> pending(links.size());
+    Unset_vector<Pair> pending(links.size());
     t_.backend.for_each_on_host(links.size(), [&](std::size_t i) {
       const Shape &a = t_.shapes[links[i].first()], &b = t_.shapes[links[i].second()];
       const bool is_refused = is_ahead && (!test_.are_aligned(a, b) || test_.are_apart(a, b));
@@ -120,8 +120,8 @@ private:
   // or if that were long the link waits, and so do all later links of both chains. Looks at links from the head on, up
   // to the end that it returns, until a window of them is tried or waits; what waits stays in [head, end), with a later
   // head. The clusters of those before `known` are known.
-  std::size_t chain_links(std::uint32_t step, std::vector<Claim>& claims, std::vector<Pair>& pending, std::size_t& head,
-                          std::size_t known)
+  std::size_t chain_links(std::uint32_t step, std::vector<Claim>& claims, Unset_vector<Pair>& pending,
+                          std::size_t& head, std::size_t known)
   {
     chains_.clear();
     chained_.clear();

@@ -28,7 +28,7 @@ constexpr double right_share[levels] = {1, 0.25, 0.0625, 0.0625, 0};
 template <class Verify>
 class Direction_fitter {
 public:
-  Direction_fitter(const std::vector<Shape_fit>& shapes, const Regularity_options& options,
+  Direction_fitter(const Unset_vector<Shape_fit>& shapes, const Regularity_options& options,
                    Verified_planes<Verify>& verified)
     : shapes(shapes), options(options), verified(verified)
   {}
@@ -210,6 +210,8 @@ private:
   Members all_members() const
   {
     Members m;
+    m.shape.reserve(shapes.size());
+    m.group.reserve(shapes.size());
     for(std::size_t g = 0; g < groups.size(); ++g) {
       m.shape.insert(m.shape.end(), groups[g].members.begin(), groups[g].members.end());
       m.group.resize(m.shape.size(), g);
@@ -220,7 +222,7 @@ private:
   std::vector<int> ask_points()
   {
     const Members m = all_members();
-    std::vector<Regular_plane> planes(m.shape.size());
+    Unset_vector<Regular_plane> planes(m.shape.size());
     verified.for_each(planes.size(), [&](std::size_t k) {
       planes[k] = through_centroid(shapes[m.shape[k]], groups[m.group[k]].direction);
     });
@@ -275,7 +277,7 @@ private:
     is_dirty.resize(kept);
   }
 
-  const std::vector<Shape_fit>& shapes;
+  const Unset_vector<Shape_fit>& shapes;
   const Regularity_options& options;
   Verified_planes<Verify>& verified;
   std::vector<Direction_group> groups;

@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/update_shapes.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -112,7 +113,7 @@ class Misfit_counter {
 public:
   // ids: the shapes that may be asked for. Points keep their labels until the last question.
   Misfit_counter(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
-    : t_(t), mask_(t.shapes.size(), nobody), range_(t.number_of_cells)
+    : t_(t), mask_(t.shapes.size(), nobody), query_of_(t.shapes.size(), no_index), range_(t.number_of_cells)
   {
     if(ids.empty())
       return;
@@ -127,24 +128,24 @@ public:
                                                   counter.data(), range_.data()});
   }
 
-  std::vector<double> operator()(const std::vector<std::uint32_t>& ids, const std::vector<Regular_plane>& candidates)
+  Unset_vector<double> operator()(const std::vector<std::uint32_t>& ids, const Unset_vector<Regular_plane>& candidates)
   {
-    std::vector<double> shares(ids.size(), 0);
-    std::vector<std::uint32_t> query_of(t_.shapes.size(), no_index);
-    std::vector<Misfit_query> query(ids.size());
+    Unset_vector<double> shares(ids.size());
+    Unset_vector<Misfit_query> query(ids.size());
     const std::int64_t asked = sum_on_host(t_.backend, ids.size(), [&](std::size_t i) {
       const Shape& shape = t_.shapes[ids[i]];
+      shares[i] = 0;
       if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
         return 0;
-      query_of[ids[i]] = std::uint32_t(i);
+      query_of_[ids[i]] = std::uint32_t(i);
       query[i] = {rounded(shape.local), rounded(candidates[i])};
       return 1;
     });
     if(asked == 0)
       return shares;
-    const std::vector<std::uint32_t> count = ask_points(query_of, query);
+    const std::vector<std::uint32_t> count = ask_points(query);
     t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-      if(query_of[ids[i]] == no_index)
+      if(std::exchange(query_of_[ids[i]], no_index) == no_index)
         return;
       Shape& shape = t_.shapes[ids[i]];
       shares[i] = double(count[i]) * (double(mask_[ids[i]]) + 1) / double(shape.moments.count);
@@ -154,11 +155,10 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> ask_points(const std::vector<std::uint32_t>& query_of,
-                                        const std::vector<Misfit_query>& query)
+  std::vector<std::uint32_t> ask_points(const Unset_vector<Misfit_query>& query)
   {
     std::vector<std::uint32_t> count(query.size(), 0);
-    const auto index = t_.backend.lend(query_of);
+    const auto index = t_.backend.lend(query_of_);
     const auto queries = t_.backend.lend(query);
     auto counts = t_.backend.lend_out(count);
     t_.backend.template for_each_cell<Count_scratch>(
@@ -187,6 +187,7 @@ private:
 
   Tandem_state<Backend>& t_;
   std::vector<std::uint32_t> mask_;                // by shape
+  std::vector<std::uint32_t> query_of_;            // by shape, no_index between questions
   typename Backend::template Buffer<Range> range_; // of the samples of each leaf
 };
 

@@ -36,7 +36,7 @@ inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { ret
 template <class Verify>
 class Verified_planes {
 public:
-  Verified_planes(const std::vector<Shape_fit>& shapes, double maximum_distance, Verify& verify)
+  Verified_planes(const Unset_vector<Shape_fit>& shapes, double maximum_distance, Verify& verify)
     : shapes(shapes), maximum_distance(maximum_distance), verify(verify)
   {
     accepted.resize(shapes.size());
@@ -71,7 +71,7 @@ public:
   }
 
   // Asks the points, in one call. Returns for each candidate whether it was refused. No shape is there twice.
-  std::vector<char> test(const std::vector<int>& candidates, const std::vector<Regular_plane>& planes,
+  std::vector<char> test(const std::vector<int>& candidates, const Unset_vector<Regular_plane>& planes,
                          const Misfit_limit& limit = {regularity::misfit_share, 1e300})
   {
     enum : char { still, refused, open };
@@ -82,8 +82,11 @@ public:
       answer[k] = is_shifted_too_far(i, planes[k]) ? refused : is_still ? still : open;
     });
     std::vector<int> asked;
-    std::vector<Regular_plane> asked_planes;
+    Unset_vector<Regular_plane> asked_planes;
     std::vector<std::size_t> position;
+    asked.reserve(candidates.size());
+    asked_planes.reserve(candidates.size());
+    position.reserve(candidates.size());
     for(std::size_t k = 0; k < candidates.size(); ++k)
       if(answer[k] == open) {
         asked.push_back(candidates[k]);
@@ -118,10 +121,10 @@ private:
     return std::fma(sine, 2 * std::sqrt(shapes[shape].fit.largest / s.count), std::fabs(shift));
   }
 
-  const std::vector<Shape_fit>& shapes;
+  const Unset_vector<Shape_fit>& shapes;
   double maximum_distance;
   Verify& verify;
-  std::vector<Regular_plane> accepted;
+  Unset_vector<Regular_plane> accepted;
 };
 
 } // namespace internal

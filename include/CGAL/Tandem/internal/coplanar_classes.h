@@ -23,14 +23,14 @@ namespace internal {
 class Coplanar_classes {
 public:
   // direction: what shapes share a direction, -1 if none.
-  Coplanar_classes(const std::vector<Shape_fit>& shapes, const std::vector<int>& direction,
+  Coplanar_classes(const Unset_vector<Shape_fit>& shapes, const std::vector<int>& direction,
                    const Regularity_options& options)
     : shapes(shapes), direction(direction), options(options)
   {}
 
   // plane: the planes through the centroids, which become those of the classes.
   template <class Verified>
-  void fit(Verified& verified, std::vector<Regular_plane>& plane, std::vector<int>& class_of)
+  void fit(Verified& verified, Unset_vector<Regular_plane>& plane, std::vector<int>& class_of)
   {
     std::vector<int> pending = by_direction();
     double radius = options.maximum_offset;
@@ -83,7 +83,7 @@ private:
 
   // pending is sorted by direction; single shapes need no class.
   template <class Verified>
-  void add_classes(const Verified& verified, const std::vector<int>& pending, const std::vector<Regular_plane>& plane,
+  void add_classes(const Verified& verified, const std::vector<int>& pending, const Unset_vector<Regular_plane>& plane,
                    double radius)
   {
     std::vector<std::size_t> first; // of each direction, and the end
@@ -114,7 +114,7 @@ private:
     verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
   }
 
-  double mean_offset(const Class& c, const std::vector<Regular_plane>& plane) const
+  double mean_offset(const Class& c, const Unset_vector<Regular_plane>& plane) const
   {
     Offset_index::Mean mean(plane[c.members.front()].offset);
     for(int i : c.members)
@@ -123,7 +123,7 @@ private:
   }
 
   // Whoever has no class becomes one.
-  void add_singles(const std::vector<Regular_plane>& plane)
+  void add_singles(const Unset_vector<Regular_plane>& plane)
   {
     std::vector<char> has_class(shapes.size(), 0);
     for(const Class& c : classes)
@@ -137,7 +137,7 @@ private:
   // Classes have shrunk where members were refused, and may lie side by side with what
   // is left: pairs of them become one where no member objects.
   template <class Verified>
-  void join_neighbors(Verified& verified, const std::vector<Regular_plane>& plane)
+  void join_neighbors(Verified& verified, const Unset_vector<Regular_plane>& plane)
   {
     auto is_before = [&](const Class& a, const Class& b) {
       return std::make_tuple(direction[a.members.front()], a.offset, a.members.front()) <
@@ -147,7 +147,7 @@ private:
       std::sort(classes.begin(), classes.end(), is_before);
     std::vector<std::pair<std::size_t, Class>> joints; // with the first of the two
     std::vector<int> candidates;
-    std::vector<Regular_plane> planes;
+    Unset_vector<Regular_plane> planes;
     for(std::size_t c = 0; c + 1 < classes.size(); ++c) {
       const Class &a = classes[c], &b = classes[c + 1];
       if(direction[a.members.front()] != direction[b.members.front()] || b.offset - a.offset > options.maximum_offset)
@@ -184,10 +184,10 @@ private:
   }
 
   template <class Verified>
-  std::vector<int> ask_points(Verified& verified, const std::vector<Regular_plane>& plane)
+  std::vector<int> ask_points(Verified& verified, const Unset_vector<Regular_plane>& plane)
   {
     std::vector<int> candidates;
-    std::vector<Regular_plane> planes;
+    Unset_vector<Regular_plane> planes;
     for(const Class& c : classes)
       for(int i : c.members) {
         candidates.push_back(i);
@@ -212,7 +212,7 @@ private:
     return refused;
   }
 
-  const std::vector<Shape_fit>& shapes;
+  const Unset_vector<Shape_fit>& shapes;
   const std::vector<int>& direction;
   const Regularity_options& options;
   std::vector<Class> classes;

@@ -78,6 +78,7 @@ public:
   {
     choose_size(normals.size());
     std::vector<Entry> entries;
+    entries.reserve(2 * normals.size());
     for(std::size_t i = 0; i < normals.size(); ++i) {
       const Vector n = rounded_normal(canonical(normals[i]));
       entries.push_back({n, i});
@@ -207,11 +208,11 @@ std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& norm
   for(std::size_t i = 0; i < rest.size(); ++i)
     rest[i] = int(i);
   for(int pass = 0; pass < 8 && !rest.empty(); ++pass) {
-    std::vector<Vector> n;
-    std::vector<double> w;
-    for(int i : rest) {
-      n.push_back(normals[i]);
-      w.push_back(weights[i]);
+    std::vector<Vector> n(rest.size());
+    std::vector<double> w(rest.size());
+    for(std::size_t k = 0; k < rest.size(); ++k) {
+      n[k] = normals[std::size_t(rest[k])];
+      w[k] = weights[std::size_t(rest[k])];
     }
     const Direction_bins bins = make_direction_bins(n, w, radius / 8, executor);
     const std::vector<Vector> modes = Mean_shift<Direction_index>(bins.normal, bins.weight, radius).modes(executor);

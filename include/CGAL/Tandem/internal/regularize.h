@@ -37,7 +37,7 @@ inline std::vector<int> shared_directions(const std::vector<Direction_group>& gr
 
 // Fills the tables in the order of the shapes. plane[i] is the plane of shape i,
 // direction[i] and coplanar[i] name what it shares (-1: nothing).
-inline void number_relations(const std::vector<Regular_plane>& plane, const std::vector<int>& direction,
+inline void number_relations(const Unset_vector<Regular_plane>& plane, const std::vector<int>& direction,
                              const std::vector<int>& coplanar, Relations& r)
 {
   const std::size_t n = plane.size();
@@ -64,7 +64,7 @@ inline void number_relations(const std::vector<Regular_plane>& plane, const std:
 
 // is_excluded: shapes that keep their local fit and take part in nothing.
 template <class Verify>
-Relations regularize(const std::vector<Shape_fit>& shapes, const std::vector<char>& is_excluded,
+Relations regularize(const Unset_vector<Shape_fit>& shapes, const std::vector<char>& is_excluded,
                      const Regularity_options& options, Verify& verify)
 {
   std::vector<int> active;
@@ -74,12 +74,12 @@ Relations regularize(const std::vector<Shape_fit>& shapes, const std::vector<cha
   Verified_planes<Verify> verified(shapes, options.maximum_distance, verify);
   Direction_fitter<Verify> fitter(shapes, options, verified);
   fitter.fit(active);
-  std::vector<Vector> normal(shapes.size());
+  Unset_vector<Vector> normal(shapes.size());
   verified.for_each(shapes.size(), [&](std::size_t i) { normal[i] = canonical(shapes[i].fit.normal); });
   for(const Direction_group& g : fitter.result())
     for(int i : g.members)
       normal[i] = g.direction;
-  std::vector<Regular_plane> plane(shapes.size());
+  Unset_vector<Regular_plane> plane(shapes.size());
   verified.for_each(shapes.size(), [&](std::size_t i) { plane[i] = through_centroid(shapes[i], normal[i]); });
   const std::vector<int> direction = shared_directions(fitter.result(), shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);

@@ -39,13 +39,13 @@ public:
   // ids: of the shapes of the step.
   Point_verifier(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids) : t_(t), ids_(ids), count_(t, ids) {}
 
-  void operator()(const std::vector<int>& shapes, const std::vector<Regular_plane>& candidates,
+  void operator()(const std::vector<int>& shapes, const Unset_vector<Regular_plane>& candidates,
                   std::vector<std::int64_t>& counts)
   {
     std::vector<std::uint32_t> ids(shapes.size());
     for(std::size_t i = 0; i < ids.size(); ++i)
       ids[i] = ids_[std::size_t(shapes[i])];
-    const std::vector<double> shares = count_(ids, candidates);
+    const Unset_vector<double> shares = count_(ids, candidates);
     t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
       counts[i] = std::int64_t(shares[i] * double(t_.shapes[ids[i]].moments.count));
     });
@@ -138,7 +138,7 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
   const bool is_first = retry_all && before.id.empty(); // those of the loop are of other shapes
   if(is_due && !is_first && !have_changed(t, r.id, before, retry_all))
     return keep_relations(t, r.id, before, retry_all);
-  std::vector<Shape_fit> fits(r.id.size());
+  Unset_vector<Shape_fit> fits(r.id.size());
   std::vector<char> is_excluded(r.id.size());
   t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
     const Shape& shape = t.shapes[r.id[i]];
@@ -165,7 +165,7 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
 // Touching shapes of one plane become one shape.
 template <class Backend>
 std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shape_relations& r,
-                                            const std::vector<Link>& links)
+                                            const Unset_vector<Link>& links)
 {
   std::vector<int> plane_of(t.shapes.size(), -1);
   for(std::size_t i = 0; i < r.id.size(); ++i)

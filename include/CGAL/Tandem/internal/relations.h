@@ -7,6 +7,7 @@
 #define CGAL_TANDEM_INTERNAL_RELATIONS_H
 
 #include <CGAL/Tandem/internal/Moments.h>
+#include <CGAL/Tandem/internal/Unset_vector.h>
 
 #include <cstdint>
 #include <utility>

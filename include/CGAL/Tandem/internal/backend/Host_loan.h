@@ -41,8 +41,8 @@ public:
   using Sort_table = Host_sort_table;
 
   // To read; the table must stay as it is while the loan lives.
-  template <class T>
-  Host_loan<const T> lend(const std::vector<T>& table)
+  template <class T, class Allocator>
+  Host_loan<const T> lend(const std::vector<T, Allocator>& table)
   {
     return Host_loan<const T>(table.data());
   }

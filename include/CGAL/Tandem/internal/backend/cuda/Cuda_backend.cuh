@@ -182,10 +182,10 @@ public:
     return items;
   }
 
-  template <class T>
-  Device_loan<T> lend(const std::vector<T>& table)
+  template <class T, class Allocator>
+  Device_loan<T> lend(const std::vector<T, Allocator>& table)
   {
-    return Device_loan<T>(table);
+    return Device_loan<T>(table.data(), table.size());
   }
 
   template <class T>

@@ -61,7 +61,7 @@ private:
 template <class T>
 class Device_loan {
 public:
-  explicit Device_loan(const std::vector<T>& table) : table_(table.data(), table.size(), true) {}
+  Device_loan(const T* table, std::size_t size) : table_(table, size, true) {}
 
   const T* data() const { return table_.data(); }
 
