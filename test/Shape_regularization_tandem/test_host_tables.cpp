@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tables of the host: pages that are kept, tables that grow, tables that are shared.
+// Tables of the host: pages that are kept, tables that grow, tables that are shared, lists that are parted.
 
 #undef NDEBUG
 
@@ -9,8 +9,12 @@
 #include "test_support.h"
 
 #include <CGAL/Tandem/internal/Growing_table.h>
+#include <CGAL/Tandem/internal/host_loops.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 using namespace CGAL::Tandem::internal;
 
@@ -85,10 +89,52 @@ void test_shared_table()
   CHECK(copy.data() == table.data() && copy.size() == 3 && copy[2] == 2 && copy.end() - copy.begin() == 3);
 }
 
+// Only items without a value are left as they are.
+void test_unset_vector()
+{
+  Unset_vector<int> table(3, 7);
+  table.resize(5, 8);
+  table.push_back(9);
+  CHECK((std::vector<int>(table.begin(), table.end()) == std::vector<int>{7, 7, 7, 8, 8, 9}));
+  table.reserve(100);
+  const int* const memory = table.data();
+  table.clear();
+  table.resize(6);
+  CHECK(table.data() == memory && table[0] == 7 && table[5] == 9);
+}
+
+// In the order of the list, each asked once, with lists of any size.
+template <class Backend>
+void test_parted_lists(Backend& backend)
+{
+  for(std::size_t n : {0, 1, 63, 64, 65, 255, 256, 1000, 5001}) {
+    std::vector<int> calls(n, 0);
+    const auto id = [](std::size_t i) { return std::uint32_t(3 * i + 1); };
+    const auto is_chosen = [](std::uint32_t k) { return k * 2654435761u >> 30 == 1; };
+    const Parted_ids parted = part_on_host(backend, n, id, [&](std::uint32_t k) {
+      ++calls[k / 3];
+      return is_chosen(k);
+    });
+    Ids all, chosen, others;
+    for(std::size_t i = 0; i < n; ++i)
+      all.push_back(id(i));
+    std::partition_copy(all.begin(), all.end(), std::back_inserter(chosen), std::back_inserter(others), is_chosen);
+    CHECK_AT(parted.chosen == chosen && parted.others == others, "a list of " + std::to_string(n));
+    CHECK_AT(std::count(calls.begin(), calls.end(), 1) == std::ptrdiff_t(n), "calls for " + std::to_string(n));
+    const std::int64_t sum = sum_on_host(backend, n, [&](std::size_t i) { return id(i); });
+    CHECK_AT(sum == std::accumulate(all.begin(), all.end(), std::int64_t(0)), "a sum of " + std::to_string(n));
+  }
+}
+
 int main()
 {
   test_kept_pages();
   test_growing_table();
   test_shared_table();
+  test_unset_vector();
+  Sequential_backend sequential;
+  test_parted_lists(sequential);
+  Thread_backend threads(3);
+  test_parted_lists(threads);
   return report();
 }

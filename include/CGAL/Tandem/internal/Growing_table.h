@@ -4,6 +4,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROWING_TABLE_H
 #define CGAL_TANDEM_INTERNAL_GROWING_TABLE_H
 
+#include <CGAL/Tandem/internal/Unset_vector.h>
 #include <CGAL/Tandem/internal/backend/Host_buffer.h>
 
 #include <cstddef>
@@ -11,7 +12,6 @@
 #include <new>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -41,7 +41,7 @@ public:
 
   // The listed items become the only ones, in that order.
   template <class Backend>
-  void keep(Backend& backend, const std::vector<std::uint32_t>& kept)
+  void keep(Backend& backend, const Unset_vector<std::uint32_t>& kept)
   {
     move(backend, items_.size(), kept.size(), [&](std::size_t i) { return kept[i]; });
     size_ = kept.size();

@@ -112,7 +112,7 @@ template <class Backend>
 class Misfit_counter {
 public:
   // ids: the shapes that may be asked for. Points keep their labels until the last question.
-  Misfit_counter(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids)
+  Misfit_counter(Tandem_state<Backend>& t, const Ids& ids)
     : t_(t), mask_(t.shapes.size(), nobody), query_of_(t.shapes.size(), no_index), range_(t.number_of_cells)
   {
     if(ids.empty())
@@ -128,7 +128,7 @@ public:
                                                   counter.data(), range_.data()});
   }
 
-  Unset_vector<double> operator()(const std::vector<std::uint32_t>& ids, const Unset_vector<Regular_plane>& candidates)
+  Unset_vector<double> operator()(const Ids& ids, const Unset_vector<Regular_plane>& candidates)
   {
     Unset_vector<double> shares(ids.size());
     Unset_vector<Misfit_query> query(ids.size());

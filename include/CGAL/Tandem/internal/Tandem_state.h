@@ -11,11 +11,10 @@
 #include <CGAL/Tandem/internal/Growing_table.h>
 #include <CGAL/Tandem/internal/exact_check.h>
 #include <CGAL/Tandem/internal/grow_cell.h>
+#include <CGAL/Tandem/internal/host_loops.h>
 #include <CGAL/Tandem/internal/relations.h>
 #include <CGAL/Tandem/internal/seeds.h>
 
-#include <array>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -94,9 +93,9 @@ struct Tandem_state {
   Buffer<std::uint32_t> label;
   Buffer<std::uint8_t> state;
 
-  Growing_table<Shape> shapes;     // by id, which changes in grow_shapes() only; those not in `live` hold nothing
-  std::vector<std::uint32_t> live; // ascending
-  std::vector<Plane> plane;        // these three: the points' view of the shapes; the next two are made in each pass
+  Growing_table<Shape> shapes; // by id, which changes in grow_shapes() only; those not in `live` hold nothing
+  Ids live;                    // ascending
+  std::vector<Plane> plane;    // these three: the points' view of the shapes; the next two are made in each pass
   std::vector<std::uint16_t> rounds;
   std::vector<std::uint8_t> is_restarted;
   Buffer<Shared_moments> gain; // of each shape, zero between passes
@@ -117,37 +116,12 @@ void forget_shape(State& t, std::uint32_t id)
 
 // The live shapes with is_chosen(shape, id), which is asked once of each, of many at a time.
 template <class Backend, class Predicate>
-std::vector<std::uint32_t> chosen_shapes(const Tandem_state<Backend>& t, Predicate is_chosen)
+Ids chosen_shapes(const Tandem_state<Backend>& t, Predicate is_chosen)
 {
-  std::vector<char> is_in(t.live.size());
-  t.backend.for_each_on_host(is_in.size(),
-                             [&](std::size_t l) { is_in[l] = is_chosen(t.shapes[t.live[l]], t.live[l]); });
-  std::vector<std::uint32_t> chosen(is_in.size());
-  std::size_t size = 0;
-  for(std::size_t l = 0; l < is_in.size(); ++l) { // without a branch that nobody can predict
-    chosen[size] = t.live[l];
-    size += std::size_t(is_in[l] != 0);
-  }
-  chosen.resize(size);
-  return chosen;
-}
-
-// The sum of value(i) for i in [0, n), asked once of each, of many at a time.
-template <class Backend, class F>
-std::int64_t sum_on_host(Backend& backend, std::size_t n, F value)
-{
-  constexpr std::size_t pieces = 64, few = 256; // fewer of them are left to one thread
-  std::array<std::int64_t, pieces> sums;
-  backend.for_each_on_host(
-    pieces,
-    [&](std::size_t p) {
-      std::int64_t sum = 0;
-      for(std::size_t i = n * p / pieces; i < n * (p + 1) / pieces; ++i)
-        sum += value(i);
-      sums[p] = sum;
-    },
-    n < few ? pieces + 1 : 1);
-  return std::accumulate(sums.begin(), sums.end(), std::int64_t(0));
+  return part_on_host(
+           t.backend, t.live.size(), [&](std::size_t l) { return t.live[l]; },
+           [&](std::uint32_t id) { return is_chosen(t.shapes[id], id); })
+    .chosen;
 }
 
 } // namespace internal

@@ -28,8 +28,7 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const Uns
 {
   Clusters<Backend> clusters(t, {t.options.squared_cosine, t.options.maximum_distance});
   clusters.unite_along(links);
-  const std::vector<std::uint32_t> ids =
-    chosen_shapes(t, [&](const Shape&, std::uint32_t id) { return clusters.is_merged(id); });
+  const Ids ids = chosen_shapes(t, [&](const Shape&, std::uint32_t id) { return clusters.is_merged(id); });
   std::vector<std::uint32_t> target = identity_targets(t);
   if(ids.empty())
     return target;

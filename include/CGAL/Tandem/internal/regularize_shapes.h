@@ -19,7 +19,7 @@ namespace internal {
 
 // The relations of some shapes: those of id[i] are the entries i.
 struct Shape_relations {
-  std::vector<std::uint32_t> id;
+  Ids id;
   Relations relations;
   std::int64_t points = 0; // of the shapes when the relations were found
 };
@@ -37,12 +37,12 @@ template <class Backend>
 class Point_verifier {
 public:
   // ids: of the shapes of the step.
-  Point_verifier(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids) : t_(t), ids_(ids), count_(t, ids) {}
+  Point_verifier(Tandem_state<Backend>& t, const Ids& ids) : t_(t), ids_(ids), count_(t, ids) {}
 
   void operator()(const std::vector<int>& shapes, const Unset_vector<Regular_plane>& candidates,
                   std::vector<std::int64_t>& counts)
   {
-    std::vector<std::uint32_t> ids(shapes.size());
+    Ids ids(shapes.size());
     for(std::size_t i = 0; i < ids.size(); ++i)
       ids[i] = ids_[std::size_t(shapes[i])];
     const Unset_vector<double> shares = count_(ids, candidates);
@@ -59,7 +59,7 @@ public:
 
 private:
   Tandem_state<Backend>& t_;
-  const std::vector<std::uint32_t>& ids_;
+  const Ids& ids_;
   Misfit_counter<Backend> count_;
 };
 
@@ -77,8 +77,7 @@ inline bool is_held(const Shape& shape, bool is_end)
 }
 
 template <class Backend>
-bool have_changed(const Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids, const Shape_relations& before,
-                  bool is_end)
+bool have_changed(const Tandem_state<Backend>& t, const Ids& ids, const Shape_relations& before, bool is_end)
 {
   const auto change = [&](std::size_t i) { // less the points that are still there
     const Shape& shape = t.shapes[ids[i]];
@@ -99,8 +98,7 @@ inline void set_own_plane(Relations& r, std::size_t entry, const Regular_plane& 
 
 // Shapes that are held keep the planes of their relations, the others stay at their local planes.
 template <class Backend>
-Shape_relations keep_relations(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ids,
-                               const Shape_relations& before, bool is_end)
+Shape_relations keep_relations(Tandem_state<Backend>& t, const Ids& ids, const Shape_relations& before, bool is_end)
 {
   const std::size_t n = ids.size();
   Shape_relations r = {ids, before.relations, before.points};
@@ -170,16 +168,14 @@ std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shap
   std::vector<int> plane_of(t.shapes.size(), -1);
   for(std::size_t i = 0; i < r.id.size(); ++i)
     plane_of[r.id[i]] = r.relations.plane_of[i];
-  std::vector<char> is_coplanar(links.size());
-  t.backend.for_each_on_host(links.size(), [&](std::size_t i) {
-    const int plane = plane_of[links[i].first()];
-    is_coplanar[i] = plane >= 0 && plane == plane_of[links[i].second()]; // what is united has one plane
-  });
+  const auto all = [](std::size_t i) { return std::uint32_t(i); };
+  const Ids coplanar = part_on_host(t.backend, links.size(), all, [&](std::uint32_t i) {
+                         const int plane = plane_of[links[i].first()];
+                         return plane >= 0 && plane == plane_of[links[i].second()]; // what is united has one plane
+                       }).chosen;
   Unions unions(t.shapes.size());
   std::vector<std::uint32_t> united;
-  for(std::size_t i = 0; i < links.size(); ++i) {
-    if(!is_coplanar[i])
-      continue;
+  for(std::uint32_t i : coplanar) {
     std::uint32_t a = unions.root(links[i].first()), b = unions.root(links[i].second());
     if(a == b)
       continue;

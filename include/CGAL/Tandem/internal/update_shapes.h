@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -71,19 +72,13 @@ void join_shape(Tandem_state<Backend>& t, Shape& root, std::uint32_t id)
 template <class Backend>
 void merge_shapes(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& target)
 {
-  std::vector<std::uint32_t> gone(t.live.size());
-  std::size_t kept = 0, left = 0;
-  for(std::uint32_t id : t.live) { // without a branch that nobody can predict
-    const bool stays = target[id] == id;
-    t.live[kept] = gone[left] = id;
-    kept += std::size_t(stays);
-    left += std::size_t(!stays);
-  }
-  t.live.resize(kept);
-  gone.resize(left);
+  Parted_ids parted = part_on_host(
+    t.backend, t.live.size(), [&](std::size_t l) { return t.live[l]; },
+    [&](std::uint32_t id) { return target[id] == id; });
+  t.live = std::move(parted.chosen);
   std::vector<std::uint64_t> joins; // target << 32 | shape
   std::vector<std::uint32_t> given_up;
-  for(std::uint32_t id : gone)
+  for(std::uint32_t id : parted.others)
     if(target[id] < first_mark)
       joins.push_back(std::uint64_t(target[id]) << 32 | id);
     else
@@ -153,7 +148,7 @@ void merge_points(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& ta
 template <class Backend, class Predicate>
 void give_up_shapes(Tandem_state<Backend>& t, Predicate is_given_up)
 {
-  const std::vector<std::uint32_t> ids = chosen_shapes(t, is_given_up);
+  const Ids ids = chosen_shapes(t, is_given_up);
   if(ids.empty())
     return;
   std::vector<std::uint32_t> target = identity_targets(t);
