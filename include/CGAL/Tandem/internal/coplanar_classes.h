@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -56,10 +55,11 @@ private:
   // Then neighbors are joined, a class with at most one other in a step.
   static constexpr int joining_steps = 2, last_joining_steps = 4;
   // Fewer of them are left to one thread.
-  static constexpr std::size_t few_directions = 8;
+  static constexpr std::size_t few_directions = 8, few_classes = 32;
 
   struct Class {
     std::vector<int> members; // by rising offset
+    int direction;            // that they share
     double offset;
     // The first members of the classes behind and before it that it was not joined with, or -1.
     int refused_behind = -1, refused_before = -1;
@@ -109,7 +109,7 @@ private:
         for(int& k : c)
           k = pending[first[d] + std::size_t(k)];
         if(c.size() > 1)
-          classes.push_back({c, 0});
+          classes.push_back({c, direction[c.front()], 0});
       }
     verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
   }
@@ -131,7 +131,7 @@ private:
         has_class[i] = 1;
     for(std::size_t i = 0; i < shapes.size(); ++i)
       if(direction[i] >= 0 && !has_class[i])
-        classes.push_back({{int(i)}, plane[i].offset});
+        classes.push_back({{int(i)}, direction[i], plane[i].offset});
   }
 
   // Classes have shrunk where members were refused, and may lie side by side with what
@@ -139,39 +139,39 @@ private:
   template <class Verified>
   void join_neighbors(Verified& verified, const Unset_vector<Regular_plane>& plane)
   {
-    auto is_before = [&](const Class& a, const Class& b) {
-      return std::make_tuple(direction[a.members.front()], a.offset, a.members.front()) <
-             std::make_tuple(direction[b.members.front()], b.offset, b.members.front());
+    auto is_before = [](const Class& a, const Class& b) {
+      if(a.direction != b.direction)
+        return a.direction < b.direction;
+      return a.offset != b.offset ? a.offset < b.offset : a.members.front() < b.members.front();
     };
     if(!std::is_sorted(classes.begin(), classes.end(), is_before)) // a joint mostly stays where its parts were
       std::sort(classes.begin(), classes.end(), is_before);
-    std::vector<std::pair<std::size_t, Class>> joints; // with the first of the two
-    std::vector<int> candidates;
-    Unset_vector<Regular_plane> planes;
+    std::vector<std::size_t> pairs; // the first of the two
     for(std::size_t c = 0; c + 1 < classes.size(); ++c) {
       const Class &a = classes[c], &b = classes[c + 1];
-      if(direction[a.members.front()] != direction[b.members.front()] || b.offset - a.offset > options.maximum_offset)
+      if(a.direction != b.direction || b.offset - a.offset > options.maximum_offset)
         continue;
       if(a.refused_behind == b.members.front() && b.refused_before == a.members.front())
         continue; // in an earlier step
-      Class joint = {a.members, 0};
-      joint.members.insert(joint.members.end(), b.members.begin(), b.members.end());
-      joint.offset = mean_offset(joint, plane);
-      for(int i : joint.members) {
-        candidates.push_back(i);
-        planes.push_back({plane[i].normal, joint.offset});
-      }
-      joints.push_back({c++, std::move(joint)});
+      pairs.push_back(c++);
     }
-    if(joints.empty())
+    if(pairs.empty())
       return;
-    const std::vector<char> is_refused = verified.test(candidates, planes);
+    std::vector<Class> joints(pairs.size());
+    const auto join = [&](std::size_t p) {
+      const Class &a = classes[pairs[p]], &b = classes[pairs[p] + 1];
+      joints[p] = {a.members, a.direction, 0};
+      joints[p].members.insert(joints[p].members.end(), b.members.begin(), b.members.end());
+      joints[p].offset = mean_offset(joints[p], plane);
+    };
+    verified.for_each(pairs.size(), join, few_classes);
+    const std::vector<char> is_refused = test(verified, joints, plane);
     auto answer = is_refused.begin();
-    for(auto& joint : joints) {
-      const auto end = answer + std::ptrdiff_t(joint.second.members.size());
-      Class &a = classes[joint.first], &b = classes[joint.first + 1];
+    for(std::size_t p = 0; p < pairs.size(); ++p) {
+      const auto end = answer + std::ptrdiff_t(joints[p].members.size());
+      Class &a = classes[pairs[p]], &b = classes[pairs[p] + 1];
       if(std::find(answer, end, char(1)) == end) {
-        a = std::move(joint.second);
+        a = std::move(joints[p]);
         b.members.clear();
       } else {
         a.refused_behind = b.members.front();
@@ -183,24 +183,41 @@ private:
                   classes.end());
   }
 
+  // Which members their points do not let go to the planes of the classes, class by class.
+  template <class Verified>
+  static std::vector<char> test(Verified& verified, const std::vector<Class>& asked,
+                                const Unset_vector<Regular_plane>& plane)
+  {
+    std::vector<std::size_t> first(asked.size() + 1, 0);
+    for(std::size_t c = 0; c < asked.size(); ++c)
+      first[c + 1] = first[c] + asked[c].members.size();
+    std::vector<int> candidates(first.back());
+    Unset_vector<Regular_plane> planes(first.back());
+    const auto list = [&](std::size_t c) {
+      for(std::size_t m = 0; m < asked[c].members.size(); ++m) {
+        candidates[first[c] + m] = asked[c].members[m];
+        planes[first[c] + m] = {plane[std::size_t(asked[c].members[m])].normal, asked[c].offset};
+      }
+    };
+    verified.for_each(asked.size(), list, few_classes);
+    return verified.test(candidates, planes);
+  }
+
   template <class Verified>
   std::vector<int> ask_points(Verified& verified, const Unset_vector<Regular_plane>& plane)
   {
-    std::vector<int> candidates;
-    Unset_vector<Regular_plane> planes;
-    for(const Class& c : classes)
-      for(int i : c.members) {
-        candidates.push_back(i);
-        planes.push_back({plane[i].normal, c.offset});
-      }
-    const std::vector<char> is_refused = verified.test(candidates, planes);
+    const std::vector<char> is_refused = test(verified, classes, plane);
     std::vector<int> refused;
-    std::size_t k = 0;
+    auto answer = is_refused.begin();
     for(Class& c : classes) {
-      std::vector<int> kept;
-      for(int i : c.members)
-        (is_refused[k++] ? refused : kept).push_back(i);
-      c.members.swap(kept);
+      const auto end = answer + std::ptrdiff_t(c.members.size());
+      if(std::find(answer, end, char(1)) != end) {
+        std::vector<int> kept;
+        for(int i : c.members)
+          (*answer++ ? refused : kept).push_back(i);
+        c.members.swap(kept);
+      }
+      answer = end;
     }
     for(const Class& c : classes) // what the others have left is free again
       if(c.members.size() == 1)
