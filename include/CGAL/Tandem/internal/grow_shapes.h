@@ -8,6 +8,7 @@
 
 #include <CGAL/Tandem/internal/gains.h>
 #include <CGAL/Tandem/internal/leaf_shapes.h>
+#include <CGAL/Tandem/internal/update_shapes.h>
 
 #include <algorithm>
 #include <numeric>
@@ -221,11 +222,11 @@ std::size_t grow_shapes(Tandem_state<Backend>& t)
 template <class Backend>
 void take_local_planes(Tandem_state<Backend>& t)
 {
-  refit_shapes(t);
   t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
     Shape& shape = t.shapes[t.live[l]];
     if(shape.age != 1)
       return;
+    refit_if_dirty(shape);
     t.plane[t.live[l]] = rounded(shape.local);
     shape.restarted = shape.local;
   });

@@ -33,15 +33,17 @@ inline void refit(Fitted_moments& m)
   m.local = plane_through(m.fit.normal, m.scatter.centroid);
 }
 
+inline void refit_if_dirty(Shape& shape)
+{
+  if(shape.is_dirty)
+    refit(shape);
+  shape.is_dirty = false;
+}
+
 template <class Backend>
 void refit_shapes(Tandem_state<Backend>& t)
 {
-  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
-    Shape& shape = t.shapes[t.live[l]];
-    if(shape.is_dirty)
-      refit(shape);
-    shape.is_dirty = false;
-  });
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) { refit_if_dirty(t.shapes[t.live[l]]); });
 }
 
 // Which shape each shape becomes: itself, another one, or is_free.
