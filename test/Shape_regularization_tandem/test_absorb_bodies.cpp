@@ -23,6 +23,7 @@ public:
   void run()
   {
     test_offers();
+    test_rounds();
     test_reassignment();
     test_take_chosen();
     test_components();
@@ -67,13 +68,14 @@ private:
     for(std::uint32_t i = 0; i < n; i += 2) // so that there are many to pass offers on to
       if(!std::binary_search(expected_offered.begin(), expected_offered.end(), i))
         label[i] = is_free;
-    pass.end = end.data() + 2;
-    test_offers_again(pass, first, items, size);
+    test_offers_again({pass, {label.data(), state.data()}, first, size - 1}, items, size);
   }
 
   // The points that were absorbed pass offers of their shapes on, once each, unless they were few.
-  void test_offers_again(const Offer<Backend>& pass, const Offered& absorbed, std::size_t items, std::uint32_t size)
+  void test_offers_again(Absorption<Backend> rounds, std::size_t items, std::uint32_t size)
   {
+    const Offer<Backend>& pass = rounds.offer;
+    const Offered& absorbed = rounds.offered;
     std::set<std::uint32_t> expected;
     for(std::uint32_t at = 0; at < size; ++at) {
       const std::uint32_t i = absorbed.point[at], s = pass.label[i];
@@ -82,12 +84,83 @@ private:
           expected.insert(q);
       });
     }
-    backend_.for_each(items, Offer_again<Backend>{pass, absorbed, size, items});
-    CHECK_AT(absorbed.end[2] == size, name_ + ": few points pass offers on");
-    backend_.for_each(items, Offer_again<Backend>{pass, absorbed, 0, items});
+    CHECK_AT(!rounds.is_last(0), name_ + ": no offers again");
+    backend_.for_each(items, rounds.offer_again(0, items));
     const std::set<std::uint32_t> got(absorbed.point + size, absorbed.point + absorbed.end[2]);
     CHECK_AT(absorbed.end[2] - size == got.size() && got == expected, name_ + ": points that get offers later");
     CHECK_AT(2 * expected.size() >= size, name_ + ": there are too few of these");
+    rounds.few = size;
+    CHECK_AT(rounds.is_last(0), name_ + ": few points pass offers on");
+  }
+
+  using Offers = std::map<std::uint32_t, std::pair<std::uint64_t, std::uint32_t>>; // the best one, by point
+
+  // From a point that has a shape to its neighbors.
+  void make_offers(const std::vector<std::uint32_t>& label, std::uint32_t i, Offers& offers) const
+  {
+    f_.for_each_neighbor(i, [&](std::uint32_t q) { make_offer(label, i, q, offers); });
+  }
+
+  void make_offer(const std::vector<std::uint32_t>& label, std::uint32_t from, std::uint32_t to, Offers& offers) const
+  {
+    const std::uint32_t s = label[from];
+    if(s >= first_mark || label[to] < first_mark || !f_.fits(s, to))
+      return;
+    const auto offer = std::make_pair(f_.distance(s, to) >> 16, s);
+    const auto found = offers.emplace(to, offer);
+    found.first->second = (std::min)(found.first->second, offer);
+  }
+
+  // Round by round. Returns how many points joined shapes in each.
+  std::vector<std::size_t> absorb_naively(std::vector<std::uint32_t>& label, std::size_t most_rounds,
+                                          std::size_t few) const
+  {
+    Offers offers;
+    for(std::uint32_t i = 0; i < label.size(); ++i)
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        make_offer(label, i, q, offers);
+        make_offer(label, q, i, offers);
+      });
+    std::vector<std::size_t> joined;
+    while(joined.size() < most_rounds && (joined.empty() || joined.back() > few)) {
+      for(const auto& offer : offers)
+        label[offer.first] = offer.second.second;
+      joined.push_back(offers.size());
+      Offers next;
+      for(const auto& offer : offers)
+        make_offers(label, offer.first, next);
+      offers.swap(next);
+    }
+    return joined;
+  }
+
+  // Until few points join a shape in a round, or for so many rounds.
+  void test_rounds()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::uint32_t> sparse(n, is_free);
+    for(std::uint32_t i = 0; i < n; i += 61)
+      sparse[i] = f_.label[i];
+    std::vector<std::uint32_t> all = sparse;
+    const std::vector<std::size_t> joined = absorb_naively(all, 16, 0);
+    if(n < 100)
+      return; // nobody joins anybody
+    CHECK_AT(joined.size() > 3, name_ + ": there are too few rounds");
+    const std::pair<std::size_t, std::size_t> ends[] = {{16, 0}, {2, 0}, {16, joined[1]}};
+    for(const auto& end : ends) {
+      std::vector<std::uint32_t> expected = sparse, label = sparse, offered(n), counters(end.first + 2, 0);
+      absorb_naively(expected, end.first, end.second);
+      std::vector<std::uint8_t> state(n, 0);
+      std::vector<std::uint64_t> offer(n, no_offer);
+      const Offer<Backend> first = {f_.cloud,     label.data(), state.data(),   f_.plane.data(),
+                                    offer.data(), f_.tolerance, offered.data(), counters.data() + 1};
+      backend_.for_each(n, first);
+      run_rounds(
+        backend_, end.first,
+        Absorption<Backend>{first, {label.data(), state.data()}, {offered.data(), counters.data()}, end.second});
+      check_lists(label, expected, name_ + ": rounds of absorption");
+      CHECK_AT((label == all) == (end.first == 16 && end.second == 0), name_ + ": the end of absorption");
+    }
   }
 
   // The largest of the shapes that are not much farther than the nearest one.

@@ -6,7 +6,12 @@
 #ifndef CGAL_TANDEM_INTERNAL_ABSORB_H
 #define CGAL_TANDEM_INTERNAL_ABSORB_H
 
+#include <CGAL/Tandem/internal/backend/Host_loan.h>
 #include <CGAL/Tandem/internal/update_shapes.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -73,20 +78,16 @@ private:
   }
 };
 
-// Later rounds: only the points that were absorbed in the last one have news. Nobody is asked any more when they were
-// few.
+// Later rounds: only the points that were absorbed in the last one have news.
 template <class Backend>
 struct Offer_again {
   Offer<Backend> offer;
   Offered absorbed;
-  std::size_t few;
   std::size_t items; // that this is called with
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const std::size_t first = absorbed.end[0], size = absorbed.end[1] - first, k = std::size_t(offer.cloud.k);
-    if(size <= few)
-      return;
     for(std::size_t at = i; at < size * k; at += items) {
       const std::uint32_t p = absorbed.point[first + at / k], q = offer.cloud.row(p)[at % k];
       if(q != no_index)
@@ -121,34 +122,64 @@ struct Accept_offers {
   }
 };
 
-// Free points join the shapes that they fit, until next to none does. The host looks after some rounds how many they
-// were: a wait takes longer than a round.
+// Rounds in which free points accept offers, and then pass on those of the shapes that they have joined.
+template <class Backend>
+struct Absorption {
+  Offer<Backend> offer; // the first one, which has been made
+  Labels_view labels;
+  Offered offered;
+  std::size_t few;
+
+  CGAL_TANDEM_HD Accept_offers accept(std::size_t round, std::size_t items) const
+  {
+    return {labels, offer.offer, of_round(round), items};
+  }
+
+  // After accept(): whether next to no point has joined a shape.
+  CGAL_TANDEM_HD bool is_last(std::size_t round) const { return offered.end[round + 1] - offered.end[round] <= few; }
+
+  CGAL_TANDEM_HD Offer_again<Backend> offer_again(std::size_t round, std::size_t items) const
+  {
+    Offer<Backend> next = offer;
+    next.end = offered.end + round + 2;
+    return {next, of_round(round), items};
+  }
+
+private:
+  CGAL_TANDEM_HD Offered of_round(std::size_t round) const { return {offered.point, offered.end + round}; }
+};
+
+// A device has an overload of its own: here the host sees what functors have written.
+template <class Backend>
+void run_rounds(Backend& backend, std::size_t most_rounds, const Absorption<Backend>& rounds)
+{
+  static_assert(std::is_base_of<Host_memory, Backend>::value, "a device needs an overload");
+  const std::size_t items = (std::min)(std::size_t(rounds.offer.cloud.size), std::size_t(1) << 18);
+  for(std::size_t round = 0; round < most_rounds; ++round) {
+    backend.for_each(items, rounds.accept(round, items));
+    if(rounds.is_last(round))
+      return;
+    backend.for_each(items, rounds.offer_again(round, items));
+  }
+}
+
+// Free points join the shapes that they fit, until next to none does.
 template <class Backend>
 void absorb(Tandem_state<Backend>& t)
 {
-  constexpr std::size_t batches = 2, rounds = 8; // in each of them
-  const std::size_t n = t.cloud.size, few = n / 100000, items = (std::min)(n, std::size_t(1) << 18);
+  constexpr std::size_t most_rounds = 16;
+  const std::size_t n = t.cloud.size, few = n / 100000;
   typename Backend::template Buffer<std::uint64_t> offer(n);
   typename Backend::template Buffer<std::uint32_t> offered(n);
-  std::vector<std::uint32_t> end(batches * rounds + 2, 0);
+  std::vector<std::uint32_t> end(most_rounds + 2, 0); // the host does not look at it again
   const auto plane = t.backend.lend(t.plane);
-  auto ends = t.backend.lend_out(end);
+  const auto ends = t.backend.lend_out(end);
   t.backend.for_each(n, Clear_offers{offer.data()});
-  Offer<Backend> make = {t.cloud,        t.label.data(), t.state.data(),
-                         plane.data(),   offer.data(),   t.options.growth.tolerance,
-                         offered.data(), ends.data() + 1};
-  t.backend.for_each(n, make);
-  for(std::size_t round = 0; round < batches * rounds; ++round) {
-    const Offered now = {offered.data(), ends.data() + round};
-    make.end = now.end + 2;
-    t.backend.for_each(items, Accept_offers{t.labels(), offer.data(), now, items});
-    t.backend.for_each(items, Offer_again<Backend>{make, now, few, items});
-    if((round + 1) % rounds != 0)
-      continue;
-    ends.take_back();
-    if(end[round + 1] - end[round] <= few)
-      break;
-  }
+  const Offer<Backend> first = {t.cloud,        t.label.data(), t.state.data(),
+                                plane.data(),   offer.data(),   t.options.growth.tolerance,
+                                offered.data(), ends.data() + 1};
+  t.backend.for_each(n, first);
+  run_rounds(t.backend, most_rounds, {first, t.labels(), {offered.data(), ends.data()}, few});
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_links.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_neighbors.cuh>
+#include <CGAL/Tandem/internal/backend/cuda/Cuda_rounds.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/Cuda_tables.cuh>
 #include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
 
