@@ -40,13 +40,13 @@ Shape_fit make_shape(const scenes::Frame& house, int axis, scenes::Random& rando
   return s;
 }
 
-Unset_vector<Shape_fit> make_shapes(std::size_t n)
+Shape_fits make_shapes(std::size_t n)
 {
   scenes::Random random(7);
   std::vector<scenes::Frame> houses;
   for(int h = 0; h < 16; ++h)
     houses.push_back(scenes::Frame().turned({0, 0, 1}, 0.06 * h));
-  Unset_vector<Shape_fit> shapes;
+  Shape_fits shapes;
   for(std::size_t i = 0; i < n; ++i)
     shapes.push_back(make_shape(houses[random.bits() % 16], int(random.bits() % 3), random));
   return shapes;
@@ -59,7 +59,7 @@ Regularity_options options()
 
 // No point misfits.
 struct Accept_all : In_order {
-  void operator()(const std::vector<int>&, const Unset_vector<Regular_plane>&, std::vector<std::int64_t>&) const {}
+  void operator()(const std::vector<int>&, const Regular_planes&, std::vector<std::int64_t>&) const {}
 };
 
 // The Gauss map.
@@ -81,7 +81,7 @@ void cluster_normals(benchmark::State& state)
 // Clusters, frames and constrained fits.
 void fit_directions(benchmark::State& state)
 {
-  const Unset_vector<Shape_fit> shapes = make_shapes(std::size_t(state.range(0)));
+  const Shape_fits shapes = make_shapes(std::size_t(state.range(0)));
   std::vector<int> all(shapes.size());
   std::iota(all.begin(), all.end(), 0);
   Accept_all accept;
@@ -100,7 +100,7 @@ void fit_directions(benchmark::State& state)
 // All of it, with the coplanar classes.
 void regularize_all(benchmark::State& state)
 {
-  const Unset_vector<Shape_fit> shapes = make_shapes(std::size_t(state.range(0)));
+  const Shape_fits shapes = make_shapes(std::size_t(state.range(0)));
   const std::vector<char> is_excluded(shapes.size(), 0);
   Accept_all accept;
   std::size_t directions = 0;
@@ -122,7 +122,7 @@ BENCHMARK(regularize_all)->Apply(on_shapes);
 template <class Function>
 void for_all_fits(benchmark::State& state, Function function)
 {
-  const Unset_vector<Shape_fit> shapes = make_shapes(256);
+  const Shape_fits shapes = make_shapes(256);
   std::size_t i = 0;
   for(auto _ : state) {
     benchmark::DoNotOptimize(function(shapes[i % 256], shapes[(i + 1) % 256]));

@@ -45,9 +45,9 @@ void make_fragments(Tandem_state<Backend>& t, int unevenness, std::int32_t shift
 }
 
 // Between neighbors in rows, columns and one diagonal, in random order.
-Unset_vector<Link> make_links()
+Link_list make_links()
 {
-  Unset_vector<Link> links;
+  Link_list links;
   for(std::uint32_t id = 0; id < columns * rows; ++id)
     for(const std::uint32_t other : {id + 1, id + columns, id + columns + 1})
       if(other < columns * rows && (other == id + columns || id % columns + 1 < columns))
@@ -66,7 +66,7 @@ struct Scene {
 
 struct Outcome {
   std::vector<std::uint32_t> root;
-  Unset_vector<Regular_plane> plane;
+  Regular_planes plane;
   std::uint32_t steps;
 };
 

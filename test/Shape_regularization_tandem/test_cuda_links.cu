@@ -14,21 +14,21 @@
 using namespace CGAL::Tandem::internal;
 
 // Links of which pairs have about `repeats`, most of them one relation.
-Unset_vector<Link> random_links(std::size_t n, std::uint32_t ids, std::size_t repeats)
+Link_list random_links(std::size_t n, std::uint32_t ids, std::size_t repeats)
 {
   std::mt19937 random(5);
-  Unset_vector<Link> pairs(n / repeats + 1);
+  Link_list pairs(n / repeats + 1);
   for(Link& link : pairs) {
     std::uint64_t a = random() % (ids - 1), b = a + 1 + random() % (ids - 1 - a);
     link = {a << 32 | b, 0};
   }
-  Unset_vector<Link> links(n);
+  Link_list links(n);
   for(Link& link : links)
     link = {pairs[random() % pairs.size()].pair, random() % 4 == 0 ? std::uint32_t(random() % 1000) : 1u};
   return links;
 }
 
-bool is_same(const Unset_vector<Link>& a, const Unset_vector<Link>& b)
+bool is_same(const Link_list& a, const Link_list& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const Link& x, const Link& y) { return x.pair == y.pair && x.count == y.count; });
@@ -47,10 +47,10 @@ int main()
   for(std::size_t n : {0, 1, 100, 4095, 4096, 5000, 300000})
     for(std::uint32_t ids : {2u, 50u, 8192u, 0xffffffffu})
       for(std::uint32_t least : {1u, 2u, 700u, 0xffffffffu}) {
-        const Unset_vector<Link> links = random_links(n, ids, 3);
+        const Link_list links = random_links(n, ids, 3);
         Device_buffer<Link> buffer(n);
         cuda.from_host(links.data(), n, buffer.data());
-        const Unset_vector<Link> expected = sum_links(host, links.data(), n, ids, least);
+        const Link_list expected = sum_links(host, links.data(), n, ids, least);
         if(is_same(sum_links(cuda, buffer.data(), n, ids, least), expected))
           continue;
         std::fprintf(stderr, "%zu links of %u ids with at least %u relations differ\n", n, ids, least);

@@ -161,7 +161,7 @@ private:
           ++expected[std::uint64_t((std::min)(s, t)) << 32 | (std::max)(s, t)];
       });
     }
-    Unset_vector<Link> links(f_.neighbor.size());
+    Link_list links(f_.neighbor.size());
     std::uint32_t size = 0;
     std::vector<std::uint32_t> label = f_.label;
     backend_.template for_each_cell<Link_scratch>(

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -99,7 +101,7 @@ void test_unset_vector()
   table.reserve(100);
   const int* const memory = table.data();
   table.clear();
-  table.resize(6);
+  table.resize(6); // as they were; of no use but here
   CHECK(table.data() == memory && table[0] == 7 && table[5] == 9);
 }
 

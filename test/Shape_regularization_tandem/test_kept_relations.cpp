@@ -79,9 +79,9 @@ public:
     std::iota(t.live.begin(), t.live.end(), 0u);
   }
 
-  Unset_vector<Regular_plane> planes() const
+  Regular_planes planes() const
   {
-    Unset_vector<Regular_plane> result;
+    Regular_planes result;
     for(std::uint32_t id : t.live)
       result.push_back(t.shapes[id].plane);
     return result;
@@ -98,7 +98,7 @@ public:
 
 bool is_same(const Regular_plane& a, const Regular_plane& b) { return a.normal == b.normal && a.offset == b.offset; }
 
-bool are_same(const Unset_vector<Regular_plane>& a, const Unset_vector<Regular_plane>& b)
+bool are_same(const Regular_planes& a, const Regular_planes& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
 }
@@ -115,7 +115,7 @@ void check_tables(const State& t, const Shape_relations& r, const std::string& w
   }
 }
 
-std::size_t number_of_directions(const Unset_vector<Regular_plane>& planes)
+std::size_t number_of_directions(const Regular_planes& planes)
 {
   std::map<std::tuple<double, double, double>, int> directions;
   for(const Regular_plane& p : planes)
@@ -130,7 +130,7 @@ int main()
   const std::uint32_t small = walls.add_wall(60), other = walls.add_wall(50);
   Shape_relations r = regularize_shapes(t, false, {});
   check_tables(t, r, "found");
-  Unset_vector<Regular_plane> before = walls.planes();
+  Regular_planes before = walls.planes();
   CHECK(number_of_directions(before) < 6);
 
   walls.add_points(3, 3, 100); // a thousandth of all points
@@ -156,7 +156,7 @@ int main()
     CHECK(t.shapes[id].plane.normal == canonical(t.shapes[id].fit.normal));
   CHECK(is_same(t.shapes[tiny].plane, t.shapes[tiny].local));
   before.resize(Walls::large);
-  Unset_vector<Regular_plane> after = walls.planes();
+  Regular_planes after = walls.planes();
   after.resize(Walls::large);
   CHECK(are_same(after, before));
 
@@ -166,7 +166,7 @@ int main()
   walls.add_points(11, 11, 1100); // less than five percent in all
   r = regularize_shapes(t, false, r);
   check_tables(t, r, "more points");
-  Unset_vector<Regular_plane> kept = walls.planes();
+  Regular_planes kept = walls.planes();
   kept.resize(Walls::large);
   CHECK(are_same(kept, before));
 

@@ -70,7 +70,7 @@ Shape_fit make_shape(const Rectangle& r)
 
 // Refuses a plane that is turned or shifted too much against the local fit.
 struct Verify {
-  const Unset_vector<Shape_fit>& shapes;
+  const Shape_fits& shapes;
   double sine = 2, shift = 1e30;
   int calls = 0;
   std::function<double(int)> share = [](int) { return 1.0; };
@@ -82,8 +82,7 @@ struct Verify {
       f(i - 1);
   }
 
-  void operator()(const std::vector<int>& list, const Unset_vector<Regular_plane>& planes,
-                  std::vector<std::int64_t>& counts)
+  void operator()(const std::vector<int>& list, const Regular_planes& planes, std::vector<std::int64_t>& counts)
   {
     ++calls;
     check_equal(double(planes.size()), double(list.size()), "planes handed to verify");
@@ -99,7 +98,7 @@ struct Verify {
 
 const Regularity_options all_on = {8, epsilon, epsilon, true, true, true, true};
 
-Relations run(const Unset_vector<Shape_fit>& shapes, double sine = 2, double shift = 1e30,
+Relations run(const Shape_fits& shapes, double sine = 2, double shift = 1e30,
               const Regularity_options& options = all_on)
 {
   Verify verify{shapes, sine, shift};
@@ -109,7 +108,7 @@ Relations run(const Unset_vector<Shape_fit>& shapes, double sine = 2, double shi
 Relations run(const std::vector<Rectangle>& rectangles, double sine = 2, double shift = 1e30,
               const Regularity_options& options = all_on)
 {
-  Unset_vector<Shape_fit> shapes;
+  Shape_fits shapes;
   for(const Rectangle& r : rectangles)
     shapes.push_back(make_shape(r));
   return run(shapes, sine, shift, options);
@@ -187,7 +186,7 @@ void test_mean_shift()
     check_close(shift.density(normal[i]) / dense, 1, 0.01, "density of normal " + std::to_string(i));
   }
   check_equal(double(shift.modes(In_order()).size()), 3, "modes");
-  const Unset_vector<Shape_fit> none;
+  const Shape_fits none;
   check_equal(double(cluster_directions(normal, weight, radius, Verify{none}).size()), 3, "groups of normals");
   for(const Vector& m : shift.modes(In_order())) { // no direction around a mode is denser
     const Plane_basis b(m);
@@ -230,7 +229,7 @@ void test_group_fit()
 {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.03);
-  Unset_vector<Shape_fit> shapes;
+  Shape_fits shapes;
   Symmetric_matrix sum = {0, 0, 0, 0, 0, 0};
   for(int i = 0; i < 5; ++i) {
     shapes.push_back(make_shape({{0.3 + noise(random), 0.4 + noise(random), 0.86},
@@ -359,7 +358,7 @@ void test_village()
 
 void test_rollback()
 {
-  Unset_vector<Shape_fit> shapes;
+  Shape_fits shapes;
   for(const Rectangle& r : turned_box(5))
     shapes.push_back(make_shape(r));
   const Relations r = run(shapes, 0);
@@ -397,7 +396,7 @@ void test_leftovers()
   auto directions = [](bool is_last, double share, double tilted_count) {
     Regularity_options o = all_on;
     o.is_last = is_last;
-    const Unset_vector<Shape_fit> s = {
+    const Shape_fits s = {
       make_shape({{0, 0, 1}, {0, 0, 0}}), make_shape({{0, 0, 1}, {0, 0, 50 * epsilon}}),
       make_shape({polar(0, 85.7), {90 * epsilon, 0, 0}, 20 * epsilon, 20 * epsilon, 0.2 * epsilon, tilted_count})};
     Verify verify{s, 1e-6};
@@ -447,12 +446,12 @@ void test_switches()
 
 void test_degenerate()
 {
-  check_equal(double(run(Unset_vector<Shape_fit>()).planes.size()), 0, "planes of nothing");
+  check_equal(double(run(Shape_fits()).planes.size()), 0, "planes of nothing");
   Shape_fit point = {};
   point.scatter.count = 5;
   point.fit = fit_plane(point.scatter);
   Shape_fit empty = {};
-  const Unset_vector<Shape_fit> shapes = {point, empty, make_shape({{0, 0, 1}, {0, 0, 0}}), point};
+  const Shape_fits shapes = {point, empty, make_shape({{0, 0, 1}, {0, 0, 0}}), point};
   const Relations r = run(shapes);
   check_equal(double(r.direction_of.size()), 4, "shapes, some of them degenerate");
   for(double w : {0.0, 1e-9}) { // flat faces
@@ -503,11 +502,11 @@ std::uint64_t hash(const Relations& r)
 }
 
 // Inputs of exact integers, so that the hash is the same with all compilers and flags.
-Unset_vector<Shape_fit> integer_scene(int n)
+Shape_fits integer_scene(int n)
 {
   std::mt19937 random(23);
   auto below = [&](int m) { return std::int32_t(random() % std::uint32_t(m)); };
-  Unset_vector<Shape_fit> shapes;
+  Shape_fits shapes;
   for(int i = 0; i < n; ++i) {
     const int turn = 50 * (i % 16), size = 50 + below(500);
     std::int32_t u[3] = {1000 - turn / 3, turn, 0}, v[3] = {0, 0, 1000}; // walls, floors, roofs, anything
@@ -534,7 +533,7 @@ Unset_vector<Shape_fit> integer_scene(int n)
 
 void print_hash()
 {
-  const Unset_vector<Shape_fit> shapes = integer_scene(600);
+  const Shape_fits shapes = integer_scene(600);
   const Relations r = run(shapes, 0.02, 600);
   check_tables(r, shapes.size(), "integer scene");
   std::printf("hash %016llx: %zu shapes, %zu directions, %zu right angles, %zu planes\n", (unsigned long long)hash(r),

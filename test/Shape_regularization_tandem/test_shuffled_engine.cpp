@@ -5,6 +5,7 @@
 // of the sequential one. A difference is reported with the round in which it comes up.
 
 #undef NDEBUG
+#define CGAL_TANDEM_SOILS_MEMORY // see Unset_vector.h
 
 #include "Shuffled_block.h"
 #include "patches_cloud.h"

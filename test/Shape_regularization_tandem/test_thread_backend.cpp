@@ -6,6 +6,7 @@
 // search for data races.
 
 #undef NDEBUG
+#define CGAL_TANDEM_SOILS_MEMORY // see Unset_vector.h
 
 #include "Thread_backend.h"
 #include "scenes.h"

@@ -60,7 +60,7 @@ inline double resolve_maximum_distance(const Import& in, const std::vector<int>&
 }
 
 // Whether the step left a plane to itself.
-inline std::vector<char> find_unrelated(const Relations& r, const Unset_vector<Shape_fit>& fits)
+inline std::vector<char> find_unrelated(const Relations& r, const Shape_fits& fits)
 {
   std::vector<int> size(r.directions.size(), 0);
   for(int d : r.direction_of)

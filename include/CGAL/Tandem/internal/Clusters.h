@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_CLUSTERS_H
 
 #include <CGAL/Tandem/internal/Joint_fit_test.h>
+#include <CGAL/Tandem/internal/Unset_vector.h>
 #include <CGAL/Tandem/internal/point_passes.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ public:
   // common with it, so what depends on nothing else is tried at the same time. Many are refused, and hold up nobody as
   // long as their shapes have not changed: that is found out ahead. Returns the number of steps in which many links
   // were tried.
-  std::uint32_t unite_along(const Unset_vector<Link>& links)
+  std::uint32_t unite_along(const Link_list& links)
   {
     const bool is_ahead = links.size() > few_;
     Unset_vector<Pair> pending(links.size());

@@ -28,8 +28,7 @@ constexpr double right_share[levels] = {1, 0.25, 0.0625, 0.0625, 0};
 template <class Verify>
 class Direction_fitter {
 public:
-  Direction_fitter(const Unset_vector<Shape_fit>& shapes, const Regularity_options& options,
-                   Verified_planes<Verify>& verified)
+  Direction_fitter(const Shape_fits& shapes, const Regularity_options& options, Verified_planes<Verify>& verified)
     : shapes(shapes), options(options), verified(verified)
   {}
 
@@ -222,7 +221,7 @@ private:
   std::vector<int> ask_points()
   {
     const Members m = all_members();
-    Unset_vector<Regular_plane> planes(m.shape.size());
+    Regular_planes planes(m.shape.size());
     verified.for_each(planes.size(), [&](std::size_t k) {
       planes[k] = through_centroid(shapes[m.shape[k]], groups[m.group[k]].direction);
     });
@@ -277,7 +276,7 @@ private:
     is_dirty.resize(kept);
   }
 
-  const Unset_vector<Shape_fit>& shapes;
+  const Shape_fits& shapes;
   const Regularity_options& options;
   Verified_planes<Verify>& verified;
   std::vector<Direction_group> groups;

@@ -147,7 +147,7 @@ bool Engine<Backend>::iterate()
 
   Stage_timer regularity(times_.regularity);
   give_up_fragments();
-  Unset_vector<Link> links = collect_links(state_, least_links, Links::changed, [&] { refit_shapes(state_); });
+  Link_list links = collect_links(state_, least_links, Links::changed, [&] { refit_shapes(state_); });
   merge_fragments(state_, links, misfit_share);
   relations_ = regularize_shapes(state_, false, relations_);
   split_layers(state_, relations_);

@@ -70,13 +70,13 @@ public:
       add_plane(planes[s], in.grid, s);
   }
 
-  const Unset_vector<Shape_fit>& fits() const { return fits_; }
+  const Shape_fits& fits() const { return fits_; }
 
   // Planes without a unit normal or with points that determine no plane take part in nothing.
   const std::vector<char>& is_excluded() const { return is_excluded_; }
 
   // The callback of the regularity step.
-  void operator()(const std::vector<int>& shapes, const Unset_vector<Regular_plane>& candidates,
+  void operator()(const std::vector<int>& shapes, const Regular_planes& candidates,
                   std::vector<std::int64_t>& counts) const
   {
     for(std::size_t k = 0; k < shapes.size(); ++k) {
@@ -124,7 +124,7 @@ private:
 
   std::vector<Grid_point> point; // by plane
   std::vector<std::size_t> first;
-  Unset_vector<Shape_fit> fits_;
+  Shape_fits fits_;
   std::vector<char> is_excluded_;
   std::vector<Plane> given;
   std::int64_t tolerance;

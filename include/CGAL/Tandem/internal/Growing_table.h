@@ -41,7 +41,7 @@ public:
 
   // The listed items become the only ones, in that order.
   template <class Backend>
-  void keep(Backend& backend, const Unset_vector<std::uint32_t>& kept)
+  void keep(Backend& backend, const Ids& kept)
   {
     move(backend, items_.size(), kept.size(), [&](std::size_t i) { return kept[i]; });
     size_ = kept.size();

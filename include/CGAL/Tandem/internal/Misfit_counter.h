@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MISFIT_COUNTER_H
 #define CGAL_TANDEM_INTERNAL_MISFIT_COUNTER_H
 
+#include <CGAL/Tandem/internal/Unset_vector.h>
 #include <CGAL/Tandem/internal/directions.h>
 #include <CGAL/Tandem/internal/update_shapes.h>
 
@@ -128,7 +129,7 @@ public:
                                                   counter.data(), range_.data()});
   }
 
-  Unset_vector<double> operator()(const Ids& ids, const Unset_vector<Regular_plane>& candidates)
+  Unset_vector<double> operator()(const Ids& ids, const Regular_planes& candidates)
   {
     Unset_vector<double> shares(ids.size());
     Unset_vector<Misfit_query> query(ids.size());

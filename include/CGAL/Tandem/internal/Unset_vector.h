@@ -4,6 +4,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_UNSET_VECTOR_H
 #define CGAL_TANDEM_INTERNAL_UNSET_VECTOR_H
 
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -17,14 +19,25 @@ namespace internal {
 // Leaves the items that a vector makes without a value as they are.
 template <class T>
 struct Unset_allocator : std::allocator<T> {
-  static_assert(std::is_trivially_copyable<T>::value, "plain data");
+  Unset_allocator() = default;
+  template <class U>
+  Unset_allocator(const Unset_allocator<U>&) noexcept
+  {}
 
   template <class U>
   struct rebind {
     using other = Unset_allocator<U>;
   };
 
-  void construct(T*) noexcept {}
+  void construct(T* item) noexcept
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "plain data");
+#ifdef CGAL_TANDEM_SOILS_MEMORY
+    std::memset(static_cast<void*>(item), 0xa5, sizeof(T)); // so that tests see who reads it
+#else
+    static_cast<void>(item);
+#endif
+  }
 
   template <class... Values>
   void construct(T* item, Values&&... values)
@@ -33,10 +46,12 @@ struct Unset_allocator : std::allocator<T> {
   }
 };
 
-// For tables of the host that all threads fill: what one thread had written first, the others would fetch from its
-// cache, a line at a time.
+// For tables of the host that all threads fill, and what is handed on with them: what one thread had written first, the
+// others would fetch from its cache, a line at a time.
 template <class T>
 using Unset_vector = std::vector<T, Unset_allocator<T>>;
+
+using Ids = Unset_vector<std::uint32_t>;
 
 } // namespace internal
 } // namespace Tandem

@@ -36,7 +36,7 @@ inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { ret
 template <class Verify>
 class Verified_planes {
 public:
-  Verified_planes(const Unset_vector<Shape_fit>& shapes, double maximum_distance, Verify& verify)
+  Verified_planes(const Shape_fits& shapes, double maximum_distance, Verify& verify)
     : shapes(shapes), maximum_distance(maximum_distance), verify(verify)
   {
     accepted.resize(shapes.size());
@@ -71,7 +71,7 @@ public:
   }
 
   // Asks the points, in one call. Returns for each candidate whether it was refused. No shape is there twice.
-  std::vector<char> test(const std::vector<int>& candidates, const Unset_vector<Regular_plane>& planes,
+  std::vector<char> test(const std::vector<int>& candidates, const Regular_planes& planes,
                          const Misfit_limit& limit = {regularity::misfit_share, 1e300})
   {
     enum : char { still, refused, open };
@@ -82,7 +82,7 @@ public:
       answer[k] = is_shifted_too_far(i, planes[k]) ? refused : is_still ? still : open;
     });
     std::vector<int> asked;
-    Unset_vector<Regular_plane> asked_planes;
+    Regular_planes asked_planes;
     std::vector<std::size_t> position;
     asked.reserve(candidates.size());
     asked_planes.reserve(candidates.size());
@@ -121,10 +121,10 @@ private:
     return std::fma(sine, 2 * std::sqrt(shapes[shape].fit.largest / s.count), std::fabs(shift));
   }
 
-  const Unset_vector<Shape_fit>& shapes;
+  const Shape_fits& shapes;
   double maximum_distance;
   Verify& verify;
-  Unset_vector<Regular_plane> accepted;
+  Regular_planes accepted;
 };
 
 } // namespace internal

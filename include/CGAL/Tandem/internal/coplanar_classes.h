@@ -22,14 +22,13 @@ namespace internal {
 class Coplanar_classes {
 public:
   // direction: what shapes share a direction, -1 if none.
-  Coplanar_classes(const Unset_vector<Shape_fit>& shapes, const std::vector<int>& direction,
-                   const Regularity_options& options)
+  Coplanar_classes(const Shape_fits& shapes, const std::vector<int>& direction, const Regularity_options& options)
     : shapes(shapes), direction(direction), options(options)
   {}
 
   // plane: the planes through the centroids, which become those of the classes.
   template <class Verified>
-  void fit(Verified& verified, Unset_vector<Regular_plane>& plane, std::vector<int>& class_of)
+  void fit(Verified& verified, Regular_planes& plane, std::vector<int>& class_of)
   {
     std::vector<int> pending = by_direction();
     double radius = options.maximum_offset;
@@ -83,7 +82,7 @@ private:
 
   // pending is sorted by direction; single shapes need no class.
   template <class Verified>
-  void add_classes(const Verified& verified, const std::vector<int>& pending, const Unset_vector<Regular_plane>& plane,
+  void add_classes(const Verified& verified, const std::vector<int>& pending, const Regular_planes& plane,
                    double radius)
   {
     std::vector<std::size_t> first; // of each direction, and the end
@@ -114,7 +113,7 @@ private:
     verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
   }
 
-  double mean_offset(const Class& c, const Unset_vector<Regular_plane>& plane) const
+  double mean_offset(const Class& c, const Regular_planes& plane) const
   {
     Offset_index::Mean mean(plane[c.members.front()].offset);
     for(int i : c.members)
@@ -123,7 +122,7 @@ private:
   }
 
   // Whoever has no class becomes one.
-  void add_singles(const Unset_vector<Regular_plane>& plane)
+  void add_singles(const Regular_planes& plane)
   {
     std::vector<char> has_class(shapes.size(), 0);
     for(const Class& c : classes)
@@ -137,7 +136,7 @@ private:
   // Classes have shrunk where members were refused, and may lie side by side with what
   // is left: pairs of them become one where no member objects.
   template <class Verified>
-  void join_neighbors(Verified& verified, const Unset_vector<Regular_plane>& plane)
+  void join_neighbors(Verified& verified, const Regular_planes& plane)
   {
     auto is_before = [](const Class& a, const Class& b) {
       if(a.direction != b.direction)
@@ -185,14 +184,13 @@ private:
 
   // Which members their points do not let go to the planes of the classes, class by class.
   template <class Verified>
-  static std::vector<char> test(Verified& verified, const std::vector<Class>& asked,
-                                const Unset_vector<Regular_plane>& plane)
+  static std::vector<char> test(Verified& verified, const std::vector<Class>& asked, const Regular_planes& plane)
   {
     std::vector<std::size_t> first(asked.size() + 1, 0);
     for(std::size_t c = 0; c < asked.size(); ++c)
       first[c + 1] = first[c] + asked[c].members.size();
     std::vector<int> candidates(first.back());
-    Unset_vector<Regular_plane> planes(first.back());
+    Regular_planes planes(first.back());
     const auto list = [&](std::size_t c) {
       for(std::size_t m = 0; m < asked[c].members.size(); ++m) {
         candidates[first[c] + m] = asked[c].members[m];
@@ -204,7 +202,7 @@ private:
   }
 
   template <class Verified>
-  std::vector<int> ask_points(Verified& verified, const Unset_vector<Regular_plane>& plane)
+  std::vector<int> ask_points(Verified& verified, const Regular_planes& plane)
   {
     const std::vector<char> is_refused = test(verified, classes, plane);
     std::vector<int> refused;
@@ -229,7 +227,7 @@ private:
     return refused;
   }
 
-  const Unset_vector<Shape_fit>& shapes;
+  const Shape_fits& shapes;
   const std::vector<int>& direction;
   const Regularity_options& options;
   std::vector<Class> classes;

@@ -73,7 +73,7 @@ void consolidate(Tandem_state<Backend>& t)
     const std::size_t shapes_before = t.live.size(), assigned_before = t.assigned;
     refit_fragments(t, is_fragment);
     detach_misfits(t, is_fragment);
-    Unset_vector<Link> links = collect_links(t, least_links, Links::all, [&] { refit_shapes(t); });
+    Link_list links = collect_links(t, least_links, Links::all, [&] { refit_shapes(t); });
     links.erase(std::remove_if(links.begin(), links.end(),
                                [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
                 links.end());

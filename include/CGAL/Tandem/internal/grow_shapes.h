@@ -176,6 +176,7 @@ void number_shapes(Tandem_state<Backend>& t, std::size_t ids, Host_buffer<Gain>&
   }
   if(is_sparse)
     std::iota(t.live.begin(), t.live.end(), 0u);
+  t.live.reserve(t.live.size() + (next - kept));
   for(std::size_t id = kept; id < next; ++id)
     t.live.push_back(std::uint32_t(id));
   t.shapes.resize(t.backend, next);

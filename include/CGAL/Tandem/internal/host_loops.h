@@ -20,7 +20,8 @@ namespace internal {
 
 constexpr std::size_t pieces_on_host = 64;
 
-// f(p, first, last) for the pieces [first, last) of [0, n), which are numbered from 0. Few items are left to one thread.
+// f(p, first, last) for the pieces [first, last) of [0, n), which are numbered from 0. Few items are left to one
+// thread.
 template <class Backend, class F>
 void for_each_piece_on_host(Backend& backend, std::size_t n, F f)
 {
@@ -43,8 +44,6 @@ std::int64_t sum_on_host(Backend& backend, std::size_t n, F value)
   });
   return std::accumulate(sums.begin(), sums.end(), std::int64_t(0));
 }
-
-using Ids = Unset_vector<std::uint32_t>;
 
 struct Parted_ids {
   Ids chosen, others; // in the order that they had

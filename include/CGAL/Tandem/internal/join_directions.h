@@ -19,8 +19,8 @@ template <class Verify>
 class Direction_joiner {
 public:
   // sine: of the largest angle by which a shape is turned.
-  Direction_joiner(const Unset_vector<Shape_fit>& shapes, double maximum_distance, double sine,
-                   Verified_planes<Verify>& verified, std::vector<Direction_group>& groups)
+  Direction_joiner(const Shape_fits& shapes, double maximum_distance, double sine, Verified_planes<Verify>& verified,
+                   std::vector<Direction_group>& groups)
     : shapes(shapes), squared_rms(join_rms * join_rms * maximum_distance * maximum_distance), sine(sine),
       verified(verified), groups(groups)
   {}
@@ -106,7 +106,7 @@ private:
   void ask_points(std::vector<Plan>& plans)
   {
     std::vector<int> candidates;
-    Unset_vector<Regular_plane> planes;
+    Regular_planes planes;
     for(const Plan& plan : plans)
       for(std::size_t k = 0; k < plan.to.size(); ++k) {
         candidates.push_back(groups[plan.from].members[k]);
@@ -160,7 +160,7 @@ private:
     to.weight += shapes[shape].scatter.count;
   }
 
-  const Unset_vector<Shape_fit>& shapes;
+  const Shape_fits& shapes;
   double squared_rms, sine;
   Verified_planes<Verify>& verified;
   std::vector<Direction_group>& groups;

@@ -23,8 +23,7 @@ constexpr std::uint32_t least_links = 2;
 // The targets of a joint-fit merge along the links. Of each union, shapes of which
 // more than the given share of points does not fit the joint plane are left out.
 template <class Backend>
-std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const Unset_vector<Link>& links,
-                                             double misfit_share)
+std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const Link_list& links, double misfit_share)
 {
   Clusters<Backend> clusters(t, {t.options.squared_cosine, t.options.maximum_distance});
   clusters.unite_along(links);
@@ -32,7 +31,7 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const Uns
   std::vector<std::uint32_t> target = identity_targets(t);
   if(ids.empty())
     return target;
-  Unset_vector<Regular_plane> planes(ids.size());
+  Regular_planes planes(ids.size());
   std::vector<std::int64_t> sizes(ids.size());
   t.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
     planes[i] = clusters.whole(clusters.root(ids[i])).local;
@@ -56,7 +55,7 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const Uns
 
 // Joint-fit merge of all touching shapes; the links follow. Returns whether there was any.
 template <class Backend>
-bool merge_fragments(Tandem_state<Backend>& t, Unset_vector<Link>& links, double misfit_share)
+bool merge_fragments(Tandem_state<Backend>& t, Link_list& links, double misfit_share)
 {
   const std::vector<std::uint32_t> target = joint_fit_targets(t, links, misfit_share);
   const bool is_any = std::any_of(t.live.begin(), t.live.end(), [&](std::uint32_t id) { return target[id] != id; });

@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_POINT_PASSES_H
 #define CGAL_TANDEM_INTERNAL_POINT_PASSES_H
 
+#include <CGAL/Tandem/internal/Unset_vector.h>
 #include <CGAL/Tandem/internal/leaf_shapes.h>
 
 #include <algorithm>
@@ -25,6 +26,8 @@ struct Link {
   std::uint32_t first() const { return std::uint32_t(pair >> 32); }
   std::uint32_t second() const { return std::uint32_t(pair); }
 };
+
+using Link_list = Unset_vector<Link>;
 
 // Where leaves append in any order. Goes on counting when it is full.
 struct Link_sink {
@@ -97,9 +100,9 @@ enum class Links { all, changed };
 // The sums of n links in the memory of the back end, of ids below `ids`, where a pair has several: those of at least
 // `least` relations, by falling number of relations, then by ids. A back end may have an overload of its own.
 template <class Backend>
-Unset_vector<Link> sum_links(Backend& backend, const Link* source, std::size_t n, std::size_t, std::uint32_t least)
+Link_list sum_links(Backend& backend, const Link* source, std::size_t n, std::size_t, std::uint32_t least)
 {
-  Unset_vector<Link> links(n);
+  Link_list links(n);
   backend.to_host(source, n, links.data());
   backend.sort_on_host(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
   std::size_t kept = 0;
@@ -114,7 +117,7 @@ Unset_vector<Link> sum_links(Backend& backend, const Link* source, std::size_t n
   for(std::size_t i = 0; i < kept; ++i)
     order[i] = std::uint64_t(~links[i].count) << 32 | i;
   backend.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
-  Unset_vector<Link> sorted(kept);
+  Link_list sorted(kept);
   backend.for_each_on_host(kept, [&](std::size_t i) { sorted[i] = links[std::uint32_t(order[i])]; });
   return sorted;
 }
@@ -123,7 +126,7 @@ Unset_vector<Link> sum_links(Backend& backend, const Link* source, std::size_t n
 // number of relations, then by ids. While a device looks at the points, the host does
 // `meanwhile`, which changes neither labels, nor which shapes are live or changed.
 template <class Backend, class Work = Nothing>
-Unset_vector<Link> collect_links(Tandem_state<Backend>& t, std::uint32_t least, Links which, Work meanwhile = Work())
+Link_list collect_links(Tandem_state<Backend>& t, std::uint32_t least, Links which, Work meanwhile = Work())
 {
   std::vector<std::uint8_t> is_asked(t.shapes.size(), 0);
   t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {

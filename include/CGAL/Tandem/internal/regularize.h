@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_REGULARIZE_H
 
 #include <CGAL/Tandem/internal/Direction_fitter.h>
+#include <CGAL/Tandem/internal/Unset_vector.h>
 #include <CGAL/Tandem/internal/coplanar_classes.h>
 
 #include <tuple>
@@ -37,7 +38,7 @@ inline std::vector<int> shared_directions(const std::vector<Direction_group>& gr
 
 // Fills the tables in the order of the shapes. plane[i] is the plane of shape i,
 // direction[i] and coplanar[i] name what it shares (-1: nothing).
-inline void number_relations(const Unset_vector<Regular_plane>& plane, const std::vector<int>& direction,
+inline void number_relations(const Regular_planes& plane, const std::vector<int>& direction,
                              const std::vector<int>& coplanar, Relations& r)
 {
   const std::size_t n = plane.size();
@@ -64,8 +65,8 @@ inline void number_relations(const Unset_vector<Regular_plane>& plane, const std
 
 // is_excluded: shapes that keep their local fit and take part in nothing.
 template <class Verify>
-Relations regularize(const Unset_vector<Shape_fit>& shapes, const std::vector<char>& is_excluded,
-                     const Regularity_options& options, Verify& verify)
+Relations regularize(const Shape_fits& shapes, const std::vector<char>& is_excluded, const Regularity_options& options,
+                     Verify& verify)
 {
   std::vector<int> active;
   for(std::size_t i = 0; i < shapes.size(); ++i)
@@ -79,7 +80,7 @@ Relations regularize(const Unset_vector<Shape_fit>& shapes, const std::vector<ch
   for(const Direction_group& g : fitter.result())
     for(int i : g.members)
       normal[i] = g.direction;
-  Unset_vector<Regular_plane> plane(shapes.size());
+  Regular_planes plane(shapes.size());
   verified.for_each(shapes.size(), [&](std::size_t i) { plane[i] = through_centroid(shapes[i], normal[i]); });
   const std::vector<int> direction = shared_directions(fitter.result(), shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);

@@ -39,8 +39,7 @@ public:
   // ids: of the shapes of the step.
   Point_verifier(Tandem_state<Backend>& t, const Ids& ids) : t_(t), ids_(ids), count_(t, ids) {}
 
-  void operator()(const std::vector<int>& shapes, const Unset_vector<Regular_plane>& candidates,
-                  std::vector<std::int64_t>& counts)
+  void operator()(const std::vector<int>& shapes, const Regular_planes& candidates, std::vector<std::int64_t>& counts)
   {
     Ids ids(shapes.size());
     for(std::size_t i = 0; i < ids.size(); ++i)
@@ -136,7 +135,7 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
   const bool is_first = retry_all && before.id.empty(); // those of the loop are of other shapes
   if(is_due && !is_first && !have_changed(t, r.id, before, retry_all))
     return keep_relations(t, r.id, before, retry_all);
-  Unset_vector<Shape_fit> fits(r.id.size());
+  Shape_fits fits(r.id.size());
   std::vector<char> is_excluded(r.id.size());
   t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
     const Shape& shape = t.shapes[r.id[i]];
@@ -162,14 +161,13 @@ Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, cons
 
 // Touching shapes of one plane become one shape.
 template <class Backend>
-std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shape_relations& r,
-                                            const Unset_vector<Link>& links)
+std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shape_relations& r, const Link_list& links)
 {
   std::vector<int> plane_of(t.shapes.size(), -1);
   for(std::size_t i = 0; i < r.id.size(); ++i)
     plane_of[r.id[i]] = r.relations.plane_of[i];
-  const auto all = [](std::size_t i) { return std::uint32_t(i); };
-  const Ids coplanar = part_on_host(t.backend, links.size(), all, [&](std::uint32_t i) {
+  const auto itself = [](std::size_t i) { return std::uint32_t(i); };
+  const Ids coplanar = part_on_host(t.backend, links.size(), itself, [&](std::uint32_t i) {
                          const int plane = plane_of[links[i].first()];
                          return plane >= 0 && plane == plane_of[links[i].second()]; // what is united has one plane
                        }).chosen;

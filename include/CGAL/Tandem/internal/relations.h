@@ -24,6 +24,8 @@ struct Shape_fit {
   Fit fit;
 };
 
+using Shape_fits = Unset_vector<Shape_fit>;
+
 struct Regularity_options {
   double angle_tolerance_deg; // beta, in [0, 45)
   double maximum_offset;      // sigma of the coplanarity
@@ -44,6 +46,8 @@ struct Regular_plane {
   Vector normal;
   double offset;
 };
+
+using Regular_planes = Unset_vector<Regular_plane>;
 
 struct Relations {
   std::vector<int> direction_of;     // of each shape; shapes that are alone have their own

@@ -148,8 +148,7 @@ constexpr std::int64_t crooked_size = 100; // the normals of fewer points, at ed
 // The planes, along the mean normals of the points, about which the distances of
 // suspicious shapes are to be counted; the entries of `r` that they belong to.
 template <class Backend>
-std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape_relations& r,
-                                           Unset_vector<Regular_plane>& planes)
+std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape_relations& r, Regular_planes& planes)
 {
   std::vector<char> is_asked(r.id.size());
   t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
@@ -195,7 +194,7 @@ std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape
 template <class Backend>
 void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
 {
-  Unset_vector<Regular_plane> planes;
+  Regular_planes planes;
   const std::vector<std::size_t> entries = suspicious_shapes(t, r, planes);
   if(entries.empty())
     return;

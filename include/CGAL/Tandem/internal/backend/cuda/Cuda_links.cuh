@@ -71,8 +71,8 @@ struct Count_ranks {
 };
 
 // By stable sorts; few of them are summed on the host.
-inline Unset_vector<Link> sum_links(Cuda_backend& backend, const Link* source, std::size_t n, std::size_t ids,
-                                    std::uint32_t least)
+inline Link_list sum_links(Cuda_backend& backend, const Link* source, std::size_t n, std::size_t ids,
+                           std::uint32_t least)
 {
   constexpr std::size_t few = 4096;
   if(n < few)
@@ -102,7 +102,7 @@ inline Unset_vector<Link> sum_links(Cuda_backend& backend, const Link* source, s
   backend.for_each(n, Join_links{pair.Alternate(), rank.Current(), place.Current(), bits, sorted.data()});
   std::uint32_t size = 0;
   backend.to_host(enough.data(), 1, &size);
-  Unset_vector<Link> links(size);
+  Link_list links(size);
   backend.to_host(sorted.data(), size, links.data());
   return links;
 }
