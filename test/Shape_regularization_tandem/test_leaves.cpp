@@ -115,9 +115,20 @@ void test_exact_check()
   CHECK(kept > 1000 && freed > 1000);
 }
 
+// With any instruction set: of a plane through the origin, no negative zero.
+void test_zero_offset()
+{
+  Grid grid = {};
+  grid.step = .5;
+  grid.origin = {7, 0, 1};
+  const Coefficients c = to_caller({{0, 0, 1}, -2}, grid);
+  CHECK(c[2] == 1 && c[3] == 0 && !std::signbit(c[3]));
+}
+
 int main()
 {
   test_leaves();
+  test_zero_offset();
   test_exact_check();
   return report();
 }
