@@ -3,12 +3,15 @@
 //
 // Cuda_tag gives the bits of Sequential_tag: on all scenes, for all options, for bad
 // input, and after each round.
+//   test_cuda_parity [SEED NUMBER]   or for so many random cases, from this seed on
 
 #undef NDEBUG
 
 #include "cuda_support.h"
 #include "patches_cloud.h"
+#include "random_case.h"
 
+#include <cstdlib>
 #include <limits>
 
 // Labels, planes, relations, and what the statistics say of the way to them.
@@ -196,10 +199,23 @@ void test_cancellation()
   }
 }
 
-int main()
+void test_random_cases(std::uint64_t seed, std::uint64_t number)
+{
+  for(std::uint64_t i = 0; i < number; ++i) {
+    const Random_case c = make_random_case(seed + i, 60000);
+    compare_with_host(c.name, c.cloud, c.parameters, c.given);
+  }
+}
+
+int main(int argc, char** argv)
 {
   if(!has_device())
     return exit_skipped;
+  if(argc > 2) {
+    test_random_cases(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10));
+    return report();
+  }
+  test_random_cases(1, 50);
   test_rounds();
   test_scenes();
   test_options();

@@ -6,7 +6,7 @@
 
 #undef NDEBUG
 
-#include "test_support.h"
+#include "random_case.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -205,33 +205,17 @@ void test_hands_off()
 }
 
 // Whatever the parameters are, all promises hold. An argument is the seed to try again.
-void test_random_parameters(std::uint64_t seed)
+void test_random_cases(std::uint64_t seed)
 {
-  const std::vector<std::string>& names = scenes::scene_names();
   for(std::uint64_t round = seed; round < seed + 24; ++round) {
-    Random random(round);
-    scenes::Options options = scene_options(500 + random.bits() % 4000, .003 * random.uniform(), .4 * random.uniform());
-    options.seed = round;
-    options.normals = random.bits() % 2 == 0 ? scenes::Normals::exact : scenes::Normals::perturbed;
-    const scenes::Scene scene = scenes::make_scene(names[random.bits() % names.size()], options);
-    Parameters p =
-      make_parameters(scene.diagonal * std::ldexp(1, -3 - int(random.bits() % 12)), 3 + random.bits() % 60);
-    p.maximum_angle = 1 + 88 * random.uniform();
-    p.angle_tolerance = 44 * random.uniform();
-    p.maximum_offset *= 3 * random.uniform();
-    p.k_neighbors = 3 + random.bits() % 30;
-    p.cell_size = 64 << random.bits() % 8;
-    p.regularize_parallelism = random.bits() % 4 != 0;
-    p.regularize_orthogonality = random.bits() % 4 != 0;
-    p.regularize_coplanarity = random.bits() % 4 != 0;
-    const Given given = random.bits() % 2 == 0 ? Given::normals : Given::nothing;
-    detect_valid("random parameters, seed " + std::to_string(round), to_cloud(scene), p, given);
+    const Random_case c = make_random_case(round, 4000);
+    detect_valid(c.name, c.cloud, c.parameters, c.given);
   }
 }
 
 int main(int argc, char** argv)
 {
-  test_random_parameters(argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1);
+  test_random_cases(argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1);
   test_frames();
   test_rotation();
   test_additions();

@@ -9,6 +9,7 @@
 
 #include "Shuffled_block.h"
 #include "patches_cloud.h"
+#include "random_case.h"
 
 using Point_map = First<Kernel>;
 
@@ -24,8 +25,9 @@ struct Shuffled_traits : Sequential_traits<Normal_map> {
   std::uint64_t seed;
 };
 
+// Returns the number of shapes.
 template <class Normal_map>
-void compare(const std::string& name, const Cloud& cloud, const Parameters& parameters, std::uint64_t seed)
+std::size_t compare(const std::string& name, const Cloud& cloud, const Parameters& parameters, std::uint64_t seed)
 {
   const auto list = CGAL::Tandem::parameters::settings(parameters).point_map(Point_map()).normal_map(Normal_map());
   CGAL::Tandem::Planar_shape_detection_3<Sequential_traits<Normal_map>> expected(cloud, list);
@@ -40,11 +42,11 @@ void compare(const std::string& name, const Cloud& cloud, const Parameters& para
     check_same(shuffled.shapes(), expected.shapes(), where);
   }
   if(failures() > failures_before)
-    return;
+    return 0;
   expected.finish();
   shuffled.finish();
   check_same(shuffled.shapes(), expected.shapes(), name + ", seed " + std::to_string(seed) + ", after the end game");
-  CHECK_AT(expected.shapes().number_of_shapes() >= 2, name);
+  return expected.shapes().number_of_shapes();
 }
 
 void test(const std::string& name, const scenes::Options& options, double epsilon, std::size_t minimum,
@@ -55,9 +57,20 @@ void test(const std::string& name, const scenes::Options& options, double epsilo
   for(std::uint64_t seed = 1; seed <= seeds; ++seed) {
     parameters.cell_size = seed % 2 == 0 ? 8192 : 300;
     parameters.k_neighbors = 10 + 2 * seed;
-    compare<Second<Kernel>>(name, cloud, parameters, seed);
-    compare<CGAL::Default>(name + " without normals", cloud, parameters, seed);
+    CHECK_AT(compare<Second<Kernel>>(name, cloud, parameters, seed) >= 2, name);
+    CHECK_AT(compare<CGAL::Default>(name + " without normals", cloud, parameters, seed) >= 2, name);
   }
+}
+
+void test_random_cases()
+{
+  std::size_t shapes = 0;
+  for(std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Random_case c = make_random_case(seed, 15000);
+    shapes += c.given == Given::normals ? compare<Second<Kernel>>(c.name, c.cloud, c.parameters, seed)
+                                        : compare<CGAL::Default>(c.name, c.cloud, c.parameters, seed);
+  }
+  CHECK_AT(shapes > 150, std::to_string(shapes) + " shapes in all");
 }
 
 int main()
@@ -66,6 +79,8 @@ int main()
   test("staircase", scene_options(3000, .001, .05), .01, 30, 3);
   test("indoor", scene_options(10000, .0005, .05), .03, 40, 2);
   test("slope", scene_options(4000, .001), .03, 50, 3);
-  compare<Second<Kernel>>("patches", make_patches_cloud(200, .02), make_parameters(.05, 100), 1); // several passes
+  // several passes
+  CHECK(compare<Second<Kernel>>("patches", make_patches_cloud(200, .02), make_parameters(.05, 100), 1) >= 2);
+  test_random_cases();
   return report();
 }

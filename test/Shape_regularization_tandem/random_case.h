@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A scene and parameters that no list of cases thinks of: all of it follows from a seed.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RANDOM_CASE_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RANDOM_CASE_H
+
+#include "test_support.h"
+
+#include <cmath>
+
+struct Random_case {
+  std::string name;
+  Cloud cloud;
+  Parameters parameters;
+  Given given;
+};
+
+// Of 500 to 500 + more_points points.
+inline Random_case make_random_case(std::uint64_t seed, std::size_t more_points)
+{
+  const std::vector<std::string>& names = scenes::scene_names();
+  scenes::Random random(seed);
+  scenes::Options options =
+    scene_options(500 + random.bits() % more_points, .003 * random.uniform(), .4 * random.uniform());
+  options.seed = seed;
+  options.normals = random.bits() % 2 == 0 ? scenes::Normals::exact : scenes::Normals::perturbed;
+  const scenes::Scene scene = scenes::make_scene(names[random.bits() % names.size()], options);
+  Parameters p = make_parameters(scene.diagonal * std::ldexp(1, -3 - int(random.bits() % 12)), 3 + random.bits() % 60);
+  p.maximum_angle = 1 + 88 * random.uniform();
+  p.angle_tolerance = 44 * random.uniform();
+  p.maximum_offset *= 3 * random.uniform();
+  p.k_neighbors = 3 + random.bits() % 30;
+  p.cell_size = 64 << random.bits() % 8;
+  p.regularize_parallelism = random.bits() % 4 != 0;
+  p.regularize_orthogonality = random.bits() % 4 != 0;
+  p.regularize_coplanarity = random.bits() % 4 != 0;
+  const Given given = random.bits() % 2 == 0 ? Given::normals : Given::nothing;
+  return {"random case, seed " + std::to_string(seed), to_cloud(scene), p, given};
+}
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RANDOM_CASE_H
