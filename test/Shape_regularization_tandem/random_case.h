@@ -9,6 +9,9 @@
 #include "test_support.h"
 
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 struct Random_case {
   std::string name;
@@ -17,17 +20,18 @@ struct Random_case {
   Given given;
 };
 
-// Of 500 to 500 + more_points points.
+// Of 500 points or more, but less than 500 + more_points. Many have no shape: the tolerances are any.
 inline Random_case make_random_case(std::uint64_t seed, std::size_t more_points)
 {
   const std::vector<std::string>& names = scenes::scene_names();
   scenes::Random random(seed);
-  scenes::Options options =
-    scene_options(500 + random.bits() % more_points, .003 * random.uniform(), .4 * random.uniform());
+  const double outliers = .4 * random.uniform(), noise = .003 * random.uniform();
+  scenes::Options options = scene_options(500 + random.bits() % more_points, noise, outliers);
   options.seed = seed;
   options.normals = random.bits() % 2 == 0 ? scenes::Normals::exact : scenes::Normals::perturbed;
   const scenes::Scene scene = scenes::make_scene(names[random.bits() % names.size()], options);
-  Parameters p = make_parameters(scene.diagonal * std::ldexp(1, -3 - int(random.bits() % 12)), 3 + random.bits() % 60);
+  const std::size_t minimum = 3 + random.bits() % 60;
+  Parameters p = make_parameters(scene.diagonal * std::ldexp(1, -3 - int(random.bits() % 12)), minimum);
   p.maximum_angle = 1 + 88 * random.uniform();
   p.angle_tolerance = 44 * random.uniform();
   p.maximum_offset *= 3 * random.uniform();
@@ -37,7 +41,7 @@ inline Random_case make_random_case(std::uint64_t seed, std::size_t more_points)
   p.regularize_orthogonality = random.bits() % 4 != 0;
   p.regularize_coplanarity = random.bits() % 4 != 0;
   const Given given = random.bits() % 2 == 0 ? Given::normals : Given::nothing;
-  return {"random case, seed " + std::to_string(seed), to_cloud(scene), p, given};
+  return {"random case " + std::to_string(seed), to_cloud(scene), p, given};
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RANDOM_CASE_H

@@ -3,7 +3,7 @@
 //
 // Cuda_tag gives the bits of Sequential_tag: on all scenes, for all options, for bad
 // input, and after each round.
-//   test_cuda_parity [SEED NUMBER]   or for so many random cases, from this seed on
+//   test_cuda_parity [SEED [NUMBER]]   or for so many random cases (1), from this seed on
 
 #undef NDEBUG
 
@@ -199,23 +199,26 @@ void test_cancellation()
   }
 }
 
-void test_random_cases(std::uint64_t seed, std::uint64_t number)
+// Returns the number of shapes.
+std::size_t test_random_cases(std::uint64_t seed, std::uint64_t number)
 {
+  std::size_t shapes = 0;
   for(std::uint64_t i = 0; i < number; ++i) {
     const Random_case c = make_random_case(seed + i, 60000);
-    compare_with_host(c.name, c.cloud, c.parameters, c.given);
+    shapes += compare_with_host(c.name, c.cloud, c.parameters, c.given);
   }
+  return shapes;
 }
 
 int main(int argc, char** argv)
 {
   if(!has_device())
     return exit_skipped;
-  if(argc > 2) {
-    test_random_cases(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10));
+  if(argc > 1) {
+    test_random_cases(std::strtoull(argv[1], nullptr, 10), argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1);
     return report();
   }
-  test_random_cases(1, 50);
+  CHECK(test_random_cases(1, 50) > 200);
   test_rounds();
   test_scenes();
   test_options();
