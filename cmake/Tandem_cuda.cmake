@@ -21,7 +21,7 @@ endmacro()
 # Needs nothing of CGAL. No product is fused with a sum unless the code says so: the
 # results are those of the other back ends, bit for bit.
 function(tandem_add_cuda_library)
-  add_library(tandem_cuda STATIC "${PROJECT_SOURCE_DIR}/include/CGAL/Tandem/internal/backend/cuda/tandem_cuda.cu")
+  add_library(tandem_cuda STATIC "${PROJECT_SOURCE_DIR}/include/CGAL/Tandem/internal/cuda/tandem_cuda.cu")
   add_library(Tandem::tandem_cuda ALIAS tandem_cuda)
   if(NOT TANDEM_IS_TOP_LEVEL)
     set_target_properties(tandem_cuda PROPERTIES EXCLUDE_FROM_ALL ON)

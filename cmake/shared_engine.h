@@ -7,8 +7,8 @@
 #ifndef CGAL_TANDEM_SHARED_ENGINE_H
 #define CGAL_TANDEM_SHARED_ENGINE_H
 
-#include <CGAL/Shape_regularization_tandem/tags.h>
-#include <CGAL/Tandem/internal/Engine.h>
+#include <CGAL/Shape_regularization_tandem/internal/Execution_of.h>
+#include <CGAL/Tandem/internal/engine/Engine.h>
 
 extern template class CGAL::Tandem::internal::Engine<CGAL::Tandem::internal::Sequential_backend>;
 #ifdef CGAL_LINKED_WITH_TBB

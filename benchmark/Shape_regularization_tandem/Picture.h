@@ -81,7 +81,7 @@ public:
     palette.resize((std::min)(palette.size(), std::size_t(256)));
     std::map<Color, std::uint8_t> index;
     for(const auto& entry : count)
-      index[entry.first] = most_similar(palette, entry.first);
+      index[entry.first] = maximum_similar(palette, entry.first);
     std::vector<std::uint8_t> bytes;
     for(const Color& pixel : pixels_)
       bytes.push_back(index[coarse(pixel)]);
@@ -97,7 +97,7 @@ private:
     return color;
   }
 
-  static std::uint8_t most_similar(const std::vector<Color>& palette, const Color& color)
+  static std::uint8_t maximum_similar(const std::vector<Color>& palette, const Color& color)
   {
     auto difference = [&](const Color& other) {
       int sum = 0;

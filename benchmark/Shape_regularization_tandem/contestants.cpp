@@ -53,12 +53,12 @@ Contestant contestant(const std::string& name)
 
 Detection cleaned(const Ply_cloud& cloud, const std::vector<Vec>& normals, const Task& task, Detection detection)
 {
-  const double least_cosine = std::cos(task.maximum_angle_deg * 0.017453292519943295);
+  const double minimum_cosine = std::cos(task.maximum_angle_deg * 0.017453292519943295);
   for(std::size_t i = 0; i < cloud.points.size(); ++i) {
     if(detection.label[i] < 0)
       continue;
     const Plane& plane = detection.planes[std::size_t(detection.label[i])];
-    if(distance(plane, cloud.points[i]) > task.maximum_distance || cosine(plane, normals[i]) < least_cosine)
+    if(distance(plane, cloud.points[i]) > task.maximum_distance || cosine(plane, normals[i]) < minimum_cosine)
       detection.label[i] = -1;
   }
   std::vector<std::size_t> size = shape_sizes(detection);

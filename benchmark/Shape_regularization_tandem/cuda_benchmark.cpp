@@ -133,7 +133,7 @@ double number(const std::string& text, double smallest, double largest)
 
 int main(int argc, char** argv)
 {
-  constexpr double most_points = 2147483648.0;
+  constexpr double maximum_points = 2147483648.0;
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::string backend = !arguments.empty() ? arguments[0] : "cuda";
   if(backend != "cuda" && backend != "parallel" && backend != "sequential")
@@ -148,10 +148,10 @@ int main(int argc, char** argv)
     if(arguments.size() != 5 && !is_own)
       refuse("a cloud needs EPSILON and MINIMUM");
     maximum_distance = number(arguments[3], 1e-30, 1e30);
-    minimum_region_size = std::size_t(number(arguments[4], 3, most_points));
+    minimum_region_size = std::size_t(number(arguments[4], 3, maximum_points));
   } else {
     for(std::size_t i = 2; i < arguments.size(); ++i)
-      sizes.push_back(std::size_t(number(arguments[i], 1, most_points)));
+      sizes.push_back(std::size_t(number(arguments[i], 1, maximum_points)));
     if(sizes.empty())
       sizes = {1000000, 5200000};
   }

@@ -85,7 +85,7 @@ class Fidelity {
 public:
   explicit Fidelity(const Tolerances& tolerances)
     : epsilon_(tolerances.maximum_distance),
-      least_cosine_(std::cos(tolerances.maximum_angle_deg * 0.017453292519943295) - 1e-12)
+      minimum_cosine_(std::cos(tolerances.maximum_angle_deg * 0.017453292519943295) - 1e-12)
   {}
 
   bool is_beyond_epsilon(const Plane& plane, const Vec& p) const
@@ -95,11 +95,11 @@ public:
 
   bool is_beyond_alpha(const Plane& plane, const Vec& normal) const
   {
-    return !(cosine(plane, normal) >= least_cosine_);
+    return !(cosine(plane, normal) >= minimum_cosine_);
   }
 
 private:
-  double epsilon_, least_cosine_;
+  double epsilon_, minimum_cosine_;
 };
 
 inline std::vector<std::size_t> shape_sizes(const Detection& detection)

@@ -117,9 +117,9 @@ inline void append_spread(Row& row, const Spread& spread)
   append_cell(row, "same_result", spread.is_same);
   append_cell(row, "points_relabeled", spread.relabeled);
   append_cell(row, "shapes_least", spread.fewest_shapes);
-  append_cell(row, "shapes_most", spread.most_shapes);
-  append_cell(row, "coverage_least", spread.least_coverage);
-  append_cell(row, "coverage_most", spread.most_coverage);
+  append_cell(row, "shapes_most", spread.maximum_shapes);
+  append_cell(row, "coverage_least", spread.minimum_coverage);
+  append_cell(row, "coverage_most", spread.maximum_coverage);
 }
 
 } // namespace benchmark

@@ -20,8 +20,8 @@ struct Spread {
   std::size_t runs = 0;
   bool is_same = true;  // labels, and planes bit for bit
   double relabeled = 0; // largest share of points with another shape than in the first run
-  std::size_t fewest_shapes = 0, most_shapes = 0;
-  double least_coverage = 0, most_coverage = 0;
+  std::size_t fewest_shapes = 0, maximum_shapes = 0;
+  double minimum_coverage = 0, maximum_coverage = 0;
 };
 
 // Of each shape of `other`: the shape of `reference` it corresponds to, or -1. Each is taken once, by the number
@@ -89,9 +89,9 @@ inline Spread evaluate_spread(const std::vector<Detection>& runs)
     spread.is_same = spread.is_same && are_same(runs[0], runs[r]);
     spread.relabeled = (std::max)(spread.relabeled, r == 0 ? 0 : share_relabeled(runs[0], runs[r]));
     spread.fewest_shapes = r == 0 ? shapes : (std::min)(spread.fewest_shapes, shapes);
-    spread.most_shapes = (std::max)(spread.most_shapes, shapes);
-    spread.least_coverage = r == 0 ? coverage : (std::min)(spread.least_coverage, coverage);
-    spread.most_coverage = (std::max)(spread.most_coverage, coverage);
+    spread.maximum_shapes = (std::max)(spread.maximum_shapes, shapes);
+    spread.minimum_coverage = r == 0 ? coverage : (std::min)(spread.minimum_coverage, coverage);
+    spread.maximum_coverage = (std::max)(spread.maximum_coverage, coverage);
   }
   return spread;
 }

@@ -6,8 +6,8 @@
 
 #include "micro_scan.h"
 
-#include <CGAL/Tandem/internal/grow_shapes.h>
-#include <CGAL/Tandem/internal/update_shapes.h>
+#include <CGAL/Tandem/internal/growth/grow_shapes.h>
+#include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 using namespace CGAL::Tandem::benchmark;
 namespace internal = CGAL::Tandem::internal;
@@ -25,7 +25,7 @@ void forget_shapes(State& t)
   t.is_restarted.clear();
   t.assigned = 0;
   t.seed_cursor.assign(t.number_of_cells, 0);
-  t.backend.for_each(t.number_of_cells, internal::Clear_lists{t.leaf_shapes.data()});
+  t.backend.for_each(t.number_of_cells, internal::Clear_lists{t.cell_shapes.data()});
   t.backend.for_each(t.cloud.size, internal::Free_all{t.labels()});
 }
 

@@ -6,7 +6,7 @@
 
 #include "../../test/Shape_regularization_tandem/scenes.h"
 
-#include <CGAL/Tandem/internal/regularize.h>
+#include <CGAL/Tandem/internal/regularity/regularize.h>
 
 #include <benchmark/benchmark.h>
 

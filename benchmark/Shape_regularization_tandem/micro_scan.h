@@ -9,8 +9,8 @@
 
 #include "../../test/Shape_regularization_tandem/scenes.h"
 
-#include <CGAL/Tandem/internal/import_cloud.h>
-#include <CGAL/Tandem/internal/prepare.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#include <CGAL/Tandem/internal/engine/prepare.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/property_map.h>

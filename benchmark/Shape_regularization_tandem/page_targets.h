@@ -97,13 +97,14 @@ private:
   }
 
   // Tandem's value and that of a method, on clouds of at least so many points.
-  Measured against(const std::string& method, bool is_cleaned, const std::string& column, double least_points,
+  Measured against(const std::string& method, bool is_cleaned, const std::string& column, double minimum_points,
                    const std::function<double(double, double)>& compare) const
   {
     return measured("given", [&](const Cloud_results& c) {
       const Summary* peer = c.find(method, is_cleaned);
-      return peer == nullptr || c.points() < least_points ? std::nan("")
-                                                          : compare(median(c.tandem(), column), median(*peer, column));
+      return peer == nullptr || c.points() < minimum_points
+               ? std::nan("")
+               : compare(median(c.tandem(), column), median(*peer, column));
     });
   }
 

@@ -153,7 +153,7 @@ public:
 };
 
 // As on a device, the functors have a table of their own, so what they write is
-// not seen before take_back(), nor what the host writes after it has lent.
+// not seen before copy_back(), nor what the host writes after it has lent.
 template <class T>
 class Copied_loan {
   using Item = std::remove_const_t<T>;
@@ -169,7 +169,7 @@ public:
 
   T* data() const { return copy_.get(); }
 
-  void take_back() { std::copy(copy_.begin(), copy_.end(), table_); }
+  void copy_back() { std::copy(copy_.begin(), copy_.end(), table_); }
 
 private:
   T* table_;
@@ -252,19 +252,19 @@ public:
   }
 
   template <class T, class Allocator>
-  Copied_loan<const T> lend(const std::vector<T, Allocator>& table)
+  Copied_loan<const T> read_access(const std::vector<T, Allocator>& table)
   {
     return {table.data(), table.size(), Copied_loan<const T>::copied};
   }
 
   template <class T>
-  Copied_loan<T> lend_out(std::vector<T>& table)
+  Copied_loan<T> read_write_access(std::vector<T>& table)
   {
     return {table.data(), table.size(), Copied_loan<T>::copied};
   }
 
   template <class T>
-  Copied_loan<T> lend_empty(std::vector<T>& table)
+  Copied_loan<T> write_access(std::vector<T>& table)
   {
     return {table.data(), table.size(), Copied_loan<T>::garbage};
   }

@@ -8,7 +8,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_THREAD_BACKEND_H
 
-#include <CGAL/Tandem/internal/backend/Host_loan.h>
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BLOCK_SEARCHES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BLOCK_SEARCHES_H
 
-#include <CGAL/Tandem/internal/Shapes.h>
+#include <CGAL/Tandem/internal/shapes/Shapes.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -61,17 +61,18 @@ int count_wrong_searches(Backend& backend, std::uint32_t start, std::uint32_t mo
   std::vector<std::uint32_t> found(cells.size() * most, untouched), size(cells.size()), first(cells.size());
   std::vector<std::uint32_t> visits(cells.size(), 0);
   {
-    const auto ranges = backend.lend(cells);
-    const auto hits = backend.lend(is_hit);
-    auto founds = backend.lend_out(found), sizes = backend.lend_out(size), firsts = backend.lend_out(first);
-    auto visited = backend.lend_out(visits);
+    const auto ranges = backend.read_access(cells);
+    const auto hits = backend.read_access(is_hit);
+    auto founds = backend.read_write_access(found), sizes = backend.read_write_access(size),
+         firsts = backend.read_write_access(first);
+    auto visited = backend.read_write_access(visits);
     backend.template for_each_cell<std::uint32_t>(cells.size(),
                                                   Search_cells{ranges.data(), hits.data(), start, most, founds.data(),
                                                                sizes.data(), firsts.data(), visited.data()});
-    founds.take_back();
-    sizes.take_back();
-    firsts.take_back();
-    visited.take_back();
+    founds.copy_back();
+    sizes.copy_back();
+    firsts.copy_back();
+    visited.copy_back();
   }
   int wrong = 0;
   for(std::size_t c = 0; c < cells.size(); ++c) {

@@ -12,9 +12,9 @@
 #include "Thread_backend.h"
 #include "test_support.h"
 
-#include <CGAL/Tandem/internal/absorb.h>
-#include <CGAL/Tandem/internal/prepare.h>
-#include <CGAL/Tandem/internal/reassign.h>
+#include <CGAL/Tandem/internal/finish/propagate_labels.h>
+#include <CGAL/Tandem/internal/engine/prepare.h>
+#include <CGAL/Tandem/internal/finish/reassign.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
@@ -29,7 +29,7 @@ struct Fixture {
   std::vector<Grid_point> point;
   std::vector<std::uint32_t> neighbor;
   std::vector<Range> cells;
-  std::vector<Leaf_shapes> lists; // of the labels below
+  std::vector<Cell_shapes> lists; // of the labels below
   Cloud_view cloud;
   Tolerance tolerance;
   std::vector<Plane> plane;
@@ -40,9 +40,9 @@ struct Fixture {
 
   Cells_view cells_view() const { return {cells.data(), lists.data()}; }
 
-  std::vector<Leaf_shapes> list_shapes(const std::vector<std::uint32_t>& labels) const
+  std::vector<Cell_shapes> list_shapes(const std::vector<std::uint32_t>& labels) const
   {
-    std::vector<Leaf_shapes> result(cells.size());
+    std::vector<Cell_shapes> result(cells.size());
     Sequential_backend().for_each_cell<List_scratch>(cells.size(),
                                                      List_shapes{cells.data(), labels.data(), result.data()});
     return result;
@@ -77,7 +77,7 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(unsorted.data(), size);
   auto order = sort_along_curve(backend, unsorted.data(), size, frame);
-  f.cells = split_leaves(backend, order, frame, cell_size);
+  f.cells = split_cells(backend, order, frame, cell_size);
   scenes::Random random(9);
   for(const scenes::Truth_face& face : scene.faces)
     f.plane.push_back(rounded({{face.normal.x, face.normal.y, face.normal.z}, -face.offset / step}));
@@ -86,8 +86,8 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
     const std::uint64_t dice = random.bits() % 100;
     const std::int32_t truth = scene.label[o.index];
     f.label.push_back(dice < 5    ? std::uint32_t(random.bits() % f.plane.size())
-                      : dice < 30 ? (dice < 8 ? is_locked : is_free)
-                      : truth < 0 ? is_free
+                      : dice < 30 ? (dice < 8 ? locked_label : free_label)
+                      : truth < 0 ? free_label
                                   : std::uint32_t(truth));
     f.state.push_back(std::uint8_t(random.bits() % 8));
   }

@@ -7,8 +7,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_NEIGHBOR_CLOUDS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_NEIGHBOR_CLOUDS_H
 
-#include <CGAL/Tandem/internal/curve.h>
-#include <CGAL/Tandem/internal/neighbors.h>
+#include <CGAL/Tandem/internal/cloud/curve.h>
+#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 
 #include <algorithm>
 #include <functional>

@@ -8,7 +8,7 @@
 
 #include "body_fixture.h"
 
-#include <CGAL/Tandem/internal/components.h>
+#include <CGAL/Tandem/internal/finish/components.h>
 
 #include <map>
 #include <set>
@@ -52,22 +52,22 @@ private:
         expected_offered.push_back(i);
       }
     std::vector<std::uint8_t> state(n, 0);
-    std::vector<std::uint64_t> offer(n, no_offer);
+    std::vector<std::uint64_t> offer(n, no_proposal);
     Offer<Backend> pass = {f_.cloud,     label.data(), state.data(),   f_.plane.data(),
                            offer.data(), f_.tolerance, offered.data(), end.data() + 1};
     backend_.for_each(n, pass);
     const Offered first = {offered.data(), end.data()};
     const std::size_t items = 7;
-    backend_.for_each(items, Accept_offers{{label.data(), state.data()}, offer.data(), first, items});
+    backend_.for_each(items, Accept_proposals{{label.data(), state.data()}, offer.data(), first, items});
     check_lists(label, expected, name_ + ": absorption");
-    CHECK_AT(std::count(offer.begin(), offer.end(), no_offer) == std::ptrdiff_t(n), name_ + ": offers that stay");
+    CHECK_AT(std::count(offer.begin(), offer.end(), no_proposal) == std::ptrdiff_t(n), name_ + ": offers that stay");
     const std::uint32_t size = end[1];
     std::sort(offered.begin(), offered.begin() + size);
     check_lists(std::vector<std::uint32_t>(offered.begin(), offered.begin() + size), expected_offered,
                 name_ + ": points that got offers");
     for(std::uint32_t i = 0; i < n; i += 2) // so that there are many to pass offers on to
       if(!std::binary_search(expected_offered.begin(), expected_offered.end(), i))
-        label[i] = is_free;
+        label[i] = free_label;
     test_offers_again({pass, {label.data(), state.data()}, first, size - 1}, items, size);
   }
 
@@ -85,7 +85,7 @@ private:
       });
     }
     CHECK_AT(!rounds.is_last(0), name_ + ": no offers again");
-    backend_.for_each(items, rounds.offer_again(0, items));
+    backend_.for_each(items, rounds.propose_again(0, items));
     const std::set<std::uint32_t> got(absorbed.point + size, absorbed.point + absorbed.end[2]);
     CHECK_AT(absorbed.end[2] - size == got.size() && got == expected, name_ + ": points that get offers later");
     CHECK_AT(2 * expected.size() >= size, name_ + ": there are too few of these");
@@ -112,7 +112,7 @@ private:
   }
 
   // Round by round. Returns how many points joined shapes in each.
-  std::vector<std::size_t> absorb_naively(std::vector<std::uint32_t>& label, std::size_t most_rounds,
+  std::vector<std::size_t> absorb_naively(std::vector<std::uint32_t>& label, std::size_t maximum_rounds,
                                           std::size_t few) const
   {
     Offers offers;
@@ -122,7 +122,7 @@ private:
         make_offer(label, q, i, offers);
       });
     std::vector<std::size_t> joined;
-    while(joined.size() < most_rounds && (joined.empty() || joined.back() > few)) {
+    while(joined.size() < maximum_rounds && (joined.empty() || joined.back() > few)) {
       for(const auto& offer : offers)
         label[offer.first] = offer.second.second;
       joined.push_back(offers.size());
@@ -138,7 +138,7 @@ private:
   void test_rounds()
   {
     const std::uint32_t n = f_.cloud.size;
-    std::vector<std::uint32_t> sparse(n, is_free);
+    std::vector<std::uint32_t> sparse(n, free_label);
     for(std::uint32_t i = 0; i < n; i += 61)
       sparse[i] = f_.label[i];
     std::vector<std::uint32_t> all = sparse;
@@ -151,11 +151,11 @@ private:
       std::vector<std::uint32_t> expected = sparse, label = sparse, offered(n), counters(end.first + 2, 0);
       absorb_naively(expected, end.first, end.second);
       std::vector<std::uint8_t> state(n, 0);
-      std::vector<std::uint64_t> offer(n, no_offer);
+      std::vector<std::uint64_t> offer(n, no_proposal);
       const Offer<Backend> first = {f_.cloud,     label.data(), state.data(),   f_.plane.data(),
                                     offer.data(), f_.tolerance, offered.data(), counters.data() + 1};
       backend_.for_each(n, first);
-      run_rounds(
+      run_label_propagation(
         backend_, end.first,
         Absorption<Backend>{first, {label.data(), state.data()}, {offered.data(), counters.data()}, end.second});
       check_lists(label, expected, name_ + ": rounds of absorption");
@@ -204,12 +204,12 @@ private:
   {
     const std::uint32_t shapes = std::uint32_t(f_.plane.size());
     std::vector<std::uint32_t> label = f_.label, chosen = label;
-    std::vector<std::uint8_t> state(label.size(), is_interior | no_seed), expected_state = state;
+    std::vector<std::uint8_t> state(label.size(), interior_bit | failed_seed_bit), expected_state = state;
     std::vector<Shared_moments> change(shapes), expected(shapes);
     for(std::uint32_t i = 0; i < f_.cloud.size; i += 3)
       if(label[i] < first_mark && shapes > 1) {
         chosen[i] = (label[i] + 1) % shapes;
-        expected_state[i] = no_seed;
+        expected_state[i] = failed_seed_bit;
         add_point(expected[label[i]], f_.point[i], -1);
         add_point(expected[chosen[i]], f_.point[i], 1);
       }

@@ -10,9 +10,9 @@
 #include "block_searches.h"
 #include "body_fixture.h"
 
-#include <CGAL/Tandem/internal/extract_shapes.h>
-#include <CGAL/Tandem/internal/gains.h>
-#include <CGAL/Tandem/internal/import_cloud.h>
+#include <CGAL/Tandem/internal/finish/extract_shapes.h>
+#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 #include <map>
 #include <set>
@@ -98,8 +98,8 @@ private:
     for(std::size_t i = 0; i < order.size(); ++i)
       copy.view().set(i, order.view().key(i), order.view().index(i));
     for(std::size_t size : {std::size_t(64), std::size_t(700)}) {
-      const std::vector<Range> got = split_leaves(backend_, order, frame, size),
-                               expected = split_leaves(sequential, copy, frame, size);
+      const std::vector<Range> got = split_cells(backend_, order, frame, size),
+                               expected = split_cells(sequential, copy, frame, size);
       CHECK_AT(got.size() == expected.size() &&
                  std::equal(got.begin(), got.end(), expected.begin(),
                             [](const Range& a, const Range& b) { return a.first == b.first && a.last == b.last; }),
@@ -137,19 +137,19 @@ private:
       if(f_.label[i] < first_mark)
         expected[f_.label[i]] -= 1;
     for(int pass = 0; pass < 2; ++pass) {
-      Shared_moments* sums = start_gains(t, t.shapes.size());
+      Shared_moments* sums = start_deltas(t, t.shapes.size());
       for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
         if(f_.label[i] < first_mark)
           add_point(sums[f_.label[i]], f_.point[i], -1);
       got.clear();
       std::uint32_t last = 0;
-      for(const Gain& gain : take_gains(t, t.shapes.size())) {
+      for(const Gain& gain : take_deltas(t, t.shapes.size())) {
         CHECK_AT(got.empty() || gain.id > last, name_ + ": order of gains");
         got[last = gain.id] = gain.sums.count;
       }
       CHECK_AT(got == expected && !got.empty(), name_ + ": gains of pass " + std::to_string(pass));
     }
-    CHECK_AT(take_gains(t, t.shapes.size()).size() == 0, name_ + ": gains without a pass");
+    CHECK_AT(take_deltas(t, t.shapes.size()).size() == 0, name_ + ": gains without a pass");
   }
 
   void test_component_sizes()
@@ -185,7 +185,7 @@ private:
       std::copy(p, p + 3, &coordinates[3 * std::size_t(origin[i])]);
       if(label[i] < first_mark && !fits(f_.plane[label[i]], f_.point[i], certain) &&
          !bounds.is_near(plane[label[i]], {p[0], p[1], p[2]})) {
-        expected[i] = is_locked;
+        expected[i] = locked_label;
         ++refused;
       }
     }

@@ -8,7 +8,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Tandem/internal/prepare.h>
+#include <CGAL/Tandem/internal/engine/prepare.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
@@ -132,12 +132,12 @@ void test_moments(const char* name)
       Moments whole, left;
       Shared_moments shared;
       Box box;
-      const int leaf_bits = (std::min)(bits, 20);
+      const int bucket_bits = (std::min)(bits, 20);
       for(int leaf = 0; leaf < 6; ++leaf) {
         Cell_moments cell;
         Box leaf_box;
         for(int i = 0; i < 200; ++i) {
-          Grid_point p = random_point(random, leaf_bits);
+          Grid_point p = random_point(random, bucket_bits);
           p.x += base.x / 2, p.y += base.y / 2, p.z += base.z / 2;
           const int sign = leaf < 4 ? 1 : -1; // the last two take away more than there is
           whole.add(p, sign);

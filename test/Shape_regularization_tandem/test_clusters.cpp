@@ -8,7 +8,7 @@
 
 #include "body_fixture.h"
 
-#include <CGAL/Tandem/internal/Clusters.h>
+#include <CGAL/Tandem/internal/rounds/Clusters.h>
 
 #include <algorithm>
 #include <random>
@@ -61,7 +61,7 @@ Link_list make_links()
 struct Scene {
   int unevenness;
   std::size_t few, many;
-  std::uint32_t least_steps, most_steps;
+  std::uint32_t minimum_steps, maximum_steps;
 };
 
 struct Outcome {
@@ -90,7 +90,7 @@ template <class Backend>
 void check(Backend& backend, const Scene& scene, const Outcome& expected, const std::string& name)
 {
   const Outcome outcome = unite(backend, scene.unevenness, 0);
-  const bool is_right = outcome.steps >= scene.least_steps && outcome.steps <= scene.most_steps;
+  const bool is_right = outcome.steps >= scene.minimum_steps && outcome.steps <= scene.maximum_steps;
   CHECK_AT(is_right, name + ": steps " + std::to_string(outcome.steps));
   CHECK_AT(outcome.root == expected.root, name);
   const auto is_same = [](const Regular_plane& a, const Regular_plane& b) {
@@ -104,16 +104,16 @@ void check_apart(std::int32_t shift)
   Sequential_backend backend;
   Tandem_state<Sequential_backend> t(backend);
   make_fragments(t, 0, shift);
-  const Joint_fit_test test = {.95, maximum_distance};
+  const Joint_fit_criterion test = {.95, maximum_distance};
   int refused = 0, apart = 0;
   for(const Link& link : make_links()) {
     const Shape &a = t.shapes[link.first()], &b = t.shapes[link.second()];
     Fitted_moments joint;
-    const bool is_refused = !test.fit(a, b, joint), is_apart = test.are_apart(a, b);
-    refused += is_refused;
+    const bool is_rejected = !test.fit(a, b, joint), is_apart = test.are_apart(a, b);
+    refused += is_rejected;
     apart += is_apart;
-    CHECK(!is_apart || (is_refused && !test.is_tolerable(a, b.local) && !test.is_tolerable(b, a.local)));
-    check_equal(test(a, b, joint), !is_refused, "with and without the shortcut");
+    CHECK(!is_apart || (is_rejected && !test.is_tolerable(a, b.local) && !test.is_tolerable(b, a.local)));
+    check_equal(test(a, b, joint), !is_rejected, "with and without the shortcut");
   }
   CHECK_AT(refused > 200 && 2 * apart > refused, std::to_string(apart) + " of " + std::to_string(refused));
 }

@@ -47,9 +47,9 @@ BOOST_AUTO_TEST_CASE(equal_runs_have_no_spread)
   BOOST_TEST(spread.is_same);
   BOOST_TEST(spread.relabeled == 0.0);
   BOOST_TEST(spread.fewest_shapes == 2u);
-  BOOST_TEST(spread.most_shapes == 2u);
-  BOOST_TEST(spread.least_coverage == 0.8, within);
-  BOOST_TEST(spread.most_coverage == 0.8, within);
+  BOOST_TEST(spread.maximum_shapes == 2u);
+  BOOST_TEST(spread.minimum_coverage == 0.8, within);
+  BOOST_TEST(spread.maximum_coverage == 0.8, within);
   BOOST_TEST(evaluate_spread({}).is_same);
   BOOST_TEST(evaluate_spread({first}).relabeled == 0.0);
 }
@@ -89,13 +89,13 @@ BOOST_AUTO_TEST_CASE(a_split_shape_keeps_its_larger_part)
   Spread spread = evaluate_spread({first, split});
   BOOST_TEST(spread.relabeled == 0.1, within);
   BOOST_TEST(spread.fewest_shapes == 2u);
-  BOOST_TEST(spread.most_shapes == 3u);
+  BOOST_TEST(spread.maximum_shapes == 3u);
   // And a new shape of points that had none.
   Detection more{{0, 0, 0, 0, 1, 1, 1, 1, 2, 2}, {two_planes[0], two_planes[1], two_planes[0]}};
   spread = evaluate_spread({first, more, split});
   BOOST_TEST(spread.relabeled == 0.2, within);
-  BOOST_TEST(spread.least_coverage == 0.8, within);
-  BOOST_TEST(spread.most_coverage == 1.0, within);
+  BOOST_TEST(spread.minimum_coverage == 0.8, within);
+  BOOST_TEST(spread.maximum_coverage == 1.0, within);
 }
 
 BOOST_AUTO_TEST_CASE(runs_that_do_not_fit_are_refused)

@@ -7,7 +7,7 @@
 
 #include "block_searches.h"
 
-#include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
 
 #include <cstdio>
 

@@ -9,7 +9,7 @@
 
 #include "cuda_support.h"
 
-#include <CGAL/Tandem/internal/backend/cuda/Device_guard.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Device_guard.cuh>
 
 #include <cuda_runtime_api.h>
 

@@ -6,7 +6,7 @@
 #undef NDEBUG
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/backend/cuda/Cuda_links.cuh>
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_links.cuh>
 
 #include <cstdio>
 #include <random>

@@ -9,7 +9,7 @@
 #include "neighbor_clouds.h"
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/backend/cuda/Cuda_neighbors.cuh>
+#include <CGAL/Tandem/internal/cuda/neighbors/Cuda_neighbors.cuh>
 
 #include <cstdio>
 

@@ -5,7 +5,7 @@
 
 #undef NDEBUG
 
-#include <CGAL/Tandem/internal/backend/cuda/Cuda_backend.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
 
 #include <algorithm>
 #include <cstdio>

@@ -5,7 +5,7 @@
 // and consecutive codes belong to positions that share a face.
 
 #undef NDEBUG
-#include <CGAL/Tandem/internal/curve.h>
+#include <CGAL/Tandem/internal/cloud/curve.h>
 
 #include <cstdio>
 #include <cstdlib>

@@ -8,8 +8,8 @@
 
 #include "body_fixture.h"
 
-#include <CGAL/Tandem/internal/Misfit_counter.h>
-#include <CGAL/Tandem/internal/grow_shapes.h>
+#include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
+#include <CGAL/Tandem/internal/growth/grow_shapes.h>
 
 #include <map>
 #include <set>
@@ -40,7 +40,7 @@ private:
     for(std::uint32_t i : border) {
       std::set<std::pair<std::uint64_t, std::uint32_t>> offers;
       f_.for_each_neighbor(i, [&](std::uint32_t q) {
-        if(f_.label[i] == is_free && f_.label[q] < first_mark && f_.fits(f_.label[q], i))
+        if(f_.label[i] == free_label && f_.label[q] < first_mark && f_.fits(f_.label[q], i))
           offers.emplace(f_.distance(f_.label[q], i), f_.label[q]);
       });
       expected.push_back(offers.empty() ? no_index : offers.begin()->second);
@@ -58,13 +58,13 @@ private:
     for(const Range& cell : f_.cells) {
       std::vector<std::uint32_t> frontier;
       for(std::uint32_t i = cell.first; i < cell.last; ++i)
-        if(label[i] < first_mark && (state[i] & on_frontier))
+        if(label[i] < first_mark && (state[i] & frontier_bit))
           frontier.push_back(i);
       for(int round = 0; !frontier.empty(); ++round) {
         std::map<std::uint32_t, std::uint32_t> claims;
         for(std::uint32_t i : frontier)
           f_.for_each_neighbor(i, [&](std::uint32_t q) {
-            if(round < rounds[label[i]] && q >= cell.first && q < cell.last && label[q] == is_free &&
+            if(round < rounds[label[i]] && q >= cell.first && q < cell.last && label[q] == free_label &&
                f_.fits(label[i] % std::uint32_t(f_.plane.size()), q))
               claims[q] = claims.count(q) ? (std::min)(claims[q], label[i]) : label[i];
           });
@@ -86,7 +86,7 @@ private:
     const std::uint32_t faces = std::uint32_t(f_.plane.size());
     for(std::size_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark)
-        label[i] = i % 7 == 0 ? label[i] + faces * std::uint32_t(i % 3) : is_free;
+        label[i] = i % 7 == 0 ? label[i] + faces * std::uint32_t(i % 3) : free_label;
     std::vector<Plane> plane;
     for(int copy = 0; copy < 3; ++copy)
       plane.insert(plane.end(), f_.plane.begin(), f_.plane.end());
@@ -102,9 +102,9 @@ private:
     // No points of the border, no seeds.
     const std::vector<Range> border(f_.cells.size(), Range{0, 0});
     const std::vector<std::uint32_t> none(f_.cells.size(), 0);
-    const std::vector<Leaf_shapes> lists = f_.list_shapes(label);
+    const std::vector<Cell_shapes> lists = f_.list_shapes(label);
     const Cells_view cells = {f_.cells.data(), lists.data()};
-    const Leaves_view leaves = {cells, border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
+    const Cell_tables leaves = {cells, border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
     const Grow_cells<Backend> body = {f_.cloud,
                                       {plane.data(), rounds.data(), is_restarted.data(), gain.data()},
                                       {label.data(), state.data()},
@@ -124,9 +124,9 @@ private:
   {
     std::vector<std::uint32_t> many(f_.label);
     for(std::size_t i = 0; i < many.size(); ++i)
-      many[i] = i % 5 == 0 ? is_free : std::uint32_t(i);
+      many[i] = i % 5 == 0 ? free_label : std::uint32_t(i);
     for(const std::vector<std::uint32_t>& label : {f_.label, many}) {
-      std::vector<Leaf_shapes> list(f_.cells.size());
+      std::vector<Cell_shapes> list(f_.cells.size());
       backend_.template for_each_cell<List_scratch>(f_.cells.size(),
                                                     List_shapes{f_.cells.data(), label.data(), list.data()});
       for(std::size_t c = 0; c < list.size(); ++c) {
@@ -134,9 +134,9 @@ private:
         expected.erase(expected.lower_bound(first_mark), expected.end());
         const std::size_t size = list[c].size;
         const std::set<std::uint32_t> got(list[c].shape,
-                                          list[c].shape + (std::min)(size, std::size_t(Leaf_shapes::capacity)));
+                                          list[c].shape + (std::min)(size, std::size_t(Cell_shapes::capacity)));
         const bool is_complete = size == expected.size() && got == expected;
-        const bool has_overflown = size > Leaf_shapes::capacity && expected.size() > Leaf_shapes::capacity;
+        const bool has_overflown = size > Cell_shapes::capacity && expected.size() > Cell_shapes::capacity;
         CHECK_AT(is_complete || has_overflown, name_ + ": shapes of leaf " + std::to_string(c));
       }
     }
@@ -144,15 +144,15 @@ private:
 
   void test_links()
   {
-    std::vector<std::uint8_t> state(f_.state.size(), 0), expected_state(state), is_asked;
+    std::vector<std::uint8_t> state(f_.state.size(), 0), expected_state(state), is_selected;
     for(std::size_t s = 0; s < f_.plane.size(); ++s)
-      is_asked.push_back(s % 4 != 1);
+      is_selected.push_back(s % 4 != 1);
     std::map<std::uint64_t, std::uint32_t> expected, got;
     for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
       const std::uint32_t s = f_.label[i];
-      if(s >= first_mark || !is_asked[s])
+      if(s >= first_mark || !is_selected[s])
         continue;
-      expected_state[i] = is_interior;
+      expected_state[i] = interior_bit;
       f_.for_each_neighbor(i, [&](std::uint32_t q) {
         const std::uint32_t t = f_.label[q];
         if(t != s)
@@ -168,7 +168,7 @@ private:
       f_.cells.size(), Collect_links<Backend>{f_.cloud,
                                               f_.cells_view(),
                                               {label.data(), state.data()},
-                                              is_asked.data(),
+                                              is_selected.data(),
                                               {links.data(), &size, std::uint32_t(links.size())}});
     for(std::uint32_t l = 0; l < size; ++l)
       got[links[l].pair] += links[l].count;
@@ -191,9 +191,9 @@ private:
     std::vector<std::uint32_t> query_of, mask, expected;
     Unset_vector<Misfit_query> query;
     for(std::uint32_t s = 0; s < after.size(); ++s) {
-      const bool is_asked = s % 4 != 3;
-      query_of.push_back(is_asked ? std::uint32_t(query.size()) : no_index);
-      if(is_asked)
+      const bool is_selected = s % 4 != 3;
+      query_of.push_back(is_selected ? std::uint32_t(query.size()) : no_index);
+      if(is_selected)
         query.push_back({f_.plane[s], after[s]});
       mask.push_back(s % 5 == 4 ? nobody : s % 4 == 2 ? 3 : s % 4);
     }
@@ -227,7 +227,7 @@ private:
     std::vector<std::uint32_t> target, label = f_.label, expected = label;
     std::vector<std::uint8_t> is_checked, state = f_.state;
     for(std::uint32_t s = 0; s < plane.size(); ++s) {
-      target.push_back(s % 5 == 0 ? is_free : s % 5 == 1 ? 2 : s);
+      target.push_back(s % 5 == 0 ? free_label : s % 5 == 1 ? 2 : s);
       is_checked.push_back(s % 2);
     }
     std::vector<Shared_moments> loss(plane.size()), expected_loss(plane.size());
@@ -235,12 +235,12 @@ private:
       const std::uint32_t old = label[i], s = old < first_mark ? target[old] : old;
       expected[i] = s;
       if(s < first_mark && is_checked[old] && !fits(plane[s], f_.point[i], f_.tolerance)) {
-        expected[i] = state[i] & detached_once ? is_locked : is_free;
+        expected[i] = state[i] & detached_bit ? locked_label : free_label;
         add_point(expected_loss[s], f_.point[i], -1);
       }
     }
-    std::vector<Leaf_shapes> lists = f_.lists;
-    lists[0].size = Leaf_shapes::capacity + 1; // of all shapes, maybe: stays so
+    std::vector<Cell_shapes> lists = f_.lists;
+    lists[0].size = Cell_shapes::capacity + 1; // of all shapes, maybe: stays so
     backend_.template for_each_cell<Update_scratch>(f_.cells.size(),
                                                     Update_points<Backend>{f_.cloud,
                                                                            f_.cells.data(),
@@ -252,13 +252,13 @@ private:
                                                                            loss.data(),
                                                                            f_.tolerance});
     check_lists(label, expected, name_ + ": update");
-    CHECK_AT(lists[0].size == Leaf_shapes::capacity + 1, name_ + ": a list that has overflown");
+    CHECK_AT(lists[0].size == Cell_shapes::capacity + 1, name_ + ": a list that has overflown");
     for(std::size_t c = 1; c < lists.size(); ++c) {
       std::multiset<std::uint32_t> relabeled;
       for(std::uint32_t i = 0; i < f_.lists[c].size; ++i)
         if(target[f_.lists[c].shape[i]] < first_mark)
           relabeled.insert(target[f_.lists[c].shape[i]]);
-      CHECK_AT(f_.lists[c].size <= Leaf_shapes::capacity &&
+      CHECK_AT(f_.lists[c].size <= Cell_shapes::capacity &&
                  relabeled == std::multiset<std::uint32_t>(lists[c].shape, lists[c].shape + lists[c].size),
                name_ + ": list of leaf " + std::to_string(c) + " after an update");
     }

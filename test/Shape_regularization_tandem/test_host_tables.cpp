@@ -8,8 +8,8 @@
 #include "Thread_backend.h"
 #include "test_support.h"
 
-#include <CGAL/Tandem/internal/Growing_table.h>
-#include <CGAL/Tandem/internal/host_loops.h>
+#include <CGAL/Tandem/internal/memory/Growing_table.h>
+#include <CGAL/Tandem/internal/backend/host_loops.h>
 
 #include <algorithm>
 #include <iterator>

@@ -8,7 +8,7 @@
 #include "test_support.h"
 
 #include <CGAL/Tandem/internal/backend/Host_team.h>
-#include <CGAL/Tandem/internal/backend/cuda/Host_side.h>
+#include <CGAL/Tandem/internal/cuda/runtime/Host_side.h>
 
 #include <atomic>
 #include <chrono>

@@ -9,8 +9,8 @@
 #include "test_support.h"
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/grow_shapes.h>
-#include <CGAL/Tandem/internal/regularize_shapes.h>
+#include <CGAL/Tandem/internal/growth/grow_shapes.h>
+#include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 
 #include <map>
 #include <random>
@@ -68,7 +68,7 @@ public:
   void remove(std::uint32_t id)
   {
     t.assigned -= std::size_t(t.shapes[id].moments.count);
-    forget_shape(t, id);
+    clear_shape(t, id);
     t.live.erase(std::find(t.live.begin(), t.live.end(), id));
   }
 

@@ -8,7 +8,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Tandem/internal/prepare.h>
+#include <CGAL/Tandem/internal/engine/prepare.h>
 
 using namespace CGAL::Tandem::internal;
 using scenes::Random;
@@ -31,7 +31,7 @@ void check_leaves(const std::vector<Grid_point>& points, std::size_t cell_size, 
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(points.data(), points.size());
   auto order = sort_along_curve(backend, points.data(), points.size(), frame);
-  const std::vector<Range> leaves = split_leaves(backend, order, frame, cell_size);
+  const std::vector<Range> leaves = split_cells(backend, order, frame, cell_size);
   std::vector<int> seen(points.size(), 0);
   for(const auto& entry : order)
     ++seen[entry.index];

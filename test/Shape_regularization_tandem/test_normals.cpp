@@ -5,11 +5,11 @@
 // degenerate clouds; the same bits from all back ends and compilers.
 
 #undef NDEBUG
-#include <CGAL/Tandem/internal/Moments.h>
+#include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
-#include <CGAL/Tandem/internal/estimate_normals.h>
-#include <CGAL/Tandem/internal/neighbors.h>
+#include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
+#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 
 #include "turned_box.h"
 
@@ -82,13 +82,13 @@ double cosine(const Grid_point& p, int a)
 }
 
 // The share of face points whose normal is within the angle of their face's.
-double good_share(const std::vector<Item>& items, const std::vector<Grid_point>& points, double least_cosine)
+double good_share(const std::vector<Item>& items, const std::vector<Grid_point>& points, double minimum_cosine)
 {
   double faces = 0, good = 0;
   for(std::size_t i = 0; i < items.size(); ++i)
     if(items[i].height < 0) {
       ++faces;
-      good += cosine(points[i], items[i].face) >= least_cosine;
+      good += cosine(points[i], items[i].face) >= minimum_cosine;
     }
   return good / faces;
 }
@@ -108,7 +108,7 @@ double aligned_clutter(const std::vector<Item>& items, const std::vector<Grid_po
 struct Quality {
   const char* name;
   Box_options options;
-  double least_25, least_10; // and better than the plane of 20 neighbors by the margins
+  double minimum_25, minimum_10; // and better than the plane of 20 neighbors by the margins
   double margin_25, margin_10;
 };
 
@@ -122,8 +122,8 @@ void test_quality(const Quality& q)
   const double peer_25 = good_share(items, peer, cos_25), peer_10 = good_share(items, peer, cos_10);
   std::printf("%s: within 25 / 10 degrees %.4f %.4f, plane of 20 neighbors %.4f %.4f\n", q.name, good_25, good_10,
               peer_25, peer_10);
-  expect(good_25 >= q.least_25, q.name, "share within 25 degrees", 0, good_25);
-  expect(good_10 >= q.least_10, q.name, "share within 10 degrees", 0, good_10);
+  expect(good_25 >= q.minimum_25, q.name, "share within 25 degrees", 0, good_25);
+  expect(good_10 >= q.minimum_10, q.name, "share within 10 degrees", 0, good_10);
   expect(good_25 >= peer_25 + q.margin_25, q.name, "gain within 25 degrees", 0, good_25 - peer_25);
   expect(good_10 >= peer_10 + q.margin_10, q.name, "gain within 10 degrees", 0, good_10 - peer_10);
 }

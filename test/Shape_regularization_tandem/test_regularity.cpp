@@ -6,7 +6,7 @@
 
 #undef NDEBUG
 
-#include <CGAL/Tandem/internal/regularize.h>
+#include <CGAL/Tandem/internal/regularity/regularize.h>
 
 #include <cstdio>
 #include <cstring>

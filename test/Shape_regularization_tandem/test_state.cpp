@@ -88,7 +88,7 @@ void check_state(const State& t, const std::string& where)
 // Most shapes go out of use, between two passes of growth: the others get new ids, and stay what they are.
 void check_new_ids(State& t, const std::string& where)
 {
-  give_up_shapes(t, [](const Shape&, std::uint32_t id) { return id % 4 != 0; });
+  drop_shapes(t, [](const Shape&, std::uint32_t id) { return id % 4 != 0; });
   Host_buffer<Gain> none;
   number_shapes(t, t.shapes.size(), none);
   CHECK_AT(t.shapes.size() <= 2 * t.live.size(), where + ": " + std::to_string(t.shapes.size()) + " ids");

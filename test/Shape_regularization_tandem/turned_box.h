@@ -7,8 +7,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TURNED_BOX_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TURNED_BOX_H
 
-#include <CGAL/Tandem/internal/curve.h>
-#include <CGAL/Tandem/internal/types.h>
+#include <CGAL/Tandem/internal/cloud/curve.h>
+#include <CGAL/Tandem/internal/base/types.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -6,7 +6,8 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
-#include <CGAL/Tandem/internal/backend/execution.h>
+#include <CGAL/Shape_regularization_tandem/internal/execution.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 #include <chrono>
 #include <memory>

@@ -5,8 +5,8 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/export_shapes.h>
-#include <CGAL/Tandem/internal/group_points.h>
+#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/finish/group_points.h>
 
 #include <cstring>
 #include <utility>

@@ -4,7 +4,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TANDEM_TRAITS_3_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TANDEM_TRAITS_3_H
 
-#include <CGAL/Tandem/internal/backend/execution.h>
+#include <CGAL/Shape_regularization_tandem/internal/Execution_of.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/number_utils.h>
@@ -81,9 +81,9 @@ public:
   using Concurrency_tag = ConcurrencyTag;
 
   /// executes what is to be done at the border to the caller
-  using Backend = typename internal::Execution<ConcurrencyTag>::Backend;
+  using Backend = typename internal::Execution_of<ConcurrencyTag>::Backend;
   /// executes the method, on the same back end
-  using Engine = typename internal::Execution<ConcurrencyTag>::Engine;
+  using Engine = typename internal::Execution_of<ConcurrencyTag>::Engine;
 
   /// \cond SKIP_IN_MANUAL
   using internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>::Tandem_geometry_3;
@@ -110,7 +110,7 @@ public:
   using Concurrency_tag = Cuda_tag;
 
   /// executes what is to be done at the border to the caller, on the host
-  using Backend = typename internal::Execution<Cuda_tag>::Backend;
+  using Backend = typename internal::Execution_of<Cuda_tag>::Backend;
   /// executes the method on the device
   using Engine = internal::Cuda_engine;
 

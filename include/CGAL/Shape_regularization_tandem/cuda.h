@@ -5,7 +5,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_CUDA_H
 
 #ifdef CGAL_TANDEM_USE_CUDA
-#include <CGAL/Tandem/internal/backend/cuda/cuda_api.h>
+#include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
 #endif
 
 #include <string>

@@ -6,7 +6,8 @@
 
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
-#include <CGAL/Tandem/internal/measure_cloud.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
 
 namespace CGAL {
 namespace Tandem {

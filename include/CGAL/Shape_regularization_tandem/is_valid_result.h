@@ -5,7 +5,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_IS_VALID_RESULT_H
 
 #include <CGAL/Shape_regularization_tandem/internal/Result_checker.h>
-#include <CGAL/Tandem/internal/import_cloud.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 
 namespace CGAL {

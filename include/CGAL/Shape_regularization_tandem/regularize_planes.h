@@ -7,7 +7,8 @@
 #include <CGAL/Shape_regularization_tandem/Plane_relations.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
-#include <CGAL/Tandem/internal/Given_planes.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#include <CGAL/Tandem/internal/regularity/Input_planes.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 
 #include <utility>
@@ -145,7 +146,7 @@ inline Plane_relations relate_planes(Import& in, const std::vector<int>& plane_o
   put_on_grid(backend, in, options.maximum_distance);
   options.maximum_distance /= in.grid.step;
   options.maximum_offset /= in.grid.step;
-  const Given_planes given(in, plane_of, planes, result.maximum_distance);
+  const Input_planes given(in, plane_of, planes, result.maximum_distance);
   const Relations r = regularize(given.fits(), given.is_excluded(), options, given);
   const std::vector<char> is_unrelated = find_unrelated(r, given.fits());
   const std::vector<Coefficients> old = planes;

@@ -4,14 +4,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TAGS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TAGS_H
 
-#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
-#endif
-
 #include <CGAL/tags.h>
-
-#include <type_traits>
 
 namespace CGAL {
 namespace Tandem {
@@ -40,30 +33,6 @@ struct Cuda_if_available_tag {};
 using Cuda_if_available_tag = CGAL::Parallel_if_available_tag;
 #endif
 
-namespace internal {
-
-// The back end that executes what a tag asks for.
-template <class Tag>
-struct Backend_of {
-  static_assert(!std::is_same<Tag, Cuda_tag>::value,
-                "Cuda_tag needs the CUDA back end: link Tandem::tandem_cuda (it defines CGAL_TANDEM_USE_CUDA), "
-                "or use Cuda_if_available_tag.");
-  static_assert(!std::is_convertible<Tag, CGAL::Parallel_tag>::value,
-                "Parallel_tag is enabled but TBB is unavailable.");
-  static_assert(std::is_convertible<Tag, CGAL::Sequential_tag>::value || std::is_same<Tag, Cuda_tag>::value,
-                "The concurrency tag is one of Sequential_tag, Parallel_tag, Parallel_if_available_tag, Cuda_tag, "
-                "Cuda_if_available_tag.");
-  using type = Sequential_backend;
-};
-
-#ifdef CGAL_LINKED_WITH_TBB
-template <>
-struct Backend_of<CGAL::Parallel_tag> {
-  using type = Tbb_backend;
-};
-#endif
-
-} // namespace internal
 } // namespace Tandem
 } // namespace CGAL
 

@@ -8,8 +8,8 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Tandem/internal/cells.h>
-#include <CGAL/Tandem/internal/neighbors.h>
+#include <CGAL/Tandem/internal/cloud/cells.h>
+#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 
 #include <cmath>
 #include <string>

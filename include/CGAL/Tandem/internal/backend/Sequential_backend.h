@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
 
-#include <CGAL/Tandem/internal/backend/Host_loan.h>
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>

@@ -11,7 +11,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 
-#include <CGAL/Tandem/internal/Shapes.h>
+#include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/base/Moments.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -57,10 +58,10 @@ struct Serial_block {
   // take(rank, i) for the first i in [first, n) with f(i), at most so many of them, by rising i; returns how many. f
   // has no side effects, and does not depend on what take() writes.
   template <class F, class Take>
-  std::uint32_t find(std::uint32_t first, std::uint32_t n, std::uint32_t most, F f, Take take)
+  std::uint32_t find(std::uint32_t first, std::uint32_t n, std::uint32_t maximum, F f, Take take)
   {
     std::uint32_t size = 0;
-    for(std::uint32_t i = first; i < n && size < most; ++i)
+    for(std::uint32_t i = first; i < n && size < maximum; ++i)
       if(f(i))
         take(size++, i);
     return size;
@@ -70,12 +71,12 @@ struct Serial_block {
   template <class F>
   std::uint32_t min(std::uint32_t n, F f)
   {
-    std::uint32_t least = no_index;
+    std::uint32_t minimum = no_index;
     for(std::uint32_t i = 0; i < n; ++i) {
       const std::uint32_t value = f(i);
-      least = value < least ? value : least;
+      minimum = value < minimum ? value : minimum;
     }
-    return least;
+    return minimum;
   }
 
   // f() once.

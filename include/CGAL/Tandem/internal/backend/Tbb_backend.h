@@ -8,7 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
 
-#include <CGAL/Tandem/internal/backend/Host_loan.h>
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/Host_team.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 

@@ -8,8 +8,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CONCEPTS_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_CONCEPTS_H
 
-#include <CGAL/Tandem/internal/Shapes.h>
-#include <CGAL/Tandem/internal/backend/Host_loan.h>
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
+#include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/base/Moments.h>
 
 #include <functional>
 #include <type_traits>
@@ -109,9 +110,9 @@ struct Is_backend<
       std::declval<Backend&>().template collect<std::int64_t>(std::size_t(0), archetypes::Taker()).size())),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor(), std::size_t(0))),
     decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>())),
-    decltype(std::declval<Backend&>().lend(std::declval<const std::vector<int>&>()).data()),
-    decltype(std::declval<Backend&>().lend_out(std::declval<std::vector<int>&>()).take_back()),
-    decltype(std::declval<Backend&>().lend_empty(std::declval<std::vector<int>&>()).take_back()),
+    decltype(std::declval<Backend&>().read_access(std::declval<const std::vector<int>&>()).data()),
+    decltype(std::declval<Backend&>().read_write_access(std::declval<std::vector<int>&>()).copy_back()),
+    decltype(std::declval<Backend&>().write_access(std::declval<std::vector<int>&>()).copy_back()),
     decltype(std::declval<Backend&>().to_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
     decltype(std::declval<Backend&>().from_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
     decltype(std::declval<Backend&>().sort_ranges(std::declval<std::uint64_t*>(), std::declval<const Range*>(),

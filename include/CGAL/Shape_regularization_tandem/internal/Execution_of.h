@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which back end and which engine a concurrency tag stands for.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_OF_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_OF_H
+
+#include <CGAL/Shape_regularization_tandem/tags.h>
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#endif
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The engines are defined in execution.h.
+template <class Backend>
+class Engine;
+#ifdef CGAL_TANDEM_USE_CUDA
+class Cuda_engine;
+template <class Backend>
+class Cuda_or_host_engine;
+#endif
+
+// The back end that executes what a tag asks for.
+template <class Tag>
+struct Backend_of {
+  static_assert(!std::is_same<Tag, Cuda_tag>::value,
+                "Cuda_tag needs the CUDA back end: link Tandem::tandem_cuda (it defines CGAL_TANDEM_USE_CUDA), "
+                "or use Cuda_if_available_tag.");
+  static_assert(!std::is_convertible<Tag, CGAL::Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+  static_assert(std::is_convertible<Tag, CGAL::Sequential_tag>::value || std::is_same<Tag, Cuda_tag>::value,
+                "The concurrency tag is one of Sequential_tag, Parallel_tag, Parallel_if_available_tag, Cuda_tag, "
+                "Cuda_if_available_tag.");
+  using type = Sequential_backend;
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <>
+struct Backend_of<CGAL::Parallel_tag> {
+  using type = Tbb_backend;
+};
+#endif
+
+// Backend: what works at the border of the caller, on the host. Engine: the loop.
+template <class Tag>
+struct Execution_of {
+  using Backend = typename Backend_of<Tag>::type;
+  using Engine = internal::Engine<Backend>;
+};
+
+#ifdef CGAL_TANDEM_USE_CUDA
+
+template <>
+struct Execution_of<Cuda_tag> {
+  using Backend = typename Backend_of<CGAL::Parallel_if_available_tag>::type;
+  using Engine = Cuda_engine;
+};
+
+template <>
+struct Execution_of<Cuda_if_available_tag> {
+  using Backend = typename Backend_of<CGAL::Parallel_if_available_tag>::type;
+  using Engine = Cuda_or_host_engine<Backend>;
+};
+
+#endif
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_OF_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The engines that execute the method: see Execution_of.h.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_H
+
+#include <CGAL/Shape_regularization_tandem/internal/Execution_of.h>
+#include <CGAL/Tandem/internal/engine/Engine.h>
+#ifdef CGAL_TANDEM_USE_CUDA
+#include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
+#endif
+
+#include <memory>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+#ifdef CGAL_TANDEM_USE_CUDA
+
+// On the device if that can do it, else on the host.
+template <class Backend>
+class Cuda_or_host_engine {
+public:
+  using Upload = Cuda_engine::Upload;
+
+  Cuda_or_host_engine(Backend& backend, Import& in, const Parameters& parameters)
+    : device_(engine_on_device(in, parameters))
+  {
+    if(device_ == nullptr) {
+      in.drop_upload();
+      host_ = std::make_unique<Engine<Backend>>(backend, in, parameters);
+    }
+  }
+
+  const char* name() const { return device_ ? device_->name() : host_->name(); }
+  bool iterate() { return device_ ? device_->iterate() : host_->iterate(); }
+  void finish() { device_ ? device_->finish() : host_->finish(); }
+  double progress() const { return device_ ? device_->progress() : host_->progress(); }
+  Engine_result result() { return device_ ? device_->result() : host_->result(); }
+
+private:
+  // Null if there is no device, or one that is busy, reserved, too small, or fails before the first round.
+  static std::unique_ptr<Cuda_engine> engine_on_device(Import& in, const Parameters& parameters)
+  {
+    try {
+      return std::make_unique<Cuda_engine>(in, parameters);
+    } catch(const std::runtime_error&) {
+    } catch(const std::length_error&) {
+    }
+    return nullptr;
+  }
+
+  std::unique_ptr<Cuda_engine> device_;
+  std::unique_ptr<Engine<Backend>> host_;
+};
+
+#endif
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_H

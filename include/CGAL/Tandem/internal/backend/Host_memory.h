@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
+
+#include <CGAL/Tandem/internal/memory/Host_buffer.h>
+
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A table of the host as the functors of a back end see it: here, the same memory.
+template <class T>
+class Host_access {
+public:
+  explicit Host_access(T* data) : data_(data) {}
+
+  T* data() const { return data_; }
+
+  // Afterwards the table has what the functors wrote.
+  void copy_back() {}
+
+private:
+  T* data_;
+};
+
+// The part of the concept Backend that is about memory, for back ends whose
+// functors run on the host.
+class Host_memory {
+public:
+  // Whether the next engine takes over the memory of large tables of the host.
+  static constexpr bool keeps_pages = false;
+
+  template <class T>
+  using Buffer = Host_buffer<T>;
+  using Sort_table = Host_sort_table;
+
+  // To read; the table must stay as it is while the loan lives.
+  template <class T, class Allocator>
+  Host_access<const T> read_access(const std::vector<T, Allocator>& table)
+  {
+    return Host_access<const T>(table.data());
+  }
+
+  // To read and write, until copy_back() of the loan.
+  template <class T>
+  Host_access<T> read_write_access(std::vector<T>& table)
+  {
+    return Host_access<T>(table.data());
+  }
+
+  // The same, if the functors write it before they read it.
+  template <class T>
+  Host_access<T> write_access(std::vector<T>& table)
+  {
+    return Host_access<T>(table.data());
+  }
+
+  // Until all that has been asked for is done.
+  void wait() {}
+
+  // n items from a buffer to the host, and back.
+  template <class T>
+  void to_host(const T* source, std::size_t n, T* target)
+  {
+    copy(source, n, target);
+  }
+
+  template <class T>
+  void from_host(const T* source, std::size_t n, T* target)
+  {
+    copy(source, n, target);
+  }
+
+protected:
+  // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece().
+  template <class Backend, class F>
+  static Host_buffer<std::uint32_t> compact_on(Backend& backend, std::size_t n, F is_kept)
+  {
+    constexpr std::size_t grain = 16384;
+    std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
+    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+      std::size_t kept = 0;
+      for(std::size_t i = first; i < last; ++i)
+        kept += is_kept(std::uint32_t(i));
+      place[first / grain + 1] = kept;
+    });
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    Host_buffer<std::uint32_t> result(place.back());
+    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+      std::size_t to = place[first / grain];
+      for(std::size_t i = first; i < last && to < place[first / grain + 1]; ++i)
+        if(is_kept(std::uint32_t(i)))
+          result[to++] = std::uint32_t(i);
+    });
+    return result;
+  }
+
+  // f.take(i) of the i in [0, n) with f.has(i), ascending, on a back end with for_each_piece().
+  template <class T, class Backend, class F>
+  static Host_buffer<T> collect_on(Backend& backend, std::size_t n, F f)
+  {
+    const Host_buffer<std::uint32_t> found = compact_on(backend, n, [&](std::uint32_t i) { return f.has(i); });
+    Host_buffer<T> items(found.size());
+    backend.for_each_piece(found.size(), 1024, [&](std::size_t first, std::size_t last) {
+      for(std::size_t k = first; k < last; ++k)
+        items[k] = f.take(found[k]);
+    });
+    return items;
+  }
+
+private:
+  template <class T>
+  static void copy(const T* source, std::size_t n, T* target)
+  {
+    if(n > 0)
+      std::memcpy(target, source, n * sizeof(T));
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Integer moments of a set of grid points and the least-squares plane fit.
+// Sums are exact, so they do not depend on the order of the points, and points
+// can be taken out again.
+
+#ifndef CGAL_TANDEM_INTERNAL_BASE_MOMENTS_H
+#define CGAL_TANDEM_INTERNAL_BASE_MOMENTS_H
+
+#include <CGAL/Tandem/internal/base/linear_algebra.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+__extension__ typedef __int128 Int128;
+
+template <class Product>
+struct Moment_sums {
+  std::int64_t count = 0;
+  std::int64_t sum[3] = {0, 0, 0};
+  Product product[6] = {0, 0, 0, 0, 0, 0}; // xx xy xz yy yz zz
+
+  CGAL_TANDEM_HD void operator+=(const Moment_sums& m)
+  {
+    count += m.count;
+    for(int i = 0; i < 3; ++i)
+      sum[i] += m.sum[i];
+    for(int i = 0; i < 6; ++i)
+      product[i] += m.product[i];
+  }
+};
+
+// Relative to a point of the same cell (see cell_extent_bits).
+struct Cell_moments : Moment_sums<std::int64_t> {
+  CGAL_TANDEM_HD void add(std::int64_t x, std::int64_t y, std::int64_t z, int sign = 1)
+  {
+    count += sign;
+    sum[0] += sign * x;
+    sum[1] += sign * y;
+    sum[2] += sign * z;
+    product[0] += sign * (x * x);
+    product[1] += sign * (x * y);
+    product[2] += sign * (x * z);
+    product[3] += sign * (y * y);
+    product[4] += sign * (y * z);
+    product[5] += sign * (z * z);
+  }
+};
+
+// In grid coordinates: products of up to 2^56 times 2^31 points need 128 bits.
+struct Moments : Moment_sums<Int128> {
+  CGAL_TANDEM_HD void add(const Grid_point& p, int sign = 1)
+  {
+    const std::int64_t c[3] = {p.x, p.y, p.z};
+    count += sign;
+    for(int i = 0, k = 0; i < 3; ++i) {
+      sum[i] += sign * c[i];
+      for(int j = i; j < 3; ++j, ++k)
+        product[k] += sign * (c[i] * c[j]);
+    }
+  }
+};
+
+// The same sums about the origin of the grid instead of (ox, oy, oz).
+CGAL_TANDEM_HD inline Moments shifted(const Cell_moments& m, std::int64_t ox, std::int64_t oy, std::int64_t oz)
+{
+  const std::int64_t o[3] = {ox, oy, oz};
+  Moments r;
+  r.count = m.count;
+  for(int i = 0, k = 0; i < 3; ++i) {
+    r.sum[i] = m.sum[i] + m.count * o[i];
+    for(int j = i; j < 3; ++j, ++k)
+      r.product[k] =
+        Int128(m.product[k]) + Int128(o[i]) * m.sum[j] + Int128(o[j]) * m.sum[i] + Int128(o[i]) * o[j] * m.count;
+  }
+  return r;
+}
+
+// Centroid and scatter matrix sum (p - centroid)(p - centroid)' of count points.
+struct Scatter {
+  double count;
+  Vector centroid;
+  Symmetric_matrix matrix;
+};
+
+CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
+{
+  Scatter s;
+  s.count = double(m.count);
+  const std::int64_t n = m.count > 0 ? m.count : 1;
+  std::int64_t o[3]; // the centroid, rounded: sums about it are small and exact
+  double rest[3];    // what the rounding left, times count
+  for(int i = 0; i < 3; ++i) {
+    o[i] = m.sum[i] / n;
+    rest[i] = double(m.sum[i] - o[i] * n);
+  }
+  double c[6];
+  for(int i = 0, k = 0; i < 3; ++i)
+    for(int j = i; j < 3; ++j, ++k) {
+      const Int128 about = m.product[k] - Int128(o[i]) * m.sum[j] - Int128(o[j]) * m.sum[i] + Int128(o[i]) * o[j] * n;
+      c[k] = std::fma(-rest[i], rest[j] / double(n), double(about));
+    }
+  s.matrix = {c[0], c[1], c[2], c[3], c[4], c[5]};
+  s.centroid = {double(o[0]) + rest[0] / double(n), double(o[1]) + rest[1] / double(n),
+                double(o[2]) + rest[2] / double(n)};
+  return s;
+}
+
+// The scatter matrix of two sets of points together.
+CGAL_TANDEM_HD inline Symmetric_matrix joint_matrix(const Scatter& a, const Scatter& b)
+{
+  const Vector d = b.centroid - a.centroid;
+  const Vector e = a.count * b.count / (a.count + b.count) * d;
+  const Symmetric_matrix s = a.matrix + b.matrix;
+  return {std::fma(e.x, d.x, s.xx), std::fma(e.x, d.y, s.xy), std::fma(e.x, d.z, s.xz),
+          std::fma(e.y, d.y, s.yy), std::fma(e.y, d.z, s.yz), std::fma(e.z, d.z, s.zz)};
+}
+
+// Least-squares plane of a set of points.
+struct Fit {
+  Vector normal;   // unit
+  double smallest; // smallest eigenvalue of the scatter: the sum of squared distances
+  double largest;
+};
+
+CGAL_TANDEM_HD inline Fit fit_plane(const Scatter& s)
+{
+  const Eigen_system e = eigen_system(s.matrix);
+  return {e.vector[0], e.value[0] > 0 ? e.value[0] : 0, e.value[2] > 0 ? e.value[2] : 0};
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BASE_MOMENTS_H

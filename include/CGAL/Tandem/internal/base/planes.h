@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Planes in the coordinates of the grid and in those of the caller.
+
+#ifndef CGAL_TANDEM_INTERNAL_BASE_PLANES_H
+#define CGAL_TANDEM_INTERNAL_BASE_PLANES_H
+
+#include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/base/linear_algebra.h>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+using Coefficients = std::array<double, 4>; // a x + b y + c z + d = 0, of unit normal
+
+// normal . g = offset
+struct Regular_plane {
+  Vector normal;
+  double offset;
+};
+
+inline Regular_plane plane_through(const Vector& normal, const Vector& point) { return {normal, dot(normal, point)}; }
+
+inline Plane rounded(const Regular_plane& p) { return make_plane(p.normal, p.offset * p.normal); }
+
+// An upper bound, for all points of the box, on the change of the distance to the
+// plane when it moves from a to b.
+inline double bound_motion(const Box& box, const Regular_plane& a, const Regular_plane& b)
+{
+  const double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;
+  const Vector v = add_scaled(a.normal, -sign, b.normal);
+  const double d = std::fma(sign, b.offset, -a.offset);
+  const double low =
+    std::fma(v.x, v.x > 0 ? box.low[0] : box.high[0],
+             std::fma(v.y, v.y > 0 ? box.low[1] : box.high[1], v.z * (v.z > 0 ? box.low[2] : box.high[2])));
+  const double high =
+    std::fma(v.x, v.x > 0 ? box.high[0] : box.low[0],
+             std::fma(v.y, v.y > 0 ? box.high[1] : box.low[1], v.z * (v.z > 0 ? box.high[2] : box.low[2])));
+  return (std::max)(std::fabs(low + d), std::fabs(high + d));
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BASE_PLANES_H

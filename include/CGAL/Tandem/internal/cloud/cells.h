@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The order of the cloud along a space-filling curve, and the octree cells, which
+// are ranges of that order.
+
+#ifndef CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
+#define CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
+
+#include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/cloud/curve.h>
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A cube of 2^21 steps of 2^shift around the cloud.
+struct Code_frame {
+  std::int32_t low[3];
+  int shift;
+
+  CGAL_TANDEM_HD std::uint64_t code(const Grid_point& p) const
+  {
+    return hilbert_code(std::uint32_t(p.x - low[0]) >> shift, std::uint32_t(p.y - low[1]) >> shift,
+                        std::uint32_t(p.z - low[2]) >> shift);
+  }
+
+  // The order within one finest octant, which matters where far outliers make that large.
+  CGAL_TANDEM_HD std::uint64_t code_inside(const Grid_point& p) const
+  {
+    const std::uint32_t mask = (1u << shift) - 1;
+    return hilbert_code(std::uint32_t(p.x - low[0]) & mask, std::uint32_t(p.y - low[1]) & mask,
+                        std::uint32_t(p.z - low[2]) & mask);
+  }
+};
+
+// Around the points between two corners.
+inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high)
+{
+  Code_frame frame = {{low.x, low.y, low.z}, 0};
+  const std::uint32_t extent =
+    (std::max)({std::uint32_t(high.x - low.x), std::uint32_t(high.y - low.y), std::uint32_t(high.z - low.z)});
+  while((extent >> frame.shift) >> curve_bits)
+    ++frame.shift;
+  return frame;
+}
+
+// Around all points.
+inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
+{
+  Box box;
+  for(std::size_t i = 0; i < n; ++i)
+    box.add(point[i]);
+  return n > 0 ? make_code_frame({box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0})
+               : Code_frame{{0, 0, 0}, 0};
+}
+
+template <class Table>
+struct Write_codes {
+  const Grid_point* point;
+  Code_frame frame;
+  Table order;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(i, frame.code(point[i]), std::uint32_t(i)); }
+};
+
+template <class Table>
+struct Is_tied {
+  Table order;
+  std::uint32_t size;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  {
+    return (i > 0 && order.key(i - 1) == order.key(i)) || (i + 1 < size && order.key(i + 1) == order.key(i));
+  }
+};
+
+// A point that shares its code with another one.
+struct Tied_point {
+  std::uint64_t code, code_inside;
+  Grid_point point;
+  std::uint32_t index;
+  std::uint32_t gap = 0; // without it there were bytes that nobody writes
+};
+
+template <class Table>
+struct Gather_tied {
+  Table order;
+  const Grid_point* point;
+  Code_frame frame;
+  const std::uint32_t* place;
+  Tied_point* tied;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t index = order.index(place[i]);
+    tied[i] = {order.key(place[i]), frame.code_inside(point[index]), point[index], index};
+  }
+};
+
+template <class Table>
+struct Scatter_tied {
+  Table order;
+  const std::uint32_t* place;
+  const Tied_point* tied;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(place[i], tied[i].code, tied[i].index); }
+};
+
+inline auto key_within_code(const Tied_point& t)
+{
+  return std::tie(t.code_inside, t.point.x, t.point.y, t.point.z, t.point.normal);
+}
+
+// The same on the grid.
+inline bool are_equal_on_grid(const Tied_point& a, const Tied_point& b)
+{
+  return a.code == b.code && key_within_code(a) == key_within_code(b);
+}
+
+// Sorts each stretch of neighbors that are alike.
+template <class Backend, class Alike, class Less>
+void sort_stretches(Backend& backend, std::vector<Tied_point>& tied, Alike are_alike, Less less)
+{
+  std::vector<std::size_t> start;
+  for(std::size_t i = 0; i < tied.size(); ++i)
+    if(i == 0 || !are_alike(tied[i - 1], tied[i]))
+      start.push_back(i);
+  start.push_back(tied.size());
+  const auto at = [&](std::size_t s) { return tied.begin() + std::ptrdiff_t(start[s]); };
+  backend.for_each_on_host(start.size() - 1, [&](std::size_t s) { std::sort(at(s), at(s + 1), less); });
+}
+
+// Sorts the points of each code by (code inside, coordinates, normal), twins by precedes, after `prepare`.
+template <class Backend, class Precedes, class Prepare>
+void sort_tied(Backend& backend, std::vector<Tied_point>& tied, Precedes precedes, Prepare prepare)
+{
+  const auto have_one_code = [](const Tied_point& a, const Tied_point& b) { return a.code == b.code; };
+  sort_stretches(backend, tied, have_one_code,
+                 [](const Tied_point& a, const Tied_point& b) { return key_within_code(a) < key_within_code(b); });
+  if(std::adjacent_find(tied.begin(), tied.end(), are_equal_on_grid) == tied.end())
+    return;
+  prepare();
+  sort_stretches(backend, tied, are_equal_on_grid,
+                 [&](const Tied_point& a, const Tied_point& b) { return precedes(a.index, b.index); });
+}
+
+// Sorts positions of `point` along the curve. precedes(i, j) decides between points
+// that are the same on the grid: a total order that depends on their position only
+// for exact duplicates, so that the result does not depend on the order of the points.
+// It is asked on the host, as all that concerns the few points of equal codes; only if there are such points, and
+// after `prepare`.
+template <class Backend, class Precedes = std::less<std::uint32_t>, class Prepare = Nothing>
+typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
+                                              const Code_frame& frame, Precedes precedes = Precedes(),
+                                              Prepare prepare = Prepare())
+{
+  using Table = typename Backend::Sort_table::View;
+  typename Backend::Sort_table order(n);
+  backend.for_each(n, Write_codes<Table>{point, frame, order.view()});
+  backend.sort(order);
+  const auto place = backend.compact(n, Is_tied<Table>{order.view(), std::uint32_t(n)});
+  if(place.size() == 0)
+    return order;
+  typename Backend::template Buffer<Tied_point> buffer(place.size());
+  backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
+  std::vector<Tied_point> tied(place.size());
+  backend.to_host(buffer.data(), tied.size(), tied.data());
+  sort_tied(backend, tied, precedes, prepare);
+  backend.from_host(tied.data(), tied.size(), buffer.data());
+  backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), buffer.data()});
+  return order;
+}
+
+// Where the eight octants of a range begin: in bound[9 i] ... bound[9 i + 8].
+template <class Table>
+struct Find_octants {
+  Table order;
+  const Range* range;
+  int bits; // of a code, below the octant
+  std::uint32_t* bound;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const Range r = range[at / 9];
+    const std::uint64_t octant = (order.key(r.first) >> bits >> 3 << 3) + at % 9;
+    bound[at] = partition_point(r.first, r.last, [&](std::uint32_t i) { return (order.key(i) >> bits) < octant; });
+  }
+};
+
+// The octree cells, ascending. The root octant is split until a cell has at most
+// cell_size points and is at most 2^23 steps wide; points of one finest octant are
+// cut in the order of the sort.
+template <class Backend>
+class Cell_splitter {
+public:
+  Cell_splitter(Backend& backend, typename Backend::Sort_table::View order, int shift, std::size_t cell_size)
+    : backend_(backend), order_(order), shift_(shift), cell_size_(cell_size)
+  {}
+
+  std::vector<Range> operator()(std::uint32_t n)
+  {
+    std::vector<Range> open;
+    take({0, n}, 0, open);
+    for(int level = 1; !open.empty(); ++level)
+      split(level, open);
+    std::sort(cells_.begin(), cells_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
+    return std::move(cells_);
+  }
+
+private:
+  // All octants of a level at once.
+  void split(int level, std::vector<Range>& open)
+  {
+    using Table = typename Backend::Sort_table::View;
+    std::vector<std::uint32_t> bound(9 * open.size());
+    auto ranges = backend_.read_access(open);
+    auto bounds = backend_.write_access(bound);
+    backend_.for_each(bound.size(),
+                      Find_octants<Table>{order_, ranges.data(), 3 * (curve_bits - level), bounds.data()});
+    bounds.copy_back();
+    std::vector<Range> next;
+    for(std::size_t i = 0; i < bound.size(); ++i)
+      if(i % 9 < 8)
+        take({bound[i], bound[i + 1]}, level, next);
+    open.swap(next);
+  }
+
+  void take(const Range& r, int level, std::vector<Range>& open)
+  {
+    const bool is_narrow = curve_bits - level + shift_ <= cell_extent_bits;
+    if(r.size() > 0 && r.size() <= cell_size_ && is_narrow)
+      cells_.push_back(r);
+    else if(r.size() > 0 && level < curve_bits)
+      open.push_back(r);
+    else
+      for(std::uint32_t first = r.first; first < r.last; first += std::uint32_t(cell_size_))
+        cells_.push_back({first, (std::min)(first + std::uint32_t(cell_size_), r.last)});
+  }
+
+  Backend& backend_;
+  typename Backend::Sort_table::View order_;
+  int shift_;
+  std::size_t cell_size_;
+  std::vector<Range> cells_;
+};
+
+template <class Backend>
+std::vector<Range> split_cells(Backend& backend, const typename Backend::Sort_table& order, const Code_frame& frame,
+                               std::size_t cell_size)
+{
+  return Cell_splitter<Backend>(backend, order.view(), frame.shift, cell_size)(std::uint32_t(order.size()));
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H

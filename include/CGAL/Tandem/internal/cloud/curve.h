@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Hilbert curve through a cube of 2^21 positions an axis. Each octant of the
+// cube, and each octant of an octant, is one contiguous range of codes, so a
+// cloud in the order of the codes is also in the order of an octree.
+
+#ifndef CGAL_TANDEM_INTERNAL_CLOUD_CURVE_H
+#define CGAL_TANDEM_INTERNAL_CLOUD_CURVE_H
+
+#include <CGAL/Tandem/internal/base/types.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+constexpr int curve_bits = 21;
+
+// Moves bit i of v < 2^21 to bit 3 i.
+CGAL_TANDEM_HD inline std::uint64_t spread_bits(std::uint32_t v)
+{
+  std::uint64_t s = v;
+  s = (s | s << 32) & 0x001f00000000ffffu;
+  s = (s | s << 16) & 0x001f0000ff0000ffu;
+  s = (s | s << 8) & 0x100f00f00f00f00fu;
+  s = (s | s << 4) & 0x10c30c30c30c30c3u;
+  s = (s | s << 2) & 0x1249249249249249u;
+  return s;
+}
+
+// Bit i becomes the parity of the bits above i.
+CGAL_TANDEM_HD inline std::uint32_t parity_above(std::uint32_t v)
+{
+  v >>= 1;
+  v ^= v >> 1;
+  v ^= v >> 2;
+  v ^= v >> 4;
+  v ^= v >> 8;
+  v ^= v >> 16;
+  return v;
+}
+
+// Skilling's construction (2004): from the top level down, the lower bits are
+// taken into the frame of the octant they lie in, by a reflection and up to two
+// exchanges of axes. There are no branches and no tables, so loops over points
+// vectorize.
+CGAL_TANDEM_HD inline void enter_octant(std::uint32_t& x, std::uint32_t& y, std::uint32_t& z, int bit)
+{
+  const std::uint32_t below = (1u << bit) - 1;
+  x ^= below & (0u - (x >> bit & 1u));
+  const std::uint32_t upper_y = below & (0u - (y >> bit & 1u));
+  const std::uint32_t xy = (x ^ y) & (below ^ upper_y);
+  x ^= xy ^ upper_y;
+  y ^= xy;
+  const std::uint32_t upper_z = below & (0u - (z >> bit & 1u));
+  const std::uint32_t xz = (x ^ z) & (below ^ upper_z);
+  x ^= xz ^ upper_z;
+  z ^= xz;
+}
+
+// A Gray code gives the order of the octants.
+CGAL_TANDEM_HD inline std::uint64_t interleave_octants(std::uint32_t x, std::uint32_t y, std::uint32_t z)
+{
+  y ^= x;
+  z ^= y;
+  const std::uint32_t flip = parity_above(z);
+  return spread_bits(x ^ flip) << 2 | spread_bits(y ^ flip) << 1 | spread_bits(z ^ flip);
+}
+
+CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t y, std::uint32_t z)
+{
+  for(int bit = curve_bits - 1; bit > 0; --bit)
+    enter_octant(x, y, z, bit);
+  return interleave_octants(x, y, z);
+}
+
+// The same for eight points at once, at a third of the time. Destroys the coordinates.
+inline void hilbert_codes(std::uint32_t (&x)[8], std::uint32_t (&y)[8], std::uint32_t (&z)[8], std::uint64_t (&code)[8])
+{
+  for(int bit = curve_bits - 1; bit > 0; --bit)
+    for(int i = 0; i < 8; ++i)
+      enter_octant(x[i], y[i], z[i], bit);
+  for(int i = 0; i < 8; ++i)
+    code[i] = interleave_octants(x[i], y[i], z[i]);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CLOUD_CURVE_H

@@ -1,0 +1,250 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The border on the way in: the caller's range is read once.
+
+#ifndef CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
+#define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
+
+#include <CGAL/Tandem/internal/cloud/Import.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Reads one item at a time through the maps of the traits.
+template <class Traits>
+class Item_reader {
+public:
+  // What keeps all that a coordinate has.
+  using Value = typename std::conditional<std::is_same<typename Traits::FT, float>::value, float, double>::type;
+
+  Item_reader(const Traits& traits, typename Traits::Point_map point_map, typename Traits::Normal_map normal_map)
+    : x_(traits.compute_x_3_object()), y_(traits.compute_y_3_object()), z_(traits.compute_z_3_object()),
+      point_map_(point_map), normal_map_(normal_map)
+  {}
+
+  template <class Item>
+  void read_point(const Item& item, Value* out) const
+  {
+    const typename Traits::Point_3& p = get(point_map_, item);
+    convert(p, out);
+  }
+
+  template <class Item>
+  void read_normal(const Item& item, Value* out) const
+  {
+    const typename Traits::Vector_3& v = get(normal_map_, item);
+    convert(v, out);
+  }
+
+private:
+  template <class Geometry>
+  void convert(const Geometry& g, Value* out) const
+  {
+    out[0] = value(x_(g));
+    out[1] = value(y_(g));
+    out[2] = value(z_(g));
+  }
+
+  static Value value(const typename Traits::FT& x)
+  {
+    if constexpr(std::is_same<typename Traits::FT, Value>::value)
+      return x;
+    else
+      return CGAL::to_double(x);
+  }
+
+  typename Traits::Compute_x_3 x_;
+  typename Traits::Compute_y_3 y_;
+  typename Traits::Compute_z_3 z_;
+  typename Traits::Point_map point_map_;
+  typename Traits::Normal_map normal_map_;
+};
+
+template <class Value>
+void start_import(Import& in, std::size_t size, bool has_normals)
+{
+  if(size > maximum_number_of_points)
+    throw std::length_error("the range has " + to_text(size) + " points, at most " + to_text(maximum_number_of_points) +
+                            " (2^31) can be handled");
+  in.count = in.number_of_items = size;
+  in.has_normals = has_normals;
+  in.coordinates.reset<Value>(size);
+  if(has_normals)
+    in.normals.reset<Value>(size);
+}
+
+// Where values are.
+template <class Value>
+struct Values {
+  Value* point;
+  Value* normal; // null: there are none
+
+  Values from(std::size_t i) const { return {point + 3 * i, normal != nullptr ? normal + 3 * i : nullptr}; }
+};
+
+// Reads the items [first, last).
+template <class Traits, class Value>
+void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_range& points, std::size_t first,
+                std::size_t last, Values<Value> values)
+{
+  for(std::size_t i = first; i < last; ++i) {
+    const auto& item = *(points.begin() + std::ptrdiff_t(i));
+    reader.read_point(item, values.point + 3 * (i - first));
+    if constexpr(Traits::has_normal_map)
+      reader.read_normal(item, values.normal + 3 * (i - first));
+  }
+}
+
+// These three have no branches, so that they run on wide instructions. All take n values, three of each point.
+template <class Value>
+bool are_finite(const Value* v, std::size_t n)
+{
+  int is_other = 0;
+  for(std::size_t i = 0; i < n; ++i)
+    is_other |= !(std::fabs(v[i]) <= (std::numeric_limits<Value>::max)());
+  return is_other == 0;
+}
+
+template <class Value>
+bool has_null(const Value* v, std::size_t n)
+{
+  int is_null = 0;
+  for(std::size_t i = 0; i < n; i += 3)
+    is_null |= int(v[i] == 0) & int(v[i + 1] == 0) & int(v[i + 2] == 0);
+  return is_null != 0;
+}
+
+template <class Value>
+Coordinate_box box_around(const Value* v, std::size_t n)
+{
+  constexpr std::size_t lanes = 24; // a multiple of three; of fewer, g++ unrolls the loops instead
+  Value low[lanes], high[lanes];
+  std::fill_n(low, lanes, std::numeric_limits<Value>::infinity());
+  std::fill_n(high, lanes, -std::numeric_limits<Value>::infinity());
+  std::size_t i = 0;
+  for(; i + lanes <= n; i += lanes) {
+    for(std::size_t k = 0; k < lanes; ++k)
+      low[k] = v[i + k] < low[k] ? v[i + k] : low[k];
+    for(std::size_t k = 0; k < lanes; ++k)
+      high[k] = high[k] < v[i + k] ? v[i + k] : high[k];
+  }
+  for(; i < n; ++i) {
+    low[i % 3] = (std::min)(low[i % 3], v[i]);
+    high[i % 3] = (std::max)(high[i % 3], v[i]);
+  }
+  Coordinate_box box;
+  for(std::size_t k = 0; k < lanes; ++k) {
+    box.low[k % 3] = (std::min)(box.low[k % 3], double(low[k]));
+    box.high[k % 3] = (std::max)(box.high[k % 3], double(high[k]));
+  }
+  return box;
+}
+
+// Whether the points can be used, with their normals.
+template <class Value>
+bool are_usable(const Values<Value>& values, std::size_t points)
+{
+  const std::size_t n = 3 * points;
+  return are_finite(values.point, n) &&
+         (values.normal == nullptr || (are_finite(values.normal, n) && !has_null(values.normal, n)));
+}
+
+// The box around those of the points that can be used. False if some cannot.
+template <class Value>
+bool inspect_points(const Values<Value>& values, std::size_t points, Coordinate_box& box)
+{
+  const bool is_complete = are_usable(values, points);
+  if(is_complete)
+    box.add(box_around(values.point, 3 * points));
+  for(std::size_t i = 0; i < points && !is_complete; ++i)
+    if(are_usable(values.from(i), 1))
+      box.add(box_around(values.from(i).point, 3));
+  return is_complete;
+}
+
+// Closes the gaps, and notes where the points that are left come from.
+template <class Value>
+void drop_invalid(Import& in)
+{
+  std::size_t kept = 0;
+  in.drop_upload();
+  const Values<Value> values = {in.coordinates.data<Value>(), in.normals.data<Value>()};
+  for(std::size_t i = 0; i < in.count; ++i) {
+    if(!are_usable(values.from(i), 1)) {
+      const bool has_position = are_finite(values.from(i).point, 3);
+      ++(has_position ? in.number_of_ignored_normals : in.number_of_ignored_coordinates);
+      continue;
+    }
+    in.coordinates.move(i, kept);
+    if(in.has_normals)
+      in.normals.move(i, kept);
+    in.item.push_back(std::uint32_t(i));
+    ++kept;
+  }
+  in.count = kept;
+}
+
+// The caller's range without the points that cannot be used: a coordinate is not finite, or the normal is
+// null or not finite. They are read to where an engine takes them from, if it does, else to the tables.
+template <class Traits, class Backend, class Upload = No_upload>
+Import read_points(Backend& backend, const typename Traits::Point_range& points, typename Traits::Point_map point_map,
+                   typename Traits::Normal_map normal_map, const Traits& traits, Upload upload = Upload())
+{
+  using Reader = Item_reader<Traits>;
+  using Value = typename Reader::Value;
+  Import in;
+  start_import<Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
+  upload.start(in.coordinates, in.normals, in.count);
+  const Reader reader(traits, point_map, normal_map);
+  // Number types that compute lazily are not meant to be read by several threads.
+  constexpr bool is_plain = std::is_floating_point<typename Traits::FT>::value;
+  const std::size_t grain = is_plain ? 65536 : in.count + 1;
+  std::vector<Coordinate_box> boxes((in.count + grain - 1) / grain);
+  std::atomic<bool> is_complete(true);
+  const Values<Value> tables = {in.coordinates.data<Value>(), in.normals.data<Value>()};
+  const auto read = [&](std::size_t first, std::size_t last, const Values<Value>& values, Coordinate_box& box) {
+    constexpr std::size_t batch = 512; // stays in the first cache
+    for(std::size_t i = first; i < last; i += batch) {
+      const std::size_t end = (std::min)(i + batch, last);
+      read_items(reader, points, i, end, values.from(i - first));
+      if(!inspect_points(values.from(i - first), end - i, box))
+        is_complete = false;
+    }
+  };
+  backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
+    for(std::size_t i = first; i < last;) {
+      const typename Upload::Piece piece = upload.begin(last - i);
+      Values<Value> values = tables.from(i);
+      if(piece.values != nullptr) {
+        values.point = reinterpret_cast<Value*>(piece.values);
+        values.normal = in.has_normals ? values.point + 3 * piece.size : nullptr;
+      }
+      read(i, i + piece.size, values, boxes[first / grain]);
+      upload.end(piece, i);
+      i += piece.size;
+    }
+  });
+  for(const Coordinate_box& box : boxes)
+    in.box.add(box);
+  in.uploaded = upload.finish();
+  if(!is_complete)
+    drop_invalid<Value>(in);
+  return in;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H

@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The model of Backend on a CUDA device: the current one of the calling thread.
+
+#ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
+#define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
+
+#include <CGAL/Tandem/internal/cuda/runtime/Device_access.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/Device_sort_table.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Host_side.h>
+#include <CGAL/Tandem/internal/cuda/execution/cub_calls.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/range_sort.cuh>
+
+#include <cub/device/device_select.cuh>
+#include <thrust/iterator/counting_iterator.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class F>
+struct Has_item {
+  F f;
+
+  __device__ bool operator()(std::uint32_t i) const { return f.has(i); }
+};
+
+// The items that were found, with their number in the place before them. All places that are copied are written:
+// those behind the items are T().
+template <class T, class F>
+struct Take_items {
+  F f;
+  const std::int64_t* size;
+  const std::uint32_t* found;
+  std::size_t copied;
+  T* item;
+
+  __device__ void operator()(std::size_t i) const
+  {
+    if(std::int64_t(i) < *size)
+      item[1 + i] = f.take(found[i]);
+    else if(i < copied)
+      item[1 + i] = T();
+    if(i == 0) {
+      item[0] = T();
+      memcpy(item, size, sizeof(*size));
+    }
+  }
+};
+
+class Cuda_backend {
+public:
+  template <class T>
+  using Buffer = Device_buffer<T>;
+  using Sort_table = Device_sort_table;
+
+  static constexpr bool keeps_pages = true;
+
+  static const char* name() { return "cuda"; }
+
+  template <class F>
+  void for_each(std::size_t n, F f)
+  {
+    if(n == 0)
+      return;
+    Table_arena::of_thread().flush();
+    const std::size_t blocks = (std::min)((n + item_lanes - 1) / item_lanes, std::size_t(1) << 20);
+    run_items<<<unsigned(blocks), item_lanes, 0, stream_of_thread()>>>(n, f);
+    CGAL_TANDEM_CUDA_LAUNCHED();
+  }
+
+  template <class F>
+  void for_each_on_host(std::size_t n, F f, std::size_t few = 256)
+  {
+    host_.for_each_on_host(n, f, few);
+  }
+
+  template <class Iterator, class Less>
+  void sort_on_host(Iterator first, Iterator last, Less less)
+  {
+    host_.sort_on_host(first, last, less);
+  }
+
+  template <class Scratch, class Body>
+  void for_each_cell(std::size_t cells, Body body)
+  {
+    if(cells == 0)
+      return;
+    Table_arena::of_thread().flush();
+    if constexpr(sizeof(Scratch) <= shared_bytes)
+      run_cells<Scratch><<<unsigned(cells), cell_lanes, sizeof(Scratch), stream_of_thread()>>>(
+        cells == order_.size() ? order_.data() : nullptr, body);
+    else {
+      const std::size_t blocks = (std::min)(cells, blocks_in_turns);
+      Device_buffer<Scratch> scratch(blocks);
+      run_cells_in_turns<Scratch>
+        <<<unsigned(blocks), cell_lanes, 0, stream_of_thread()>>>(std::uint32_t(cells), body, scratch.data());
+    }
+    CGAL_TANDEM_CUDA_LAUNCHED();
+  }
+
+  // In loops over as many cells, be they these or others, those in the places of the largest of these begin first: a
+  // loop ends with its slowest block. (Not where blocks take turns.)
+  void expect_cells(const std::vector<Range>& cells)
+  {
+    std::vector<std::uint64_t> order(cells.size()); // ~size << 32 | cell
+    host_.for_each_on_host(cells.size(), [&](std::size_t c) { order[c] = std::uint64_t(~cells[c].size()) << 32 | c; });
+    host_.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
+    const std::vector<std::uint32_t> cell(order.begin(), order.end()); // the lower halves
+    order_.reset(cell.size());
+    copy_to_device(cell.data(), cell.size(), order_.data());
+  }
+
+  void sort(Sort_table& table) { table.sort(); }
+
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t largest)
+  {
+    if(ranges == 0)
+      return;
+    Table_arena::of_thread().flush();
+    std::size_t passes = 0;
+    while(keys_of_run << passes < largest)
+      ++passes;
+    Device_buffer<std::uint64_t> other(passes > 0 ? size : 0);
+    std::uint64_t* sorted = passes % 2 == 0 ? key : other.data();
+    const dim3 runs(unsigned(ranges), unsigned((largest + keys_of_run - 1) / keys_of_run));
+    sort_runs<<<runs, run_lanes, 0, stream_of_thread()>>>(range, key, sorted);
+    CGAL_TANDEM_CUDA_LAUNCHED();
+    for(std::size_t pass = 0; pass < passes; ++pass) {
+      std::uint64_t* const merged = sorted == key ? other.data() : key;
+      for_each_cell<unsigned char>(ranges, Merge_runs{range, sorted, merged, keys_of_run << pass});
+      sorted = merged;
+    }
+  }
+
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    Buffer<std::uint32_t> kept(n);
+    Buffer<std::int64_t> counter(1);
+    select(n, is_kept, kept.data(), counter.data());
+    std::int64_t size = 0;
+    copy_to_host(counter.data(), 1, &size);
+    Buffer<std::uint32_t> result{std::size_t(size)};
+    if(size > 0)
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(result.data(), kept.data(), std::size_t(size) * sizeof(std::uint32_t),
+                                       cudaMemcpyDeviceToDevice, stream_of_thread()));
+    return result;
+  }
+
+  // With one copy and one wait, unless there are many more items than there were of late, or more than pinned memory
+  // has room for.
+  template <class T, class F>
+  Host_buffer<T> collect(std::size_t n, F f)
+  {
+    static_assert(sizeof(T) >= sizeof(std::int64_t) && std::is_trivially_copyable<T>::value, "plain data");
+    constexpr std::size_t few = (std::size_t(128) << 10) / sizeof(T), maximum = Pinned_block::bytes / sizeof(T) - 1;
+    if(n == 0)
+      return {};
+    const std::size_t copied = (std::min)({n, maximum, (std::max)(few, likely_items_)}); // at once, found or not
+    Buffer<std::uint32_t> found(n);
+    Buffer<std::int64_t> counter(1);
+    Buffer<T> buffer(1 + n);
+    select(n, Has_item<F>{f}, found.data(), counter.data());
+    for_each(n, Take_items<T, F>{f, counter.data(), found.data(), copied, buffer.data()});
+    const T* const head = look_at(buffer.data(), 1 + copied);
+    std::int64_t size;
+    std::memcpy(&size, head, sizeof(size));
+    Host_buffer<T> items{std::size_t(size)};
+    const std::size_t there = (std::min)(copied, items.size());
+    copy_on_host(items.data(), head + 1, there * sizeof(T));
+    if(items.size() > there)
+      copy_to_host(buffer.data() + 1 + there, items.size() - there, items.data() + there);
+    likely_items_ = (std::max)(items.size() + items.size() / 4, likely_items_ / 2);
+    return items;
+  }
+
+  template <class T, class Allocator>
+  Device_read_access<T> read_access(const std::vector<T, Allocator>& table)
+  {
+    return Device_read_access<T>(table.data(), table.size());
+  }
+
+  template <class T>
+  Device_write_access<T> read_write_access(std::vector<T>& table)
+  {
+    return Device_write_access<T>(table, true);
+  }
+
+  template <class T>
+  Device_write_access<T> write_access(std::vector<T>& table)
+  {
+    return Device_write_access<T>(table, false);
+  }
+
+  void wait() { synchronize(); }
+
+  template <class T>
+  void to_host(const T* source, std::size_t n, T* target)
+  {
+    copy_to_host(source, n, target);
+  }
+
+  template <class T>
+  void from_host(const T* source, std::size_t n, T* target)
+  {
+    copy_to_device(source, n, target);
+  }
+
+  template <class T>
+  __device__ static T atomic_add(T& target, T value)
+  {
+    return device_add(target, value);
+  }
+
+  template <class T>
+  __device__ static T atomic_min(T& target, T value)
+  {
+    return device_min(target, value);
+  }
+
+  template <class T>
+  __device__ static void atomic_max(T& target, T value)
+  {
+    device_max(target, value);
+  }
+
+  template <class T>
+  __device__ static T atomic_load(const T& target)
+  {
+    return *static_cast<const volatile T*>(&target);
+  }
+
+  template <class T>
+  __device__ static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    return device_exchange_if(target, expected, value);
+  }
+
+private:
+  Host_side host_;
+  std::size_t likely_items_ = 0; // of the next collect()
+  Buffer<std::uint32_t> order_;  // of the cells that are expected
+
+  static constexpr std::size_t shared_bytes = 47 << 10; // what a block has on all devices, less its own
+  static constexpr std::size_t blocks_in_turns = 512;
+
+  // The i in [0, n) with is_kept(i), ascending, and how many.
+  template <class F>
+  static void select(std::size_t n, F is_kept, std::uint32_t* kept, std::int64_t* size)
+  {
+    Table_arena::of_thread().flush();
+    const thrust::counting_iterator<std::uint32_t> all(0);
+    with_cub_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH

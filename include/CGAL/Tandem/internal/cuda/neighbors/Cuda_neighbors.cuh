@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// find_neighbors() of the engine on a CUDA device: the same rows, by a search
+// of its own. Most points are answered 32 at a time; those that cannot, one by one.
+
+#ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_CUDA_NEIGHBORS_CUH
+#define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_CUDA_NEIGHBORS_CUH
+
+#include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_packet.cuh>
+#include <CGAL/Tandem/internal/cuda/neighbors/Neighbor_query.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/cuda_check.cuh>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+constexpr int largest_packet_k = 20;
+constexpr int largest_cuda_k = 64;
+constexpr unsigned neighbor_lanes = 128;
+
+inline Neighbor_task make_neighbor_task(const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor,
+                                        void* scratch)
+{
+  Neighbor_task task;
+  task.point = reinterpret_cast<const int4*>(point);
+  task.n = n;
+  task.k = k;
+  task.neighbor = neighbor;
+  task.counters = static_cast<Neighbor_counters*>(scratch);
+  task.deferred = reinterpret_cast<Deferred_lanes*>(task.counters + 1);
+  task.query = reinterpret_cast<std::uint32_t*>(task.deferred + task.packets());
+  task.tree.shape(n);
+  task.tree.place(reinterpret_cast<std::int32_t*>(task.query + task.maximum_queries()));
+  return task;
+}
+
+// 3.9 bytes a point.
+inline std::size_t neighbor_scratch_bytes(std::uint32_t n)
+{
+  const std::size_t packets = n / warp_size + (n % warp_size != 0);
+  Box_levels tree;
+  return sizeof(Neighbor_counters) + packets * (sizeof(Deferred_lanes) + 4 * sizeof(std::uint32_t)) +
+         tree.shape(n) * sizeof(std::int32_t);
+}
+
+inline void build_box_levels(const Neighbor_task& task, cudaStream_t stream)
+{
+  const auto blocks = [&](int level, std::size_t lanes_per_node) {
+    const std::size_t nodes = std::size_t(Box_levels::parents(task.tree.count[level])) * warp_size;
+    return unsigned((nodes * lanes_per_node + neighbor_lanes - 1) / neighbor_lanes);
+  };
+  fill_bucket_boxes<<<blocks(0, 1), neighbor_lanes, 0, stream>>>(task.point, task.n, task.tree);
+  CGAL_TANDEM_CUDA_LAUNCHED();
+  for(int level = 1; level < task.tree.levels; ++level) {
+    join_boxes<<<blocks(level, warp_size), neighbor_lanes, 0, stream>>>(task.tree, level);
+    CGAL_TANDEM_CUDA_LAUNCHED();
+  }
+}
+
+// Rows of k <= K are the beginning of rows of K.
+inline void search_packets(const Neighbor_task& task, cudaStream_t stream)
+{
+  constexpr unsigned lanes = packets_in_block * warp_size;
+  const unsigned blocks = (task.packets() + packets_in_block - 1) / packets_in_block;
+  if(task.k <= 8)
+    find_packet_neighbors<8><<<blocks, lanes, 0, stream>>>(task);
+  else if(task.k <= 12)
+    find_packet_neighbors<12><<<blocks, lanes, 0, stream>>>(task);
+  else if(task.k <= 16)
+    find_packet_neighbors<16><<<blocks, lanes, 0, stream>>>(task);
+  else
+    find_packet_neighbors<20><<<blocks, lanes, 0, stream>>>(task);
+  CGAL_TANDEM_CUDA_LAUNCHED();
+}
+
+// How many queries are left over, only the device knows: as many warps as fit take
+// them from the list.
+inline void search_single(const Neighbor_task& task, bool all, cudaStream_t stream)
+{
+  constexpr int maximum_blocks = 12; // a processor
+  int device = 0, processors = 0;
+  CGAL_TANDEM_CUDA(cudaGetDevice(&device));
+  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device));
+  const unsigned blocks = unsigned(processors * maximum_blocks);
+  if(task.k <= int(warp_size))
+    find_single_neighbors<1><<<blocks, neighbor_lanes, 0, stream>>>(task, all);
+  else
+    find_single_neighbors<2><<<blocks, neighbor_lanes, 0, stream>>>(task, all);
+  CGAL_TANDEM_CUDA_LAUNCHED();
+}
+
+// As find_neighbors() of the engine, for 1 <= k <= 64, with pointers to memory of
+// the current device that are aligned to 16 bytes; `scratch` has
+// neighbor_scratch_bytes(n). Does not wait for the stream.
+inline void find_neighbors_cuda(const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor, void* scratch,
+                                cudaStream_t stream)
+{
+  static_assert(sizeof(Grid_point) == sizeof(int4), "points are read as int4");
+  if(n == 0)
+    return;
+  if(k < 1 || k > largest_cuda_k)
+    throw std::invalid_argument("k is " + std::to_string(k) + ", must be in [1, 64]");
+  const Neighbor_task task = make_neighbor_task(point, n, k, neighbor, scratch);
+  CGAL_TANDEM_CUDA(cudaMemsetAsync(task.counters, 0, sizeof(Neighbor_counters), stream));
+  build_box_levels(task, stream);
+  const bool has_packets = k <= largest_packet_k;
+  if(has_packets)
+    search_packets(task, stream);
+  search_single(task, !has_packets, stream);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_CUDA_NEIGHBORS_CUH

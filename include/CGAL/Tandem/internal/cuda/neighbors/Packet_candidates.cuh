@@ -1,0 +1,268 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the lanes of a packet have found so far: each lane the smallest keys of its
+// own query, in registers, of points that come in batches of 32.
+//
+// Why no neighbor is lost, with u = 2^-24. The coordinates of the lanes are below
+// 2^22, so exact; those of a candidate are exact below 2^24 and beyond off by
+// 1 + u, where the difference is at least 3/4 of them. So squared distances are off
+// by at most 1 + 12u. A key is a squared distance in units that are chosen so that
+// all that matter are below 2^22, hence off by 3.5 units: keys that differ by
+// key_margin are in the right order, and who is farther than the K-th key and
+// limit_margin is no neighbor.
+
+#ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH
+#define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH
+
+#include <CGAL/Tandem/internal/cuda/neighbors/Packet_frame.cuh>
+#include <CGAL/Tandem/internal/cuda/neighbors/sorting_network.cuh>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+constexpr int maximum_batches = 32; // with a candidate
+constexpr int maximum_pending = 4;  // of them, with candidates that are not in the lists yet
+constexpr int tag_bits = 10;        // of a key: the batch and the place in it
+constexpr std::uint32_t key_margin = 9u << tag_bits;
+constexpr std::uint32_t limit_margin = 12;
+
+struct Candidate_memory {
+  float4 point[maximum_pending * warp_size];       // relative; in w the square
+  std::uint32_t near[maximum_pending * warp_size]; // of a batch, for each lane: its candidates
+  std::uint32_t bucket[maximum_batches * buckets_in_packet];
+};
+
+template <int K>
+class Packet_candidates {
+public:
+  __device__ __forceinline__ explicit Packet_candidates(Candidate_memory& memory)
+    : memory_(memory), lane_(threadIdx.x % warp_size)
+  {}
+
+  // The queries are the first batch.
+  __device__ __forceinline__ void start(const float4& query, std::uint32_t first_bucket)
+  {
+    const float4 p = stage(0, query, true);
+    minus_2x_ = -2 * p.x;
+    minus_2y_ = -2 * p.y;
+    minus_2z_ = -2 * p.z;
+    squared_ = p.w;
+    if(lane_ < buckets_in_packet)
+      memory_.bucket[lane_] = first_bucket + lane_;
+    sort_own_points();
+  }
+
+  // Nothing farther is a neighbor of this lane.
+  __device__ __forceinline__ float limit() const { return limit_; }
+
+  // This lane wants no more.
+  __device__ __forceinline__ void drop()
+  {
+    is_dropped_ = true;
+    update_limit();
+  }
+
+  __device__ __forceinline__ bool is_full() const { return batches_ > maximum_batches; }
+
+  __device__ __forceinline__ bool is_near(const float4& center_and_x, const float2& yz) const
+  {
+    const float x = fmaxf(fabsf(fmaf(0.5f, minus_2x_, center_and_x.x)) - center_and_x.w, 0);
+    const float y = fmaxf(fabsf(fmaf(0.5f, minus_2y_, center_and_x.y)) - yz.x, 0);
+    const float z = fmaxf(fabsf(fmaf(0.5f, minus_2z_, center_and_x.z)) - yz.y, 0);
+    return fmaf(x, x, fmaf(y, y, z * z)) <= limit_;
+  }
+
+  // Compares one point of each lane with all queries. `bucket`: lane i has the i-th
+  // bucket of the batch.
+  __device__ __forceinline__ void add_batch(const float4& point, bool is_point, std::uint32_t bucket)
+  {
+    const int slot = batches_ - first_pending_;
+    stage(slot, point, is_point);
+    const std::uint32_t near = near_points(slot);
+    if(!__any_sync(all_lanes, near != 0))
+      return;
+    if(batches_ >= maximum_batches) {
+      batches_ = first_pending_ = maximum_batches + 1;
+      pending_ = near_ = 0;
+      return;
+    }
+    if(lane_ < buckets_in_packet)
+      memory_.bucket[std::uint32_t(batches_) * buckets_in_packet + lane_] = bucket;
+    memory_.near[std::uint32_t(slot) * warp_size + lane_] = near;
+    pending_ |= (near != 0 ? 1u : 0u) << slot;
+    ++batches_;
+    insert_pending(batches_ - first_pending_ < maximum_pending ? minimum_active : 1);
+  }
+
+  __device__ __forceinline__ void finish() { insert_pending(1); }
+
+  // Whether nothing that is not in the list can be one of the K nearest.
+  __device__ __forceinline__ bool is_certain() const
+  {
+    return !is_dropped_ && key_[list_size - 1] - key_[K - 1] >= key_margin;
+  }
+
+  // Bit i: the order of entries i and i + 1 is not certain.
+  __device__ __forceinline__ std::uint32_t uncertain_order() const
+  {
+    std::uint32_t bits = 0;
+#pragma unroll
+    for(int i = 0; i < K; ++i)
+      bits |= (key_[i + 1] - key_[i] < key_margin ? 1u : 0u) << i;
+    return bits;
+  }
+
+  __device__ __forceinline__ std::uint32_t index(int i) const
+  {
+    return memory_.bucket[key_[i] % (1u << tag_bits) / bucket_points] * bucket_points + key_[i] % bucket_points;
+  }
+
+private:
+  static constexpr int list_size = K + 2;      // K and a tie, and the next to tell that there is no other
+  static constexpr int minimum_active = 4;     // lanes for which candidates are inserted
+  static constexpr float half_range = 0x1p21f; // of a key without its tag
+  static constexpr float slack = 0x1p-20f;     // 16u, see near_points()
+
+  // Puts one point of each lane where all lanes can read them.
+  __device__ __forceinline__ float4 stage(int slot, float4 p, bool is_point)
+  {
+    p.w = is_point ? fmaf(p.x, p.x, fmaf(p.y, p.y, p.z * p.z)) * (1 - slack) : far_away;
+    __syncwarp();
+    memory_.point[std::uint32_t(slot) * warp_size + lane_] = p;
+    __syncwarp();
+    return p;
+  }
+
+  __device__ __forceinline__ float squared_distance_to(int j) const
+  {
+    const float4& p = memory_.point[j];
+    const float dx = fmaf(0.5f, minus_2x_, p.x), dy = fmaf(0.5f, minus_2y_, p.y), dz = fmaf(0.5f, minus_2z_, p.z);
+    return fmaf(dx, dx, fmaf(dy, dy, dz * dz));
+  }
+
+  // 2^23 makes an integer of it, rounded, in the low bits.
+  __device__ __forceinline__ std::uint32_t make_key(float squared, std::uint32_t tag) const
+  {
+    return __float_as_uint(fmaf(squared, scale_, 0x1p23f)) << tag_bits | tag;
+  }
+
+  __device__ __forceinline__ void sort_own_points()
+  {
+    float squared[warp_size];
+#pragma unroll
+    for(int j = 0; j < int(warp_size); ++j)
+      squared[j] = squared_distance_to(j);
+    const float bound = fmaxf(bound_by_own_buckets(squared), 1);
+    scale_ = half_range / bound;
+    unscale_ = bound / half_range;
+    std::uint32_t key[warp_size];
+#pragma unroll
+    for(int j = 0; j < int(warp_size); ++j)
+      key[j] = j == int(lane_) ? no_index : make_key(fminf(squared[j], 1.5f * bound), j);
+    sort_odd_even<0, int(warp_size)>(key);
+#pragma unroll
+    for(int i = 0; i < list_size; ++i)
+      key_[i] = key[i];
+    batches_ = first_pending_ = 1;
+    update_limit();
+  }
+
+  // So many of the packet's buckets that they have K points beside the query lie
+  // within this squared distance.
+  __device__ __forceinline__ static float bound_by_own_buckets(const float (&squared)[warp_size])
+  {
+    static_assert(buckets_in_packet == 4 && K + 1 <= int(warp_size), "see below");
+    float farthest[buckets_in_packet];
+#pragma unroll
+    for(int i = 0; i < int(buckets_in_packet); ++i) {
+      farthest[i] = squared[i * int(bucket_points)];
+#pragma unroll
+      for(int j = 1; j < int(bucket_points); ++j)
+        farthest[i] = fmaxf(farthest[i], squared[i * int(bucket_points) + j]);
+    }
+    const float a = fminf(farthest[0], farthest[1]), b = fmaxf(farthest[0], farthest[1]);
+    const float c = fminf(farthest[2], farthest[3]), d = fmaxf(farthest[2], farthest[3]);
+    constexpr int needed = (K + int(bucket_points)) / int(bucket_points);
+    return needed == 1   ? fminf(a, c)
+           : needed == 2 ? fminf(fmaxf(a, c), fminf(b, d))
+           : needed == 3 ? fmaxf(fmaxf(a, c), fminf(b, d))
+                         : fmaxf(b, d);
+  }
+
+  __device__ __forceinline__ void update_limit()
+  {
+    limit_ = is_dropped_ ? -far_away : float((key_[K - 1] >> tag_bits) + limit_margin) * unscale_;
+    threshold_ = squared_ - limit_;
+  }
+
+  // Bit 31 - j: |p|^2 - 2pq + |q|^2 - limit < 0 for point j. The slack in the
+  // squares is more than what is rounded, which may be much more than the limit.
+  __device__ __forceinline__ std::uint32_t near_points(int slot) const
+  {
+    std::uint32_t near = 0;
+#pragma unroll
+    for(int j = 0; j < int(warp_size); ++j) {
+      const float4& p = memory_.point[slot * int(warp_size) + j];
+      const float d = fmaf(minus_2x_, p.x, fmaf(minus_2y_, p.y, fmaf(minus_2z_, p.z, p.w + threshold_)));
+      near = __funnelshift_l(__float_as_uint(d), near, 1);
+    }
+    return near;
+  }
+
+  // Two candidates for each lane at a time, of whichever batch, while at least
+  // `active` lanes have any: the others wait until more do.
+  __device__ __forceinline__ void insert_pending(int active)
+  {
+    while(__popc(__ballot_sync(all_lanes, (near_ | pending_) != 0)) >= active) {
+      if(near_ == 0 && pending_ != 0) {
+        slot_ = __ffs(int(pending_)) - 1;
+        pending_ &= pending_ - 1;
+        near_ = memory_.near[std::uint32_t(slot_) * warp_size + lane_];
+      }
+      const std::uint32_t a = take_candidate(), b = take_candidate();
+      insert(min(a, b), max(a, b));
+    }
+    if(active == 1)
+      first_pending_ = batches_;
+    update_limit();
+  }
+
+  // The key of the next point of slot_ that is near, no_index if there is none.
+  __device__ __forceinline__ std::uint32_t take_candidate()
+  {
+    const int j = slot_ * int(warp_size) + __clz(int(near_)) % int(warp_size);
+    const std::uint32_t tag = std::uint32_t(first_pending_) * warp_size + std::uint32_t(j);
+    const std::uint32_t key = near_ != 0 ? make_key(squared_distance_to(j), tag) : no_index;
+    near_ &= ~(0x80000000u >> (j % int(warp_size)));
+    return key;
+  }
+
+  // a <= b.
+  __device__ __forceinline__ void insert(std::uint32_t a, std::uint32_t b)
+  {
+#pragma unroll
+    for(int i = list_size - 1; i > 1; --i)
+      key_[i] = min(key_[i], min(max(key_[i - 1], a), max(key_[i - 2], b)));
+    key_[1] = min(key_[1], min(max(key_[0], a), b));
+    key_[0] = min(key_[0], a);
+  }
+
+  Candidate_memory& memory_;
+  std::uint32_t lane_;
+  float minus_2x_, minus_2y_, minus_2z_, squared_; // the query
+  float scale_, unscale_, limit_, threshold_;
+  std::uint32_t key_[list_size]; // ascending
+  bool is_dropped_ = false;
+  int batches_ = 0, first_pending_ = 0;
+  std::uint32_t pending_ = 0; // bit i: batch first_pending_ + i has candidates of this lane
+  std::uint32_t near_ = 0;    // those of slot_ that are not in the list yet
+  int slot_ = 0;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH

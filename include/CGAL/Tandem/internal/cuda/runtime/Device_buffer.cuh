@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Memory of the device, from a pool that stays warm between calls. All work of a
+// host thread is on the stream of that thread, so threads do not wait for each other.
+
+#ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH
+#define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH
+
+#include <CGAL/Tandem/internal/cuda/runtime/Device_guard.cuh>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+inline cudaStream_t stream_of_thread() { return cudaStreamPerThread; }
+
+// The pools of the devices, made when they are used first.
+class Memory_pools {
+public:
+  static cudaMemPool_t of_device(int device)
+  {
+    std::lock_guard<std::mutex> lock(mutex());
+    const auto found = pools().find(device);
+    return found != pools().end() ? found->second : pools()[device] = make(device);
+  }
+
+  // Gives back what is not in use.
+  static void trim()
+  {
+    std::unique_lock<std::mutex> lock(mutex());
+    const std::map<int, cudaMemPool_t> all = pools();
+    lock.unlock(); // others may ask for memory meanwhile
+    for(const auto& pool : all) {
+      const Device_guard guard(pool.first);
+      CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
+      CGAL_TANDEM_CUDA(cudaMemPoolTrimTo(pool.second, 0));
+    }
+  }
+
+private:
+  static cudaMemPool_t make(int device)
+  {
+    cudaMemPoolProps properties = {};
+    properties.allocType = cudaMemAllocationTypePinned;
+    properties.handleTypes = cudaMemHandleTypeNone;
+    properties.location.type = cudaMemLocationTypeDevice;
+    properties.location.id = device;
+    cudaMemPool_t pool;
+    CGAL_TANDEM_CUDA(cudaMemPoolCreate(&pool, &properties));
+    std::uint64_t keep = ~std::uint64_t(0);
+    CGAL_TANDEM_CUDA(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &keep));
+    return pool;
+  }
+
+  // Not destroyed at the end of the program, when somebody may still use them.
+  static std::mutex& mutex()
+  {
+    static std::mutex& m = *new std::mutex;
+    return m;
+  }
+
+  static std::map<int, cudaMemPool_t>& pools()
+  {
+    static std::map<int, cudaMemPool_t>& p = *new std::map<int, cudaMemPool_t>;
+    return p;
+  }
+};
+
+// An array on the device that is not initialized. The interface of Host_buffer,
+// but for the access to single items.
+template <class T>
+class Device_buffer {
+  static_assert(std::is_trivially_destructible<T>::value, "buffers hold plain data");
+
+public:
+  Device_buffer() = default;
+  explicit Device_buffer(std::size_t size) { allocate(size); }
+  Device_buffer(Device_buffer&& other) noexcept { swap(other); }
+
+  Device_buffer& operator=(Device_buffer&& other) noexcept
+  {
+    Device_buffer(std::move(other)).swap(*this);
+    return *this;
+  }
+
+  ~Device_buffer() { release(); }
+
+  // Discards the contents.
+  void reset(std::size_t size)
+  {
+    release();
+    allocate(size);
+  }
+
+  void release()
+  {
+    if(data_ != nullptr)
+      static_cast<void>(cudaFreeAsync(data_, stream_of_thread())); // an error has been reported elsewhere
+    data_ = nullptr;
+    size_ = 0;
+  }
+
+  void swap(Device_buffer& other) noexcept
+  {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+  }
+
+  T* data() { return data_; }
+  const T* data() const { return data_; }
+  std::size_t size() const { return size_; }
+
+private:
+  void allocate(std::size_t size)
+  {
+    // The pool joins what has been freed to larger memory only when the stream has come to where it was freed.
+    constexpr std::size_t large = std::size_t(256) << 20;
+    const std::size_t bytes = size * sizeof(T);
+    void* memory = nullptr;
+    if(bytes >= large)
+      CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+    if(bytes > 0)
+      CGAL_TANDEM_CUDA(
+        cudaMallocFromPoolAsync(&memory, bytes, Memory_pools::of_device(current_device()), stream_of_thread()));
+    data_ = static_cast<T*>(memory);
+    size_ = size;
+  }
+
+  T* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Pinned memory of the host, which copies from and to a device need to be fast. It
+// is slow to get.
+
+#ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_PINNED_MEMORY_CUH
+#define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_PINNED_MEMORY_CUH
+
+#include <CGAL/Tandem/internal/cuda/runtime/cuda_check.cuh>
+
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// What is slow to make, kept for the next that needs it.
+template <class T>
+class Kept_items {
+public:
+  // False if there is none.
+  bool take(T& item)
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if(items_.empty())
+      return false;
+    item = items_.back();
+    items_.pop_back();
+    return true;
+  }
+
+  // False if there is no memory for it.
+  bool give(T item) noexcept
+  try {
+    std::lock_guard<std::mutex> lock(mutex_);
+    items_.push_back(item);
+    return true;
+  } catch(const std::exception&) {
+    return false;
+  }
+
+  void clear()
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    items_.clear();
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<T> items_;
+};
+
+// One block, from those that are kept.
+class Pinned_block {
+public:
+  static constexpr std::size_t bytes = std::size_t(4) << 20;
+
+  Pinned_block()
+  {
+    if(kept().take(memory_))
+      return;
+    void* memory = nullptr;
+    CGAL_TANDEM_CUDA(cudaHostAlloc(&memory, bytes, cudaHostAllocPortable));
+    memory_ = static_cast<char*>(memory);
+  }
+
+  ~Pinned_block()
+  {
+    if(!kept().give(memory_))
+      static_cast<void>(cudaFreeHost(memory_));
+  }
+
+  Pinned_block(const Pinned_block&) = delete;
+  Pinned_block& operator=(const Pinned_block&) = delete;
+
+  char* data() { return memory_; }
+
+  // Gives back what no thread uses.
+  static void release()
+  {
+    for(char* memory; kept().take(memory);)
+      CGAL_TANDEM_CUDA(cudaFreeHost(memory));
+  }
+
+private:
+  // Not destroyed at the end of the program, when the runtime may be gone.
+  static Kept_items<char*>& kept()
+  {
+    static Kept_items<char*>& k = *new Kept_items<char*>;
+    return k;
+  }
+
+  char* memory_ = nullptr;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_PINNED_MEMORY_CUH

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Copies between host and device on the stream of the thread.
+
+#ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH
+#define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH
+
+#include <CGAL/Tandem/internal/cuda/runtime/Host_side.h>
+#include <CGAL/Tandem/internal/cuda/runtime/Pinned_copies.cuh>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Small tables go through the pinned memory of the thread: what is copied from it
+// must stay until the stream has come that far.
+class Staging {
+public:
+  static Staging& of_thread()
+  {
+    thread_local Staging staging;
+    return staging;
+  }
+
+  Staging() = default;
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  // After a failure there may be copies under way.
+  ~Staging() { static_cast<void>(cudaStreamSynchronize(stream_of_thread())); }
+
+  // Waits where there is no room. At most Pinned_block::bytes.
+  char* take(std::size_t bytes)
+  {
+    if(block_ == nullptr)
+      block_ = std::make_unique<Pinned_block>();
+    if(used_ + bytes > Pinned_block::bytes)
+      synchronize();
+    char* const memory = block_->data() + used_;
+    used_ += (bytes + 63) / 64 * 64;
+    return memory;
+  }
+
+  void synchronize()
+  {
+    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+    used_ = 0;
+  }
+
+private:
+  std::unique_ptr<Pinned_block> block_;
+  std::size_t used_ = 0;
+};
+
+// As memcpy, by all threads.
+inline void copy_on_host(void* target, const void* source, std::size_t bytes)
+{
+  constexpr std::size_t grain = std::size_t(16) << 10;
+  Host_side().for_each_piece(bytes, grain, [&](std::size_t first, std::size_t last) {
+    std::memcpy(static_cast<char*>(target) + first, static_cast<const char*>(source) + first, last - first);
+  });
+}
+
+// Everything that this thread has asked for is done.
+inline void synchronize() { Staging::of_thread().synchronize(); }
+
+// The source may be changed afterwards.
+template <class T>
+void copy_to_device(const T* source, std::size_t n, T* target)
+{
+  if(n == 0)
+    return;
+  const std::size_t bytes = n * sizeof(T);
+  const void* from = source;
+  if(bytes <= Pinned_block::bytes) {
+    char* const memory = Staging::of_thread().take(bytes);
+    copy_on_host(memory, source, bytes);
+    from = memory;
+  }
+  CGAL_TANDEM_CUDA(cudaMemcpyAsync(target, from, bytes, cudaMemcpyHostToDevice, stream_of_thread()));
+  if(from == source)
+    synchronize();
+}
+
+// Waits for the items, which stay until the next copy of this thread. At most Pinned_block::bytes.
+template <class T>
+const T* look_at(const T* source, std::size_t n)
+{
+  char* const memory = Staging::of_thread().take(n * sizeof(T));
+  CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, n * sizeof(T), cudaMemcpyDeviceToHost, stream_of_thread()));
+  synchronize();
+  return reinterpret_cast<const T*>(memory);
+}
+
+// Waits for the items.
+template <class T>
+void copy_to_host(const T* source, std::size_t n, T* target)
+{
+  if(n == 0)
+    return synchronize();
+  const std::size_t bytes = n * sizeof(T);
+  if(bytes > Pinned_block::bytes) {
+    synchronize();
+    return empty_pinned_pieces({{source, target, bytes}});
+  }
+  copy_on_host(target, look_at(source, n), bytes);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tables of the size of the cloud at both ends, as the device makes them. Both are
+// defined without reference to it.
+
+#ifndef CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_TABLES_CUH
+#define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_TABLES_CUH
+
+#include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Pinned_copies.cuh>
+#include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The caller's values, as they are. Threads may send them a piece at a time.
+class Values_on_device : public Uploaded_values {
+public:
+  using Piece = Cuda_upload::Piece;
+
+  // The memory of the tables has to stay.
+  Values_on_device(Vector_table& coordinates, Vector_table& normals, std::size_t n)
+    : device_(current_device()), size_(n),
+      vector_bytes_(coordinates.vector_bytes()), table_{coordinates.bytes(), normals.bytes()},
+      value_{Device_buffer<char>(n * vector_bytes_), Device_buffer<char>(normals.bytes() ? n * vector_bytes_ : 0)}
+  {
+    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // the streams of the pairs use the memory
+    const std::size_t threads = (std::max)(std::size_t(1), std::size_t(std::thread::hardware_concurrency()));
+    for(std::size_t i = 0; i < (std::min)({threads, maximum_copying_threads, n / maximum_points() + 1});
+        ++i) // or fail now
+      free_.give(make_pair());
+  }
+
+  ~Values_on_device() override
+  {
+    const Device_guard guard(device_, std::nothrow);
+    close();
+    for(Device_buffer<char>& value : value_)
+      value.release();
+  }
+
+  int device() const { return device_; }
+  const char* coordinates() const { return value_[0].data(); }
+  const char* normals() const { return value_[1].data(); } // null if there are none
+  bool are_in_tables() const { return are_in_tables_; }
+
+  // As those of Cuda_upload.
+  Piece begin(std::size_t maximum)
+  {
+    const Device_guard guard(device_);
+    Pinned_pair* pair;
+    if(!free_.take(pair))
+      pair = make_pair();
+    return {(std::min)(maximum, maximum_points()), pair->next(), pair};
+  }
+
+  void end(const Piece& piece, std::size_t first)
+  {
+    const Device_guard guard(device_);
+    const std::size_t bytes = piece.size * vector_bytes_;
+    for(std::size_t t = 0; t < number_of_tables(); ++t)
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(value_[t].data() + first * vector_bytes_, piece.values + t * bytes, bytes,
+                                       cudaMemcpyHostToDevice, piece.pair->stream()));
+    piece.pair->end_piece();
+    free_.give(piece.pair);
+  }
+
+  // From the tables, all points.
+  void send_tables()
+  {
+    are_in_tables_ = true;
+    Host_side().for_each_piece(size_, maximum_points(), [&](std::size_t first, std::size_t last) {
+      const Piece piece = begin(last - first);
+      const std::size_t bytes = piece.size * vector_bytes_;
+      for(std::size_t t = 0; t < number_of_tables(); ++t)
+        std::memcpy(piece.values + t * bytes, table_[t] + first * vector_bytes_, bytes);
+      end(piece, first);
+    });
+    close();
+  }
+
+  // All has been sent.
+  void close()
+  {
+    free_.clear();
+    pairs_.clear(); // waits for what they copy
+  }
+
+  void bring() override
+  {
+    if(are_in_tables_)
+      return;
+    const Device_guard guard(device_);
+    const std::size_t bytes = size_ * vector_bytes_;
+    empty_pinned_pieces({{value_[0].data(), table_[0], bytes}, {value_[1].data(), table_[1], value_[1].size()}});
+    are_in_tables_ = true;
+  }
+
+private:
+  // Of a piece.
+  std::size_t maximum_points() const { return Pinned_pair::bytes / (number_of_tables() * vector_bytes_); }
+
+  std::size_t number_of_tables() const { return table_[1] != nullptr ? 2 : 1; }
+
+  Pinned_pair* make_pair()
+  {
+    auto pair = std::make_unique<Pinned_pair>();
+    std::lock_guard<std::mutex> lock(mutex_);
+    pairs_.push_back(std::move(pair));
+    return pairs_.back().get();
+  }
+
+  const int device_;
+  const std::size_t size_, vector_bytes_;
+  char* const table_[2]; // coordinates and normals, on the host
+  Device_buffer<char> value_[2];
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Pinned_pair>> pairs_; // end before the memory to which they copy
+  Kept_items<Pinned_pair*> free_;
+  bool are_in_tables_ = false;
+};
+
+inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
+{
+  const auto values_of = [&]() -> const Values_on_device& { // no other back end uploads
+    return static_cast<const Values_on_device&>(*in.uploaded);
+  };
+  if(in.uploaded != nullptr && values_of().device() != current_device()) // the caller's callback has changed it
+    in.drop_upload();
+  Device_buffer<Grid_point> point(in.size());
+  if(in.uploaded == nullptr) {
+    const auto sent = std::make_shared<Values_on_device>(in.coordinates, in.normals, in.size());
+    sent->send_tables();
+    in.uploaded = sent;
+  }
+  const Values_on_device& values = values_of();
+  Place_on_grid place = place_on_grid(in, point.data());
+  place.coordinates.data = values.coordinates();
+  place.normals.data = values.normals();
+  backend.for_each(in.size(), place);
+  if(values.are_in_tables()) // else they come back while the neighbors are searched
+    in.drop_upload();
+  return point;
+}
+
+struct Write_pairs {
+  const std::int32_t* shape_of;
+  std::uint32_t* key;
+  std::uint32_t* position;
+
+  __device__ void operator()(std::size_t i) const
+  {
+    key[i] = std::uint32_t(shape_of[i]); // the bits of -1 are the largest
+    position[i] = std::uint32_t(i);
+  }
+};
+
+struct Find_first {
+  const std::uint32_t* key;
+  std::uint32_t size;
+  std::uint32_t* first; // of each shape
+
+  __device__ void operator()(std::size_t s) const
+  {
+    first[s] = partition_point(0, size, [&](std::uint32_t i) { return key[i] < s; });
+  }
+};
+
+// By a stable sort.
+inline void take_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
+                        Engine_result& result)
+{
+  const std::size_t n = shape_of.size();
+  Device_buffer<std::uint32_t> keys[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
+  Device_buffer<std::uint32_t> positions[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
+  backend.for_each(n, Write_pairs{shape_of.data(), keys[0].data(), positions[0].data()});
+  cub::DoubleBuffer<std::uint32_t> key(keys[0].data(), keys[1].data());
+  cub::DoubleBuffer<std::uint32_t> position(positions[0].data(), positions[1].data());
+  sort_pairs(key, position, n, bits_of(shapes));
+  std::vector<std::uint32_t> first(shapes + 1);
+  Device_buffer<std::uint32_t> found(shapes + 1);
+  backend.for_each(shapes + 1, Find_first{key.Current(), std::uint32_t(n), found.data()});
+  backend.to_host(found.data(), first.size(), first.data());
+  Host_buffer<std::uint32_t> grouped(first.back());
+  Host_buffer<std::int32_t> table(n);
+  grouped.keep_pages();
+  table.keep_pages();
+  synchronize();
+  empty_pinned_pieces({{position.Current(), grouped.data(), grouped.size() * sizeof(std::uint32_t)},
+                       {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
+  result.points = {std::vector<std::size_t>(first.begin(), first.end()), std::move(grouped)};
+  result.shape_of = std::move(table);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_TABLES_CUH

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The whole loop, compiled for the device.
+
+#pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
+
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_links.cuh>
+#include <CGAL/Tandem/internal/cuda/neighbors/Cuda_neighbors.cuh>
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_label_propagation.cuh>
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_tables.cuh>
+#include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+inline void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
+{
+  Device_buffer<unsigned char> scratch(neighbor_scratch_bytes(n));
+  find_neighbors_cuda(point, n, k, out, scratch.data(), stream_of_thread());
+}
+
+inline void expect_cells(Cuda_backend& backend, const std::vector<Range>& cells) { backend.expect_cells(cells); }
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#include <CGAL/Tandem/internal/engine/Engine.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+struct Cuda_engine::Implementation {
+  Implementation(Import& in, const Parameters& parameters) : device(current_device()), engine(backend, in, parameters)
+  {
+    synchronize();
+  }
+
+  // Another thread may go on: the device has done all that f asks of it, also when f throws.
+  template <class F>
+  void on_device(F f)
+  {
+    const Device_guard guard(device);
+    try {
+      with_host_team(f);
+      synchronize();
+    } catch(...) {
+      static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
+      throw;
+    }
+  }
+
+  int device;
+  Cuda_backend backend;
+  Engine<Cuda_backend> engine;
+};
+
+namespace {
+
+// In the largest stage; see bytes_per_point() for the tables of the host.
+std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
+{
+  constexpr std::size_t cell = 3584;                // lists, links, sums of new shapes
+  const std::size_t cells = 4 * cell / p.cell_size; // many are far from full
+  return 16 + 4 + 4 * p.k_neighbors + (has_normals ? 44 : 108) + cells + 1;
+}
+
+// This file is compiled for processors that fuse products and sums in one instruction.
+bool has_fused_multiply_add()
+{
+#ifdef __FMA__
+  return __builtin_cpu_supports("fma");
+#else
+  return true;
+#endif
+}
+
+// Why the current device cannot be used; empty if it can.
+std::string missing_for_cuda()
+{
+  if(!has_fused_multiply_add())
+    return "the processor lacks the instruction FMA (see the CMake option TANDEM_CUDA_WITH_FMA)";
+  int devices = 0, device = 0, has_pools = 0;
+  cudaFuncAttributes attributes; // of a kernel: the device can run it
+  cudaError_t error = cudaGetDeviceCount(&devices);
+  if(error == cudaSuccess)
+    error = cudaGetDevice(&device);
+  if(error == cudaSuccess)
+    error = cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device);
+  std::string missing;
+  if(error == cudaErrorInsufficientDriver)
+    missing = "there is no NVIDIA driver, or one that is too old for CUDA " + to_text(CUDART_VERSION / 1000) + '.' +
+              to_text(CUDART_VERSION % 1000 / 10);
+  else if(error != cudaSuccess)
+    missing = cudaGetErrorString(error);
+  else if(devices == 0)
+    missing = "the driver names none";
+  else if(has_pools == 0)
+    missing = "the device has no memory pools";
+  else if(cudaFuncGetAttributes(&attributes, reinterpret_cast<const void*>(&run_items<Clear_interior>)) != cudaSuccess)
+    missing = "the library has no code for the device: name its compute capability in CMAKE_CUDA_ARCHITECTURES";
+  static_cast<void>(cudaGetLastError());
+  return missing;
+}
+
+void require_device()
+{
+  const std::string missing = missing_for_cuda();
+  if(!missing.empty())
+    throw std::runtime_error("Cuda_tag: no CUDA device: " + missing + "; use Cuda_if_available_tag, or another tag");
+}
+
+// Whether the current device has memory for the points. An upload that takes it is given up.
+bool fits_on_device(Import& in, const Parameters& parameters)
+{
+  const auto fits = [&] { return in.size() <= cuda_capacity(parameters, in.has_normals); };
+  if(fits())
+    return true;
+  if(in.uploaded == nullptr)
+    return false;
+  in.drop_upload();
+  synchronize();
+  return fits();
+}
+
+void require_memory(Import& in, const Parameters& parameters)
+{
+  if(!fits_on_device(in, parameters))
+    throw std::length_error("the cloud has " + to_text(in.size()) + " points, the CUDA device has memory for " +
+                            to_text(cuda_capacity(parameters, in.has_normals)) +
+                            ": use fewer points, a smaller k_neighbors or another tag");
+}
+
+} // namespace
+
+void Cuda_upload::start(Vector_table& coordinates, Vector_table& normals, std::size_t n)
+try {
+  const bool has_normals = normals.bytes() != nullptr;
+  if(n > 0 && is_cuda_available() && n <= cuda_capacity(Parameters(), has_normals))
+    values_ = std::make_shared<Values_on_device>(coordinates, normals, n);
+} catch(const std::runtime_error&) { // the engine will say what is wrong with the device
+  static_cast<void>(cudaGetLastError());
+}
+
+Cuda_upload::Piece Cuda_upload::begin(std::size_t maximum)
+{
+  return values_ != nullptr ? values_->begin(maximum) : Piece{maximum};
+}
+
+void Cuda_upload::end(const Piece& piece, std::size_t first)
+{
+  if(values_ != nullptr)
+    values_->end(piece, first);
+}
+
+std::shared_ptr<Uploaded_values> Cuda_upload::finish()
+{
+  if(values_ != nullptr)
+    values_->close();
+  return std::move(values_);
+}
+
+Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
+{
+  require_device();
+  require_memory(in, parameters);
+  with_host_team([&] { implementation_ = std::make_unique<Implementation>(in, parameters); });
+  in.coordinates.keep_pages();
+  in.normals.keep_pages();
+}
+
+Cuda_engine::~Cuda_engine()
+{
+  if(implementation_ == nullptr)
+    return;
+  const Device_guard guard(implementation_->device, std::nothrow);
+  implementation_.reset();
+}
+
+bool Cuda_engine::iterate()
+{
+  bool is_going_on = false;
+  implementation_->on_device([&] { is_going_on = implementation_->engine.iterate(); });
+  return is_going_on;
+}
+
+void Cuda_engine::finish()
+{
+  implementation_->on_device([&] { implementation_->engine.finish(); });
+}
+
+double Cuda_engine::progress() const { return implementation_->engine.progress(); }
+
+Engine_result Cuda_engine::result()
+{
+  Engine_result result;
+  implementation_->on_device([&] { result = implementation_->engine.result(); });
+  return result;
+}
+
+bool is_cuda_available() { return missing_for_cuda().empty(); }
+
+std::string cuda_device_report()
+{
+  const std::string missing = missing_for_cuda();
+  if(!missing.empty())
+    return "no CUDA device: " + missing;
+  cudaDeviceProp properties;
+  CGAL_TANDEM_CUDA(cudaGetDeviceProperties(&properties, current_device()));
+  return std::string(properties.name) + ", " + std::to_string(properties.totalGlobalMem >> 20) +
+         " MiB, compute capability " + std::to_string(properties.major) + "." + std::to_string(properties.minor);
+}
+
+void release_cuda_memory()
+{
+  Kept_pages::release();
+  Copy_streams::release();
+  Pinned_block::release();
+  Memory_pools::trim();
+}
+
+std::size_t cuda_capacity(const Parameters& parameters, bool has_normals)
+{
+  std::size_t free = 0, total = 0;
+  CGAL_TANDEM_CUDA(cudaMemGetInfo(&free, &total));
+  std::uint64_t reserved = 0, used = 0;
+  const cudaMemPool_t pool = Memory_pools::of_device(current_device());
+  CGAL_TANDEM_CUDA(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrReservedMemCurrent, &reserved));
+  CGAL_TANDEM_CUDA(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrUsedMemCurrent, &used));
+  const std::size_t there = free + std::size_t(reserved - used);
+  const std::size_t tables = std::size_t(64) << 20; // of cells and shapes
+  return there > tables ? (there - tables) / device_bytes_per_point(parameters, has_normals) : 0;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL

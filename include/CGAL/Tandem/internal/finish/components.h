@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Connected components of the points of each shape in the 2-hop neighbor graph: two
+// points are adjacent if one is a neighbor of the other, or both are neighbors of
+// one point.
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
+#define CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
+
+#include <CGAL/Tandem/internal/shapes/Tandem_state.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The entries of a union-find that all threads share, and those that a cell has in its scratch.
+template <class Backend>
+struct Shared_parents {
+  std::uint32_t* parent;
+
+  CGAL_TANDEM_HD std::uint32_t load(std::uint32_t i) const { return Backend::atomic_load(parent[i]); }
+  CGAL_TANDEM_HD void lower(std::uint32_t i, std::uint32_t value) const { Backend::atomic_min(parent[i], value); }
+  CGAL_TANDEM_HD bool set(std::uint32_t i, std::uint32_t value) const
+  {
+    return Backend::atomic_exchange_if(parent[i], i, value) == i;
+  }
+};
+
+template <class Block>
+struct Cell_parents {
+  Block& block;
+  std::uint32_t* parent;
+
+  CGAL_TANDEM_HD std::uint32_t load(std::uint32_t i) const { return block.load(parent[i]); }
+  CGAL_TANDEM_HD void lower(std::uint32_t i, std::uint32_t value) const { block.fetch_min(parent[i], value); }
+  CGAL_TANDEM_HD bool set(std::uint32_t i, std::uint32_t value) const
+  {
+    return block.exchange_if(parent[i], i, value) == i;
+  }
+};
+
+// Union-find over points. A root is the smallest position of its component, so
+// the result does not depend on the order of the unions; threads may race for an
+// entry, and then the loser goes on from what it finds there.
+template <class Parents>
+struct Union_find {
+  Parents parents;
+
+  CGAL_TANDEM_HD std::uint32_t root(std::uint32_t i) const
+  {
+    for(;;) {
+      const std::uint32_t up = parents.load(i);
+      if(up == i)
+        return i;
+      const std::uint32_t above = parents.load(up);
+      if(above != up)
+        parents.lower(i, above); // halves the path; entries only ever fall
+      i = up;
+    }
+  }
+
+  CGAL_TANDEM_HD void unite(std::uint32_t a, std::uint32_t b) const
+  {
+    a = parents.load(a);
+    b = parents.load(b);
+    while(a != b) { // next to always they have one parent already
+      a = root(a);
+      b = root(b);
+      if(a < b) {
+        const std::uint32_t swapped = a;
+        a = b;
+        b = swapped;
+      }
+      if(a == b || parents.set(a, b))
+        return;
+    }
+  }
+};
+
+// What each point ties together: itself and its neighbors, those with the same label.
+struct Ties {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+
+  // unite(p, q) for the neighbor q of r, where p is the point of the row that stands for all with
+  // its label. Both are in the range.
+  template <class Unite>
+  CGAL_TANDEM_HD void operator()(std::uint32_t r, std::uint32_t q, const Range& range, Unite unite) const
+  {
+    if(q < range.first || q >= range.last || label[q] >= first_mark)
+      return;
+    if(label[r] == label[q])
+      return unite(r, q); // a point is in the range with its neighbors
+    const std::uint32_t* p = cloud.row(r);
+    while(*p < range.first || *p >= range.last || label[*p] != label[q])
+      ++p; // it ends at q
+    unite(*p, q);
+  }
+};
+
+template <std::uint32_t CellSize>
+struct Union_scratch {
+  std::uint32_t parent[CellSize]; // relative to the cell
+};
+
+// The components within each cell, in fast memory: most ties are there, and the few large
+// components have as many roots as cells, so that threads do not meet at one of them.
+struct Unite_in_cell {
+  Ties ties;
+  const Range* cells;
+  std::uint32_t* component;
+
+  template <class Block, class Scratch>
+  CGAL_TANDEM_HD void operator()(Block& block, Scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    const Union_find<Cell_parents<Block>> points = {{block, scratch.parent}};
+    block.for_each(cell.size(), [&](std::uint32_t at) { scratch.parent[at] = at; });
+    block.for_each_neighbor(
+      cell.size(), ties.cloud.k, [&](std::uint32_t at) { return ties.cloud.row(cell.first + at); },
+      [&](std::uint32_t at, std::uint32_t q) {
+        ties(cell.first + at, q, cell,
+             [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
+      });
+    block.for_each(cell.size(), [&](std::uint32_t at) { component[cell.first + at] = cell.first + points.root(at); });
+  }
+};
+
+struct Pair_scratch {
+  static constexpr std::uint32_t slots = 256;
+  std::uint64_t pair[slots];
+  std::uint32_t count[slots];
+};
+
+// What the points with a neighbor in another cell tie together. Next to all of them tie the
+// same few pairs of roots, each of which is united once.
+template <class Backend>
+struct Unite_at_border {
+  Ties ties;
+  const Range* border_of; // of each cell, in `border`
+  const std::uint32_t* border;
+  std::uint32_t* component;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Pair_scratch& scratch, std::uint32_t c) const
+  {
+    const Union_find<Shared_parents<Backend>> points = {{component}};
+    const Range range = border_of[c];
+    block.for_each(Pair_scratch::slots, [&](std::uint32_t i) { scratch.pair[i] = none; });
+    const auto note = [&](std::uint32_t p, std::uint32_t q) {
+      p = points.parents.load(p);
+      q = points.parents.load(q);
+      if(p != q && !is_noted(block, scratch, std::uint64_t(p) << 32 | q))
+        points.unite(p, q);
+    };
+    block.for_each_neighbor(
+      range.size(), ties.cloud.k, [&](std::uint32_t b) { return ties.cloud.row(border[range.first + b]); },
+      [&](std::uint32_t b, std::uint32_t q) {
+        ties(border[range.first + b], q, {0, ties.cloud.size}, note);
+      });
+    block.for_each(Pair_scratch::slots, [&](std::uint32_t i) {
+      if(scratch.pair[i] != none)
+        points.unite(std::uint32_t(scratch.pair[i] >> 32), std::uint32_t(scratch.pair[i]));
+    });
+  }
+
+private:
+  static constexpr std::uint64_t none = ~std::uint64_t(0);
+
+  template <class Block>
+  CGAL_TANDEM_HD static bool is_noted(Block& block, Pair_scratch& scratch, std::uint64_t pair)
+  {
+    const std::uint32_t slot = std::uint32_t((pair * 0x9e3779b97f4a7c15u) >> 56);
+    return block.count_pair(scratch.pair[slot], scratch.count[slot], pair);
+  }
+};
+
+template <class Backend>
+struct Find_root {
+  std::uint32_t* component;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t parent = Backend::atomic_load(component[i]);
+    std::uint32_t root = parent;
+    for(std::uint32_t up; (up = Backend::atomic_load(component[root])) != root;)
+      root = up;
+    if(root != parent)
+      Backend::atomic_min(component[i], root);
+  }
+};
+
+// component[i] is the smallest position of the component of point i. Free points
+// are components of their own.
+template <class Backend>
+void find_components(Tandem_state<Backend>& t, const std::uint32_t* label, std::uint32_t* component)
+{
+  const Ties ties = {t.cloud, label};
+  const Unite_in_cell inside = {ties, t.cells.data(), component};
+  if(t.options.cell_size <= small_cell)
+    t.backend.template for_each_cell<Union_scratch<small_cell>>(t.number_of_cells, inside);
+  else
+    t.backend.template for_each_cell<Union_scratch<largest_cell>>(t.number_of_cells, inside);
+  t.backend.template for_each_cell<Pair_scratch>(
+    t.number_of_cells, Unite_at_border<Backend>{ties, t.cell_border.data(), t.border.data(), component});
+  t.backend.for_each(t.cloud.size, Find_root<Backend>{component});
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The border on the way out: the result of the engine in terms of the caller's
+// range, with the relations between the shapes and the statistics. Nothing here
+// changes a plane or a label.
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
+
+#include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/internal/finish/exact_check.h>
+#include <CGAL/Tandem/internal/cloud/Import.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// What Planar_shapes_3 is made of. Tests corrupt it.
+struct Shapes_data {
+  std::vector<Coefficients> coefficients;             // of each shape
+  std::vector<int> parallel_group;                    // of each shape
+  std::vector<int> coplanar_group;                    // of each shape
+  std::vector<std::pair<int, int>> orthogonal_groups; // pairs of parallel groups, first < second, sorted
+  std::vector<char> is_flipped;        // of each shape: the majority of the normals is opposite to its plane
+  Shared_table<std::int32_t> shape_of; // of each item of the range, -1 = none
+  Shared_table<std::uint32_t> normal;  // of each item, packed; empty if normals were given
+  Parameters parameters;
+  Statistics statistics;
+  Point_groups points; // of the shapes, until Planar_shapes_3 takes them
+};
+
+// The first shape of each group.
+inline std::vector<int> representatives(const std::vector<int>& group)
+{
+  std::vector<int> first;
+  for(std::size_t s = 0; s < group.size(); ++s) {
+    if(std::size_t(group[s]) >= first.size())
+      first.resize(std::size_t(group[s]) + 1, -1);
+    if(first[group[s]] < 0)
+      first[group[s]] = int(s);
+  }
+  return first;
+}
+
+// Half of the 1e-15 that is promised: then any order of evaluation keeps the promise.
+constexpr double largest_orthogonal_dot = 5e-16;
+
+inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data& data)
+{
+  std::vector<Coefficients> direction;
+  for(int s : representatives(data.parallel_group))
+    direction.push_back(data.coefficients[std::size_t(s)]);
+  std::vector<std::pair<int, int>> pairs;
+  for(std::size_t g = 0; g < direction.size(); ++g)
+    for(std::size_t h = g + 1; h < direction.size(); ++h) {
+      const Coefficients &a = direction[g], &b = direction[h];
+      if(std::fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > 1e-14) // nearly all pairs, and fma is slow
+        continue;
+      if(std::fabs(dot({a[0], a[1], a[2]}, {b[0], b[1], b[2]})) <= largest_orthogonal_dot)
+        pairs.emplace_back(int(g), int(h));
+    }
+  return pairs;
+}
+
+// Degrees of freedom of the directions. A direction costs 2, less one for each
+// direction it is orthogonal to and that has been counted before. The next one
+// counted is always the most constrained, then the one with most relations, then
+// the first: a star is counted from its center, a frame costs 3.
+inline std::size_t direction_freedom(std::size_t directions, const std::vector<std::pair<int, int>>& orthogonal)
+{
+  std::vector<std::vector<int>> related(directions);
+  for(const auto& pair : orthogonal) {
+    related[pair.first].push_back(pair.second);
+    related[pair.second].push_back(pair.first);
+  }
+  std::vector<int> start(directions);
+  for(std::size_t g = 0; g < directions; ++g)
+    start[g] = int(g);
+  std::stable_sort(start.begin(), start.end(), [&](int a, int b) { return related[a].size() > related[b].size(); });
+  std::vector<int> constraints(directions, 0);
+  std::vector<char> is_counted(directions, 0);
+  std::vector<int> stack[3]; // by number of constraints; entries may be out of date
+  std::size_t freedom = 0;
+  auto count = [&](int g) {
+    if(is_counted[g])
+      return;
+    is_counted[g] = 1;
+    freedom += std::size_t(2 - (std::min)(constraints[g], 2));
+    for(int h : related[g])
+      if(!is_counted[h])
+        stack[(std::min)(++constraints[h], 2)].push_back(h);
+  };
+  for(int g : start) {
+    count(g);
+    while(!stack[1].empty() || !stack[2].empty()) {
+      std::vector<int>& maximum = stack[2].empty() ? stack[1] : stack[2];
+      const int next = maximum.back();
+      maximum.pop_back();
+      count(next);
+    }
+  }
+  return freedom;
+}
+
+inline void measure_relations(Shapes_data& data)
+{
+  Statistics& statistics = data.statistics;
+  statistics.number_of_shapes = data.coefficients.size();
+  statistics.number_of_directions = representatives(data.parallel_group).size();
+  statistics.number_of_planes = representatives(data.coplanar_group).size();
+  statistics.number_of_orthogonal_pairs = data.orthogonal_groups.size();
+  statistics.degrees_of_freedom =
+    direction_freedom(statistics.number_of_directions, data.orthogonal_groups) + statistics.number_of_planes;
+  statistics.complexity = statistics.number_of_shapes > 0
+                            ? double(statistics.degrees_of_freedom) / double(3 * statistics.number_of_shapes)
+                            : 0;
+}
+
+// From the imported points to the items of the caller's range.
+template <class T>
+Shared_table<T> by_item(const Import& in, const Shared_table<T>& values, T missing)
+{
+  if(in.item.empty() && values.size() == in.number_of_items)
+    return values;
+  Host_buffer<T> result(in.number_of_items);
+  std::fill(result.begin(), result.end(), missing);
+  for(std::size_t i = 0; i < values.size(); ++i)
+    result[in.item_of(i)] = values[i];
+  return result;
+}
+
+// The same for points as such, whose order stays.
+inline Shared_table<std::uint32_t> to_items(const Import& in, const Shared_table<std::uint32_t>& points)
+{
+  if(in.item.empty())
+    return points;
+  Host_buffer<std::uint32_t> result(points.size());
+  std::transform(points.begin(), points.end(), result.begin(), [&](std::uint32_t i) { return in.item[i]; });
+  return result;
+}
+
+inline Shapes_data start_export(const Import& in, const Parameters& parameters)
+{
+  Shapes_data data;
+  data.parameters = parameters;
+  data.statistics.number_of_points = in.number_of_items;
+  data.statistics.number_of_ignored_coordinates = in.number_of_ignored_coordinates;
+  data.statistics.number_of_ignored_normals = in.number_of_ignored_normals;
+  data.statistics.grid_step = in.grid.step;
+  data.statistics.is_grid_coarse = in.grid.is_coarse;
+  data.statistics.has_estimated_normals = !in.has_normals;
+  return data;
+}
+
+// Of an empty result, too.
+inline Shapes_data export_shapes(const Import& in, const Parameters& parameters, const Engine_result& result)
+{
+  Shapes_data data = start_export(in, parameters);
+  Statistics& statistics = data.statistics;
+  for(const Engine_shape& shape : result.shapes) {
+    data.coefficients.push_back(shape.plane);
+    data.parallel_group.push_back(shape.direction);
+    data.coplanar_group.push_back(shape.plane_group);
+    data.is_flipped.push_back(shape.is_flipped);
+    statistics.number_of_assigned_points += shape.size;
+  }
+  data.orthogonal_groups = find_orthogonal_groups(data);
+  data.shape_of = by_item(in, result.shape_of, std::int32_t(-1));
+  data.points = {result.points.first, to_items(in, result.points.position)};
+  if(!in.has_normals)
+    data.normal = by_item(in, result.normal, no_normal);
+  measure_relations(data);
+  statistics.coverage =
+    in.number_of_items > 0 ? double(statistics.number_of_assigned_points) / double(in.number_of_items) : 0;
+  statistics.mean_distance = result.mean_distance * parameters.maximum_distance;
+  statistics.number_of_rounds = result.rounds;
+  statistics.is_cancelled = result.is_cancelled;
+  statistics.peak_bytes = result.peak_bytes;
+  statistics.times = result.times;
+  return data;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
+#define CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
+
+#include <CGAL/Tandem/internal/finish/Engine_result.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The points of each shape, for n labels in the memory of the host. A counting sort in a few large pieces. Labels
+// outside of the shapes are left out.
+template <class Backend>
+Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes)
+{
+  const std::size_t grain = (std::max)({n / 64 + 1, shapes, std::size_t(1) << 16});
+  std::vector<std::vector<std::size_t>> place((n + grain - 1) / grain);
+  const auto for_each_point = [&](auto f) {
+    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+      std::vector<std::size_t>& own = place[first / grain];
+      own.resize(shapes, 0);
+      for(std::size_t i = first; i < last; ++i)
+        if(shape_of[i] >= 0 && std::size_t(shape_of[i]) < shapes)
+          f(own[std::size_t(shape_of[i])], i);
+    });
+  };
+  for_each_point([](std::size_t& count, std::size_t) { ++count; });
+  Point_groups groups;
+  std::size_t next = 0;
+  for(std::size_t s = 0; s < shapes; ++s) {
+    groups.first.push_back(next);
+    for(std::vector<std::size_t>& own : place)
+      next += std::exchange(own[s], next);
+  }
+  groups.first.push_back(next);
+  Host_buffer<std::uint32_t> position(next);
+  for_each_point([&](std::size_t& to, std::size_t i) { position[to++] = std::uint32_t(i); });
+  groups.position = std::move(position);
+  return groups;
+}
+
+// The shapes of the points, and the points of the shapes, as they leave the back end, which may have an overload of
+// its own; the buffer is given up.
+template <class Backend>
+void take_points(Backend& backend, typename Backend::template Buffer<std::int32_t>&& shape_of, std::size_t shapes,
+                 Engine_result& result)
+{
+  result.points = group_points(backend, shape_of.data(), shape_of.size(), shapes);
+  result.shape_of = Shared_table<std::int32_t>(std::move(shape_of));
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H

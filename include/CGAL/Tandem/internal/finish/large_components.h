@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The components that become shapes.
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
+#define CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
+
+#include <CGAL/Tandem/internal/shapes/point_passes.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+struct Fill {
+  std::uint32_t* target;
+  std::uint32_t value;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = value; }
+};
+
+// The number of points of each component of labeled points, at its root.
+template <class Backend>
+struct Count_components {
+  const Range* cells;
+  const std::uint32_t* label;
+  const std::uint32_t* component;
+  std::uint32_t* size;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    scratch.clear(block);
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      if(label[cell.first + at] < first_mark)
+        scratch.template add<Backend>(block, component[cell.first + at], size);
+    });
+    scratch.template flush<Backend>(block, size);
+  }
+};
+
+struct Is_large_root {
+  const std::uint32_t* label;
+  const std::uint32_t* component;
+  const std::uint32_t* size;
+  std::uint64_t minimum;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  {
+    return component[i] == i && label[i] < first_mark && size[i] >= minimum;
+  }
+};
+
+struct Component {
+  std::uint32_t root, entry, size;
+};
+
+struct Gather_components {
+  const std::uint32_t* root;
+  const std::uint32_t* label;
+  const std::uint32_t* size;
+  Component* component;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
+};
+
+// The components that are large enough, by falling size, then by position.
+template <class Backend>
+std::vector<Component> large_components(Tandem_state<Backend>& t, const std::uint32_t* label,
+                                        const std::uint32_t* component)
+{
+  typename Backend::template Buffer<std::uint32_t> size(t.cloud.size);
+  t.backend.for_each(t.cloud.size, Fill{size.data(), 0});
+  t.backend.template for_each_cell<Count_scratch>(
+    t.number_of_cells, Count_components<Backend>{t.cells.data(), label, component, size.data()});
+  const auto root = t.backend.compact(
+    t.cloud.size, Is_large_root{label, component, size.data(), std::uint64_t(t.options.minimum_region_size)});
+  typename Backend::template Buffer<Component> buffer(root.size());
+  t.backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
+  std::vector<Component> components(root.size());
+  t.backend.to_host(buffer.data(), components.size(), components.data());
+  std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
+    return a.size != b.size ? a.size > b.size : a.root < b.root;
+  });
+  return components;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far the points are from the planes of their shapes, and how many normals are
+// opposite to these: on the grid, by integer sums.
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
+
+#include <CGAL/Tandem/internal/shapes/point_passes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Distances are summed in units of epsilon / 2^15, so that those of a cell fit 32 bits.
+constexpr std::uint32_t distance_units = 1u << 15;
+
+struct Measure_scratch {
+  Count_scratch opposed;
+  std::uint32_t distance;
+};
+
+template <class Backend>
+struct Measure_points {
+  const Grid_point* point;
+  const Range* cells;
+  const std::uint32_t* label;
+  const Plane* plane;             // by label
+  const std::uint32_t* component; // of each point
+  const std::uint32_t* number;    // of the shape, by component; no_index if there is none
+  std::int64_t epsilon;           // as the signed distance
+  std::uint32_t* opposed;         // by shape
+  std::uint64_t* distance;        // one sum for all points
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Measure_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    scratch.opposed.clear(block);
+    block.single([&] { scratch.distance = 0; });
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at, shape = number[component[i]];
+      if(shape == no_index)
+        return;
+      block.add(scratch.distance, distance_of(i));
+      if(is_opposed(i))
+        scratch.opposed.template add<Backend>(block, shape, opposed);
+    });
+    scratch.opposed.template flush<Backend>(block, opposed);
+    block.single([&] { Backend::atomic_add(*distance, std::uint64_t(scratch.distance)); });
+  }
+
+private:
+  CGAL_TANDEM_HD std::uint32_t distance_of(std::uint32_t i) const
+  {
+    const std::int64_t e = signed_distance(plane[label[i]], point[i]);
+    const std::uint64_t size = std::uint64_t(e < 0 ? -e : e) * distance_units; // < 2^39 times 2^15
+    const std::uint64_t units = (size + std::uint64_t(epsilon) / 2) / std::uint64_t(epsilon);
+    return units < distance_units ? std::uint32_t(units) : distance_units;
+  }
+
+  CGAL_TANDEM_HD bool is_opposed(std::uint32_t i) const
+  {
+    return normal_product(plane[label[i]], decode_normal(point[i].normal)) < 0;
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H

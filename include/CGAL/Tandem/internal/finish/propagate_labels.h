@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A pass of the end game, while planes are fixed: shapes absorb the free points around them.
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
+#define CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
+
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
+#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+constexpr std::uint64_t no_proposal = ~std::uint64_t(0);
+
+// The free points that got offers, each once: round by round, in any order in each. Those of a round are
+// [end[0], end[1]), and the next ones follow, up to end[2].
+struct Proposed_points {
+  std::uint32_t* point;
+  std::uint32_t* end;
+};
+
+// Offers of shapes to free points, from both ends of a neighbor relation. The
+// smallest (distance, shape) wins.
+template <class Backend>
+struct Propose_label {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  const std::uint8_t* state;
+  const Plane* plane;
+  std::uint64_t* proposal;
+  Tolerance tolerance;
+  std::uint32_t* proposed; // those of all rounds ...
+  std::uint32_t* end;      // ... which end here
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const std::uint32_t i = std::uint32_t(at);
+    const std::uint32_t* row = cloud.row(i);
+    if(label[i] < first_mark) {
+      const bool has_others = !(state[i] & interior_bit);
+      for(int j = 0; has_others && j < cloud.k && row[j] != no_index; ++j)
+        to(row[j], label[i]);
+      return;
+    }
+    std::uint32_t last = free_label; // most neighbors that have a shape have the same one
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t s = label[row[j]];
+      if(s >= first_mark || s == last)
+        continue;
+      last = s;
+      make(s, i);
+    }
+  }
+
+  // Of the shape s to a neighbor of one of its points, if that is free.
+  CGAL_TANDEM_HD void to(std::uint32_t q, std::uint32_t s) const
+  {
+    if(label[q] >= first_mark)
+      make(s, q);
+  }
+
+private:
+  CGAL_TANDEM_HD void make(std::uint32_t s, std::uint32_t i) const
+  {
+    if(!fits(plane[s], cloud.point[i], tolerance))
+      return;
+    const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
+    const std::uint64_t distance = std::uint64_t(e < 0 ? -e : e) >> 16; // 2^-12 steps; < 2^32 while epsilon < 2^19
+    if(Backend::atomic_min(proposal[i], distance << 32 | s) == no_proposal)
+      proposed[Backend::atomic_add(*end, 1u)] = i;
+  }
+};
+
+// Later rounds: only the points that were absorbed in the last one have news.
+template <class Backend>
+struct Propose_again {
+  Propose_label<Backend> proposal;
+  Proposed_points absorbed;
+  std::size_t items; // that this is called with
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::size_t first = absorbed.end[0], size = absorbed.end[1] - first, k = std::size_t(proposal.cloud.k);
+    for(std::size_t at = i; at < size * k; at += items) {
+      const std::uint32_t p = absorbed.point[first + at / k], q = proposal.cloud.row(p)[at % k];
+      if(q != no_index)
+        proposal.to(q, proposal.label[p]);
+    }
+  }
+};
+
+struct Clear_proposals {
+  std::uint64_t* proposal;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { proposal[i] = no_proposal; }
+};
+
+struct Accept_proposals {
+  Labels_view labels;
+  std::uint64_t* proposal;
+  Proposed_points proposed;
+  std::size_t items; // that this is called with
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::size_t first = proposed.end[0], last = proposed.end[1];
+    if(i == 0)
+      proposed.end[2] = proposed.end[1];
+    for(std::size_t at = first + i; at < last; at += items) {
+      const std::uint32_t p = proposed.point[at];
+      labels.label[p] = std::uint32_t(proposal[p]);
+      labels.state[p] &= std::uint8_t(~interior_bit);
+      proposal[p] = no_proposal;
+    }
+  }
+};
+
+// Rounds in which free points accept offers, and then pass on those of the shapes that they have joined.
+template <class Backend>
+struct Label_propagation {
+  Propose_label<Backend> proposal; // the first one, which has been made
+  Labels_view labels;
+  Proposed_points proposed;
+  std::size_t few;
+
+  CGAL_TANDEM_HD Accept_proposals accept(std::size_t round, std::size_t items) const
+  {
+    return {labels, proposal.proposal, of_round(round), items};
+  }
+
+  // After accept(): whether next to no point has joined a shape.
+  CGAL_TANDEM_HD bool is_last(std::size_t round) const { return proposed.end[round + 1] - proposed.end[round] <= few; }
+
+  CGAL_TANDEM_HD Propose_again<Backend> propose_again(std::size_t round, std::size_t items) const
+  {
+    Propose_label<Backend> next = proposal;
+    next.end = proposed.end + round + 2;
+    return {next, of_round(round), items};
+  }
+
+private:
+  CGAL_TANDEM_HD Proposed_points of_round(std::size_t round) const { return {proposed.point, proposed.end + round}; }
+};
+
+// A device has an overload of its own: here the host sees what functors have written.
+template <class Backend>
+void run_label_propagation(Backend& backend, std::size_t maximum_rounds, const Label_propagation<Backend>& rounds)
+{
+  static_assert(std::is_base_of<Host_memory, Backend>::value, "a device needs an overload");
+  const std::size_t items = (std::min)(std::size_t(rounds.proposal.cloud.size), std::size_t(1) << 18);
+  for(std::size_t round = 0; round < maximum_rounds; ++round) {
+    backend.for_each(items, rounds.accept(round, items));
+    if(rounds.is_last(round))
+      return;
+    backend.for_each(items, rounds.propose_again(round, items));
+  }
+}
+
+// Free points join the shapes that they fit, until next to none does.
+template <class Backend>
+void propagate_labels(Tandem_state<Backend>& t)
+{
+  constexpr std::size_t maximum_rounds = 16;
+  const std::size_t n = t.cloud.size, few = n / 100000;
+  typename Backend::template Buffer<std::uint64_t> proposal(n);
+  typename Backend::template Buffer<std::uint32_t> proposed(n);
+  std::vector<std::uint32_t> end(maximum_rounds + 2, 0); // the host does not look at it again
+  const auto plane = t.backend.read_access(t.plane);
+  const auto ends = t.backend.read_write_access(end);
+  t.backend.for_each(n, Clear_proposals{proposal.data()});
+  const Propose_label<Backend> first = {t.cloud,         t.label.data(),  t.state.data(),
+                                        plane.data(),    proposal.data(), t.options.growth.tolerance,
+                                        proposed.data(), ends.data() + 1};
+  t.backend.for_each(n, first);
+  run_label_propagation(t.backend, maximum_rounds, {first, t.labels(), {proposed.data(), ends.data()}, few});
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H

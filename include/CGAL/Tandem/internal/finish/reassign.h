@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Passes of the end game, while planes are fixed: assigned points go to larger neighbors, and all are counted anew.
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
+#define CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
+
+#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A point of a shape that may give points away goes to the largest shape among its
+// neighbors' that it fits, but not to a plane that is farther than the nearest one by
+// more than a quarter of epsilon: layers side by side do not eat each other. Points
+// whose neighbors all have their label become interior on the way, if asked for.
+struct Choose_largest {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  std::uint8_t* state;
+  const Plane* plane;
+  const std::int64_t* size; // by shape, as are these
+  const std::uint8_t* may_lose;
+  const std::uint8_t* may_gain;
+  std::uint32_t* chosen;
+  Tolerance tolerance;
+  bool marks_interior = false;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t s = label[i];
+    chosen[i] = s;
+    if(s >= first_mark || (state[i] & interior_bit) || !(may_lose[s] || marks_interior))
+      return;
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    bool all_same = true;
+    const std::int64_t farthest = may_lose[s] ? minimum_distance(i, s) + tolerance.distance / 4 : 0;
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]], best = chosen[i];
+      all_same = all_same && t == s;
+      if(t >= first_mark || t == best || !may_gain[t] || !may_lose[s])
+        continue;
+      const bool is_larger =
+        size[t] > size[best] || (size[t] == size[best] && t < best) || distance(best, i) > farthest;
+      if(is_larger && distance(t, i) <= farthest && fits(plane[t], cloud.point[i], tolerance))
+        chosen[i] = t;
+    }
+    if(marks_interior && all_same)
+      state[i] |= interior_bit;
+  }
+
+private:
+  CGAL_TANDEM_HD std::int64_t distance(std::uint32_t s, std::size_t i) const
+  {
+    const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
+    return e < 0 ? -e : e;
+  }
+
+  CGAL_TANDEM_HD std::int64_t minimum_distance(std::size_t i, std::uint32_t s) const
+  {
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    std::int64_t minimum = distance(s, i);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]];
+      if(t >= first_mark || t == s || !may_gain[t] || distance(t, i) >= minimum ||
+         !fits(plane[t], cloud.point[i], tolerance))
+        continue;
+      minimum = distance(t, i);
+    }
+    return minimum;
+  }
+};
+
+// Sums what the shapes lose and gain by it.
+template <class Backend>
+struct Take_chosen {
+  Cloud_view cloud;
+  const Range* cells;
+  const std::uint32_t* chosen;
+  Labels_view labels;
+  Shared_moments* change;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    const Grid_point& base = cloud.point[cell.first];
+    table.clear(block);
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = cell.first + at;
+      const std::uint32_t old = labels.label[i], s = chosen[i];
+      if(old == s)
+        return;
+      labels.label[i] = s;
+      labels.state[i] &= std::uint8_t(~interior_bit);
+      table.template add<Backend>(block, old, cloud.point[i], base, -1, change);
+      table.template add<Backend>(block, s, cloud.point[i], base, 1, change);
+    });
+    table.template flush<Backend>(block, base, change);
+  }
+};
+
+// One Jacobi round of reassignment. Keeps the moments of the shapes right, if they are; their
+// boxes only grow, and they may become empty. False if nothing has changed.
+template <class Backend>
+bool reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose,
+              const std::vector<std::uint8_t>& may_gain, bool marks_interior)
+{
+  std::vector<std::int64_t> size(t.shapes.size(), 0);
+  t.backend.for_each_on_host(t.live.size(),
+                             [&](std::size_t l) { size[t.live[l]] = t.shapes[t.live[l]].moments.count; });
+  typename Backend::template Buffer<std::uint32_t> chosen(t.cloud.size);
+  const auto plane = t.backend.read_access(t.plane);
+  const auto sizes = t.backend.read_access(size);
+  const auto losing = t.backend.read_access(may_lose), gaining = t.backend.read_access(may_gain);
+  t.backend.for_each(t.cloud.size,
+                     Choose_largest{t.cloud, t.label.data(), t.state.data(), plane.data(), sizes.data(), losing.data(),
+                                    gaining.data(), chosen.data(), t.options.growth.tolerance, marks_interior});
+  t.backend.template for_each_cell<Moment_table>(
+    t.number_of_cells,
+    Take_chosen<Backend>{t.cloud, t.cells.data(), chosen.data(), t.labels(), start_deltas(t, t.shapes.size())});
+  const Host_buffer<Shape_delta> changes = take_deltas(t, t.shapes.size());
+  t.backend.for_each_on_host(changes.size(), [&](std::size_t c) {
+    Shape& shape = t.shapes[changes[c].id];
+    shape.moments += changes[c].sums.moments();
+    shape.box.add(changes[c].sums.box);
+    shape.is_dirty = true;
+  });
+  return changes.size() > 0;
+}
+
+template <class Backend>
+struct Sum_moments {
+  Cloud_view cloud;
+  const Range* cells;
+  const std::uint32_t* label;
+  Shared_moments* sum;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    const Grid_point& base = cloud.point[cell.first];
+    const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, base, sum); };
+    table.clear(block);
+    block.template accumulate<Shape_run>(
+      cell.size(),
+      [&](std::uint32_t at, Shape_run& run) {
+        const std::uint32_t i = cell.first + at;
+        if(label[i] >= first_mark)
+          return;
+        if(label[i] != run.shape) {
+          add(run);
+          run = Shape_run();
+          run.shape = label[i];
+        }
+        run.add(cloud.point[i], base, 1);
+      },
+      add);
+    table.template flush<Backend>(block, base, sum);
+  }
+};
+
+// Moments and bounds of all shapes, anew from the labels.
+template <class Backend>
+void recount(Tandem_state<Backend>& t)
+{
+  t.backend.template for_each_cell<Moment_table>(
+    t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), start_deltas(t, t.shapes.size())});
+  list_shapes(t);
+  const Host_buffer<Shape_delta> sums = take_deltas(t, t.shapes.size());
+  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) { t.shapes[t.live[l]].moments = Moments(); });
+  t.assigned = std::size_t(sum_on_host(t.backend, sums.size(), [&](std::size_t g) {
+    Shape& shape = t.shapes[sums[g].id];
+    shape.moments = sums[g].sums.moments();
+    shape.box = sums[g].sums.box;
+    shape.is_dirty = true;
+    return sums[g].sums.count;
+  }));
+  drop_empty_shapes(t);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H

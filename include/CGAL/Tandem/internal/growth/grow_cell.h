@@ -1,0 +1,302 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Growth inside one octree cell (Algorithm 2 of the paper): all shapes of the cell
+// grow at the same time over its free points, with their planes fixed; then new
+// shapes begin. A cell writes the labels of its own points only.
+
+#ifndef CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
+#define CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
+
+#include <CGAL/Tandem/internal/backend/concepts.h>
+#include <CGAL/Tandem/internal/growth/Cell_job.h>
+#include <CGAL/Tandem/internal/shapes/Seeds.h>
+#include <CGAL/Tandem/internal/shapes/Shapes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class Backend, class Block, class Scratch>
+class Cell_growth {
+  static_assert(Is_block<Block>::value, "the block is no model of the concept Block");
+  static_assert(Block::lookahead > 0 && Block::lookahead <= maximum_lookahead,
+                "the scratch has no room for the trials");
+
+public:
+  CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
+                             const Shapes_view& shapes, const Labels_view& labels, const Growth_options& options)
+    : block_(block), s_(scratch), job_(job), cloud_(cloud), shapes_(shapes), options_(options), label_(labels.label),
+      state_(labels.state)
+  {}
+
+  CGAL_TANDEM_HD void run()
+  {
+    block_.single([&] { s_.tail = s_.active_count = 0; });
+    collect_frontier();
+    const std::uint32_t old = s_.tail;
+    join_proposals();
+    const bool has_seeds = *job_.seed_cursor < job_.seed_count;
+    if(has_seeds)
+      list_active();
+    expand(0, s_.tail);
+    if(has_seeds)
+      begin_shapes();
+    if(old < s_.tail)
+      add_deltas(old, s_.tail);
+  }
+
+private:
+  CGAL_TANDEM_HD const Grid_point& base() const { return cloud_.point[job_.cell.first]; }
+
+  CGAL_TANDEM_HD void push(std::uint32_t i) { s_.queue[block_.append(s_.tail)] = std::uint16_t(i - job_.cell.first); }
+
+  CGAL_TANDEM_HD std::uint32_t queued(std::uint32_t place) const { return job_.cell.first + s_.queue[place]; }
+
+  CGAL_TANDEM_HD void join_proposals()
+  {
+    block_.for_each(job_.border_size, [&](std::uint32_t b) {
+      const std::uint32_t i = job_.border[b];
+      if(job_.proposal[b] == no_index)
+        return;
+      label_[i] = job_.proposal[b];
+      state_[i] |= frontier_bit;
+      push(i);
+    });
+  }
+
+  // Queues the points from which shapes go on.
+  CGAL_TANDEM_HD void collect_frontier()
+  {
+    block_.for_each(job_.cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t i = job_.cell.first + at;
+      const bool is_on = state_[i] & frontier_bit;
+      if((!is_on && !job_.has_restarted) || label_[i] >= first_mark || !(is_on || shapes_.is_restarted[label_[i]]))
+        return;
+      state_[i] |= frontier_bit;
+      push(i);
+    });
+  }
+
+  // The distinct shapes of the queue that keep new ones from beginning, as far as the
+  // list goes. Those that grow again from all of their points are not among them:
+  // while planes settle they would take the room round after round.
+  CGAL_TANDEM_HD void list_active()
+  {
+    std::uint32_t next = 0;
+    for(int count = 0; count < options_.seeds_in_flight; ++count) {
+      const std::uint32_t s = block_.min(s_.tail, [&](std::uint32_t place) {
+        const std::uint32_t label = label_[queued(place)];
+        return label < next || shapes_.is_restarted[label] ? no_index : label;
+      });
+      if(s == no_index)
+        return;
+      next = s + 1;
+      block_.single([&] { s_.active[s_.active_count++] = s; });
+    }
+  }
+
+  // Breadth-first rounds over [head, tail) of the queue. A free point that several
+  // shapes reach in one round goes to the smallest id.
+  CGAL_TANDEM_HD void expand(std::uint32_t head, std::uint32_t tail)
+  {
+    for(int round = 0; head < tail; ++round) {
+      block_.for_each_neighbor(
+        tail - head, cloud_.k, [&](std::uint32_t source) { return row_if_going_on(head + source, round); },
+        [&](std::uint32_t source, std::uint32_t q) { propose(label_[queued(head + source)], q); });
+      const std::uint32_t sources = tail - head;
+      block_.for_each(s_.tail - head, [&](std::uint32_t at) {
+        const std::uint32_t i = queued(head + at);
+        if(at >= sources) {
+          label_[i] &= ~first_mark;
+          state_[i] |= frontier_bit;
+        } else if(round < shapes_.rounds[label_[i]])
+          state_[i] &= std::uint8_t(~frontier_bit);
+      });
+      head = tail;
+      tail = s_.tail;
+    }
+  }
+
+  CGAL_TANDEM_HD const std::uint32_t* row_if_going_on(std::uint32_t place, int round) const
+  {
+    const std::uint32_t i = queued(place);
+    return round < shapes_.rounds[label_[i]] ? cloud_.row(i) : nullptr;
+  }
+
+  // Claims are marked, and become labels when the round is over.
+  CGAL_TANDEM_HD void propose(std::uint32_t s, std::uint32_t q)
+  {
+    if(!is_own(q))
+      return;
+    const std::uint32_t claim = first_mark | s;
+    const std::uint32_t old = label_[q];
+    if(old < first_mark || old <= claim || old == locked_label ||
+       !fits(shapes_.plane[s], cloud_.point[q], options_.tolerance))
+      return;
+    if(block_.fetch_min(label_[q], claim) == free_label)
+      push(q);
+  }
+
+  // New shapes begin at the first candidates with a core. Those without one are no seeds any more, and each costs a
+  // try. A block may try some of them ahead.
+  CGAL_TANDEM_HD void begin_shapes()
+  {
+    const std::uint32_t first = s_.tail;
+    std::uint32_t at = skip_used_candidates(), shape = job_.new_shape;
+    int room = options_.seeds_in_flight - int(s_.active_count);
+    int tries = options_.seed_tries;
+    while(room > 0 && tries > 0) {
+      const std::uint32_t size = try_candidates(at);
+      std::uint32_t next = 0;
+      for(; next < size && room > 0 && tries > 0; ++next) {
+        if(!s_.trial[next].is_candidate)
+          continue;
+        if(s_.trial[next].lost > 0)
+          break; // to be tried again
+        if(s_.trial[next].count < options_.core_size) {
+          --tries;
+          continue;
+        }
+        begin_shape(s_.trial[next], shape);
+        look_again(shape++, next + 1, size);
+        --room;
+      }
+      block_.for_each(next, [&](std::uint32_t i) {
+        if(s_.trial[i].is_candidate)
+          state_[s_.trial[i].seed] |= failed_seed_bit;
+      });
+      if(next == size && size < Block::lookahead)
+        break; // there were no more
+      at = next < size ? s_.trial[next].at : s_.trial[size - 1].at + 1;
+    }
+    expand(first, s_.tail);
+  }
+
+  CGAL_TANDEM_HD std::uint32_t skip_used_candidates()
+  {
+    const std::uint32_t at =
+      block_.find_first(*job_.seed_cursor, job_.seed_count, [&](std::uint32_t c) { return is_untried(job_.seed[c]); });
+    block_.single([&] { *job_.seed_cursor = at; });
+    return at;
+  }
+
+  CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return Labels_view{label_, state_}.is_untried(i); }
+
+  CGAL_TANDEM_HD bool is_candidate(std::uint32_t i) const
+  {
+    if(!is_untried(i))
+      return false;
+    for(std::uint32_t a = 0; a < s_.active_count; ++a)
+      if(fits(shapes_.plane[s_.active[a]], cloud_.point[i], options_.tolerance))
+        return false; // a shape that is still growing here may reach it
+    return true;
+  }
+
+  CGAL_TANDEM_HD bool is_own(std::uint32_t q) const { return q >= job_.cell.first && q < job_.cell.last; }
+
+  // Tries the next candidates, some of them; returns how many.
+  CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at)
+  {
+    const Grid_point& o = base();
+    const std::uint32_t size = block_.find(
+      at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); },
+      [&](std::uint32_t i, std::uint32_t c) {
+        const std::uint32_t seed = job_.seed[c];
+        s_.trial[i] = {c, seed, true, own_plane(cloud_.point[seed]), Cell_moments(), 0, 0};
+      });
+    for_each_of_cores(size, [&](Trial& trial, const Grid_point& p) {
+      Cell_moments sums;
+      sums.add(std::int64_t(p.x) - o.x, std::int64_t(p.y) - o.y, std::int64_t(p.z) - o.z);
+      block_.add_moments(trial.sums, sums);
+    });
+    block_.for_each(size, [&](std::uint32_t i) {
+      Trial& trial = s_.trial[i];
+      if(trial.sums.count < std::int64_t(options_.core_size))
+        return;
+      const Scatter scatter = make_scatter(shifted(trial.sums, o.x, o.y, o.z));
+      trial.plane = make_plane(fit_plane(scatter).normal, scatter.centroid);
+    });
+    for_each_of_cores(size, [&](Trial& trial, const Grid_point&) { block_.append(trial.count); });
+    return size;
+  }
+
+  // The trials behind that of a shape which has begun: it may reach their seed, or have taken points of their core.
+  CGAL_TANDEM_HD void look_again(std::uint32_t shape, std::uint32_t first, std::uint32_t last)
+  {
+    const std::uint32_t width = std::uint32_t(cloud_.k) + 1;
+    block_.for_each((last - first) * width, [&](std::uint32_t at) {
+      Trial& trial = s_.trial[first + at / width];
+      const std::uint32_t j = at % width, q = near_seed(trial.seed, j);
+      if(j == 0 && (label_[q] != free_label || fits(shapes_.plane[shape], cloud_.point[q], options_.tolerance)))
+        trial.is_candidate = false;
+      if(is_own(q) && label_[q] == shape)
+        block_.append(trial.lost);
+    });
+  }
+
+  // f(trial, point) for what fits the plane of each trial.
+  template <class F>
+  CGAL_TANDEM_HD void for_each_of_cores(std::uint32_t size, F f)
+  {
+    const std::uint32_t width = std::uint32_t(cloud_.k) + 1;
+    block_.for_each(size * width, [&](std::uint32_t at) {
+      Trial& trial = s_.trial[at / width];
+      const std::uint32_t q = near_seed(trial.seed, at % width);
+      if(is_in_core(q, trial.plane))
+        f(trial, cloud_.point[q]);
+    });
+  }
+
+  CGAL_TANDEM_HD std::uint32_t near_seed(std::uint32_t seed, std::uint32_t j) const
+  {
+    return j == 0 ? seed : cloud_.row(seed)[j - 1];
+  }
+
+  CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
+  {
+    return is_own(q) && label_[q] == free_label && fits(plane, cloud_.point[q], options_.tolerance);
+  }
+
+  CGAL_TANDEM_HD void begin_shape(const Trial& trial, std::uint32_t shape)
+  {
+    block_.single([&] {
+      shapes_.plane[shape] = trial.plane;
+      shapes_.rounds[shape] = 1;
+      s_.active[s_.active_count++] = shape;
+    });
+    block_.for_each(std::uint32_t(cloud_.k) + 1, [&](std::uint32_t j) {
+      const std::uint32_t q = near_seed(trial.seed, j);
+      if(!is_in_core(q, trial.plane))
+        return;
+      label_[q] = shape;
+      state_[q] |= frontier_bit;
+      push(q);
+    });
+  }
+
+  CGAL_TANDEM_HD void add_deltas(std::uint32_t first, std::uint32_t last)
+  {
+    s_.table.clear(block_);
+    block_.for_each(last - first, [&](std::uint32_t at) {
+      const std::uint32_t i = queued(first + at);
+      s_.table.template add<Backend>(block_, label_[i], cloud_.point[i], base(), 1, shapes_.delta);
+    });
+    s_.table.template flush<Backend>(block_, base(), shapes_.delta);
+  }
+
+  Block& block_;
+  Scratch& s_;
+  const Cell_job job_;
+  const Cloud_view cloud_;
+  const Shapes_view shapes_;
+  const Growth_options options_;
+  std::uint32_t* label_;
+  std::uint8_t* state_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H
+#define CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H
+
+#include <CGAL/Tandem/internal/memory/Kept_pages.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// An array that is not initialized: each of its pages is first touched by the
+// thread that fills it.
+template <class T>
+class Host_buffer {
+  static_assert(std::is_trivially_destructible<T>::value, "buffers hold plain data");
+
+public:
+  Host_buffer() = default;
+  explicit Host_buffer(std::size_t size) { reset(size); }
+
+  // Discards the contents.
+  void reset(std::size_t size)
+  {
+    release();
+    if(size == 0)
+      return;
+    const std::size_t bytes = size * sizeof(T);
+    Kept_pages::Block block = Kept_pages::take(bytes);
+    if(block.memory == nullptr)
+      block = {allocate_pages(bytes), bytes};
+    if(block.memory == nullptr)
+      throw std::bad_alloc();
+    data_ = std::unique_ptr<T[], Free>(static_cast<T*>(block.memory), Free{block.bytes, false});
+    size_ = size;
+  }
+
+  // The memory will not be freed, but kept for the next buffer of this size.
+  void keep_pages() { data_.get_deleter().is_kept = true; }
+
+  void release()
+  {
+    data_.reset();
+    size_ = 0;
+  }
+
+  T* get() const { return data_.get(); }
+  T* data() { return data_.get(); }
+  const T* data() const { return data_.get(); }
+  std::size_t size() const { return size_; }
+  T& operator[](std::size_t i) { return data_[i]; }
+  const T& operator[](std::size_t i) const { return data_[i]; }
+  T* begin() { return data_.get(); }
+  T* end() { return data_.get() + size_; }
+  const T* begin() const { return data_.get(); }
+  const T* end() const { return data_.get() + size_; }
+
+private:
+  struct Free {
+    std::size_t bytes = 0;
+    bool is_kept = false;
+
+    void operator()(T* memory) const
+    {
+      if(is_kept)
+        Kept_pages::give(memory, bytes);
+      else
+        std::free(memory);
+    }
+  };
+
+  std::unique_ptr<T[], Free> data_;
+  std::size_t size_ = 0;
+};
+
+// A table that does not change any more. Copies share it, so that they take no time.
+template <class T>
+class Shared_table {
+public:
+  using value_type = T;
+  using const_iterator = const T*;
+  using iterator = const_iterator;
+
+  Shared_table() = default;
+  Shared_table(Host_buffer<T>&& table) : table_(std::make_shared<const Host_buffer<T>>(std::move(table))) {}
+
+  const T* data() const { return table_ ? table_->data() : nullptr; }
+  std::size_t size() const { return table_ ? table_->size() : 0; }
+  bool empty() const { return size() == 0; }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size(); }
+  const T& operator[](std::size_t i) const { return (*table_)[i]; }
+
+private:
+  std::shared_ptr<const Host_buffer<T>> table_;
+};
+
+// Keys with the index that each belongs to, as a back end sorts them.
+class Host_sort_table {
+public:
+  struct Entry {
+    std::uint64_t key;
+    std::uint32_t index;
+  };
+
+  struct View {
+    Entry* entry;
+
+    std::uint64_t key(std::size_t i) const { return entry[i].key; }
+    std::uint32_t index(std::size_t i) const { return entry[i].index; }
+    void set(std::size_t i, std::uint64_t key, std::uint32_t index) const { entry[i] = {key, index}; }
+  };
+
+  explicit Host_sort_table(std::size_t size) : entries_(size) {}
+
+  View view() const { return {entries_.get()}; }
+  std::size_t size() const { return entries_.size(); }
+  Entry* begin() { return entries_.begin(); }
+  Entry* end() { return entries_.end(); }
+
+private:
+  Host_buffer<Entry> entries_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H

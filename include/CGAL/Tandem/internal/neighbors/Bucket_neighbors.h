@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The nearest points found so far of up to eight query points, the queries, side
+// by side. Distances are compared in float, with a margin, and where the margin
+// cannot tell which is smaller, in integers.
+//
+// Why no neighbor is lost, with u = 2^-24:
+// Lanes lie within 2^22 of the origin of the float coordinates, so theirs are
+// exact. A candidate's are exact within 2^24; beyond, they are off by a factor
+// 1 + u and the difference from the query is at least 3/4 of them. So differences
+// are exact up to 1 + 3u, and squared distances up to 1 + 12u. A key is that plus
+// one with its lowest 8 bits replaced: off by 1 + 14u + 2^-15. This is less than
+// a third of the margin of 1 + 2^-13, so keys a margin apart are in the right
+// order, and who is farther than the worst key and a margin is no neighbor.
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_BUCKET_NEIGHBORS_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_BUCKET_NEIGHBORS_H
+
+#include <CGAL/Tandem/internal/neighbors/Box_tree.h>
+#include <CGAL/Tandem/internal/neighbors/Float8.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+constexpr int maximum_k = 64;
+
+// The widest bucket whose points may be queries of one search.
+constexpr std::uint64_t maximum_squared_width = std::uint64_t(1) << 44;
+
+// K = 0: k is known at run time only.
+template <int K>
+class Bucket_neighbors {
+public:
+  Bucket_neighbors(const Point_bucket* bucket, int k) : bucket_(bucket), k_(k) {}
+
+  int k() const { return K > 0 ? K : k_; }
+
+  // Points [first, last) of a bucket.
+  void start(std::uint32_t bucket, int first, int last)
+  {
+    own_ = bucket;
+    first_ = first;
+    last_ = last;
+    size_ = 0;
+    is_reduced_ = false;
+    const Point_bucket& p = bucket_[bucket];
+    box_ = box_of(p, first);
+    for(int query = first + 1; query < last; ++query)
+      box_ = joined(box_, box_of(p, query));
+    x_ = difference8(p.x, box_.low[0]);
+    y_ = difference8(p.y, box_.low[1]);
+    z_ = difference8(p.z, box_.low[2]);
+    for(int axis = 0; axis < 3; ++axis)
+      side_[axis] = float(box_.high[axis] - box_.low[axis]);
+    float key[8];
+    for(int query = 0; query < 8; ++query)
+      key[query] = query >= first && query < last ? unknown : -1; // no point is nearer than -1
+    for(int i = 0; i < k() + 2; ++i)
+      best_[i] = load8(key);
+    update_reach();
+    update_limit();
+  }
+
+  // The points to search around.
+  const Node_box& box() const { return box_; }
+
+  // Points and boxes with a larger squared distance to the box are too far.
+  float limit() const { return limit_; }
+
+  // Once there were too many candidates, integers decide as well: this ends the
+  // search among any number of points at the same distance.
+  bool is_reduced() const { return is_reduced_; }
+  bool may_contain_neighbor(const Node_box& node, std::uint32_t first_index) const
+  {
+    return Candidate{squared_distance(box_, node), first_index} < worst_;
+  }
+
+  // Compares the first `count` points of a bucket with all queries.
+  void scan(std::uint32_t bucket, std::uint32_t count)
+  {
+    if(size_ + int(bucket_size) > capacity)
+      reduce();
+    const Point_bucket& p = bucket_[bucket];
+    float x[8], y[8], z[8];
+    const Float8 x8 = difference8(p.x, box_.low[0]);
+    const Float8 y8 = difference8(p.y, box_.low[1]);
+    const Float8 z8 = difference8(p.z, box_.low[2]);
+    store8(x, x8);
+    store8(y, y8);
+    store8(z, z8);
+    const Float8 to_box = squared_length8(outside(x8, side_[0]), outside(y8, side_[1]), outside(z8, side_[2]));
+    for(unsigned near = less_equal8(to_box, fill8(limit_)) & ((1u << count) - 1); near != 0; near &= near - 1) {
+      const int i = __builtin_ctz(near);
+      const Float8 squared = squared_length8(fill8(x[i]) - x_, fill8(y[i]) - y_, fill8(z[i]) - z_);
+      if(less_equal8(squared, reach_) != 0)
+        record(squared, bucket * bucket_size + std::uint32_t(i));
+    }
+    update_limit();
+  }
+
+  // k indices a query.
+  void write(std::uint32_t* out)
+  {
+    if(is_reduced_)
+      reduce();
+    const unsigned ambiguous = is_reduced_ ? 0xffu : ambiguous_queries();
+    for(int query = first_; query < last_; ++query, out += k()) {
+      if((ambiguous >> query & 1u) == 0)
+        write_by_key(query, out);
+      else if(is_reduced_)
+        write_candidates(reduced_[query], k(), out);
+      else
+        write_exactly(query, out);
+    }
+  }
+
+private:
+  struct Candidate {
+    std::uint64_t squared;
+    std::uint32_t index;
+
+    bool operator<(const Candidate& c) const
+    {
+      return squared < c.squared || (squared == c.squared && index < c.index);
+    }
+  };
+
+  static constexpr int tag_bits = 8;
+  static constexpr int capacity = 1 << tag_bits;
+  static constexpr std::uint32_t tag_mask = std::uint32_t(capacity) - 1;
+  static constexpr int maximum = K > 0 ? K : maximum_k;
+  static constexpr float margin = 1 + 0x1p-13f;
+  static constexpr float unknown = 0x1p100f;
+
+  static Node_box box_of(const Point_bucket& p, int i) { return {{p.x[i], p.y[i], p.z[i]}, {p.x[i], p.y[i], p.z[i]}}; }
+
+  static Float8 outside(const Float8& c, float side) { return max8(max8(c - fill8(side), fill8(0) - c), fill8(0)); }
+
+  // Keys say which record they come from.
+  void record(const Float8& squared, std::uint32_t index)
+  {
+    const Float8 key = tagged8(squared + fill8(1), std::uint32_t(size_), tag_mask);
+    index_[size_] = index;
+    store8(squared_[size_], squared);
+    ++size_;
+    for(int i = k() + 1; i > 0; --i)
+      best_[i] = max8(best_[i - 1], min8(best_[i], key));
+    best_[0] = min8(best_[0], key);
+    update_reach();
+  }
+
+  // The query itself is the first of the k + 1 nearest.
+  void update_reach() { reach_ = best_[k()] * fill8(margin); }
+
+  void update_limit()
+  {
+    float reach[8];
+    store8(reach, reach_);
+    limit_ = *std::max_element(reach, reach + 8);
+  }
+
+  // Lanes with keys too close to each other to trust their order, unknown ones
+  // included.
+  unsigned ambiguous_queries() const
+  {
+    unsigned queries = 0;
+    for(int i = 0; i <= k(); ++i)
+      queries |= less_equal8(best_[i + 1], best_[i] * fill8(margin));
+    return queries;
+  }
+
+  void write_by_key(int query, std::uint32_t* out) const
+  {
+    for(int i = 0; i < k(); ++i) {
+      float key[8];
+      store8(key, best_[i + 1]);
+      std::uint32_t bits;
+      std::memcpy(&bits, &key[query], sizeof bits);
+      out[i] = index_[bits & tag_mask];
+    }
+  }
+
+  void write_exactly(int query, std::uint32_t* out) const
+  {
+    Candidate found[capacity];
+    const int n = collect(query, found);
+    std::sort(found, found + n);
+    write_candidates(found, n, out);
+  }
+
+  void write_candidates(const Candidate* sorted, int n, std::uint32_t* out) const
+  {
+    for(int i = 0; i < k(); ++i)
+      out[i] = i < n ? sorted[i].index : no_index;
+  }
+
+  // The records that may be neighbors of the query, exactly.
+  int collect(int query, Candidate* found) const
+  {
+    float reach[8];
+    store8(reach, reach_);
+    int n = 0;
+    for(int i = 0; i < size_; ++i)
+      if(squared_[i][query] <= reach[query] && index_[i] != own_ * bucket_size + std::uint32_t(query))
+        found[n++] = exact(query, index_[i]);
+    return n;
+  }
+
+  Candidate exact(int query, std::uint32_t index) const
+  {
+    const Point_bucket &p = bucket_[own_], &q = bucket_[index / bucket_size];
+    const std::uint32_t i = index % bucket_size;
+    const std::int64_t x = std::int64_t(p.x[query]) - q.x[i];
+    const std::int64_t y = std::int64_t(p.y[query]) - q.y[i];
+    const std::int64_t z = std::int64_t(p.z[query]) - q.z[i];
+    return {std::uint64_t(x * x + y * y + z * z), index};
+  }
+
+  // Makes room: of the records, only the k nearest of each query are kept.
+  void reduce()
+  {
+    worst_ = {0, 0};
+    for(int query = first_; query < last_; ++query) {
+      Candidate found[capacity + maximum];
+      const int n = collect(query, found);
+      for(int i = 0; i < k(); ++i)
+        found[n + i] = is_reduced_ ? reduced_[query][i] : Candidate{~std::uint64_t(0), no_index};
+      std::partial_sort(found, found + k(), found + n + k());
+      std::copy(found, found + k(), reduced_[query]);
+      worst_ = (std::max)(worst_, found[k() - 1]);
+    }
+    is_reduced_ = true;
+    size_ = 0;
+  }
+
+  const Point_bucket* bucket_;
+  int k_;
+  std::uint32_t own_ = 0;
+  int first_ = 0, last_ = 0;
+  Node_box box_;
+  float side_[3];
+  float limit_ = 0;
+  Float8 x_, y_, z_, reach_;
+  Float8 best_[maximum + 2]; // the smallest keys of each query, ascending
+  int size_ = 0;
+  std::uint32_t index_[capacity];
+  float squared_[capacity][8];
+  bool is_reduced_ = false;
+  Candidate worst_;
+  Candidate reduced_[bucket_size][maximum];
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_BUCKET_NEIGHBORS_H

@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Mean and covariance of a neighborhood in float, and the plane through it.
+//
+// Products are taken of two floats in double, where they are exact: sums of them
+// come out the same whether or not a compiler contracts them, without the price
+// of std::fma where the processor is not known to have it.
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H
+
+#include <CGAL/Tandem/internal/base/types.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+struct Float_vector {
+  float x, y, z;
+};
+
+CGAL_TANDEM_HD inline Float_vector operator+(const Float_vector& a, const Float_vector& b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+CGAL_TANDEM_HD inline Float_vector operator-(const Float_vector& a, const Float_vector& b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+CGAL_TANDEM_HD inline double exact_product(float a, float b) { return double(a) * double(b); }
+
+CGAL_TANDEM_HD inline double exact_dot(const Float_vector& a, const Float_vector& b)
+{
+  return exact_product(a.x, b.x) + exact_product(a.y, b.y) + exact_product(a.z, b.z);
+}
+
+// From p to q, rounded where they are more than 2^24 steps apart.
+CGAL_TANDEM_HD inline Float_vector difference(const Grid_point& q, const Grid_point& p)
+{
+  return {float(q.x - p.x), float(q.y - p.y), float(q.z - p.z)};
+}
+
+// In grid steps; the mean is relative to the point whose neighborhood it is.
+struct Neighborhood {
+  Float_vector mean;
+  float xx, xy, xz, yy, yz, zz;
+};
+
+// The union of equally weighted points and neighborhoods. The order of the calls
+// matters for the last bits.
+struct Neighborhood_sum {
+  double x = 0, y = 0, z = 0;
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  int size = 0;
+
+  CGAL_TANDEM_HD void add(const Float_vector& m)
+  {
+    x += m.x;
+    y += m.y;
+    z += m.z;
+    xx += exact_product(m.x, m.x);
+    xy += exact_product(m.x, m.y);
+    xz += exact_product(m.x, m.z);
+    yy += exact_product(m.y, m.y);
+    yz += exact_product(m.y, m.z);
+    zz += exact_product(m.z, m.z);
+    ++size;
+  }
+
+  CGAL_TANDEM_HD void add(const Float_vector& offset, const Neighborhood& h)
+  {
+    add(offset + h.mean);
+    xx += h.xx;
+    xy += h.xy;
+    xz += h.xz;
+    yy += h.yy;
+    yz += h.yz;
+    zz += h.zz;
+  }
+
+  // Of at least one part. What float loses of the mean is 1e-7 of its length:
+  // it counts only where a point is a hundred times farther away than its
+  // neighbors are from each other.
+  CGAL_TANDEM_HD Neighborhood mean() const
+  {
+    const double weight = 1.0 / size;
+    const Float_vector s = {float(x), float(y), float(z)};
+    const Float_vector m = {float(x * weight), float(y * weight), float(z * weight)};
+    return {m,
+            float((xx - exact_product(s.x, m.x)) * weight),
+            float((xy - exact_product(s.x, m.y)) * weight),
+            float((xz - exact_product(s.x, m.z)) * weight),
+            float((yy - exact_product(s.y, m.y)) * weight),
+            float((yz - exact_product(s.y, m.z)) * weight),
+            float((zz - exact_product(s.z, m.z)) * weight)};
+  }
+};
+
+// With second moments about the point itself instead of the mean: the plane of
+// that is the best one through the point.
+CGAL_TANDEM_HD inline Neighborhood about_point(const Neighborhood& h)
+{
+  const Float_vector& m = h.mean;
+  return {{0, 0, 0},
+          float(h.xx + exact_product(m.x, m.x)),
+          float(h.xy + exact_product(m.x, m.y)),
+          float(h.xz + exact_product(m.x, m.z)),
+          float(h.yy + exact_product(m.y, m.y)),
+          float(h.yz + exact_product(m.y, m.z)),
+          float(h.zz + exact_product(m.z, m.z))};
+}
+
+// The two lower eigenvalues of the covariance, in steps^2: the variance across
+// the plane and the least one along it, which is 0 where there is no plane.
+struct Thickness {
+  float smallest, middle;
+};
+
+namespace covariance {
+
+struct Matrix {
+  float xx, xy, xz, yy, yz, zz;
+};
+
+CGAL_TANDEM_HD inline float minor_of(float a, float b, float c, float d)
+{
+  return float(exact_product(a, b) - exact_product(c, d));
+}
+
+CGAL_TANDEM_HD inline Matrix cofactors(const Matrix& m)
+{
+  return {minor_of(m.yy, m.zz, m.yz, m.yz), minor_of(m.xz, m.yz, m.xy, m.zz), minor_of(m.xy, m.yz, m.xz, m.yy),
+          minor_of(m.xx, m.zz, m.xz, m.xz), minor_of(m.xy, m.xz, m.xx, m.yz), minor_of(m.xx, m.yy, m.xy, m.xy)};
+}
+
+// The smallest root of r^3 - t r^2 + q r - d, all of whose roots are real and not
+// negative: the first terms of its series in d, then Newton, both from below. It
+// ends when what is missing is below 1e-5 of the distance to the next root.
+CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
+{
+  if(!(q > 0) || !(d > 0))
+    return 0;
+  const float start = float(d / q);
+  float r = float(start + exact_product(start, float(exact_product(t, start) / q)));
+  for(int i = 0; i < 8; ++i) {
+    const float r2 = float(exact_product(r, r));
+    const double value = d - exact_product(r, q) - exact_product(r2, float(double(r) - t));
+    const double slope = 3 * double(r2) - 2 * exact_product(r, t) + q;
+    if(!(slope > 0) || !(value > 0))
+      break;
+    const float step = float(value / slope);
+    r += step;
+    if(exact_product(step, t) < 2e-3 * slope)
+      break;
+  }
+  return r;
+}
+
+} // namespace covariance
+
+CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
+{
+  // Below this the second direction is rounding: of the grid (1/12 step^2), or of floats.
+  const float minimum_width = 0.25f;
+  const float minimum_ratio = 1e-6f;
+  const float t = h.xx + h.yy + h.zz;
+  if(!(t > minimum_width))
+    return {0, 0};
+  const covariance::Matrix m = {h.xx, h.xy, h.xz, h.yy, h.yz, h.zz};
+  const covariance::Matrix c = covariance::cofactors(m);
+  const float q = c.xx + c.yy + c.zz;
+  const double d = exact_product(m.xx, c.xx) + exact_product(m.xy, c.xy) + exact_product(m.xz, c.xz);
+  const float r = covariance::smallest_root(t, q, d);
+  const float sum = float(double(t) - r); // of the other two roots
+  const double product = q - exact_product(r, sum);
+  const double discriminant = exact_product(sum, sum) - 4 * product;
+  const float middle = float(2 * product / (sum + (discriminant > 0 ? std::sqrt(discriminant) : 0.0)));
+  return {r, middle > minimum_width && middle > minimum_ratio * t ? middle : 0};
+}
+
+// The direction of the smallest eigenvalue, not unit: the longest column of the
+// adjugate of the covariance less that eigenvalue.
+CGAL_TANDEM_HD inline Float_vector plane_normal(const Neighborhood& h, float smallest)
+{
+  const covariance::Matrix m = {float(double(h.xx) - smallest), h.xy, h.xz,
+                                float(double(h.yy) - smallest), h.yz, float(double(h.zz) - smallest)};
+  const covariance::Matrix c = covariance::cofactors(m);
+  if(c.xx >= c.yy && c.xx >= c.zz)
+    return {c.xx, c.xy, c.xz};
+  return c.yy >= c.zz ? Float_vector{c.xy, c.yy, c.yz} : Float_vector{c.xz, c.yz, c.zz};
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H

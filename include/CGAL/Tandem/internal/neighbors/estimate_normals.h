@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Normals for clouds that have none. Two things spoil the plane through the
+// nearest neighbors of a point: noise, where they are too few, and edges, where
+// they lie on two faces. Against noise the neighborhood of a point grows, by
+// averaging with those of its neighbors, until the expected angular error is
+// small. Near edges a point takes over the plane of a neighbor that lies on one
+// face only. A point that is off its plane by more than the noise is clutter and
+// gets no smooth normal, but the rough one of a plane through it.
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H
+
+#include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace normals {
+
+constexpr int adoption_passes = 4;
+constexpr float adoption_cost_ratio = 0.8f; // least gain in cost
+constexpr float adoption_thickness2 = 4;    // farthest from the plane: 2 sigma
+constexpr float adoption_width2 = 16;       // farthest from its center: 4 sigma along the plane
+constexpr float clutter_thickness2 = 12;    // beyond 3.5 sigma is clutter
+
+struct Own {
+  std::uint32_t* source;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { source[i] = std::uint32_t(i); }
+};
+
+// From the center of the plane that point s has found to p.
+CGAL_TANDEM_HD inline Float_vector from_center(const Workspace& w, std::uint32_t s, const Grid_point& p)
+{
+  return difference(p, w.cloud.point[s]) - w.candidate[s].mean;
+}
+
+// The squared distance to the plane of a point at d from its center.
+CGAL_TANDEM_HD inline float plane_distance2(const Candidate& c, const Float_vector& d)
+{
+  const Int_vector v = decode_normal(c.normal);
+  const Float_vector n = {float(v.x), float(v.y), float(v.z)};
+  const float e = float(exact_dot(n, d));
+  return float(exact_product(e, e) / exact_dot(n, n));
+}
+
+// A Jacobi pass: all read what the pass before has written.
+struct Adopt {
+  Workspace w;
+  const std::uint32_t* source; // whose candidate a point has
+  std::uint32_t* next;
+
+  CGAL_TANDEM_HD bool is_adoptable(std::uint32_t s, const Grid_point& p) const
+  {
+    const Candidate& c = w.candidate[s];
+    const Float_vector d = from_center(w, s, p);
+    return exact_dot(d, d) <= double(adoption_width2) * c.middle &&
+           plane_distance2(c, d) <= adoption_thickness2 * c.smallest;
+  }
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t own = source[i];
+    next[i] = own;
+    const Candidate& c = w.candidate[own];
+    if(!(c.error2 > excellent_error2))
+      return;
+    float minimum = c.error2 < no_plane ? adoption_cost_ratio * cost(c) : no_plane;
+    const Grid_point p = w.cloud.point[i];
+    const std::uint32_t* row = w.cloud.row(std::uint32_t(i));
+    for(int j = 0; j < w.k && row[j] != no_index; ++j) {
+      const std::uint32_t s = source[row[j]];
+      if(!(w.candidate[s].error2 < minimum)) // error2 <= cost, and costs no division
+        continue;
+      const float candidate_cost = cost(w.candidate[s]);
+      if(candidate_cost < minimum && is_adoptable(s, p)) {
+        next[i] = s;
+        minimum = candidate_cost;
+      }
+    }
+  }
+};
+
+struct Finish {
+  Workspace w;
+  const std::uint32_t* source;
+  Grid_point* point;
+
+  // Of the plane through the point itself: seen from clutter, a face beside it
+  // lies in the direction of its normal.
+  CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
+  {
+    const Neighborhood h = about_point(nearest_neighborhood(w, i, w.k < 6 ? 3 : w.k / 2));
+    const Thickness t = thickness(h);
+    return t.middle > 0 ? encoded_normal(h, t.smallest) : no_normal;
+  }
+
+  // Clutter thickens its own neighborhood, so the noise is that which most of its
+  // neighbors see.
+  CGAL_TANDEM_HD bool is_clutter(std::uint32_t i, const Candidate& c) const
+  {
+    const float e2 = plane_distance2(c, from_center(w, source[i], w.cloud.point[i]));
+    if(e2 <= w.minimum_clutter2 || e2 <= c.smallest)
+      return false;
+    const std::uint32_t* row = w.cloud.row(i);
+    int beyond = 0, size = 0;
+    for(; size < w.k && row[size] != no_index; ++size)
+      beyond += e2 > clutter_thickness2 * w.candidate[source[row[size]]].smallest;
+    return 2 * beyond > size;
+  }
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const Candidate& c = w.candidate[source[i]];
+    const bool is_rough = c.error2 < no_plane && is_clutter(std::uint32_t(i), c);
+    point[i].normal = is_rough ? rough_normal(std::uint32_t(i)) : c.normal;
+  }
+};
+
+} // namespace normals
+
+// Fills point[i].normal, unoriented, no_normal where all neighbors are equal or
+// collinear. `cloud` needs points and neighbors; `point` may be its own array.
+// epsilon_grid: the tolerance in grid steps; it says what counts as noise-free.
+// Temporary memory: 100 bytes a point.
+template <class Backend>
+void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_grid)
+{
+  using namespace normals;
+  const std::size_t n = cloud.size;
+  typename Backend::template Buffer<Candidate> candidate(n);
+  Workspace w = make_workspace(cloud, candidate.data(), epsilon_grid);
+  {
+    typename Backend::template Buffer<Neighborhood> current(n), next(n);
+    w.current = current.data();
+    w.next = next.data();
+    backend.for_each(n, Start{w});
+    for(int scale = 2; scale <= last_scale; ++scale) {
+      backend.for_each(n, Grow{w});
+      backend.for_each(n, Commit{w, scale});
+    }
+  }
+  typename Backend::template Buffer<std::uint32_t> source(n), next_source(n);
+  backend.for_each(n, Own{source.data()});
+  for(int pass = 0; pass < adoption_passes; ++pass) {
+    backend.for_each(n, Adopt{w, source.data(), next_source.data()});
+    std::swap(source, next_source);
+  }
+  backend.for_each(n, Finish{w, source.data(), point});
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exact k nearest neighbors. The answer is defined without reference to this
+// search, the k smallest (squared grid distance, index), so every back end may
+// have a search of its own.
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H
+
+#include <CGAL/Tandem/internal/neighbors/Bucket_neighbors.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Answers the points of one bucket together.
+template <class Tree, int K>
+class Bucket_search {
+public:
+  Bucket_search(const Tree& tree, int k) : tree_(tree), found_(tree.buckets(), k), wing_(std::uint32_t(k + 15) / 12) {}
+
+  // k indices for each point of the bucket.
+  void operator()(std::uint32_t bucket, std::uint32_t* out)
+  {
+    const int queries = int(tree_.points_in_bucket(bucket));
+    window_ = {bucket > wing_ ? bucket - wing_ : 0, (std::min)(bucket + wing_ + 1, tree_.count(0))};
+    const std::uint64_t squared_width = squared_diagonal(tree_.box(0, bucket));
+    if(squared_width < maximum_squared_width) {
+      scan_window(bucket, 0, queries);
+      if(float(squared_width) <= 16 * found_.limit()) {
+        search(out);
+        return;
+      }
+    }
+    // An outlier is among the points: a search around all of them would find too much.
+    for(int query = 0; query < queries; ++query) {
+      scan_window(bucket, query, query + 1);
+      search(out + query * found_.k());
+    }
+  }
+
+private:
+  struct Node {
+    float squared; // the distance to the box of the queries
+    std::uint32_t index;
+    int level;
+  };
+
+  // The buckets before and after on the curve give a first bound.
+  void scan_window(std::uint32_t bucket, int first, int last)
+  {
+    found_.start(bucket, first, last);
+    for(std::uint32_t i = window_.first; i < window_.last; ++i)
+      found_.scan(i, tree_.points_in_bucket(i));
+  }
+
+  // Depth first, smallest indices first: of equally near points those are the neighbors. (Nearest
+  // first would gain nothing, as the window has been scanned already.)
+  void search(std::uint32_t* out)
+  {
+    Node stack[maximum_levels * branching];
+    int size = 0;
+    stack[size++] = {0, 0, tree_.levels() - 1};
+    while(size > 0) {
+      const Node node = stack[--size];
+      if(is_too_far(node))
+        continue;
+      if(node.level > 1)
+        size = push_children(node, stack, size);
+      else if(node.level == 1)
+        scan_children(node);
+      else
+        scan(node.index);
+    }
+    found_.write(out);
+  }
+
+  bool is_too_far(const Node& n) const
+  {
+    return n.squared > found_.limit() ||
+           (found_.is_reduced() &&
+            !found_.may_contain_neighbor(tree_.box(n.level, n.index), tree_.first_point(n.level, n.index)));
+  }
+
+  // Sets `squared` and returns which of the children are near enough.
+  unsigned near_children(const Node& parent, float* squared) const
+  {
+    const std::uint32_t count = (std::min)(branching, tree_.count(parent.level - 1) - parent.index * branching);
+    const Float8 squared8 = squared_distance8(tree_.siblings(parent.level - 1, parent.index), found_.box());
+    store8(squared, squared8);
+    return less_equal8(squared8, fill8(found_.limit())) & ((1u << count) - 1);
+  }
+
+  // The first child comes to the top.
+  int push_children(const Node& parent, Node* stack, int size) const
+  {
+    float squared[8];
+    const unsigned near = near_children(parent, squared);
+    for(int child = int(branching) - 1; child >= 0; --child)
+      if(near >> child & 1u)
+        stack[size++] = {squared[child], parent.index * branching + std::uint32_t(child), parent.level - 1};
+    return size;
+  }
+
+  void scan_children(const Node& parent)
+  {
+    float squared[8];
+    for(unsigned near = near_children(parent, squared); near != 0; near &= near - 1) {
+      const int child = __builtin_ctz(near);
+      const Node bucket = {squared[child], parent.index * branching + std::uint32_t(child), 0};
+      if(!is_too_far(bucket))
+        scan(bucket.index);
+    }
+  }
+
+  void scan(std::uint32_t bucket)
+  {
+    if(bucket < window_.first || bucket >= window_.last)
+      found_.scan(bucket, tree_.points_in_bucket(bucket));
+  }
+
+  const Tree& tree_;
+  Bucket_neighbors<K> found_;
+  std::uint32_t wing_; // buckets to each side of the window's center
+  Range window_ = {0, 0};
+};
+
+template <class Tree, int K>
+class Find_bucket_neighbors {
+public:
+  Find_bucket_neighbors(const Tree& tree, int k, std::uint32_t* out) : tree_(tree), k_(k), out_(out) {}
+
+  void operator()(std::size_t first, std::size_t last) const
+  {
+    Bucket_search<Tree, K> search(tree_, k_);
+    for(std::size_t bucket = first; bucket < last; ++bucket)
+      search(std::uint32_t(bucket), out_ + bucket * bucket_size * std::size_t(k_));
+  }
+
+private:
+  const Tree& tree_;
+  int k_;
+  std::uint32_t* out_;
+};
+
+// The k smallest (squared distance, index j), j != i, of each point i of the
+// sorted cloud, ascending, in out[i k .. i k + k); no_index fills up where the
+// cloud has fewer than k + 1 points. 1 <= k <= maximum_k.
+template <class Backend>
+void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
+{
+  if(n == 0)
+    return;
+  using Tree = Box_tree<Backend>;
+  const Tree tree(backend, point, n);
+  constexpr std::size_t grain = 64;
+  switch(k) {
+  case 8:
+    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 8>(tree, k, out));
+  case 12:
+    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 12>(tree, k, out));
+  case 16:
+    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 16>(tree, k, out));
+  case 20:
+    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 20>(tree, k, out));
+  default:
+    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 0>(tree, k, out));
+  }
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H

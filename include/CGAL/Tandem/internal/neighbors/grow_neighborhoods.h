@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The plane that a point finds for itself: its neighborhood grows, by averaging
+// with those of its neighbors, until the expected angular error is small.
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
+
+#include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/neighbors/Neighborhood.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace normals {
+
+// Squared angles are in radians^2.
+constexpr int maximum_neighbors = 12;
+constexpr int last_scale = 8;
+constexpr float good_error2 = 0.00274f;       // (3 degrees)^2: the neighborhood need not grow
+constexpr float excellent_error2 = 0.000305f; // (1 degree)^2: no other plane is looked for
+constexpr float no_plane = 1e30f;
+constexpr float noiseless_share = 0.02f; // of epsilon: thinner is as good as flat
+
+// The weight of being thick, whatever the number of points, against the error
+// from noise, which their number makes small: so a large neighborhood across an
+// edge does not count as precise.
+constexpr float thickness_weight = 0.04f;
+
+constexpr float clutter_share = 0.5f; // of epsilon: what is closer to the plane is not
+
+// The best plane that a point has found for itself.
+struct Candidate {
+  Float_vector mean;    // of its neighborhood, relative to the point
+  float smallest;       // variance across the plane, at least that of a flat one
+  float middle;         // least variance along it
+  float error2;         // expected squared angular error from noise, or no_plane
+  std::uint32_t normal; // octahedral
+};
+
+struct Workspace {
+  Cloud_view cloud;
+  Neighborhood* current;
+  Neighborhood* next;
+  Candidate* candidate;
+  int k;                  // neighbors in use
+  float flat;             // variance of what is as good as flat
+  float minimum_clutter2; // squared distance from the plane
+};
+
+inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_grid)
+{
+  const float grid = 0.25f; // above the variance of rounding to the grid
+  const float flat = float(noiseless_share * epsilon_grid);
+  const float clutter = float(clutter_share * epsilon_grid);
+  const int k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
+  return {cloud,
+          nullptr,
+          nullptr,
+          candidate,
+          k,
+          float(exact_product(flat, flat) + grid),
+          float(exact_product(clutter, clutter))};
+}
+
+CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i, int k)
+{
+  const Grid_point p = w.cloud.point[i];
+  const std::uint32_t* row = w.cloud.row(i);
+  Neighborhood_sum sum;
+  sum.add({0, 0, 0});
+  for(int j = 0; j < k && row[j] != no_index; ++j)
+    sum.add(difference(w.cloud.point[row[j]], p));
+  return sum.mean();
+}
+
+// Joined with the neighborhoods of the farther half of the neighbors.
+CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::uint32_t i)
+{
+  const Grid_point p = w.cloud.point[i];
+  const std::uint32_t* row = w.cloud.row(i);
+  Neighborhood_sum sum;
+  sum.add({0, 0, 0}, w.current[i]);
+  for(int j = w.k / 2; j < w.k && row[j] != no_index; ++j)
+    sum.add(difference(w.cloud.point[row[j]], p), w.current[row[j]]);
+  return sum.mean();
+}
+
+// How many independent points a neighborhood is worth that has grown `scale` - 1
+// times; measured, (k + 1) (1 + 1.2 (scale - 1)).
+CGAL_TANDEM_HD inline float effective_points(int k, int scale) { return float((k + 1) * (6 * scale - 1)) / 5.0f; }
+
+CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float smallest)
+{
+  const Float_vector n = plane_normal(h, smallest);
+  return encode_normal({n.x, n.y, n.z});
+}
+
+CGAL_TANDEM_HD inline float cost(const Candidate& c)
+{
+  return float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));
+}
+
+// Keeps the plane of h if it is better than what point i has. `points` > 3: the
+// variance across a plane fitted to them has three degrees of freedom less.
+CGAL_TANDEM_HD inline void consider(const Workspace& w, std::uint32_t i, const Neighborhood& h, float points)
+{
+  const Thickness t = thickness(h);
+  if(!(t.middle > 0))
+    return;
+  const float unbiased = t.smallest * (points / (points - 3));
+  const float smallest = unbiased > w.flat ? unbiased : w.flat;
+  Candidate c = {h.mean, smallest, t.middle, smallest / t.middle / points, no_normal};
+  if(w.candidate[i].error2 < no_plane && !(cost(c) < cost(w.candidate[i])))
+    return;
+  c.normal = encoded_normal(h, t.smallest);
+  w.candidate[i] = c;
+}
+
+struct Start {
+  Workspace w;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    w.candidate[i] = {{0, 0, 0}, w.flat, 0, no_plane, no_normal};
+    w.current[i] = nearest_neighborhood(w, std::uint32_t(i), w.k);
+    consider(w, std::uint32_t(i), w.current[i], effective_points(w.k, 1));
+  }
+};
+
+struct Grow {
+  Workspace w;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(w.candidate[i].error2 > good_error2)
+      w.next[i] = grown_neighborhood(w, std::uint32_t(i));
+  }
+};
+
+struct Commit {
+  Workspace w;
+  int scale;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(!(w.candidate[i].error2 > good_error2))
+      return;
+    if(scale < last_scale)
+      w.current[i] = w.next[i];
+    if((scale & (scale - 1)) == 0) // planes at each scale gain nothing
+      consider(w, std::uint32_t(i), w.next[i], effective_points(w.k, scale));
+  }
+};
+
+} // namespace normals
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H

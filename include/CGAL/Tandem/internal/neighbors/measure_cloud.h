@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spacing and noise of a cloud, from a sample of its octree cells. The sample
+// does not depend on the order of the points. Where the noise exceeds the spacing,
+// the nearest neighbors of a point form a ball instead of a disk and tell nothing
+// of the noise, so the sample is thinned until they reach farther.
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
+
+#include <CGAL/Tandem/internal/base/Moments.h>
+#include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/cloud/cells.h>
+#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+struct Cloud_measure {
+  double spacing = 0;   // median, over the points, of the mean distance to the 6 nearest neighbors
+  double noise = 0;     // upper quartile of the rms distance of 20 neighbors to their plane
+  double thickness = 0; // lower quartile of the ratio of that distance to the half-width of the neighborhood
+};
+
+constexpr int measured_neighbors = 20;
+constexpr int spacing_neighbors = 6;
+constexpr std::size_t measured_points = 1 << 17; // about as many are looked at in a large cloud
+constexpr std::size_t measured_cell_size = 2048;
+
+// About measured_points points in whole cells, in the order of the curve.
+template <class Backend>
+std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
+{
+  const Code_frame frame = make_code_frame(point.data(), point.size());
+  const auto order = sort_along_curve(backend, point.data(), point.size(), frame);
+  const std::vector<Range> cells = split_cells(backend, order, frame, measured_cell_size);
+  const std::size_t stride = (point.size() + measured_points - 1) / measured_points;
+  std::vector<Grid_point> sample;
+  for(std::size_t l = 0; l < cells.size(); l += stride)
+    for(std::uint32_t i = cells[l].first; i < cells[l].last; ++i)
+      sample.push_back(point[order.view().index(i)]);
+  return sample;
+}
+
+inline double grid_distance(const Grid_point& a, const Grid_point& b)
+{
+  const std::int64_t x = std::int64_t(a.x) - b.x, y = std::int64_t(a.y) - b.y, z = std::int64_t(a.z) - b.z;
+  return std::sqrt(double(std::uint64_t(x * x) + std::uint64_t(y * y) + std::uint64_t(z * z)));
+}
+
+// Of one point, in steps of the grid.
+inline Cloud_measure measure_neighborhood(const Grid_point* point, std::uint32_t i, const std::uint32_t* row)
+{
+  Moments moments;
+  moments.add(point[i]);
+  double sum = 0;
+  int spaced = 0;
+  for(int j = 0; j < measured_neighbors && row[j] != no_index; ++j) {
+    moments.add(point[row[j]]);
+    if(j < spacing_neighbors) {
+      sum += grid_distance(point[i], point[row[j]]);
+      ++spaced;
+    }
+  }
+  const Eigen_system e = eigen_system(make_scatter(moments).matrix);
+  const double smallest = e.value[0] > 0 ? e.value[0] : 0;
+  return {spaced > 0 ? sum / spaced : 0, std::sqrt(smallest / double(moments.count)),
+          e.value[1] > 0 ? std::sqrt(smallest / e.value[1]) : 0};
+}
+
+inline double quantile(std::vector<double>& values, double q)
+{
+  const auto nth = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+template <class Backend>
+Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sample)
+{
+  std::vector<std::uint32_t> neighbor(sample.size() * measured_neighbors);
+  find_neighbors(backend, sample.data(), std::uint32_t(sample.size()), measured_neighbors, neighbor.data());
+  std::vector<double> spacing(sample.size()), noise(sample.size()), thickness(sample.size());
+  backend.for_each(sample.size(), [&](std::size_t i) {
+    const Cloud_measure m =
+      measure_neighborhood(sample.data(), std::uint32_t(i), neighbor.data() + i * measured_neighbors);
+    spacing[i] = m.spacing;
+    noise[i] = m.noise;
+    thickness[i] = m.thickness;
+  });
+  return {quantile(spacing, .5), quantile(noise, .75), quantile(thickness, .25)};
+}
+
+// Every fourth point, in the order of the curve.
+inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
+{
+  std::vector<Grid_point> thin;
+  for(std::size_t i = 0; i < sample.size(); i += 4)
+    thin.push_back(sample[i]);
+  return thin;
+}
+
+// In the units of the coordinates. Not of an empty cloud.
+template <class Backend>
+Cloud_measure measure_cloud(Backend& backend, const Import& in)
+{
+  if(!(in.box.extent() > 0))
+    return Cloud_measure();
+  const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), -16)); // 2^27 steps
+  const double inverse_step = 1 / grid.step;
+  Host_buffer<Grid_point> point(in.size());
+  in.bring_values();
+  backend.for_each(in.size(),
+                   [&](std::size_t i) { point[i] = to_grid(grid, inverse_step, in.position(i), no_normal); });
+  std::vector<Grid_point> sample = sample_cells(backend, point);
+  Cloud_measure measure = measure_sample(backend, sample);
+  const double spacing = measure.spacing;
+  for(int i = 0; i < 3 && measure.thickness > .4 && sample.size() > 4000; ++i) {
+    sample = thinned(sample);
+    measure = measure_sample(backend, sample);
+  }
+  return {spacing * grid.step, measure.noise * grid.step, measure.thickness};
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H

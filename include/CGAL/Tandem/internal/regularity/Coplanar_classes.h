@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Coplanarity: parallel shapes of nearly equal offsets share a plane, if their
+// points agree. What they refuse is clustered again with half the radius, and
+// neighbors that are left are joined where none of their members objects.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_COPLANAR_CLASSES_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_COPLANAR_CLASSES_H
+
+#include <CGAL/Tandem/internal/regularity/cluster_offsets.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+class Coplanar_classes {
+public:
+  // direction: what shapes share a direction, -1 if none.
+  Coplanar_classes(const Shape_fits& shapes, const std::vector<int>& direction, const Regularity_options& options)
+    : shapes(shapes), direction(direction), options(options)
+  {}
+
+  // plane: the planes through the centroids, which become those of the classes.
+  template <class Verified>
+  void fit(Verified& verified, Regular_planes& plane, std::vector<int>& class_of)
+  {
+    std::vector<int> pending = by_direction();
+    double radius = options.maximum_offset;
+    for(int round = 0; round < rounds && options.try_again(pending.size(), shapes.size(), round); ++round) {
+      add_classes(verified, pending, plane, radius);
+      pending = verify(verified, plane);
+      radius *= 0.5;
+    }
+    add_singles(plane);
+    for(int step = 0; step < (options.is_last ? last_joining_steps : joining_steps); ++step)
+      join_neighbors(verified, plane);
+    for(std::size_t c = 0; c < classes.size(); ++c)
+      for(int i : classes[c].members)
+        if(classes[c].members.size() > 1) {
+          class_of[i] = int(c);
+          plane[i].offset = classes[c].offset;
+        }
+  }
+
+private:
+  // What is refused is tried again with half the radius.
+  static constexpr int rounds = 4;
+  // Then neighbors are joined, a class with at most one other in a step.
+  static constexpr int joining_steps = 2, last_joining_steps = 4;
+  // Fewer of them are left to one thread.
+  static constexpr std::size_t few_directions = 8, few_classes = 32;
+
+  struct Class {
+    std::vector<int> members; // by rising offset
+    int direction;            // that they share
+    double offset;
+    // The first members of the classes behind and before it that it was not joined with, or -1.
+    int rejected_behind = -1, rejected_before = -1;
+  };
+
+  // The shapes that share a direction, one direction after the other.
+  std::vector<int> by_direction() const
+  {
+    const int directions = direction.empty() ? 0 : *std::max_element(direction.begin(), direction.end()) + 1;
+    std::vector<std::size_t> place(std::size_t(directions) + 1, 0);
+    for(int d : direction)
+      if(d >= 0)
+        ++place[std::size_t(d) + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    std::vector<int> sorted(place.back());
+    for(std::size_t i = 0; i < direction.size(); ++i)
+      if(direction[i] >= 0)
+        sorted[place[std::size_t(direction[i])]++] = int(i);
+    return sorted;
+  }
+
+  // pending is sorted by direction; single shapes need no class.
+  template <class Verified>
+  void add_classes(const Verified& verified, const std::vector<int>& pending, const Regular_planes& plane,
+                   double radius)
+  {
+    std::vector<std::size_t> first; // of each direction, and the end
+    for(std::size_t k = 0; k < pending.size(); ++k)
+      if(k == 0 || direction[pending[k]] != direction[pending[k - 1]])
+        first.push_back(k);
+    first.push_back(pending.size());
+    std::vector<std::vector<std::vector<int>>> clusters(first.size() - 1);
+    verified.for_each(
+      clusters.size(),
+      [&](std::size_t d) {
+        std::vector<double> offset, weight;
+        for(std::size_t k = first[d]; k < first[d + 1]; ++k) {
+          offset.push_back(plane[pending[k]].offset);
+          weight.push_back(shapes[pending[k]].scatter.count);
+        }
+        if(offset.size() > 1)
+          clusters[d] = cluster_offsets(offset, weight, radius);
+      },
+      few_directions);
+    for(std::size_t d = 0; d < clusters.size(); ++d)
+      for(std::vector<int>& c : clusters[d]) {
+        for(int& k : c)
+          k = pending[first[d] + std::size_t(k)];
+        if(c.size() > 1)
+          classes.push_back({c, direction[c.front()], 0});
+      }
+    verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
+  }
+
+  double mean_offset(const Class& c, const Regular_planes& plane) const
+  {
+    Offset_index::Mean mean(plane[c.members.front()].offset);
+    for(int i : c.members)
+      mean.add(plane[i].offset, shapes[i].scatter.count);
+    return mean.value();
+  }
+
+  // Whoever has no class becomes one.
+  void add_singles(const Regular_planes& plane)
+  {
+    std::vector<char> has_class(shapes.size(), 0);
+    for(const Class& c : classes)
+      for(int i : c.members)
+        has_class[i] = 1;
+    for(std::size_t i = 0; i < shapes.size(); ++i)
+      if(direction[i] >= 0 && !has_class[i])
+        classes.push_back({{int(i)}, direction[i], plane[i].offset});
+  }
+
+  // Classes have shrunk where members were refused, and may lie side by side with what
+  // is left: pairs of them become one where no member objects.
+  template <class Verified>
+  void join_neighbors(Verified& verified, const Regular_planes& plane)
+  {
+    auto is_before = [](const Class& a, const Class& b) {
+      if(a.direction != b.direction)
+        return a.direction < b.direction;
+      return a.offset != b.offset ? a.offset < b.offset : a.members.front() < b.members.front();
+    };
+    if(!std::is_sorted(classes.begin(), classes.end(), is_before)) // a joint mostly stays where its parts were
+      std::sort(classes.begin(), classes.end(), is_before);
+    std::vector<std::size_t> pairs; // the first of the two
+    for(std::size_t c = 0; c + 1 < classes.size(); ++c) {
+      const Class &a = classes[c], &b = classes[c + 1];
+      if(a.direction != b.direction || b.offset - a.offset > options.maximum_offset)
+        continue;
+      if(a.rejected_behind == b.members.front() && b.rejected_before == a.members.front())
+        continue; // in an earlier step
+      pairs.push_back(c++);
+    }
+    if(pairs.empty())
+      return;
+    std::vector<Class> joints(pairs.size());
+    const auto join = [&](std::size_t p) {
+      const Class &a = classes[pairs[p]], &b = classes[pairs[p] + 1];
+      joints[p] = {a.members, a.direction, 0};
+      joints[p].members.insert(joints[p].members.end(), b.members.begin(), b.members.end());
+      joints[p].offset = mean_offset(joints[p], plane);
+    };
+    verified.for_each(pairs.size(), join, few_classes);
+    const std::vector<char> is_rejected = test(verified, joints, plane);
+    auto rejected_member = is_rejected.begin();
+    for(std::size_t p = 0; p < pairs.size(); ++p) {
+      const auto end = rejected_member + std::ptrdiff_t(joints[p].members.size());
+      Class &a = classes[pairs[p]], &b = classes[pairs[p] + 1];
+      if(std::find(rejected_member, end, char(1)) == end) {
+        a = std::move(joints[p]);
+        b.members.clear();
+      } else {
+        a.rejected_behind = b.members.front();
+        b.rejected_before = a.members.front();
+      }
+      rejected_member = end;
+    }
+    classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Class& c) { return c.members.empty(); }),
+                  classes.end());
+  }
+
+  // Which members their points do not let go to the planes of the classes, class by class.
+  template <class Verified>
+  static std::vector<char> test(Verified& verified, const std::vector<Class>& candidates_of,
+                                const Regular_planes& plane)
+  {
+    std::vector<std::size_t> first(candidates_of.size() + 1, 0);
+    for(std::size_t c = 0; c < candidates_of.size(); ++c)
+      first[c + 1] = first[c] + candidates_of[c].members.size();
+    std::vector<int> candidates(first.back());
+    Regular_planes planes(first.back());
+    const auto list = [&](std::size_t c) {
+      for(std::size_t m = 0; m < candidates_of[c].members.size(); ++m) {
+        candidates[first[c] + m] = candidates_of[c].members[m];
+        planes[first[c] + m] = {plane[std::size_t(candidates_of[c].members[m])].normal, candidates_of[c].offset};
+      }
+    };
+    verified.for_each(candidates_of.size(), list, few_classes);
+    return verified.test(candidates, planes);
+  }
+
+  template <class Verified>
+  std::vector<int> verify(Verified& verified, const Regular_planes& plane)
+  {
+    const std::vector<char> is_rejected = test(verified, classes, plane);
+    std::vector<int> rejected;
+    auto rejected_member = is_rejected.begin();
+    for(Class& c : classes) {
+      const auto end = rejected_member + std::ptrdiff_t(c.members.size());
+      if(std::find(rejected_member, end, char(1)) != end) {
+        std::vector<int> kept;
+        for(int i : c.members)
+          (*rejected_member++ ? rejected : kept).push_back(i);
+        c.members.swap(kept);
+      }
+      rejected_member = end;
+    }
+    for(const Class& c : classes) // what the others have left is free again
+      if(c.members.size() == 1)
+        rejected.push_back(c.members.front());
+    classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Class& c) { return c.members.size() < 2; }),
+                  classes.end());
+    std::sort(rejected.begin(), rejected.end(),
+              [&](int a, int b) { return std::make_pair(direction[a], a) < std::make_pair(direction[b], b); });
+    return rejected;
+  }
+
+  const Shape_fits& shapes;
+  const std::vector<int>& direction;
+  const Regularity_options& options;
+  std::vector<Class> classes;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_COPLANAR_CLASSES_H

@@ -1,0 +1,292 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Directions of the shapes: clusters of the Gauss map, tied by frames, verified.
+// What is refused starts again within a smaller angle.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_FITTER_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_FITTER_H
+
+#include <CGAL/Tandem/internal/regularity/Verified_planes.h>
+#include <CGAL/Tandem/internal/base/angles.h>
+#include <CGAL/Tandem/internal/regularity/Frames.h>
+#include <CGAL/Tandem/internal/regularity/Direction_joiner.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace regularity {
+
+// What was refused is clustered again with half the tolerance. A shape large enough
+// to be refused has a precise normal: only true right angles are left to it, and at last none.
+constexpr int levels = 5;
+constexpr double parallel_share[levels] = {1, 0.5, 0.25, 0.125, 0.125};
+constexpr double right_share[levels] = {1, 0.25, 0.0625, 0.0625, 0};
+
+} // namespace regularity
+
+template <class Verify>
+class Direction_fitter {
+public:
+  Direction_fitter(const Shape_fits& shapes, const Regularity_options& options, Verified_planes<Verify>& verified)
+    : shapes(shapes), options(options), verified(verified)
+  {}
+
+  // Groups the given shapes; those refused at every level, or left over, are in no group.
+  void fit(std::vector<int> pending)
+  {
+    was_rejected.assign(shapes.size(), 0);
+    rejected_cost.assign(shapes.size(), 0);
+    for(int level = 0; level < regularity::levels && options.try_again(pending.size(), shapes.size(), level); ++level) {
+      const double parallel_sine = sine_deg(options.angle_tolerance_deg * regularity::parallel_share[level]);
+      const double right_sine = sine_deg(options.angle_tolerance_deg * regularity::right_share[level]);
+      freeze(right_sine);
+      if(options.parallelism && level > 0)
+        rejoin(pending, parallel_sine);
+      add_groups(pending, parallel_sine, right_sine);
+      pending = fit_and_tie();
+      for(int i : verify()) {
+        pending.push_back(i);
+        was_rejected[i] = 1;
+      }
+      std::sort(pending.begin(), pending.end());
+    }
+    if(options.parallelism && options.is_last)
+      join_leftovers(pending);
+  }
+
+  const std::vector<Direction_group>& result() const { return groups; }
+
+  // Shapes that share no direction and keep their local fit, since the points refused something else.
+  std::vector<char> rolled_back() const
+  {
+    std::vector<char> result = was_rejected;
+    for(const Direction_group& g : groups)
+      for(int i : g.members)
+        if(g.members.size() > 1 || !(g.direction == canonical(shapes[i].fit.normal)))
+          result[i] = 0;
+    return result;
+  }
+
+private:
+  // Fewer of them are left to one thread.
+  static constexpr std::size_t few_groups = 16;
+
+  // Groups that lost members are fitted again and tied within the smaller angle. At the last level what was
+  // accepted stays as it is.
+  void freeze(double right_sine)
+  {
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      groups[g].is_frozen = right_sine == 0 && !is_dirty[g];
+      if(is_dirty[g])
+        groups[g].sine = right_sine;
+    }
+    refit();
+  }
+
+  // A refused shape joins a group that, without the other refused shapes, has come much closer to it.
+  void rejoin(std::vector<int>& pending, double sine)
+  {
+    std::vector<Vector> fitted;
+    for(const Direction_group& g : groups)
+      fitted.push_back(g.fitted);
+    const Direction_index index(fitted, sine);
+    std::vector<int> rest;
+    for(int i : pending) {
+      std::pair<double, std::size_t> best(0.25 * rejected_cost[i], groups.size());
+      index.near(shapes[i].fit.normal, [&](std::size_t g, double) {
+        if(!groups[g].is_frozen)
+          best = (std::min)(best, {verified.added(i, fitted[g]), g});
+      });
+      if(best.second == groups.size() || verified.is_too_far(i, fitted[best.second])) {
+        rest.push_back(i);
+      } else {
+        std::vector<int>& m = groups[best.second].members;
+        m.insert(std::lower_bound(m.begin(), m.end(), i), i);
+        is_dirty[best.second] = 1;
+      }
+    }
+    pending.swap(rest);
+  }
+
+  void add_groups(const std::vector<int>& pending, double parallel_sine, double right_sine)
+  {
+    std::vector<std::vector<int>> clusters;
+    if(options.parallelism && parallel_sine > 1e-9) {
+      std::vector<Vector> normal;
+      std::vector<double> weight;
+      for(int i : pending) {
+        normal.push_back(shapes[i].fit.normal);
+        weight.push_back(shapes[i].scatter.count);
+      }
+      clusters = cluster_directions(normal, weight, parallel_sine, verified);
+    } else {
+      for(std::size_t k = 0; k < pending.size(); ++k)
+        clusters.push_back({int(k)});
+    }
+    for(std::vector<int>& cluster : clusters) {
+      for(int& k : cluster)
+        k = pending[k];
+      groups.push_back({cluster, right_sine, {}, 0, {}, {}, {}, 0, {}, false});
+      is_dirty.push_back(1);
+    }
+  }
+
+  // Fits and ties the groups. Members that their moments refuse are taken out: before the ties, so that the
+  // rest is fitted without them, and after.
+  std::vector<int> fit_and_tie()
+  {
+    std::vector<int> rejected;
+    for(int step = 0; step < 3; ++step) {
+      refit();
+      const std::size_t before = rejected.size();
+      remove_rejected([&](int i, const Direction_group& g) { return verified.is_too_far(i, g.fitted); }, rejected);
+      if(rejected.size() == before)
+        break;
+    }
+    refit();
+    tie();
+    remove_rejected([&](int i, const Direction_group& g) { return verified.is_too_far(i, g.direction); }, rejected);
+    return rejected;
+  }
+
+  // The shapes that were refused at every level come as groups of one.
+  void join_leftovers(const std::vector<int>& pending)
+  {
+    for(int i : pending) {
+      groups.push_back({{i}, 0, {}, 0, {}, {}, {}, 0, canonical(shapes[i].fit.normal), true});
+      refit(groups.back());
+    }
+    Direction_joiner<Verify>(shapes, options.maximum_distance, sine_deg(options.angle_tolerance_deg), verified, groups)
+      .join();
+  }
+
+  void refit()
+  {
+    if(std::find(is_dirty.begin(), is_dirty.end(), char(1)) == is_dirty.end())
+      return;
+    verified.for_each(
+      groups.size(),
+      [&](std::size_t g) {
+        if(is_dirty[g])
+          refit(groups[g]);
+      },
+      few_groups);
+    std::fill(is_dirty.begin(), is_dirty.end(), char(0));
+  }
+
+  void refit(Direction_group& g) const
+  {
+    g.matrix = {0, 0, 0, 0, 0, 0};
+    g.weight = 0;
+    for(int i : g.members) {
+      g.matrix = g.matrix + shapes[i].scatter.matrix;
+      g.weight += shapes[i].scatter.count;
+    }
+    g.fit();
+    if(g.members.size() == 1) // keeps the bits of its own fit
+      g.set_fit(canonical(shapes[g.members.front()].fit.normal));
+  }
+
+  void tie()
+  {
+    if(options.orthogonality) {
+      const double rms = regularity::rms_share * options.maximum_distance;
+      Frames(groups, rms * rms).tie(verified);
+    } else {
+      for(Direction_group& g : groups)
+        if(!g.is_frozen)
+          g.direction = g.fitted;
+    }
+  }
+
+  // The members of all groups, group by group.
+  struct Members {
+    std::vector<int> shape;
+    std::vector<std::size_t> group;
+  };
+
+  Members all_members() const
+  {
+    Members m;
+    m.shape.reserve(shapes.size());
+    m.group.reserve(shapes.size());
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      m.shape.insert(m.shape.end(), groups[g].members.begin(), groups[g].members.end());
+      m.group.resize(m.shape.size(), g);
+    }
+    return m;
+  }
+
+  std::vector<int> verify()
+  {
+    const Members m = all_members();
+    Regular_planes planes(m.shape.size());
+    verified.for_each(planes.size(), [&](std::size_t k) {
+      planes[k] = through_centroid(shapes[m.shape[k]], groups[m.group[k]].direction);
+    });
+    std::vector<int> rejected;
+    remove_members(verified.test(m.shape, planes), rejected);
+    return rejected;
+  }
+
+  // is_rejected(shape, group)
+  template <class Predicate>
+  void remove_rejected(Predicate is_rejected, std::vector<int>& rejected)
+  {
+    const Members m = all_members();
+    std::vector<char> is_out(m.shape.size());
+    verified.for_each(is_out.size(), [&](std::size_t k) { is_out[k] = is_rejected(m.shape[k], groups[m.group[k]]); });
+    remove_members(is_out, rejected);
+  }
+
+  // is_out: of all members, group by group.
+  void remove_members(const std::vector<char>& is_out, std::vector<int>& rejected)
+  {
+    auto out = is_out.begin();
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<int>& members = groups[g].members;
+      const auto end = out + std::ptrdiff_t(members.size());
+      if(std::find(out, end, char(1)) == end) {
+        out = end;
+        continue;
+      }
+      std::vector<int> kept;
+      for(int i : members) {
+        (*out ? rejected : kept).push_back(i);
+        if(*out++)
+          rejected_cost[i] = verified.added(i, groups[g].fitted);
+      }
+      members.swap(kept);
+      is_dirty[g] = 1;
+    }
+    drop_empty();
+  }
+
+  void drop_empty()
+  {
+    std::size_t kept = 0;
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      if(!groups[g].members.empty()) {
+        if(kept != g)
+          groups[kept] = std::move(groups[g]);
+        is_dirty[kept++] = is_dirty[g];
+      }
+    groups.resize(kept);
+    is_dirty.resize(kept);
+  }
+
+  const Shape_fits& shapes;
+  const Regularity_options& options;
+  Verified_planes<Verify>& verified;
+  std::vector<Direction_group> groups;
+  std::vector<char> is_dirty;        // per group: its members changed
+  std::vector<char> was_rejected;    // per shape: by the points
+  std::vector<double> rejected_cost; // per shape: what the fit of the refused group added
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_FITTER_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The last regularity step of a run: clusters of the Gauss map are found by density, so
+// that small groups of parallel shapes are left beside large ones whose direction
+// their points would accept. Each of their shapes joins the group that it costs least.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_JOINER_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_JOINER_H
+
+#include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
+#include <CGAL/Tandem/internal/regularity/Verified_planes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class Verify>
+class Direction_joiner {
+public:
+  // sine: of the largest angle by which a shape is turned.
+  Direction_joiner(const Shape_fits& shapes, double maximum_distance, double sine, Verified_planes<Verify>& verified,
+                   std::vector<Direction_group>& groups)
+    : shapes(shapes), squared_rms(join_rms * join_rms * maximum_distance * maximum_distance), sine(sine),
+      verified(verified), groups(groups)
+  {}
+
+  // The groups keep their directions; those that were given up are gone.
+  void join()
+  {
+    for(int step = 0; step < steps; ++step) {
+      std::vector<Plan> plans = make_plans();
+      verify(plans);
+      carry_out(plans);
+    }
+  }
+
+private:
+  // A group whose first choice has gone has another one.
+  static constexpr int steps = 3;
+  // Of epsilon, added in quadrature, and the share of new misfits. More than where groups
+  // are found: a shape that joins does not turn a settled direction, and drags no other
+  // shape along.
+  static constexpr double join_rms = 1;
+  static constexpr double join_misfit_share = 0.4;
+  // A direction less is not worth more points than this share of a mean shape.
+  static constexpr double price_of_direction = 0.25;
+  // A larger group is no leftover.
+  static constexpr std::size_t maximum_members = 8;
+
+  // Where the members of a group go.
+  struct Plan {
+    std::size_t from;
+    std::vector<std::size_t> to; // by member
+  };
+
+  // By weight; ties are broken by the first member.
+  bool is_lighter(std::size_t a, std::size_t b) const
+  {
+    if(groups[a].weight != groups[b].weight)
+      return groups[a].weight < groups[b].weight;
+    return groups[a].members.front() < groups[b].members.front();
+  }
+
+  // A group that is orthogonal to another one has a relation to lose.
+  bool is_loose(const Direction_group& g) const
+  {
+    return g.members.size() <= maximum_members &&
+           std::none_of(groups.begin(), groups.end(),
+                        [&](const Direction_group& h) { return are_orthogonal(g.direction, h.direction); });
+  }
+
+  // The heavier group that costs a shape least, if that is little.
+  std::size_t cheapest(const Direction_index& index, std::size_t from, int shape) const
+  {
+    std::pair<double, std::size_t> best(squared_rms * shapes[shape].scatter.count, groups.size());
+    index.near(shapes[shape].fit.normal, [&](std::size_t g, double) {
+      if(is_lighter(from, g))
+        best = (std::min)(best, {verified.added(shape, groups[g].direction), g});
+    });
+    return best.second;
+  }
+
+  // Of the groups whose members can all afford to go, the lightest first.
+  std::vector<Plan> make_plans() const
+  {
+    std::vector<Vector> directions;
+    for(const Direction_group& g : groups)
+      directions.push_back(g.direction);
+    const Direction_index index(directions, sine);
+    std::vector<Plan> plans;
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      if(!is_loose(groups[g]))
+        continue;
+      Plan plan = {g, {}};
+      for(int i : groups[g].members)
+        plan.to.push_back(cheapest(index, g, i));
+      if(std::find(plan.to.begin(), plan.to.end(), groups.size()) == plan.to.end())
+        plans.push_back(plan);
+    }
+    std::sort(plans.begin(), plans.end(), [&](const Plan& a, const Plan& b) { return is_lighter(a.from, b.from); });
+    return plans;
+  }
+
+  // The plans to which the points of all members agree.
+  void verify(std::vector<Plan>& plans)
+  {
+    std::vector<int> candidates;
+    Regular_planes planes;
+    for(const Plan& plan : plans)
+      for(std::size_t k = 0; k < plan.to.size(); ++k) {
+        candidates.push_back(groups[plan.from].members[k]);
+        planes.push_back(through_centroid(shapes[candidates.back()], groups[plan.to[k]].direction));
+      }
+    const std::vector<char> is_rejected =
+      verified.test(candidates, planes, {join_misfit_share, price_of_direction * mean_size()});
+    auto rejected_member = is_rejected.begin();
+    plans.erase(std::remove_if(plans.begin(), plans.end(),
+                               [&](const Plan& plan) {
+                                 const auto first = rejected_member;
+                                 rejected_member += std::ptrdiff_t(plan.to.size());
+                                 return std::find(first, rejected_member, char(1)) != rejected_member;
+                               }),
+                plans.end());
+  }
+
+  double mean_size() const
+  {
+    double points = 0, members = 0;
+    for(const Direction_group& g : groups) {
+      points += g.weight;
+      members += double(g.members.size());
+    }
+    return points / (std::max)(members, 1.);
+  }
+
+  // A group that another one has joined stays, and nobody joins one that has gone.
+  void carry_out(const std::vector<Plan>& plans)
+  {
+    std::vector<char> stays(groups.size(), 0), is_gone(groups.size(), 0);
+    for(const Plan& plan : plans) {
+      if(stays[plan.from] ||
+         std::any_of(plan.to.begin(), plan.to.end(), [&](std::size_t g) { return is_gone[g] != 0; }))
+        continue;
+      is_gone[plan.from] = 1;
+      for(std::size_t k = 0; k < plan.to.size(); ++k) {
+        stays[plan.to[k]] = 1;
+        move(groups[plan.from].members[k], groups[plan.to[k]]);
+      }
+      groups[plan.from].members.clear();
+    }
+    groups.erase(
+      std::remove_if(groups.begin(), groups.end(), [](const Direction_group& g) { return g.members.empty(); }),
+      groups.end());
+  }
+
+  void move(int shape, Direction_group& to) const
+  {
+    to.members.insert(std::lower_bound(to.members.begin(), to.members.end(), shape), shape);
+    to.weight += shapes[shape].scatter.count;
+  }
+
+  const Shape_fits& shapes;
+  double squared_rms, sine;
+  Verified_planes<Verify>& verified;
+  std::vector<Direction_group>& groups;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_JOINER_H

@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Orthogonality between groups of parallel shapes (section 4.2 of the paper).
+// Greedy stars: the heaviest group is a master, the groups nearly orthogonal to it
+// are its followers. A star is turned onto at most two directions of earlier stars,
+// its followers are fitted in the plane orthogonal to the master, in pairs where they
+// are nearly orthogonal to each other. What is tied is tied up to the last bit.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_FRAMES_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_FRAMES_H
+
+#include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
+
+#include <numeric>
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Followers in the plane orthogonal to n, ordered by a monotone function of their
+// angle in [0, 2) under which a right angle is 1.
+class Follower_circle {
+public:
+  Follower_circle(const Vector& n, const std::vector<Vector>& follower) : basis(n)
+  {
+    for(std::size_t k = 0; k < follower.size(); ++k)
+      sorted.push_back({place(follower[k]), k});
+    std::sort(sorted.begin(), sorted.end());
+  }
+
+  // Calls f for followers by growing distance from the right angle to v, to each
+  // side until it returns true.
+  template <class Function>
+  void near_right_angle(const Vector& v, Function f) const
+  {
+    const double t = place(v), right = t < 1 ? t + 1 : t - 1;
+    const std::size_t n = sorted.size();
+    const std::size_t at =
+      std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(right, std::size_t(0))) - sorted.begin();
+    for(std::size_t k = 0; k < n && !f(sorted[(at + k) % n].second); ++k)
+      ;
+    for(std::size_t k = 0; k < n && !f(sorted[(at + 2 * n - 1 - k) % n].second); ++k)
+      ;
+  }
+
+private:
+  double place(const Vector& v) const
+  {
+    double c = dot(v, basis.u), s = dot(v, basis.v);
+    if(s < 0 || (s == 0 && c < 0)) {
+      c = -c;
+      s = -s;
+    }
+    return c >= 0 ? s / (c + s) : 1 - c / (s - c);
+  }
+
+  Plane_basis basis;
+  std::vector<std::pair<double, std::size_t>> sorted;
+};
+
+class Frames {
+public:
+  // squared_rms: what a tie may add to the mean squared distance of the points.
+  // Chaining spends a quarter of it, since the star has been fitted already.
+  Frames(std::vector<Direction_group>& groups, double squared_rms)
+    : groups(groups), squared_rms(squared_rms), fixed(0.25 * squared_rms)
+  {}
+
+  // The loops run on the executor: see Mean_shift.
+  template <class Executor>
+  void tie(const Executor& executor)
+  {
+    std::vector<Candidate> pool;
+    for(int g : by_weight())
+      if(groups[g].is_frozen)
+        fixed.add(groups[g]);
+      else
+        pool.push_back({groups[g].rounded, groups[g].sine, g});
+    for(const Star& star : make_stars(std::move(pool)))
+      place(star, executor);
+  }
+
+private:
+  // Fewer of them are left to one thread.
+  static constexpr std::size_t few_followers = 8;
+
+  struct Star {
+    int master;
+    std::vector<int> followers; // by falling weight
+  };
+
+  // What most groups are told apart by, side by side.
+  struct Candidate {
+    Vector rounded;
+    double sine;
+    int group;
+  };
+
+  std::vector<int> by_weight() const
+  {
+    std::vector<int> order(groups.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      if(groups[a].weight != groups[b].weight)
+        return groups[a].weight > groups[b].weight;
+      return groups[a].members.front() < groups[b].members.front();
+    });
+    return order;
+  }
+
+  // A right angle that costs both sides too much would only be refused later.
+  bool is_follower(const Candidate& master, const Candidate& follower) const
+  {
+    if(!(std::fabs(rounded_dot(master.rounded, follower.rounded)) < (std::min)(master.sine, follower.sine)))
+      return false;
+    const Direction_group &m = groups[master.group], &j = groups[follower.group];
+    return cost_of_right_angle(j.eigen, m.fitted) <= squared_rms * j.weight ||
+           cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
+  }
+
+  std::vector<Star> make_stars(std::vector<Candidate> rest) const
+  {
+    std::vector<Star> stars;
+    for(std::size_t end = rest.size(), kept; end > 0; end = kept) {
+      const Candidate master = rest.front();
+      stars.push_back({master.group, {}});
+      kept = 0;
+      for(std::size_t k = 1; k < end; ++k)
+        if(is_follower(master, rest[k]))
+          stars.back().followers.push_back(rest[k].group);
+        else
+          rest[kept++] = rest[k];
+    }
+    return stars;
+  }
+
+  // The master and its followers turned onto it, fitted as one (equation 1 of the paper).
+  Direction_group joint_group(const Star& star) const
+  {
+    Direction_group joint = groups[star.master];
+    for(int l : star.followers) {
+      joint.matrix = joint.matrix + turned(groups[l].matrix, groups[l].fitted, groups[star.master].fitted);
+      joint.weight += groups[l].weight;
+    }
+    if(!star.followers.empty())
+      joint.fit();
+    return joint;
+  }
+
+  template <class Executor>
+  void place(const Star& star, const Executor& executor)
+  {
+    fixed.begin_star();
+    const Vector n = fixed.fix(groups[star.master], fixed.chained(joint_group(star)), {0, 0, 0});
+    std::vector<Vector> follower(star.followers.size());
+    std::vector<char> is_fixed(star.followers.size());
+    executor.for_each(
+      follower.size(),
+      [&](std::size_t k) {
+        const Direction_group& group = groups[star.followers[k]];
+        is_fixed[k] = fixed.chain(group, n, group.rounded, follower[k]);
+        if(!is_fixed[k])
+          follower[k] = fit_orthogonal(group.matrix, n, group.fitted);
+      },
+      few_followers);
+    pair_followers(star, n, follower, is_fixed);
+    for(std::size_t k = 0; k < follower.size(); ++k)
+      fixed.fix(groups[star.followers[k]], follower[k], n);
+  }
+
+  // Each follower takes the free follower closest to a right angle to it as partner.
+  void pair_followers(const Star& star, const Vector& n, std::vector<Vector>& follower,
+                      std::vector<char>& is_fixed) const
+  {
+    const Follower_circle circle(n, follower);
+    std::vector<char> is_taken(follower.size(), 0);
+    for(std::size_t k = 0; k < follower.size(); ++k) {
+      if(is_taken[k])
+        continue;
+      const Direction_group& a = groups[star.followers[k]];
+      std::pair<double, std::size_t> best(2.0, k);
+      circle.near_right_angle(follower[k], [&](std::size_t j) {
+        const double d = std::fabs(dot(follower[k], follower[j]));
+        if(!(d < a.sine))
+          return true;
+        const bool is_free =
+          j != k && !is_taken[j] && !(is_fixed[j] && is_fixed[k]) && d < groups[star.followers[j]].sine;
+        if(is_free)
+          best = (std::min)(best, {d, j});
+        return is_free;
+      });
+      if(best.second != k && tie_pair(star, n, {k, best.second}, follower, is_fixed))
+        is_taken[k] = is_taken[best.second] = 1;
+    }
+  }
+
+  // One frame for two followers, if both can afford it.
+  bool tie_pair(const Star& star, const Vector& n, std::pair<std::size_t, std::size_t> pair,
+                std::vector<Vector>& follower, const std::vector<char>& is_fixed) const
+  {
+    const std::size_t i = is_fixed[pair.second] ? pair.second : pair.first;
+    const std::size_t j = pair.first + pair.second - i;
+    const Direction_group &a = groups[star.followers[i]], &b = groups[star.followers[j]];
+    const Vector va = is_fixed[i] ? follower[i] : fit_frame(a.matrix, b.matrix, n, follower[i]);
+    const Vector vb = orthogonal_to_both(n, va);
+    const bool is_cheap = a.cost(va) <= squared_rms * a.weight && b.cost(vb) <= squared_rms * b.weight;
+    if(is_cheap) {
+      follower[i] = va;
+      follower[j] = vb;
+    }
+    return is_cheap;
+  }
+
+  std::vector<Direction_group>& groups;
+  double squared_rms;
+  Fixed_directions fixed;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_FRAMES_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Planes that were found elsewhere, with their points on the grid: what the
+// regularity step needs of them.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_INPUT_PLANES_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_INPUT_PLANES_H
+
+#include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/regularity/regularize.h>
+
+#include <numeric>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Null where the normal is null or a coefficient is not finite.
+inline Coefficients normalized(const Coefficients& c)
+{
+  const double largest = largest_component({c[0], c[1], c[2]});
+  if(!(largest > 0) || !std::isfinite(c[0]) || !std::isfinite(c[1]) || !std::isfinite(c[2]) || !std::isfinite(c[3]))
+    return {0, 0, 0, 0};
+  const Vector scaled = {c[0] / largest, c[1] / largest, c[2] / largest};
+  const Vector n = unit(scaled);
+  return {n.x, n.y, n.z, c[3] / largest / length(scaled)};
+}
+
+inline double signed_distance(const Coefficients& c, const Vector& p)
+{
+  return std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
+}
+
+// 2.5 times the root mean square distance of the points to their planes. Integer
+// sums: the order of the points does not matter.
+inline double estimate_maximum_distance(const Import& in, const std::vector<int>& plane_of,
+                                        const std::vector<Coefficients>& planes)
+{
+  double largest = 0, count = 0;
+  auto for_each_distance = [&](auto f) {
+    for(std::size_t i = 0; i < in.size(); ++i)
+      if(plane_of[i] >= 0)
+        f(std::fabs(signed_distance(planes[plane_of[i]], in.position(i))));
+  };
+  for_each_distance([&](double d) {
+    largest = (std::max)(largest, d);
+    ++count;
+  });
+  if(!(largest > 0) || !std::isfinite(largest))
+    return 0;
+  std::int64_t sum = 0; // of squares, in units of 2^-15: 2^30 times at most 2^31 points
+  for_each_distance([&](double d) {
+    const std::int64_t scaled = llrint(d / largest * 32768);
+    sum += scaled * scaled;
+  });
+  return 2.5 * largest * std::sqrt(double(sum) / count) / 32768;
+}
+
+class Input_planes : public In_order {
+public:
+  // plane_of: of each imported point, -1 if it has none. The points are on the grid.
+  Input_planes(const Import& in, const std::vector<int>& plane_of, const std::vector<Coefficients>& planes,
+               double epsilon)
+    : first(planes.size() + 1, 0), tolerance(llrint(epsilon / in.grid.step * normal_scale))
+  {
+    sort_points(in, plane_of);
+    for(std::size_t s = 0; s < planes.size(); ++s)
+      add_plane(planes[s], in.grid, s);
+  }
+
+  const Shape_fits& fits() const { return fits_; }
+
+  // Planes without a unit normal or with points that determine no plane take part in nothing.
+  const std::vector<char>& is_excluded() const { return is_excluded_; }
+
+  // The callback of the regularity step.
+  void operator()(const std::vector<int>& shapes, const Regular_planes& candidates,
+                  std::vector<std::int64_t>& counts) const
+  {
+    for(std::size_t k = 0; k < shapes.size(); ++k) {
+      const int s = shapes[k];
+      const Plane candidate = on_grid(candidates[k], fits_[s].scatter.centroid);
+      for(std::size_t i = first[s]; i < first[s + 1]; ++i)
+        counts[k] += is_near(given[s], point[i], tolerance) && !is_near(candidate, point[i], tolerance);
+    }
+  }
+
+private:
+  void sort_points(const Import& in, const std::vector<int>& plane_of)
+  {
+    for(int s : plane_of)
+      if(s >= 0)
+        ++first[s + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    point.resize(first.back());
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for(std::size_t i = 0; i < plane_of.size(); ++i)
+      if(plane_of[i] >= 0)
+        point[next[plane_of[i]]++] = in.point[i];
+  }
+
+  // The integer plane is most accurate near the point that it is made of.
+  static Plane on_grid(const Regular_plane& p, const Vector& near)
+  {
+    return make_plane(p.normal, add_scaled(near, p.offset - dot(p.normal, near), p.normal));
+  }
+
+  void add_plane(const Coefficients& c, const Grid& grid, std::size_t s)
+  {
+    Moments moments;
+    for(std::size_t i = first[s]; i < first[s + 1]; ++i)
+      moments.add(point[i]);
+    const Scatter scatter = make_scatter(moments);
+    const Eigen_system e = eigen_system(scatter.matrix);
+    const Vector n = {c[0], c[1], c[2]};
+    const bool has_normal = dot(n, n) > 0;
+    fits_.push_back({scatter, fit_plane(scatter)});
+    is_excluded_.push_back(!has_normal || moments.count < 3 || !(e.value[1] > 1e-12 * e.value[2]));
+    given.push_back(has_normal ? on_grid({n, -(dot(n, grid.origin) + c[3]) / grid.step}, scatter.centroid)
+                               : Plane{0, 0, 0, 0});
+  }
+
+  std::vector<Grid_point> point; // by plane
+  std::vector<std::size_t> first;
+  Shape_fits fits_;
+  std::vector<char> is_excluded_;
+  std::vector<Plane> given;
+  std::int64_t tolerance;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_INPUT_PLANES_H

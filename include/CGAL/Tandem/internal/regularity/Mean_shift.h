@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Mean shift with a Gaussian kernel, for directions and for offsets. An index
+// type supplies the geometry:
+//   Index(positions, radius), near(position, f) calling f(i, squared distance)
+//   for all positions within the radius, Index::Mean with add() and value().
+// Loops run on executor.for_each(n, f, few): f(i) for i in [0, n), on one thread if n < few.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_MEAN_SHIFT_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_MEAN_SHIFT_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// (1 - t / 256)^256, which is exp(-t) within 0.002, cut off at three standard
+// deviations (t = 4.5). A fixed polynomial, since exp() differs between machines.
+inline double gaussian(double t)
+{
+  double e = t <= 4.5 ? 1 - t * 0.00390625 : 0;
+  for(int k = 0; k < 8; ++k)
+    e *= e;
+  return e;
+}
+
+// Runs loops on the calling thread.
+struct In_order {
+  template <class F>
+  void for_each(std::size_t n, F f, std::size_t = 0) const
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      f(i);
+  }
+};
+
+// Finds the modes of a weighted set: sigma is half the radius, and of two modes
+// within the radius of each other only the denser one counts.
+template <class Index>
+class Mean_shift {
+public:
+  using Position = typename Index::Position;
+
+  Mean_shift(const std::vector<Position>& positions, const std::vector<double>& weights, double radius)
+    : position(positions), weight(weights), radius(radius), index(positions, 1.5 * radius)
+  {}
+
+  // By falling density; ties are broken by position in the input.
+  template <class Executor>
+  std::vector<Position> modes(const Executor& executor) const
+  {
+    const std::vector<std::size_t> start = starts(executor);
+    std::vector<Mode> found(start.size());
+    executor.for_each(
+      start.size(), [&](std::size_t s) { found[s] = climb(start[s]); }, few_climbs);
+    std::stable_sort(found.begin(), found.end(), [](const Mode& a, const Mode& b) { return a.density > b.density; });
+    return without_weaker(found);
+  }
+
+  double density(const Position& x) const
+  {
+    double sum = 0;
+    index.near(x, [&](std::size_t i, double q) { sum = std::fma(weight[i], kernel(q), sum); });
+    return sum;
+  }
+
+private:
+  // Fewer of them are left to one thread.
+  static constexpr std::size_t few_densities = 64, few_climbs = 8;
+
+  struct Mode {
+    Position position;
+    double density;
+  };
+
+  double kernel(double q) const { return gaussian(2 * q / (radius * radius)); }
+
+  // Local maxima among the positions: every mode is reached from one of them.
+  template <class Executor>
+  std::vector<std::size_t> starts(const Executor& executor) const
+  {
+    const std::size_t n = position.size();
+    std::vector<double> d(n);
+    executor.for_each(
+      n, [&](std::size_t i) { d[i] = density(position[i]); }, few_densities);
+    std::vector<char> is_maximum(n, 1);
+    const double squared_sigma = 0.25 * radius * radius;
+    executor.for_each(
+      n,
+      [&](std::size_t i) {
+        index.near(position[i], [&](std::size_t j, double q) {
+          if(q <= squared_sigma && (d[j] > d[i] || (d[j] == d[i] && j < i)))
+            is_maximum[i] = 0;
+        });
+      },
+      few_densities);
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < n; ++i)
+      if(is_maximum[i])
+        result.push_back(i);
+    return result;
+  }
+
+  Mode climb(std::size_t start) const
+  {
+    Position x = position[start];
+    const double small = 1e-4 * radius * radius;
+    for(int step = 0; step < 16; ++step) {
+      typename Index::Mean mean(x);
+      index.near(x, [&](std::size_t i, double q) { mean.add(position[i], weight[i] * kernel(q)); });
+      const Position next = mean.value();
+      const double moved = Index::squared_distance(x, next);
+      x = next;
+      if(moved <= small)
+        break;
+    }
+    return {x, density(x)};
+  }
+
+  std::vector<Position> without_weaker(const std::vector<Mode>& sorted) const
+  {
+    std::vector<Position> all, kept;
+    for(const Mode& m : sorted)
+      all.push_back(m.position);
+    const Index modes(all, radius);
+    std::vector<char> is_dropped(all.size(), 0);
+    for(std::size_t i = 0; i < all.size(); ++i) {
+      if(is_dropped[i])
+        continue;
+      kept.push_back(all[i]);
+      modes.near(all[i], [&](std::size_t j, double) { is_dropped[j] = 1; });
+    }
+    return kept;
+  }
+
+  const std::vector<Position>& position;
+  const std::vector<double>& weight;
+  double radius;
+  Index index;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_MEAN_SHIFT_H

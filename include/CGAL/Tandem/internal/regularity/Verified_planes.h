@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the moments and the points of the shapes say to the planes that the
+// regularity step proposes. Point-sized work is left to a callback
+//   verify(shapes, planes, counts): counts[k] = number of points of shapes[k]
+//   that fit its local plane, but not planes[k]
+// which is called a few times with all shapes that are in question. It also runs
+//   verify.for_each(n, f, few): f(i) for i in [0, n), in any order, maybe many at a time unless n < few.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_VERIFIED_PLANES_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_VERIFIED_PLANES_H
+
+#include <CGAL/Tandem/internal/regularity/cluster_directions.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace regularity {
+
+constexpr double misfit_share = 0.2; // of its points, newly misfitting: the shape is refused
+constexpr double rms_share = 0.6;    // of epsilon, added in quadrature to the distance of the points: refused
+constexpr double still_share = 0.02; // of epsilon: a plane that moved less needs no verification
+
+} // namespace regularity
+
+// The most points of a shape, as a share of it and at all, that may newly misfit.
+struct Misfit_limit {
+  double share, points;
+};
+
+inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
+
+// The shapes with the plane that their points accepted last: the local fit at first.
+template <class Verify>
+class Verified_planes {
+public:
+  Verified_planes(const Shape_fits& shapes, double maximum_distance, Verify& verify)
+    : shapes(shapes), maximum_distance(maximum_distance), verify(verify)
+  {
+    accepted.resize(shapes.size());
+    for_each(shapes.size(),
+             [&](std::size_t i) { accepted[i] = through_centroid(shapes[i], canonical(shapes[i].fit.normal)); });
+  }
+
+  template <class F>
+  void for_each(std::size_t n, F f, std::size_t few = 256) const
+  {
+    verify.for_each(n, f, few);
+  }
+
+  // Whether the direction adds too much to the distance of the points (from the moments alone).
+  bool is_too_far(int shape, const Vector& n) const
+  {
+    const double allowed = regularity::rms_share * maximum_distance;
+    return added(shape, n) > allowed * allowed * shapes[shape].scatter.count;
+  }
+
+  double added(int shape, const Vector& n) const
+  {
+    const Shape_fit& s = shapes[shape];
+    return quadratic_form(s.scatter.matrix, n) - quadratic_form(s.scatter.matrix, s.fit.normal);
+  }
+
+  // Whether the plane is too far from the centroid.
+  bool is_shifted_too_far(int shape, const Regular_plane& plane) const
+  {
+    return std::fabs(dot(plane.normal, shapes[shape].scatter.centroid) - plane.offset) >
+           regularity::rms_share * maximum_distance;
+  }
+
+  // Asks the points, in one call. Returns for each candidate whether it was refused. No shape is there twice.
+  std::vector<char> test(const std::vector<int>& candidates, const Regular_planes& planes,
+                         const Misfit_limit& limit = {regularity::misfit_share, 1e300})
+  {
+    enum : char { still, rejected, open };
+    std::vector<char> verdict(candidates.size());
+    for_each(candidates.size(), [&](std::size_t k) {
+      const int i = candidates[k];
+      const bool is_still = motion(i, planes[k]) <= regularity::still_share * maximum_distance;
+      verdict[k] = is_shifted_too_far(i, planes[k]) ? rejected : is_still ? still : open;
+    });
+    std::vector<int> selected;
+    Regular_planes selected_planes;
+    std::vector<std::size_t> position;
+    selected.reserve(candidates.size());
+    selected_planes.reserve(candidates.size());
+    position.reserve(candidates.size());
+    for(std::size_t k = 0; k < candidates.size(); ++k)
+      if(verdict[k] == open) {
+        selected.push_back(candidates[k]);
+        selected_planes.push_back(planes[k]);
+        position.push_back(k);
+      }
+    std::vector<std::int64_t> counts(selected.size(), 0);
+    if(!selected.empty())
+      verify(selected, selected_planes, counts);
+    for_each(selected.size(), [&](std::size_t a) {
+      const bool is_rejected =
+        double(counts[a]) > (std::min)(limit.share * shapes[selected[a]].scatter.count, limit.points);
+      verdict[position[a]] = is_rejected ? rejected : still;
+      if(!is_rejected)
+        accepted[selected[a]] = selected_planes[a];
+    });
+    for(char& a : verdict)
+      a = a == rejected;
+    return verdict;
+  }
+
+private:
+  // Bound on the motion of the plane against the accepted one within two standard deviations of the shape.
+  double motion(int shape, const Regular_plane& plane) const
+  {
+    const Scatter& s = shapes[shape].scatter;
+    const Regular_plane& old = accepted[shape];
+    const double side = dot(plane.normal, old.normal) < 0 ? -1 : 1;
+    const double shift =
+      (dot(plane.normal, s.centroid) - plane.offset) - side * (dot(old.normal, s.centroid) - old.offset);
+    const double sine = std::sqrt(Direction_index::squared_distance(plane.normal, old.normal));
+    return std::fma(sine, 2 * std::sqrt(shapes[shape].fit.largest / s.count), std::fabs(shift));
+  }
+
+  const Shape_fits& shapes;
+  double maximum_distance;
+  Verify& verify;
+  Regular_planes accepted;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_VERIFIED_PLANES_H

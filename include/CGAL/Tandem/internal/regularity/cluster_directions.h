@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The Gauss map of unoriented normals: distances are sines, so that opposite
+// normals coincide, and groups of normals are found by mean shift.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_DIRECTIONS_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_DIRECTIONS_H
+
+#include <CGAL/Tandem/internal/base/linear_algebra.h>
+#include <CGAL/Tandem/internal/regularity/Mean_shift.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The one of n and -n whose last nonzero coordinate is positive; no negative zeros.
+inline Vector canonical(const Vector& n)
+{
+  const bool is_opposite = n.z < 0 || (n.z == 0 && (n.y < 0 || (n.y == 0 && n.x < 0)));
+  const Vector m = is_opposite ? -n : n;
+  return {m.x + 0.0, m.y + 0.0, m.z + 0.0};
+}
+
+inline bool operator==(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+// On a grid of 2^-24 (less than 4e-6 degrees) differences, squares and weighted
+// sums of normals are exact, so that they need no fma, which costs a call on plain x86-64.
+inline Vector rounded_normal(const Vector& n)
+{
+  const double scale = double(1 << 24);
+  return {double(llrint(n.x * scale)) / scale, double(llrint(n.y * scale)) / scale,
+          double(llrint(n.z * scale)) / scale};
+}
+
+inline double rounded_dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// Rounded unit normals in a dense grid of cubes. Those near the equator are entered
+// with both signs, so that a query looks at one place only.
+class Direction_index {
+public:
+  using Position = Vector;
+
+  // The weighted mean of rounded normals turned to the side of the first one.
+  class Mean {
+  public:
+    explicit Mean(const Vector& side) : side(side) {}
+
+    void add(const Vector& n, double weight)
+    {
+      // the sign is certain, as n is near; 24 bits of weight make the products exact
+      const double w = rounded_dot(side, n) < 0 ? -float(weight) : float(weight);
+      sum.x += w * n.x;
+      sum.y += w * n.y;
+      sum.z += w * n.z;
+    }
+
+    Vector value() const { return dot(sum, sum) > 0 ? canonical(unit(sum)) : side; }
+
+  private:
+    Vector side, sum = {0, 0, 0};
+  };
+
+  static double squared_distance(const Vector& a, const Vector& b)
+  {
+    const Vector c = cross(a, b);
+    return dot(c, c);
+  }
+
+  // radius: the sine of the largest angle that a query reaches.
+  Direction_index(const std::vector<Vector>& normals, double radius)
+    : chord(chord_of(radius)), squared_chord(chord * chord)
+  {
+    choose_size(normals.size());
+    std::vector<Entry> entries;
+    entries.reserve(2 * normals.size());
+    for(std::size_t i = 0; i < normals.size(); ++i) {
+      const Vector n = rounded_normal(canonical(normals[i]));
+      entries.push_back({n, i});
+      if(n.z <= chord)
+        entries.push_back({-n, i});
+    }
+    sort_into_cubes(entries);
+  }
+
+  template <class Function>
+  void near(const Vector& normal, Function f) const
+  {
+    const Vector n = rounded_normal(canonical(normal));
+    const int x = slot(n.x), y = slot(n.y), z0 = (std::max)(slot(n.z) - 1, 0), z1 = (std::min)(slot(n.z) + 1, size - 1);
+    for(int cx = (std::max)(x - 1, 0); cx <= (std::min)(x + 1, size - 1); ++cx)
+      for(int cy = (std::max)(y - 1, 0); cy <= (std::min)(y + 1, size - 1); ++cy) {
+        const std::size_t row = (std::size_t(cx) * size + cy) * size;
+        visit(n, first[row + z0], first[row + z1 + 1], f);
+      }
+  }
+
+private:
+  struct Entry {
+    Vector normal;
+    std::size_t index;
+  };
+
+  // |a - b| of two unit vectors whose angle has this sine; a right angle reaches all of them.
+  static double chord_of(double sine)
+  {
+    return sine < 1 ? sine * std::sqrt(2 / (1 + std::sqrt(std::fma(-sine, sine, 1.0)))) : std::sqrt(2.0);
+  }
+
+  // As fine as the radius, but at most four cubes a normal.
+  void choose_size(std::size_t n)
+  {
+    int maximum = 4;
+    while(maximum < 256 && std::size_t(maximum) * maximum * maximum < 4 * n)
+      ++maximum;
+    size = chord * maximum > 2 ? (std::max)(1, int(2 / chord)) : maximum;
+  }
+
+  int slot(double c) const { return (std::min)((std::max)(int((c + 1) * 0.5 * size), 0), size - 1); }
+
+  std::size_t cube(const Vector& n) const { return (std::size_t(slot(n.x)) * size + slot(n.y)) * size + slot(n.z); }
+
+  void sort_into_cubes(const std::vector<Entry>& entries)
+  {
+    first.assign(std::size_t(size) * size * size + 1, 0);
+    for(const Entry& e : entries)
+      ++first[cube(e.normal) + 1];
+    for(std::size_t c = 1; c < first.size(); ++c)
+      first[c] += first[c - 1];
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    sorted.resize(entries.size());
+    for(const Entry& e : entries)
+      sorted[next[cube(e.normal)]++] = e;
+  }
+
+  template <class Function>
+  void visit(const Vector& n, std::uint32_t begin, std::uint32_t end, Function& f) const
+  {
+    for(std::uint32_t i = begin; i < end; ++i) {
+      const Vector d = n - sorted[i].normal;
+      const double q = rounded_dot(d, d);
+      if(q <= squared_chord)
+        f(sorted[i].index, q * (1 - 0.25 * q)); // the squared sine
+    }
+  }
+
+  double chord, squared_chord;
+  int size;
+  std::vector<std::uint32_t> first;
+  std::vector<Entry> sorted;
+};
+
+// Normals and weights gathered in small cubes, so that the cost of the mean shift
+// depends on the number of different directions. Integer sums: the bins do not
+// depend on the order of the shapes.
+struct Direction_bins {
+  std::vector<Vector> normal;
+  std::vector<double> weight;
+};
+
+template <class Executor>
+Direction_bins make_direction_bins(const std::vector<Vector>& normals, const std::vector<double>& weights, double width,
+                                   const Executor& executor)
+{
+  using Item = std::array<std::int64_t, 4>; // weighted normal, weight
+  const std::size_t n = normals.size();
+  // 21 bits for each coordinate: of a tolerance below a thousandth of a degree the bins are wider.
+  const double cubes = 1 / (std::max)(width, std::ldexp(1.0, -19));
+  const double scale = double(1 << 26); // times at most 2^32 points fits int64
+  std::vector<Item> items(n);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(n); // by cube
+  executor.for_each(n, [&](std::size_t i) {
+    const Vector v = canonical(normals[i]);
+    std::uint64_t cube = 0;
+    for(double c : {v.x, v.y, v.z})
+      cube = cube << 21 | std::uint64_t(llrint(c * cubes) + (1 << 20));
+    const std::int64_t w = llrint(weights[i]);
+    items[i] = {w * llrint(v.x * scale), w * llrint(v.y * scale), w * llrint(v.z * scale), w};
+    order[i] = {cube, std::uint32_t(i)};
+  });
+  std::sort(order.begin(), order.end());
+  Direction_bins bins;
+  for(std::size_t i = 0, j; i < n; i = j) {
+    Item sum = {0, 0, 0, 0};
+    for(j = i; j < n && order[j].first == order[i].first; ++j)
+      for(std::size_t k = 0; k < 4; ++k)
+        sum[k] += items[order[j].second][k];
+    bins.normal.push_back(rounded_normal(canonical(unit({double(sum[0]), double(sum[1]), double(sum[2])}))));
+    bins.weight.push_back(double(sum[3]));
+  }
+  return bins;
+}
+
+// Groups of normals within the radius (a sine) of a mode, as lists of positions.
+// What no mode reaches is clustered again, and forms a group of its own at last. The
+// loops run on the executor: see Mean_shift.
+template <class Executor>
+std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& normals, const std::vector<double>& weights,
+                                                 double radius, const Executor& executor)
+{
+  std::vector<std::vector<int>> groups;
+  std::vector<int> rest(normals.size());
+  for(std::size_t i = 0; i < rest.size(); ++i)
+    rest[i] = int(i);
+  for(int pass = 0; pass < 8 && !rest.empty(); ++pass) {
+    std::vector<Vector> n(rest.size());
+    std::vector<double> w(rest.size());
+    for(std::size_t k = 0; k < rest.size(); ++k) {
+      n[k] = normals[std::size_t(rest[k])];
+      w[k] = weights[std::size_t(rest[k])];
+    }
+    const Direction_bins bins = make_direction_bins(n, w, radius / 8, executor);
+    const std::vector<Vector> modes = Mean_shift<Direction_index>(bins.normal, bins.weight, radius).modes(executor);
+    const Direction_index index(modes, radius);
+    const std::size_t start = groups.size();
+    groups.resize(start + modes.size());
+    std::vector<std::pair<double, std::size_t>> nearest(rest.size(), {2.0, 0});
+    executor.for_each(rest.size(), [&](std::size_t k) {
+      index.near(n[k], [&](std::size_t m, double q) { nearest[k] = (std::min)(nearest[k], {q, m}); });
+    });
+    std::vector<int> left;
+    for(std::size_t k = 0; k < rest.size(); ++k)
+      (nearest[k].first <= 1 ? groups[start + nearest[k].second] : left).push_back(rest[k]);
+    rest.swap(left);
+  }
+  for(int i : rest)
+    groups.push_back({i});
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const std::vector<int>& g) { return g.empty(); }),
+               groups.end());
+  return groups;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_DIRECTIONS_H

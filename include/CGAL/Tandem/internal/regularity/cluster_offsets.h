@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Offsets of parallel shapes along their direction, clustered on the line.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_OFFSETS_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_OFFSETS_H
+
+#include <CGAL/Tandem/internal/regularity/Mean_shift.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Sorted offsets; a query is a window.
+class Offset_index {
+public:
+  using Position = double;
+
+  class Mean {
+  public:
+    explicit Mean(double start) : start(start) {}
+    void add(double x, double w)
+    {
+      sum = std::fma(w, x - start, sum);
+      weight += w;
+    }
+    double value() const { return weight > 0 ? start + sum / weight : start; }
+
+  private:
+    double start, sum = 0, weight = 0;
+  };
+
+  static double squared_distance(double a, double b) { return (a - b) * (a - b); }
+
+  Offset_index(const std::vector<double>& offsets, double radius) : radius(radius)
+  {
+    for(std::size_t i = 0; i < offsets.size(); ++i)
+      sorted.push_back({offsets[i], i});
+    std::sort(sorted.begin(), sorted.end());
+  }
+
+  template <class Function>
+  void near(double x, Function f) const
+  {
+    auto i = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(x - radius, std::size_t(0)));
+    for(; i != sorted.end() && i->first <= x + radius; ++i)
+      f(i->second, squared_distance(x, i->first));
+  }
+
+private:
+  double radius;
+  std::vector<std::pair<double, std::size_t>> sorted;
+};
+
+// Classes of offsets within the radius of a mode, as lists of positions; every
+// position is in one of them.
+inline std::vector<std::vector<int>> cluster_offsets(const std::vector<double>& offsets,
+                                                     const std::vector<double>& weights, double radius)
+{
+  // close offsets count as one, so that a wall of a thousand windows costs no more than ten shapes
+  std::vector<std::pair<double, int>> order;
+  for(std::size_t i = 0; i < offsets.size(); ++i)
+    order.push_back({offsets[i], int(i)});
+  std::sort(order.begin(), order.end());
+  std::vector<double> bin_offset, bin_weight;
+  for(std::size_t i = 0, j; i < order.size(); i = j) {
+    Offset_index::Mean mean(order[i].first);
+    double weight = 0;
+    for(j = i; j < order.size() && order[j].first - order[i].first <= radius / 16; ++j) {
+      mean.add(order[j].first, weights[order[j].second]);
+      weight += weights[order[j].second];
+    }
+    bin_offset.push_back(mean.value());
+    bin_weight.push_back(weight);
+  }
+  const std::vector<double> modes = Mean_shift<Offset_index>(bin_offset, bin_weight, radius).modes(In_order());
+  const Offset_index index(modes, radius);
+  std::vector<std::vector<int>> classes(modes.size());
+  for(const auto& o : order) {
+    std::pair<double, std::size_t> nearest(-1.0, 0);
+    index.near(o.first, [&](std::size_t m, double q) {
+      if(nearest.first < 0 || std::make_pair(q, m) < nearest)
+        nearest = {q, m};
+    });
+    if(nearest.first < 0)
+      classes.push_back({o.second});
+    else
+      classes[nearest.second].push_back(o.second);
+  }
+  classes.erase(std::remove_if(classes.begin(), classes.end(), [](const std::vector<int>& c) { return c.empty(); }),
+                classes.end());
+  return classes;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_OFFSETS_H

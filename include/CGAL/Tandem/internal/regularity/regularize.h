@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The regularity step: shapes become parallel, orthogonal and coplanar where
+// their moments and their points allow it.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H
+
+#include <CGAL/Tandem/internal/regularity/Direction_fitter.h>
+#include <CGAL/Tandem/internal/memory/Unset_vector.h>
+#include <CGAL/Tandem/internal/regularity/Coplanar_classes.h>
+
+#include <tuple>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Numbers the groups that share a direction alike: -1 for shapes without a group.
+inline std::vector<int> shared_directions(const std::vector<Direction_group>& groups, std::size_t n)
+{
+  auto key = [](const Vector& v) { return std::make_tuple(v.x, v.y, v.z); };
+  std::vector<std::size_t> order(groups.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return key(groups[a].direction) < key(groups[b].direction); });
+  std::vector<int> direction_of(n, -1);
+  int last = -1;
+  for(std::size_t k = 0; k < order.size(); ++k) {
+    if(k == 0 || key(groups[order[k]].direction) != key(groups[order[k - 1]].direction))
+      ++last;
+    for(int i : groups[order[k]].members)
+      direction_of[i] = last;
+  }
+  return direction_of;
+}
+
+// Fills the tables in the order of the shapes. plane[i] is the plane of shape i,
+// direction[i] and coplanar[i] name what it shares (-1: nothing).
+inline void number_relations(const Regular_planes& plane, const std::vector<int>& direction,
+                             const std::vector<int>& coplanar, Relations& r)
+{
+  const std::size_t n = plane.size();
+  std::vector<int> direction_number(n, -1), plane_number(n, -1);
+  for(std::size_t i = 0; i < n; ++i) {
+    int d = direction[i] < 0 ? -1 : direction_number[direction[i]];
+    if(d < 0) {
+      d = int(r.directions.size());
+      r.directions.push_back(plane[i].normal);
+      if(direction[i] >= 0)
+        direction_number[direction[i]] = d;
+    }
+    int p = coplanar[i] < 0 ? -1 : plane_number[coplanar[i]];
+    if(p < 0) {
+      p = int(r.planes.size());
+      r.planes.push_back(plane[i]);
+      if(coplanar[i] >= 0)
+        plane_number[coplanar[i]] = p;
+    }
+    r.direction_of.push_back(d);
+    r.plane_of.push_back(p);
+  }
+}
+
+// is_excluded: shapes that keep their local fit and take part in nothing.
+template <class Verify>
+Relations regularize(const Shape_fits& shapes, const std::vector<char>& is_excluded, const Regularity_options& options,
+                     Verify& verify)
+{
+  std::vector<int> active;
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    if(!is_excluded[i] && shapes[i].scatter.count > 0 && dot(shapes[i].fit.normal, shapes[i].fit.normal) > 0.5)
+      active.push_back(int(i));
+  Verified_planes<Verify> verified(shapes, options.maximum_distance, verify);
+  Direction_fitter<Verify> fitter(shapes, options, verified);
+  fitter.fit(active);
+  Unset_vector<Vector> normal(shapes.size());
+  verified.for_each(shapes.size(), [&](std::size_t i) { normal[i] = canonical(shapes[i].fit.normal); });
+  for(const Direction_group& g : fitter.result())
+    for(int i : g.members)
+      normal[i] = g.direction;
+  Regular_planes plane(shapes.size());
+  verified.for_each(shapes.size(), [&](std::size_t i) { plane[i] = through_centroid(shapes[i], normal[i]); });
+  const std::vector<int> direction = shared_directions(fitter.result(), shapes.size());
+  std::vector<int> coplanar(shapes.size(), -1);
+  if(options.coplanarity && options.maximum_offset > 0)
+    Coplanar_classes(shapes, direction, options).fit(verified, plane, coplanar);
+  Relations r;
+  number_relations(plane, direction, coplanar, r);
+  r.is_rolled_back = fitter.rolled_back();
+  return r;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sums of the points that shapes gain or lose: gathered per cell in a small table,
+// added to the shapes at its end. Integer sums, so the order does not matter.
+
+#ifndef CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H
+#define CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H
+
+#include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/base/Moments.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A shape's moments and bounds while many threads add to them. Of a 128-bit
+// product the words are added one by one, with the carry.
+struct Shared_moments {
+  std::int64_t count = 0;
+  std::int64_t sum[3] = {0, 0, 0};
+  std::uint64_t low[6] = {0, 0, 0, 0, 0, 0};
+  std::uint64_t high[6] = {0, 0, 0, 0, 0, 0};
+  Box box;
+
+  Moments moments() const
+  {
+    Moments m;
+    m.count = count;
+    for(int i = 0; i < 3; ++i)
+      m.sum[i] = sum[i];
+    for(int i = 0; i < 6; ++i)
+      m.product[i] = Int128(static_cast<unsigned __int128>(high[i]) << 64 | low[i]);
+    return m;
+  }
+};
+
+template <class Backend>
+CGAL_TANDEM_HD void atomic_add(Shared_moments& target, const Moments& m, const Box& box)
+{
+  Backend::atomic_add(target.count, m.count);
+  for(int i = 0; i < 3; ++i) {
+    Backend::atomic_add(target.sum[i], m.sum[i]);
+    Backend::atomic_min(target.box.low[i], box.low[i]);
+    Backend::atomic_max(target.box.high[i], box.high[i]);
+  }
+  for(int i = 0; i < 6; ++i) {
+    const std::uint64_t low = std::uint64_t(m.product[i]);
+    const std::uint64_t before = Backend::atomic_add(target.low[i], low);
+    const std::uint64_t carry = before + low < before;
+    Backend::atomic_add(target.high[i], std::uint64_t(m.product[i] >> 64) + carry);
+  }
+}
+
+// The sum of points that come one after the other and are of one shape.
+struct Shape_run {
+  std::uint32_t shape = no_index;
+  Cell_moments moments;
+  Box box;
+
+  // base: any point of the cell.
+  CGAL_TANDEM_HD void add(const Grid_point& p, const Grid_point& base, int sign)
+  {
+    moments.add(std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z, sign);
+    box.add(p);
+  }
+};
+
+// Open addressing with a bounded probe: what finds no place goes to the shape at once.
+struct Moment_table {
+  static constexpr std::uint32_t slots = 64;
+
+  std::uint32_t shape[slots];
+  Cell_moments moments[slots];
+  Box box[slots];
+
+  template <class Block>
+  CGAL_TANDEM_HD void clear(Block& block)
+  {
+    block.for_each(slots, [&](std::uint32_t i) {
+      shape[i] = no_index;
+      moments[i] = Cell_moments();
+      box[i] = Box();
+    });
+  }
+
+  // The slot of shape s, or `slots` when there is none left nearby.
+  template <class Block>
+  CGAL_TANDEM_HD std::uint32_t claim(Block& block, std::uint32_t s)
+  {
+    for(std::uint32_t probe = 0; probe < 8; ++probe) {
+      const std::uint32_t slot = (s + probe) % slots;
+      const std::uint32_t old = block.exchange_if(shape[slot], no_index, s);
+      if(old == no_index || old == s)
+        return slot;
+    }
+    return slots;
+  }
+
+  // base: that of the run.
+  template <class Backend, class Block>
+  CGAL_TANDEM_HD void add(Block& block, const Shape_run& run, const Grid_point& base, Shared_moments* target)
+  {
+    if(run.shape == no_index)
+      return;
+    const std::uint32_t slot = claim(block, run.shape);
+    if(slot == slots)
+      return atomic_add<Backend>(target[run.shape], shifted(run.moments, base.x, base.y, base.z), run.box);
+    block.add_moments(moments[slot], run.moments);
+    block.add_box(box[slot], run.box);
+  }
+
+  template <class Backend, class Block>
+  CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, const Grid_point& base, int sign,
+                          Shared_moments* target)
+  {
+    Shape_run run;
+    run.shape = s;
+    run.add(p, base, sign);
+    add<Backend>(block, run, base, target);
+  }
+
+  template <class Backend, class Block>
+  CGAL_TANDEM_HD void flush(Block& block, const Grid_point& base, Shared_moments* target)
+  {
+    block.for_each(slots, [&](std::uint32_t i) {
+      if(shape[i] != no_index)
+        atomic_add<Backend>(target[shape[i]], shifted(moments[i], base.x, base.y, base.z), box[i]);
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H

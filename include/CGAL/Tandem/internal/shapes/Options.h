@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parameters of a detection in the units of the grid.
+
+#ifndef CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
+#define CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
+
+#include <CGAL/Tandem/internal/regularity/relations.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+struct Growth_options {
+  Tolerance tolerance;
+  int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin
+  int seed_tries;          // candidates that may fail in one pass
+  std::uint32_t core_size; // fewest points that a shape begins with
+};
+
+constexpr int young_seeds_in_flight = 8; // in the first rounds
+constexpr int maximum_seeds_in_flight = 32;
+
+// Points of a cell, at most: the queue of a small one fits into fast memory.
+constexpr std::uint32_t small_cell = 8192;
+constexpr std::uint32_t largest_cell = 65536;
+
+struct Exact_bounds {
+  double maximum_distance;
+  double cosine; // of maximum_angle, raised by what a normal may lose when it is rounded to float
+
+  // True only if every order of evaluation in double finds the point within epsilon.
+  bool is_near(const Coefficients& c, const Vector& p) const
+  {
+    const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
+    const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
+    const double e = std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
+    return std::fma(size, 1e-15, std::fabs(e)) <= maximum_distance;
+  }
+
+  bool is_aligned(const Coefficients& c, const Vector& n) const
+  {
+    return std::fabs(dot({c[0], c[1], c[2]}, n)) >= cosine;
+  }
+};
+
+constexpr double rounded_normal_margin = 2e-7;
+
+// In grid steps and integers; see design section 5 and the constants beside.
+struct Options {
+  std::size_t cell_size; // most points of a cell
+  Growth_options growth;
+  Regularity_options regularity;
+  double maximum_distance; // epsilon
+  double squared_cosine;   // of alpha
+  std::int64_t minimum_region_size;
+  std::int64_t minimum_regular_size;  // smaller shapes keep their local plane in the end game ...
+  std::int64_t minimum_related_size;  // ... and these in the loop
+  std::int64_t minimum_fragment_size; // smaller shapes are given up when they stop growing
+  Tolerance tight;                    // of the second criterion of seeds
+  Tolerance certain;                  // bounds within which the exact check is not needed
+  Exact_bounds exact;                 // in the caller's units
+  int regularity_period;              // in rounds
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H

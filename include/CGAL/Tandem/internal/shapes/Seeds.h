@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where shapes begin: the most planar points of a cell first, then those nearest
+// to its center (section 3 of the paper). Of equally planar points, those that are
+// so within tighter bounds come first: they lie away from edges and steps, where
+// normals lean and a plane would bridge two surfaces.
+
+#ifndef CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
+#define CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
+
+#include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/cloud/Cloud.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
+{
+  const Int_vector m = decode_normal(p.normal);
+  return make_plane(unit({double(m.x), double(m.y), double(m.z)}), {double(p.x), double(p.y), double(p.z)});
+}
+
+struct Planarity {
+  int fitting = 0; // neighbors that fit the plane of the point itself
+  int close = 0;   // ... that do so within tighter bounds
+};
+
+CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance,
+                                          const Tolerance& tight)
+{
+  Planarity p;
+  if(cloud.point[i].normal == no_normal)
+    return p;
+  const Plane plane = own_plane(cloud.point[i]);
+  const std::uint32_t* row = cloud.row(i);
+  for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+    const std::int64_t e = signed_distance(plane, cloud.point[row[j]]);
+    const std::int64_t distance = e < 0 ? -e : e;
+    const Squared_cosine cosine = squared_cosine(plane, cloud.point[row[j]]);
+    // as fits(), twice; no branches, since half of them would be mispredicted
+    p.fitting += int(distance <= tolerance.distance) & int(cosine.is_at_least(tolerance.squared_cosine));
+    p.close += int(distance <= tight.distance) & int(cosine.is_at_least(tight.squared_cosine));
+  }
+  return p;
+}
+
+// The candidates of a cell are seed[cell.first] ... seed[cell.first + count[c] - 1].
+template <class Backend>
+struct Seeds {
+  typename Backend::template Buffer<std::uint32_t> seed;
+  std::vector<std::uint32_t> count;
+};
+
+constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
+
+struct Seed_bounds {
+  Tolerance tolerance, tight;
+  std::size_t cell_size; // most points of a cell
+};
+
+struct Box_scratch {
+  Box box;
+};
+
+// The keys of a cell rise with falling planarity, then with the distance to the
+// center, then with the position.
+struct Rate_seeds {
+  Cloud_view cloud;
+  const Range* cells;
+  std::uint64_t* key;
+  Seed_bounds bounds;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Box_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.single([&] { scratch.box = Box(); });
+    block.template accumulate<Box>(
+      cell.size(), [&](std::uint32_t at, Box& box) { box.add(cloud.point[cell.first + at]); },
+      [&](const Box& box) { block.add_box(scratch.box, box); });
+    const Box box = scratch.box;
+    block.for_each(cell.size(), [&](std::uint32_t at) { key[cell.first + at] = rate(cell.first + at, at, box); });
+  }
+
+private:
+  CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
+  {
+    const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);
+    if(2 * score.fitting < cloud.k)
+      return not_a_seed;
+    const Grid_point& p = cloud.point[i];
+    const std::int64_t x = p.x - (std::int64_t(box.low[0]) + box.high[0]) / 2;
+    const std::int64_t y = p.y - (std::int64_t(box.low[1]) + box.high[1]) / 2;
+    const std::int64_t z = p.z - (std::int64_t(box.low[2]) + box.high[2]) / 2;
+    const std::uint64_t distance = std::uint64_t(x * x + y * y + z * z) >> 16; // < 2^34
+    return std::uint64_t(cloud.k - score.fitting) << 57 | std::uint64_t(cloud.k - score.close) << 50 | distance << 16 |
+           at;
+  }
+};
+
+struct Take_seeds {
+  const Range* cells;
+  const std::uint64_t* key; // sorted
+  std::uint32_t* seed;
+  std::uint32_t* count;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Box_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    const std::uint64_t* keys = key + cell.first;
+    const std::uint32_t seeds =
+      block.find_first(0, cell.size(), [&](std::uint32_t at) { return keys[at] == not_a_seed; });
+    block.single([&] { count[c] = seeds; });
+    block.for_each(seeds,
+                   [&](std::uint32_t at) { seed[cell.first + at] = cell.first + std::uint32_t(keys[at] & 0xffffu); });
+  }
+};
+
+// The cells are a table of the back end.
+template <class Backend>
+Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const Range* cells, std::size_t size,
+                           const Seed_bounds& bounds)
+{
+  typename Backend::template Buffer<std::uint64_t> key(cloud.size);
+  Seeds<Backend> seeds;
+  seeds.seed.reset(cloud.size);
+  seeds.count.resize(size);
+  auto count = backend.write_access(seeds.count);
+  backend.template for_each_cell<Box_scratch>(size, Rate_seeds{cloud, cells, key.data(), bounds});
+  backend.sort_ranges(key.data(), cells, size, cloud.size, bounds.cell_size);
+  backend.template for_each_cell<Box_scratch>(size, Take_seeds{cells, key.data(), seeds.seed.data(), count.data()});
+  count.copy_back();
+  return seeds;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which shapes have points in which cell. Most passes between two growth passes are
+// about some of the shapes, so they leave out the cells without points of those.
+
+#ifndef CGAL_TANDEM_INTERNAL_SHAPES_CELL_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_SHAPES_CELL_SHAPES_H
+
+#include <CGAL/Tandem/internal/shapes/Tandem_state.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+struct List_scratch {
+  static constexpr std::uint32_t slots = 2 * Cell_shapes::capacity;
+  std::uint32_t shape[slots];
+};
+
+struct List_shapes {
+  const Range* cells;
+  const std::uint32_t* label;
+  Cell_shapes* list;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, List_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    Cell_shapes& shapes = list[c];
+    block.single([&] { shapes.size = 0; });
+    block.for_each(List_scratch::slots, [&](std::uint32_t i) { scratch.shape[i] = no_index; });
+    block.for_each(cell.size(), [&](std::uint32_t at) {
+      const std::uint32_t s = label[cell.first + at];
+      if(s < first_mark && is_new(block, scratch, s)) {
+        const std::uint32_t place = block.append(shapes.size);
+        if(place < Cell_shapes::capacity)
+          shapes.shape[place] = s;
+      }
+    });
+  }
+
+private:
+  // Where the table is full, every shape counts as new: the list has overflown by then.
+  template <class Block>
+  CGAL_TANDEM_HD static bool is_new(Block& block, List_scratch& scratch, std::uint32_t s)
+  {
+    for(std::uint32_t probe = 0; probe < List_scratch::slots; ++probe) {
+      const std::uint32_t old = block.exchange_if(scratch.shape[(s + probe) % List_scratch::slots], no_index, s);
+      if(old == no_index || old == s)
+        return old == no_index;
+    }
+    return true;
+  }
+};
+
+// To be called when points have got new labels. Points that lose theirs may stay listed.
+template <class Backend>
+void list_shapes(Tandem_state<Backend>& t)
+{
+  t.backend.template for_each_cell<List_scratch>(t.number_of_cells,
+                                                 List_shapes{t.cells.data(), t.label.data(), t.cell_shapes.data()});
+}
+
+// Gives the shapes of a list their new labels; those with a mark leave it. `labels` has room for a list.
+template <class Block>
+CGAL_TANDEM_HD void relabel_list(Block& block, Cell_shapes& list, const std::uint32_t* target, std::uint32_t* labels)
+{
+  const std::uint32_t size = list.size;
+  if(size > Cell_shapes::capacity)
+    return;
+  block.for_each(size, [&](std::uint32_t i) { labels[i] = target[list.shape[i]]; });
+  block.single([&] { list.size = 0; });
+  block.for_each(size, [&](std::uint32_t i) {
+    if(labels[i] < first_mark)
+      list.shape[block.append(list.size)] = labels[i];
+  });
+}
+
+struct Clear_lists {
+  Cell_shapes* lists;
+
+  CGAL_TANDEM_HD void operator()(std::size_t c) const { lists[c].size = 0; }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SHAPES_CELL_SHAPES_H
