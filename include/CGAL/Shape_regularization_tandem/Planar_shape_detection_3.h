@@ -69,9 +69,7 @@ public:
   {
     internal::check_given_parameters(parameters_);
     internal::Stop_watch watch;
-    in_ =
-      internal::read_points<Traits>(backend_, points, internal::point_map_of<Traits>(points, np),
-                                    internal::normal_map_of<Traits>(points, np), traits_, typename Engine::Upload());
+    in_ = internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
     internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
     internal::choose_grid(in_, parameters_.maximum_distance);
     import_time_ = watch.lap();

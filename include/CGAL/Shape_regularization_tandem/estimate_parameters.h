@@ -13,16 +13,15 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// 7/3 of the noise or 3/4 of the spacing, a little less. The factors were fitted to
-// nine clouds of all kinds of scanners: eight come within a factor of 2 of what was
-// chosen there by hand.
+// From the noise or the spacing, whichever gives more.
 template <class Backend>
 double estimate_maximum_distance(Backend& backend, const Import& in)
 {
+  using namespace tuning::estimation;
   const Cloud_measure measure = measure_cloud(backend, in);
   const Coordinate_box& box = in.box;
-  const double estimate = (std::max)(7. / 3 * measure.noise, .74 * measure.spacing);
-  const double smallest = std::ldexp(box.extent(), -22); // so that the grid can hold the cloud
+  const double estimate = (std::max)(distance_per_noise * measure.noise, distance_per_spacing * measure.spacing);
+  const double smallest = std::ldexp(box.extent(), minimum_distance_bits); // so that the grid can hold the cloud
   if((std::max)(estimate, smallest) > 0)
     return (std::max)(estimate, smallest);
   double largest = 0; // all points are equal: any positive length
@@ -33,7 +32,8 @@ double estimate_maximum_distance(Backend& backend, const Import& in)
 
 inline std::size_t estimate_minimum_region_size(std::size_t points)
 {
-  return (std::max)(std::size_t(20), std::size_t(.3 * std::sqrt(double(points)) + .5));
+  using namespace tuning::estimation;
+  return (std::max)(minimum_region_size, std::size_t(region_size_per_root * std::sqrt(double(points)) + .5));
 }
 
 // Fills in what is 0, and checks the whole.
@@ -95,8 +95,7 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
   internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
     using Traits = typename std::decay<decltype(traits)>::type;
     auto backend = traits.backend();
-    const internal::Import in = internal::read_points<Traits>(
-      backend, points, internal::point_map_of<Traits>(points, np), internal::normal_map_of<Traits>(points, np), traits);
+    const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
     internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
     return 0;
   });

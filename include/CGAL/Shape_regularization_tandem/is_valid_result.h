@@ -33,8 +33,7 @@ bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>
   return internal::with_traits<CGAL::Parallel_if_available_tag>(points, np, [&](const auto& traits) {
     using Traits = typename std::decay<decltype(traits)>::type;
     auto backend = traits.backend();
-    internal::Import in = internal::read_points<Traits>(backend, points, internal::point_map_of<Traits>(points, np),
-                                                        internal::normal_map_of<Traits>(points, np), traits);
+    internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
     internal::put_on_grid(backend, in, shapes.parameters().maximum_distance);
     internal::Result_checker<GeomTraits> checker(in, shapes);
     const bool is_valid = checker.check(backend);

@@ -260,8 +260,9 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   }
   const Traits traits(internal::parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
   internal::Sequential_backend backend;
-  internal::Import in =
-    internal::read_points<Traits>(backend, points, internal::point_map_of<Traits>(points, np), CGAL::Default(), traits);
+  internal::Import in = internal::read_points(
+    backend, points,
+    internal::Item_reader<Traits>(traits, internal::point_map_of<Traits>(points, np), CGAL::Default()));
   auto plane_of =
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   internal::drop_unassigned(in, plane_of);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/property_map.h>
@@ -90,6 +91,13 @@ typename Traits::Normal_map normal_map_of(const typename Traits::Point_range& po
     return map_or_default<typename Traits::Normal_map>(Own_maps<typename Traits::Point_range>::normal_map(points));
   else
     return CGAL::Default();
+}
+
+// Reads the items of the range through its maps.
+template <class Traits, class NP>
+Item_reader<Traits> reader_of(const typename Traits::Point_range& points, const NP& np, const Traits& traits)
+{
+  return Item_reader<Traits>(traits, point_map_of<Traits>(points, np), normal_map_of<Traits>(points, np));
 }
 
 // f(traits) with the traits that fit the range as it is at run time.

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Backend concept, and its sequential model. A back end owns memory and runs
-// functors and bodies; it knows nothing of planes.
+// The sequential model of Backend: the one to read first.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H

@@ -1,12 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Block concept, and its model with a single lane: what the Sequential and
-// the TBB back end run a body with.
-//
-// A body is a function template on a Block. Code outside of a block call is
-// uniform: all lanes do the same. Only the functors are per item, and their
-// items may run in any order and at the same time.
+// The model of Block with a single lane: what back ends of the host run a body with.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H

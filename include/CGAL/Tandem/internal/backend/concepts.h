@@ -1,9 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Detectors of the two concepts of the engine, so that a back end that lacks
-// something is refused where it enters. Their models with the meaning of each
-// operation: Sequential_backend.h and Serial_block.h.
+// The two concepts that the engine is written on: what a back end supplies, and what a body may use. Everything that the
+// engine calls is listed here, and archetypes.h has it and nothing else.
+//
+// A *back end* owns memory and runs functors and bodies; it knows nothing of planes. A functor is called with an item. A
+// *body* is a function template on a *block*: all lanes that work on one octree cell. Code outside of a call of the block
+// is uniform: all lanes do the same. Only the functors within are per item, and their items may run in any order and at
+// the same time. So no result depends on the number of lanes, threads or devices.
+//
+// Sequential_backend.h and Serial_block.h are the models to read first.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CONCEPTS_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_CONCEPTS_H
@@ -15,14 +21,21 @@
 #include <functional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
 namespace archetypes {
 
+// Arguments of the operations, for the detectors below.
 struct Item_functor {
   void operator()(std::size_t) const {}
+};
+
+struct Piece_functor {
+  void operator()(std::size_t, std::size_t) const {}
 };
 
 struct Scratch {};
@@ -68,6 +81,17 @@ struct Row {
 
 } // namespace archetypes
 
+// Block, for lanes that share the scratch of a cell:
+//   lookahead                              items worth trying before it is known whether they are needed
+//   for_each(n, f)                         f(i) for i in [0, n); then all lanes see all writes
+//   for_each_neighbor(n, k, row, f)        f(s, q) for each source s and each entry q of row(s), which may be null
+//   find_first(first, n, f)                the smallest i in [first, n) with f(i), or n
+//   find(first, n, maximum, f, take)       take(rank, i) for the first i with f(i); returns how many
+//   min(n, f)                              the smallest f(i), or no_index
+//   single(f)                              f() once
+//   accumulate<Sum>(n, f, add)             f(i, sum) with a sum for each lane, then add(sum) once for each
+//   load, fetch_min, add, append, exchange_if, count_pair, add_moments, add_box
+//                                          on what all lanes share, at the same time
 template <class Block, class = void>
 struct Is_block : std::false_type {};
 
@@ -80,6 +104,7 @@ struct Is_block<
     decltype(std::uint32_t(std::declval<Block&>().find_first(0u, 0u, archetypes::Predicate()))),
     decltype(std::uint32_t(std::declval<Block&>().find(0u, 0u, 0u, archetypes::Predicate(), archetypes::Found()))),
     decltype(std::uint32_t(std::declval<Block&>().min(0u, archetypes::Value()))),
+    decltype(std::declval<Block&>().single(Nothing())),
     decltype(std::uint32_t(std::declval<Block&>().load(std::declval<const std::uint32_t&>()))),
     decltype(std::uint32_t(std::declval<Block&>().fetch_min(std::declval<std::uint32_t&>(), 0u))),
     decltype(std::declval<Block&>().add(std::declval<std::uint32_t&>(), 0u)),
@@ -91,37 +116,131 @@ struct Is_block<
     decltype(std::declval<Block&>().add_moments(std::declval<Cell_moments&>(), std::declval<const Cell_moments&>())),
     decltype(std::declval<Block&>().add_box(std::declval<Box&>(), std::declval<const Box&>()))>> : std::true_type {};
 
+// Buffer<T>, an array of plain items where the functors run. It can be made with a size or empty, and be moved:
+//   reset(n)         n items, of no value
+//   release()        no items
+//   data(), size()
+template <class Buffer, class = void>
+struct Is_buffer : std::false_type {};
+
+template <class Buffer>
+struct Is_buffer<Buffer, std::void_t<decltype(Buffer()), decltype(Buffer(std::size_t(0))),
+                                     decltype(std::declval<Buffer&>() = std::declval<Buffer&&>()),
+                                     decltype(std::declval<Buffer&>().reset(std::size_t(0))),
+                                     decltype(std::declval<Buffer&>().release()),
+                                     decltype(static_cast<std::uint32_t*>(std::declval<Buffer&>().data())),
+                                     decltype(static_cast<const std::uint32_t*>(std::declval<const Buffer&>().data())),
+                                     decltype(std::size_t(std::declval<const Buffer&>().size()))>> : std::true_type {};
+
+// Sort_table, keys of 64 bits with the index that each belongs to:
+//   size(), view()   and of the view, in functors: key(i), index(i), set(i, key, index)
+template <class Table, class = void>
+struct Is_sort_table : std::false_type {};
+
+template <class Table>
+struct Is_sort_table<
+  Table, std::void_t<decltype(Table(std::size_t(0))), decltype(std::size_t(std::declval<const Table&>().size())),
+                     decltype(typename Table::View(std::declval<const Table&>().view())),
+                     decltype(std::uint64_t(std::declval<const typename Table::View&>().key(std::size_t(0)))),
+                     decltype(std::uint32_t(std::declval<const typename Table::View&>().index(std::size_t(0)))),
+                     decltype(std::declval<const typename Table::View&>().set(std::size_t(0), std::uint64_t(0), 0u))>>
+  : std::true_type {};
+
+// Backend, memory:
+//   Buffer<T>, Sort_table             see above
+//   keeps_pages                       whether the next engine takes over the memory of large tables of the host
+//   read_access(table)                a vector of the host for functors to read; it stays as it is meanwhile
+//   read_write_access(table)          the same to read and write; the host has the changes after copy_back()
+//   write_access(table)               the same, if functors write it before they read it
+//   to_host(source, n, target), from_host(source, n, target), wait()
 template <class Backend, class = void>
-struct Is_backend : std::false_type {};
+struct Has_memory : std::false_type {};
 
 template <class Backend>
-struct Is_backend<
+struct Has_memory<
   Backend,
   std::void_t<
-    typename Backend::template Buffer<std::uint32_t>, decltype(static_cast<const char*>(Backend::name())),
-    decltype(bool(Backend::keeps_pages)), decltype(std::declval<Backend&>().wait()),
-    decltype(std::declval<Backend&>().for_each(std::size_t(0), archetypes::Item_functor())),
-    decltype(std::declval<Backend&>().template for_each_cell<archetypes::Scratch>(std::size_t(0),
-                                                                                  archetypes::Cell_body())),
-    typename Backend::Sort_table::View,
-    decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
-    decltype(std::size_t(std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()).size())),
-    decltype(std::size_t(
-      std::declval<Backend&>().template collect<std::int64_t>(std::size_t(0), archetypes::Taker()).size())),
-    decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor(), std::size_t(0))),
-    decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>())),
-    decltype(std::declval<Backend&>().read_access(std::declval<const std::vector<int>&>()).data()),
+    typename std::enable_if<Is_buffer<typename Backend::template Buffer<std::uint32_t>>::value>::type,
+    typename std::enable_if<Is_sort_table<typename Backend::Sort_table>::value>::type,
+    decltype(bool(Backend::keeps_pages)),
+    decltype(static_cast<const int*>(
+      std::declval<Backend&>().read_access(std::declval<const std::vector<int>&>()).data())),
+    decltype(static_cast<int*>(std::declval<Backend&>().read_write_access(std::declval<std::vector<int>&>()).data())),
     decltype(std::declval<Backend&>().read_write_access(std::declval<std::vector<int>&>()).copy_back()),
+    decltype(static_cast<int*>(std::declval<Backend&>().write_access(std::declval<std::vector<int>&>()).data())),
     decltype(std::declval<Backend&>().write_access(std::declval<std::vector<int>&>()).copy_back()),
     decltype(std::declval<Backend&>().to_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
     decltype(std::declval<Backend&>().from_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
+    decltype(std::declval<Backend&>().wait())>> : std::true_type {};
+
+// Backend, execution:
+//   name()
+//   for_each(n, f)                               f(i) for i in [0, n), in any order
+//   for_each_cell<Scratch>(cells, body)          body(block, scratch, c) for c in [0, cells), in any order
+//   sort(table)                                  ascending by key
+//   sort_ranges(key, range, ranges, n, largest)  in each range, ascending
+//   compact(n, is_kept)                          the i with is_kept(i), ascending
+//   collect<T>(n, f)                             f.take(i) of the i with f.has(i), ascending, for the host
+//   for_each_on_host(n, f, few)                  f(i) on the host; fewer items than `few` are left to one thread
+//   sort_on_host(first, last, less)
+template <class Backend, class = void>
+struct Has_execution : std::false_type {};
+
+template <class Backend>
+struct Has_execution<
+  Backend,
+  std::void_t<
+    decltype(static_cast<const char*>(Backend::name())),
+    decltype(std::declval<Backend&>().for_each(std::size_t(0), archetypes::Item_functor())),
+    decltype(std::declval<Backend&>().template for_each_cell<archetypes::Scratch>(std::size_t(0),
+                                                                                  archetypes::Cell_body())),
+    decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
     decltype(std::declval<Backend&>().sort_ranges(std::declval<std::uint64_t*>(), std::declval<const Range*>(),
                                                   std::size_t(0), std::size_t(0), std::size_t(0))),
-    decltype(std::uint32_t(Backend::atomic_add(std::declval<std::uint32_t&>(), 0u))),
-    decltype(std::uint64_t(Backend::atomic_min(std::declval<std::uint64_t&>(), std::uint64_t(0)))),
-    decltype(Backend::atomic_max(std::declval<std::int32_t&>(), std::int32_t(0))),
-    decltype(std::uint32_t(Backend::atomic_load(std::declval<const std::uint32_t&>()))),
-    decltype(std::uint32_t(Backend::atomic_exchange_if(std::declval<std::uint32_t&>(), 0u, 0u)))>> : std::true_type {};
+    decltype(typename Backend::template Buffer<std::uint32_t>(
+      std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()))),
+    decltype(Host_buffer<std::int64_t>(
+      std::declval<Backend&>().template collect<std::int64_t>(std::size_t(0), archetypes::Taker()))),
+    decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor(), std::size_t(0))),
+    decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
+    decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>()))>>
+  : std::true_type {};
+
+// Backend, for functors that run at the same time; integers only:
+//   atomic_add(target, value), atomic_min(target, value)   return the old target
+//   atomic_max(target, value)
+//   atomic_load(target)
+//   atomic_exchange_if(target, expected, value)            returns the old target
+template <class Backend, class = void>
+struct Has_atomics : std::false_type {};
+
+template <class Backend>
+struct Has_atomics<
+  Backend, std::void_t<decltype(std::uint32_t(Backend::atomic_add(std::declval<std::uint32_t&>(), 0u))),
+                       decltype(std::int64_t(Backend::atomic_add(std::declval<std::int64_t&>(), std::int64_t(0)))),
+                       decltype(std::uint64_t(Backend::atomic_add(std::declval<std::uint64_t&>(), std::uint64_t(0)))),
+                       decltype(std::uint32_t(Backend::atomic_min(std::declval<std::uint32_t&>(), 0u))),
+                       decltype(std::int32_t(Backend::atomic_min(std::declval<std::int32_t&>(), std::int32_t(0)))),
+                       decltype(std::uint64_t(Backend::atomic_min(std::declval<std::uint64_t&>(), std::uint64_t(0)))),
+                       decltype(Backend::atomic_max(std::declval<std::int32_t&>(), std::int32_t(0))),
+                       decltype(std::uint32_t(Backend::atomic_load(std::declval<const std::uint32_t&>()))),
+                       decltype(std::uint32_t(Backend::atomic_exchange_if(std::declval<std::uint32_t&>(), 0u, 0u)))>>
+  : std::true_type {};
+
+template <class Backend>
+struct Is_backend : std::integral_constant<bool, Has_memory<Backend>::value && Has_execution<Backend>::value &&
+                                                   Has_atomics<Backend>::value> {};
+
+// A back end whose functors run on the host, as those that read the caller's range. It inherits the memory from
+// Host_memory and has in addition
+//   for_each_piece(n, grain, f)       f(first, last) for the pieces of [0, n) that begin at the multiples of grain
+template <class Backend, class = void>
+struct Is_host_backend : std::false_type {};
+
+template <class Backend>
+struct Is_host_backend<Backend, std::void_t<decltype(std::declval<Backend&>().for_each_piece(
+                                  std::size_t(0), std::size_t(0), archetypes::Piece_functor()))>>
+  : std::integral_constant<bool, Is_backend<Backend>::value && std::is_base_of<Host_memory, Backend>::value> {};
 
 } // namespace internal
 } // namespace Tandem

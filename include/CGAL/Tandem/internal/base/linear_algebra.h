@@ -9,6 +9,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_LINEAR_ALGEBRA_H
 #define CGAL_TANDEM_INTERNAL_BASE_LINEAR_ALGEBRA_H
 
+#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <cmath>
@@ -49,6 +50,12 @@ CGAL_TANDEM_HD inline Vector unit(const Vector& a)
 {
   const double l = length(a);
   return l > 0 ? Vector{a.x / l, a.y / l, a.z / l} : a;
+}
+
+// Of two unit normals: what the engine and the result call orthogonal.
+CGAL_TANDEM_HD inline bool are_orthogonal(const Vector& a, const Vector& b)
+{
+  return std::fabs(dot(a, b)) <= tuning::relations::orthogonal_dot;
 }
 
 struct Symmetric_matrix {

@@ -37,6 +37,22 @@ struct Cloud_view {
   CGAL_TANDEM_HD const std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::size_t(k); }
 };
 
+// The sorted cloud: owns what a Cloud_view shows.
+template <class Backend>
+struct Cloud {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+  std::size_t size() const { return point.size(); }
+
+  Cloud_view view() const { return {point.data(), neighbor.data(), std::uint32_t(point.size()), k}; }
+
+  Buffer<Grid_point> point;
+  Buffer<std::uint32_t> neighbor;
+  Buffer<std::uint32_t> order; // the imported point of each one
+  int k = 0;
+};
+
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL

@@ -7,6 +7,7 @@
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
 
 #include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/memory/Vector_table.h>
 
@@ -157,9 +158,10 @@ inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)
 // epsilon has 1024 to 2047 steps; at least 16 where the extent asks for a coarser grid.
 inline Grid make_grid(const Coordinate_box& box, double epsilon)
 {
-  const double finest = std::ldexp(1.0, std::ilogb(epsilon) - 10);
+  const double finest = std::ldexp(1.0, std::ilogb(epsilon) - tuning::grid::steps_per_distance_bits);
   Grid grid;
-  for(double step = finest; std::isfinite(box.extent()) && epsilon >= 16 * step; step *= 2) {
+  for(double step = finest; std::isfinite(box.extent()) && epsilon >= tuning::grid::minimum_steps_per_distance * step;
+      step *= 2) {
     if(place_origin(box, step, grid)) {
       grid.is_coarse = step > finest;
       return grid;

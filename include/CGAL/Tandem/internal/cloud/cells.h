@@ -138,29 +138,39 @@ void sort_stretches(Backend& backend, std::vector<Tied_point>& tied, Alike are_a
   backend.for_each_on_host(start.size() - 1, [&](std::size_t s) { std::sort(at(s), at(s + 1), less); });
 }
 
-// Sorts the points of each code by (code inside, coordinates, normal), twins by precedes, after `prepare`.
-template <class Backend, class Precedes, class Prepare>
-void sort_tied(Backend& backend, std::vector<Tied_point>& tied, Precedes precedes, Prepare prepare)
+// Decides between points that are the same on the grid: precedes(i, j) is a total order of their positions that depends
+// on these only for exact duplicates. It is called on the host, if there are such points, and after prepare().
+template <class Precedes = std::less<std::uint32_t>, class Prepare = Nothing>
+struct Tie_order {
+  Precedes precedes = Precedes();
+  Prepare prepare = Prepare();
+};
+
+template <class Precedes, class Prepare>
+Tie_order<Precedes, Prepare> make_tie_order(Precedes precedes, Prepare prepare)
+{
+  return {precedes, prepare};
+}
+
+// Sorts the points of each code by (code inside, coordinates, normal), then in the order of ties.
+template <class Backend, class Ties>
+void sort_tied(Backend& backend, std::vector<Tied_point>& tied, const Ties& ties)
 {
   const auto have_one_code = [](const Tied_point& a, const Tied_point& b) { return a.code == b.code; };
   sort_stretches(backend, tied, have_one_code,
                  [](const Tied_point& a, const Tied_point& b) { return key_within_code(a) < key_within_code(b); });
   if(std::adjacent_find(tied.begin(), tied.end(), are_equal_on_grid) == tied.end())
     return;
-  prepare();
+  ties.prepare();
   sort_stretches(backend, tied, are_equal_on_grid,
-                 [&](const Tied_point& a, const Tied_point& b) { return precedes(a.index, b.index); });
+                 [&](const Tied_point& a, const Tied_point& b) { return ties.precedes(a.index, b.index); });
 }
 
-// Sorts positions of `point` along the curve. precedes(i, j) decides between points
-// that are the same on the grid: a total order that depends on their position only
-// for exact duplicates, so that the result does not depend on the order of the points.
-// It is asked on the host, as all that concerns the few points of equal codes; only if there are such points, and
-// after `prepare`.
-template <class Backend, class Precedes = std::less<std::uint32_t>, class Prepare = Nothing>
+// Sorts positions of `point` along the curve. With a total order of ties the result does not depend on the order of the
+// points.
+template <class Backend, class Ties = Tie_order<>>
 typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
-                                              const Code_frame& frame, Precedes precedes = Precedes(),
-                                              Prepare prepare = Prepare())
+                                              const Code_frame& frame, const Ties& ties = Ties())
 {
   using Table = typename Backend::Sort_table::View;
   typename Backend::Sort_table order(n);
@@ -173,7 +183,7 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point
   backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
   std::vector<Tied_point> tied(place.size());
   backend.to_host(buffer.data(), tied.size(), tied.data());
-  sort_tied(backend, tied, precedes, prepare);
+  sort_tied(backend, tied, ties);
   backend.from_host(tied.data(), tied.size(), buffer.data());
   backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), buffer.data()});
   return order;

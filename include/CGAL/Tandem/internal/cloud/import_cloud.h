@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
 
+#include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
 #include <CGAL/number_utils.h>
@@ -198,15 +199,14 @@ void drop_invalid(Import& in)
 // The caller's range without the points that cannot be used: a coordinate is not finite, or the normal is
 // null or not finite. They are read to where an engine takes them from, if it does, else to the tables.
 template <class Traits, class Backend, class Upload = No_upload>
-Import read_points(Backend& backend, const typename Traits::Point_range& points, typename Traits::Point_map point_map,
-                   typename Traits::Normal_map normal_map, const Traits& traits, Upload upload = Upload())
+Import read_points(Backend& backend, const typename Traits::Point_range& points, const Item_reader<Traits>& reader,
+                   Upload upload = Upload())
 {
-  using Reader = Item_reader<Traits>;
-  using Value = typename Reader::Value;
+  static_assert(Is_host_backend<Backend>::value, "the back end is no model of Backend on the host");
+  using Value = typename Item_reader<Traits>::Value;
   Import in;
   start_import<Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
   upload.start(in.coordinates, in.normals, in.count);
-  const Reader reader(traits, point_map, normal_map);
   // Number types that compute lazily are not meant to be read by several threads.
   constexpr bool is_plain = std::is_floating_point<typename Traits::FT>::value;
   const std::size_t grain = is_plain ? 65536 : in.count + 1;

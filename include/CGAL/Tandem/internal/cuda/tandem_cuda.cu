@@ -5,29 +5,10 @@
 
 #pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
 
-#include <CGAL/Tandem/internal/cuda/stages/Cuda_links.cuh>
-#include <CGAL/Tandem/internal/cuda/neighbors/Cuda_neighbors.cuh>
-#include <CGAL/Tandem/internal/cuda/stages/Cuda_label_propagation.cuh>
-#include <CGAL/Tandem/internal/cuda/stages/Cuda_tables.cuh>
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
-
-namespace CGAL {
-namespace Tandem {
-namespace internal {
-
-inline void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
-{
-  Device_buffer<unsigned char> scratch(neighbor_scratch_bytes(n));
-  find_neighbors_cuda(point, n, k, out, scratch.data(), stream_of_thread());
-}
-
-inline void expect_cells(Cuda_backend& backend, const std::vector<Range>& cells) { backend.expect_cells(cells); }
-
-} // namespace internal
-} // namespace Tandem
-} // namespace CGAL
-
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_stages.cuh>
 #include <CGAL/Tandem/internal/engine/Engine.h>
+#include <CGAL/Tandem/internal/engine/memory_use.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -59,14 +40,6 @@ struct Cuda_engine::Implementation {
 };
 
 namespace {
-
-// In the largest stage; see bytes_per_point() for the tables of the host.
-std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
-{
-  constexpr std::size_t cell = 3584;                // lists, links, sums of new shapes
-  const std::size_t cells = 4 * cell / p.cell_size; // many are far from full
-  return 16 + 4 + 4 * p.k_neighbors + (has_normals ? 44 : 108) + cells + 1;
-}
 
 // This file is compiled for processors that fuse products and sums in one instruction.
 bool has_fused_multiply_add()

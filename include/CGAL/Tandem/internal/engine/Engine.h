@@ -11,6 +11,9 @@
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
+#include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
+#include <CGAL/Tandem/internal/rounds/merge_fragments.h>
+#include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/rounds/split_layers.h>
 
 #include <algorithm>
@@ -45,86 +48,19 @@ public:
   Engine_result result();
 
 private:
-  // In a joint-fit merge.
-  static constexpr double misfit_share = 0.05;
-  // The bounds of the loop: rounds, and a slow one whose growth leaves no cell with many seeds. A slow round gains at
-  // most one point of so many. The first rounds are not slow: shapes are small because they are young.
-  static constexpr int maximum_rounds = 300;
-  static constexpr int young_rounds = 4;
-  static constexpr std::size_t points_of_slow_gain = 32;
-  // Passes of growth in a round, the next one if more than one of so many cells has many seeds left.
-  static constexpr int maximum_passes = 9;
-  static constexpr std::size_t cells_per_untried_cell = 64;
-
-  // One pass; after the first rounds more of them as long as many cells have many seeds left, and in slow rounds as
-  // long as any has: patches that are too small for a shape must not keep the faces behind them waiting, nor make the
-  // table of shapes large in each round.
-  std::size_t grow()
-  {
-    const bool is_young = state_.round < young_rounds;
-    if(!is_young)
-      state_.options.growth.seeds_in_flight = maximum_seeds_in_flight;
-    std::size_t gained = grow_shapes(state_);
-    if(is_young)
-      return gained;
-    int passes = 1;
-    std::size_t untried_cells = count_untried_cells(state_);
-    const auto sweep = [&](std::size_t maximum_untried_cells) {
-      for(; untried_cells > maximum_untried_cells && passes < maximum_passes; ++passes) {
-        take_local_planes(state_);
-        gained += grow_shapes(state_);
-        untried_cells = count_untried_cells(state_);
-      }
-    };
-    sweep(state_.number_of_cells / cells_per_untried_cell);
-    const bool is_slow = gain_settled() <= state_.cloud.size / points_of_slow_gain;
-    if(is_slow)
-      sweep(0);
-    is_idle_ = is_slow && untried_cells == 0;
-    return gained;
-  }
-
-  // The points that shapes which are large enough have gained; fragments come and go for ever.
-  std::size_t gain_settled()
-  {
-    std::size_t settled = 0;
-    for(std::uint32_t id : state_.live)
-      if(state_.shapes[id].moments.count >= state_.options.minimum_region_size)
-        settled += std::size_t(state_.shapes[id].moments.count);
-    const std::size_t best_before = std::exchange(maximum_settled_, (std::max)(maximum_settled_, settled));
-    return maximum_settled_ - best_before;
-  }
-
-  // Shapes of more than one pass that stopped growing while they are small, whether or not they have met others to
-  // merge with: the others, or new ones, take their points.
-  void drop_fragments()
-  {
-    const std::int64_t minimum = state_.options.minimum_fragment_size;
-    drop_shapes(state_, [&](const Shape& shape, std::uint32_t) {
-      return !shape.is_active && shape.age > 1 && shape.moments.count < minimum;
-    });
-  }
-
-  bool is_going_on(std::size_t gained) const
-  {
-    bool is_alive = gained > 0;
-    for(std::size_t c = 0; c < state_.number_of_cells; ++c)
-      is_alive = is_alive || state_.seed_cursor[c] < state_.seeds.count[c];
-    for(std::uint32_t id : state_.live)
-      is_alive = is_alive || state_.is_restarted[id];
-    return is_alive && !is_idle_ && state_.round < maximum_rounds;
-  }
+  std::size_t grow();
+  std::size_t sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, std::size_t& untried_cells);
+  std::size_t growth_of_large_shapes();
+  void drop_fragments();
+  bool is_going_on(std::size_t gained) const;
 
   const Import& in_;
   Tandem_state<Backend> state_;
-  typename Backend::template Buffer<std::uint32_t> order_; // imported point of each sorted one
-  typename Backend::template Buffer<Grid_point> points_;
-  typename Backend::template Buffer<std::uint32_t> neighbors_;
   Shape_relations relations_;
   Stage_times times_;
   Engine_result final_;
-  std::size_t maximum_settled_ = 0;
-  bool is_idle_ = false; // growth was slow in this round, and no cell has many seeds left
+  std::size_t maximum_large_ = 0; // points of large shapes, in the best round so far
+  bool is_idle_ = false;          // growth was slow in this round, and no cell is untried
   bool is_finished_ = false;
 };
 
@@ -133,13 +69,87 @@ private:
 template <class Backend>
 Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& parameters) : in_(in), state_(backend)
 {
-  prepare(state_, in, parameters, order_, points_, neighbors_, times_);
+  prepare(state_, in, parameters, times_);
+}
+
+// One pass; after the first rounds more of them as long as many cells are untried, and in slow rounds as long as any is:
+// patches that are too small for a shape must not keep the faces behind them waiting, nor make the table of shapes
+// large in each round.
+template <class Backend>
+std::size_t Engine<Backend>::grow()
+{
+  const bool is_young = state_.round < tuning::loop::young_rounds;
+  if(!is_young)
+    state_.options.growth.seeds_in_flight = tuning::growth::maximum_seeds_in_flight;
+  std::size_t gained = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
+  if(is_young)
+    return gained;
+  int passes = 1;
+  std::size_t untried_cells = count_untried_cells(state_.points, state_.seeds, state_.options.minimum_region_size);
+  gained +=
+    sweep_untried_cells(state_.points.number_of_cells() / tuning::loop::cells_per_untried_cell, passes, untried_cells);
+  const bool is_slow = growth_of_large_shapes() <= state_.points.cloud.size() / tuning::loop::points_per_slow_point;
+  if(is_slow)
+    gained += sweep_untried_cells(0, passes, untried_cells);
+  is_idle_ = is_slow && untried_cells == 0;
+  return gained;
+}
+
+// Further passes until so few cells are untried, or there were enough passes. Returns the points that were gained.
+template <class Backend>
+std::size_t Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cells, int& passes,
+                                                 std::size_t& untried_cells)
+{
+  std::size_t gained = 0;
+  for(; untried_cells > maximum_untried_cells && passes < tuning::loop::maximum_passes; ++passes) {
+    take_local_planes(state_.points.backend, state_.shapes);
+    gained += grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
+    untried_cells = count_untried_cells(state_.points, state_.seeds, state_.options.minimum_region_size);
+  }
+  return gained;
+}
+
+// The points that shapes which are large enough have gained; fragments come and go for ever.
+template <class Backend>
+std::size_t Engine<Backend>::growth_of_large_shapes()
+{
+  std::size_t large = 0;
+  for(std::uint32_t id : state_.shapes.live)
+    if(state_.shapes[id].moments.count >= state_.options.minimum_region_size)
+      large += std::size_t(state_.shapes[id].moments.count);
+  const std::size_t best_before = std::exchange(maximum_large_, (std::max)(maximum_large_, large));
+  return maximum_large_ - best_before;
+}
+
+// Shapes of more than one pass that stopped growing while they are small, whether or not they have met others to merge
+// with: the others, or new ones, take their points.
+template <class Backend>
+void Engine<Backend>::drop_fragments()
+{
+  drop_shapes(state_.points, state_.shapes, [&](const Shape& shape, std::uint32_t) {
+    return !shape.is_active && shape.age > 1 && shape.moments.count < state_.options.minimum_fragment_size;
+  });
+}
+
+template <class Backend>
+bool Engine<Backend>::is_going_on(std::size_t gained) const
+{
+  const Seeds<Backend>& seeds = state_.seeds;
+  bool is_alive = gained > 0;
+  for(std::size_t c = 0; c < seeds.count.size(); ++c)
+    is_alive = is_alive || seeds.cursor[c] < seeds.count[c];
+  for(std::uint32_t id : state_.shapes.live)
+    is_alive = is_alive || state_.shapes.is_restarted[id];
+  return is_alive && !is_idle_ && state_.round < tuning::loop::maximum_rounds;
 }
 
 template <class Backend>
 bool Engine<Backend>::iterate()
 {
-  if(state_.cloud.size == 0)
+  Labeled_cloud<Backend>& points = state_.points;
+  Shape_table<Backend>& shapes = state_.shapes;
+  const Options& options = state_.options;
+  if(points.cloud.size() == 0)
     return false;
   Stage_timer growth(times_.growth);
   const std::size_t gained = grow();
@@ -147,13 +157,13 @@ bool Engine<Backend>::iterate()
 
   Stage_timer regularity(times_.regularity);
   drop_fragments();
-  Link_list links = collect_links(state_, minimum_links, Links::changed, [&] { refit_shapes(state_); });
-  merge_fragments(state_, links, misfit_share);
-  relations_ = regularize_shapes(state_, false, relations_);
-  split_layers(state_, relations_);
-  const std::vector<std::uint32_t> target = coplanar_targets(state_, relations_, links);
-  merge_shapes(state_, target);
-  apply_planes(state_, target);
+  Link_list links = collect_links(points, shapes, Links::changed, [&] { refit_shapes(points.backend, shapes); });
+  merge_fragments(points, shapes, options, links, tuning::merging::misfit_share);
+  relations_ = regularize_shapes(points, shapes, options, {state_.round, false}, relations_);
+  split_layers(points, shapes, options, relations_);
+  const Targets target = coplanar_targets(points.backend, shapes, relations_, links);
+  merge_shapes(points.backend, shapes, target);
+  apply_planes(points, shapes, options, target);
   ++state_.round;
   return is_going_on(gained);
 }
@@ -162,16 +172,17 @@ template <class Backend>
 void Engine<Backend>::finish()
 {
   Stage_timer timer(times_.finish);
-  if(state_.cloud.size > 0)
-    relations_ = end_game(state_);
-  final_ = extract_shapes(state_, relations_, in_, order_.data());
+  if(state_.points.cloud.size() > 0)
+    relations_ = end_game(state_.points, state_.shapes, state_.options, state_.round);
+  final_ = extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
   is_finished_ = true;
 }
 
 template <class Backend>
 Engine_result Engine<Backend>::result()
 {
-  Engine_result r = is_finished_ ? final_ : extract_shapes(state_, relations_, in_, order_.data());
+  Engine_result r =
+    is_finished_ ? final_ : extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
   r.rounds = std::size_t(state_.round);
   r.is_coarse = in_.grid.is_coarse;
   r.times = times_;

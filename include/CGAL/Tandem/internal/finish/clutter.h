@@ -6,7 +6,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_CLUTTER_H
 #define CGAL_TANDEM_INTERNAL_FINISH_CLUTTER_H
 
-#include <CGAL/Tandem/internal/shapes/Tandem_state.h>
+#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -83,16 +85,14 @@ private:
   }
 };
 
-// Largest rms, in epsilons, of the distances of a crisp shape.
-constexpr double crisp_rms = 0.4;
-
-// rms: of the distances to the plane, in epsilons. The bounds are measured: planes
-// through outliers have .40 to .75 of the neighbors near them, faces .89 and more.
+// rms: of the distances to the plane, in epsilons.
 inline bool is_clutter(const Neighbor_counts& c, double rms)
 {
+  using namespace tuning::clutter;
   const double all = c.all > 0 ? double(c.all) : 1;
   const double near = double(c.near) / all, own = double(c.own) / all;
-  return near < .55 || (own < .4 && near < .75) || (rms > .5 && near < .77);
+  return near < near_share || (own < own_share && near < near_share_if_few_own) ||
+         (rms > large_rms && near < near_share_if_large_rms);
 }
 
 } // namespace internal

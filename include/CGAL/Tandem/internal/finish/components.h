@@ -8,7 +8,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
 
-#include <CGAL/Tandem/internal/shapes/Tandem_state.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -194,17 +195,21 @@ struct Find_root {
 // component[i] is the smallest position of the component of point i. Free points
 // are components of their own.
 template <class Backend>
-void find_components(Tandem_state<Backend>& t, const std::uint32_t* label, std::uint32_t* component)
+void find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, const std::uint32_t* label,
+                     std::uint32_t* component)
 {
-  const Ties ties = {t.cloud, label};
-  const Unite_in_cell inside = {ties, t.cells.data(), component};
-  if(t.options.cell_size <= small_cell)
-    t.backend.template for_each_cell<Union_scratch<small_cell>>(t.number_of_cells, inside);
+  Backend& backend = points.backend;
+  const std::size_t cells = points.number_of_cells();
+  const Ties ties = {points.cloud.view(), label};
+  const Unite_in_cell inside = {ties, points.cells.data(), component};
+  if(cell_size <= small_cell)
+    backend.template for_each_cell<Union_scratch<small_cell>>(cells, inside);
   else
-    t.backend.template for_each_cell<Union_scratch<largest_cell>>(t.number_of_cells, inside);
-  t.backend.template for_each_cell<Pair_scratch>(
-    t.number_of_cells, Unite_at_border<Backend>{ties, t.cell_border.data(), t.border.data(), component});
-  t.backend.for_each(t.cloud.size, Find_root<Backend>{component});
+    backend.template for_each_cell<Union_scratch<largest_cell>>(cells, inside);
+  const Border<Backend>& border = points.border;
+  backend.template for_each_cell<Pair_scratch>(
+    cells, Unite_at_border<Backend>{ties, border.range.data(), border.point.data(), component});
+  backend.for_each(points.cloud.size(), Find_root<Backend>{component});
 }
 
 } // namespace internal

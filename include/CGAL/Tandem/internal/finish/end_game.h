@@ -1,127 +1,139 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// After the last round: fragments are consolidated, the relations are taken once
-// more over what is left, and free points are absorbed.
+// After the last round: fragments are consolidated, the relations are found once more over what is left, and free points
+// are labeled.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 #define CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>
+#include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
+#include <CGAL/Tandem/internal/rounds/merge_fragments.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
+#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-constexpr int consolidation_rounds = 2;
-constexpr double consolidation_misfit_share = 0.15;
-constexpr int reassignment_rounds = 4;
-
 template <class Backend>
-std::vector<std::uint8_t> shapes_below(const Tandem_state<Backend>& t, std::int64_t size)
+std::vector<std::uint8_t> shapes_below(Backend& backend, const Shape_table<Backend>& shapes, std::int64_t size)
 {
-  std::vector<std::uint8_t> is_below(t.shapes.size(), 0);
-  t.backend.for_each_on_host(t.live.size(),
-                             [&](std::size_t l) { is_below[t.live[l]] = t.shapes[t.live[l]].moments.count < size; });
+  std::vector<std::uint8_t> is_below(shapes.size(), 0);
+  backend.for_each_on_host(
+    shapes.live.size(), [&](std::size_t l) { is_below[shapes.live[l]] = shapes[shapes.live[l]].moments.count < size; });
   return is_below;
 }
 
-// Checks the points of some shapes, by id, against their planes.
+inline std::vector<std::uint8_t> all_shapes(std::size_t shapes) { return std::vector<std::uint8_t>(shapes, 1); }
+
+// Hands the planes over to the points, and checks the points of some shapes against them.
 template <class Backend>
-void detach_misfits(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_checked)
+void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Point_check& check)
 {
-  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
-    Shape& shape = t.shapes[t.live[l]];
-    t.plane[t.live[l]] = rounded(shape.plane);
+  points.backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
+    Shape& shape = shapes[shapes.live[l]];
+    shapes.plane[shapes.live[l]] = rounded(shape.plane);
     shape.checked = shape.plane;
   });
-  update_points(t, identity_targets(t), is_checked);
+  update_points(points, shapes, identity_targets(shapes.size()), check);
 }
 
 template <class Backend>
-std::vector<std::uint8_t> all_shapes(const Tandem_state<Backend>& t)
+void drop_small(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::int64_t minimum_size)
 {
-  return std::vector<std::uint8_t>(t.shapes.size(), 1);
+  drop_shapes(points, shapes, [&](const Shape& shape, std::uint32_t) { return shape.moments.count < minimum_size; });
 }
 
 template <class Backend>
-void drop_small(Tandem_state<Backend>& t)
+void refit_fragments(Backend& backend, Shape_table<Backend>& shapes, const std::vector<std::uint8_t>& is_fragment)
 {
-  drop_shapes(t,
-              [&](const Shape& shape, std::uint32_t) { return shape.moments.count < t.options.minimum_region_size; });
-}
-
-template <class Backend>
-void refit_fragments(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& is_fragment)
-{
-  refit_shapes(t);
-  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) {
-    if(is_fragment[t.live[l]])
-      t.shapes[t.live[l]].plane = t.shapes[t.live[l]].local;
+  refit_shapes(backend, shapes);
+  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
+    if(is_fragment[shapes.live[l]])
+      shapes[shapes.live[l]].plane = shapes[shapes.live[l]].local;
   });
 }
 
-// Fragments below the minimum size are not lost at once: they may be parts of one
-// shape, or of their neighbors.
+// Fragments that touch become one shape where one plane fits them.
 template <class Backend>
-void consolidate(Tandem_state<Backend>& t)
+void join_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                    const std::vector<std::uint8_t>& is_fragment)
 {
+  Link_list links = collect_links(points, shapes, Links::all, [&] { refit_shapes(points.backend, shapes); });
+  links.erase(std::remove_if(links.begin(), links.end(),
+                             [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
+              links.end());
+  if(merge_fragments(points, shapes, options, links, tuning::merging::final_misfit_share))
+    refit_fragments(points.backend, shapes, is_fragment);
+  points.sample.reset(0); // others need the memory
+}
+
+// Fragments below the minimum size are not lost at once: they may be parts of one shape, or of their neighbors.
+template <class Backend>
+void consolidate(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+{
+  using namespace tuning::end_game;
+  const Tolerance& tolerance = options.growth.tolerance;
   for(int round = 0; round < consolidation_rounds; ++round) {
-    const std::vector<std::uint8_t> is_fragment = shapes_below(t, t.options.minimum_region_size);
-    const std::size_t shapes_before = t.live.size(), assigned_before = t.assigned;
-    refit_fragments(t, is_fragment);
-    detach_misfits(t, is_fragment);
-    Link_list links = collect_links(t, minimum_links, Links::all, [&] { refit_shapes(t); });
-    links.erase(std::remove_if(links.begin(), links.end(),
-                               [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
-                links.end());
-    if(merge_fragments(t, links, consolidation_misfit_share))
-      refit_fragments(t, is_fragment);
-    t.sample.reset(0); // others need the memory
-    detach_misfits(t, is_fragment);
-    propagate_labels(t);
-    reassign(t, shapes_below(t, t.options.minimum_region_size), all_shapes(t), false);
-    recount(t);
-    if(t.live.size() * 50 >= shapes_before * 49 && t.assigned * 1000 < assigned_before * 1001)
+    const auto is_fragment = shapes_below(points.backend, shapes, options.minimum_region_size);
+    const std::size_t shapes_before = shapes.live.size(), assigned_before = shapes.assigned;
+    refit_fragments(points.backend, shapes, is_fragment);
+    detach_misfits(points, shapes, {is_fragment, tolerance});
+    join_fragments(points, shapes, options, is_fragment);
+    detach_misfits(points, shapes, {is_fragment, tolerance});
+    propagate_labels(points, shapes.plane, tolerance);
+    const auto may_lose = shapes_below(points.backend, shapes, options.minimum_region_size);
+    reassign(points, shapes, tolerance, {may_lose, all_shapes(shapes.size()), false});
+    recount(points, shapes);
+    if(kept_shapes.is_reached(std::int64_t(shapes.live.size()), std::int64_t(shapes_before)) &&
+       !grown_points.is_reached(std::int64_t(shapes.assigned), std::int64_t(assigned_before)))
       break;
   }
 }
 
-// A last regularity step over all shapes, which have just been counted; returns the
-// relations, by shape. `before`: those of the last such step.
+// A last regularity step over all shapes, which have just been counted; returns the relations, by shape. `before`:
+// those of the last such step.
 template <class Backend>
-Shape_relations regularize_finally(Tandem_state<Backend>& t, const Shape_relations& before = {})
+Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                                   int round, const Shape_relations& before)
 {
-  refit_shapes(t);
-  const Shape_relations relations = regularize_shapes(t, true, before);
-  t.sample.reset(0); // others need the memory
-  merge_points(t, coplanar_targets(t, relations, collect_links(t, minimum_links, Links::all)));
-  detach_misfits(t, all_shapes(t));
-  propagate_labels(t);
-  recount(t);
-  drop_small(t);
+  Backend& backend = points.backend;
+  const Tolerance& tolerance = options.growth.tolerance;
+  refit_shapes(backend, shapes);
+  const Shape_relations relations = regularize_shapes(points, shapes, options, {round, true}, before);
+  points.sample.reset(0); // others need the memory
+  const Link_list links = collect_links(points, shapes, Links::all);
+  merge_points(points, shapes, coplanar_targets(backend, shapes, relations, links));
+  detach_misfits(points, shapes, {all_shapes(shapes.size()), tolerance});
+  propagate_labels(points, shapes.plane, tolerance);
+  recount(points, shapes);
+  drop_small(points, shapes, options.minimum_region_size);
   return relations;
 }
 
 template <class Backend>
-void reassign_to_larger(Tandem_state<Backend>& t)
+void reassign_to_larger(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
+  using namespace tuning::end_game;
   bool is_any = true;
   for(int round = 0; round < reassignment_rounds && is_any; ++round) {
-    std::vector<std::uint8_t> may_lose(t.shapes.size(), 1);
-    for(std::uint32_t id : t.live)
-      may_lose[id] = 2 * t.shapes[id].moments.count >= 3 * t.options.minimum_region_size;
-    is_any = reassign(t, may_lose, all_shapes(t), true);
-    drop_empty_shapes(t);
+    std::vector<std::uint8_t> may_lose(shapes.size(), 1);
+    for(std::uint32_t id : shapes.live)
+      may_lose[id] = safe_size.is_reached(shapes[id].moments.count, options.minimum_region_size);
+    is_any = reassign(points, shapes, options.growth.tolerance, {may_lose, all_shapes(shapes.size()), true});
+    drop_empty_shapes(points.backend, shapes);
   }
-  list_shapes(t);
-  drop_small(t);
+  list_shapes(points);
+  drop_small(points, shapes, options.minimum_region_size);
 }
 
-// The loop takes a point for interior once all of its neighbors have had its label;
-// some have lost it since.
+// The loop takes a point for interior once all of its neighbors have had its label; some have lost it since.
 struct Clear_interior {
   std::uint8_t* state;
 
@@ -129,21 +141,23 @@ struct Clear_interior {
 };
 
 template <class Backend>
-void clear_interior(Tandem_state<Backend>& t)
+void clear_interior(Labeled_cloud<Backend>& points)
 {
-  t.backend.for_each(t.cloud.size, Clear_interior{t.state.data()});
+  points.backend.for_each(points.cloud.size(), Clear_interior{points.state.data()});
 }
 
-// Planes are final afterwards.
+// Planes are final afterwards. round: of the loop.
 template <class Backend>
-Shape_relations end_game(Tandem_state<Backend>& t)
+Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                         int round)
 {
-  clear_interior(t);
-  consolidate(t);
-  drop_small(t);
-  const Shape_relations relations = regularize_finally(t, regularize_finally(t));
-  clear_interior(t);
-  reassign_to_larger(t);
+  clear_interior(points);
+  consolidate(points, shapes, options);
+  drop_small(points, shapes, options.minimum_region_size);
+  const Shape_relations first = regularize_finally(points, shapes, options, round, {});
+  const Shape_relations relations = regularize_finally(points, shapes, options, round, first);
+  clear_interior(points);
+  reassign_to_larger(points, shapes, options);
   return relations;
 }
 

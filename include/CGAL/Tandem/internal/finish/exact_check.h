@@ -10,7 +10,7 @@
 
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
-#include <CGAL/Tandem/internal/shapes/Shapes.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -78,20 +78,29 @@ struct Check_exactly {
   }
 };
 
-// Frees the points that are not within the bounds of their shape.
+// The points that are checked, with labels of their own.
+struct Points_to_check {
+  const Grid_point* point;
+  const std::uint32_t* origin; // the imported points
+  std::uint32_t* label;
+  std::size_t size;
+};
+
+// Frees the points that are not within the bounds of their shape. plane, certain: see Is_uncertain.
 template <class Backend>
-void check_exactly(Backend& backend, const Is_uncertain& is_uncertain, std::uint32_t* label, std::size_t size,
-                   const std::uint32_t* origin, const Check_exactly& check)
+void check_exactly(Backend& backend, const Points_to_check& points, const Plane* plane, const Tolerance& certain,
+                   const Check_exactly& check)
 {
-  const auto place = backend.compact(size, is_uncertain);
+  const auto place = backend.compact(points.size, Is_uncertain{points.point, points.label, plane, certain});
   typename Backend::template Buffer<Uncertain_point> buffer(place.size());
-  backend.for_each(place.size(), Gather_uncertain{is_uncertain.point, label, origin, place.data(), buffer.data()});
+  backend.for_each(place.size(),
+                   Gather_uncertain{points.point, points.label, points.origin, place.data(), buffer.data()});
   std::vector<Uncertain_point> uncertain(place.size());
   backend.to_host(buffer.data(), uncertain.size(), uncertain.data());
   std::vector<std::uint8_t> is_rejected(uncertain.size());
   backend.for_each_on_host(uncertain.size(), [&](std::size_t i) { is_rejected[i] = !check.is_within(uncertain[i]); });
   const auto rejected = backend.read_access(is_rejected);
-  backend.for_each(place.size(), Lock_rejected{place.data(), rejected.data(), label});
+  backend.for_each(place.size(), Lock_rejected{place.data(), rejected.data(), points.label});
 }
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 #include <CGAL/Tandem/internal/finish/exact_check.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <array>
 #include <utility>
@@ -47,9 +48,6 @@ inline std::vector<int> representatives(const std::vector<int>& group)
   return first;
 }
 
-// Half of the 1e-15 that is promised: then any order of evaluation keeps the promise.
-constexpr double largest_orthogonal_dot = 5e-16;
-
 inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data& data)
 {
   std::vector<Coefficients> direction;
@@ -61,7 +59,7 @@ inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data
       const Coefficients &a = direction[g], &b = direction[h];
       if(std::fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > 1e-14) // nearly all pairs, and fma is slow
         continue;
-      if(std::fabs(dot({a[0], a[1], a[2]}, {b[0], b[1], b[2]})) <= largest_orthogonal_dot)
+      if(are_orthogonal({a[0], a[1], a[2]}, {b[0], b[1], b[2]}))
         pairs.emplace_back(int(g), int(h));
     }
   return pairs;

@@ -14,7 +14,8 @@
 #include <CGAL/Tandem/internal/finish/group_points.h>
 #include <CGAL/Tandem/internal/finish/large_components.h>
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
-#include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
+#include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
+#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -85,9 +86,10 @@ class Shape_extractor {
   using Buffer = typename Backend::template Buffer<T>;
 
 public:
-  Shape_extractor(Tandem_state<Backend>& t, const Shape_relations& relations, const Import& in,
-                  const std::uint32_t* order)
-    : t_(t), relations_(relations), in_(in), order_(order), label_(t.cloud.size)
+  Shape_extractor(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
+                  const Shape_relations& relations, const Import& in)
+    : points_(points), backend_(points.backend), shapes_(shapes), options_(options), relations_(relations), in_(in),
+      label_(points.cloud.size())
   {}
 
   Engine_result extract()
@@ -105,11 +107,11 @@ public:
 private:
   void take_entries()
   {
-    std::vector<std::uint32_t> entry_of(t_.shapes.size(), no_index);
+    std::vector<std::uint32_t> entry_of(shapes_.size(), no_index);
     for(std::uint32_t i = 0; i < relations_.id.size(); ++i)
       entry_of[relations_.id[i]] = i;
-    const auto entries = t_.backend.read_access(entry_of);
-    t_.backend.for_each(t_.cloud.size, Take_entries{t_.label.data(), entries.data(), label_.data()});
+    const auto entries = backend_.read_access(entry_of);
+    backend_.for_each(label_.size(), Take_entries{points_.label.data(), entries.data(), label_.data()});
   }
 
   void check_points()
@@ -121,17 +123,17 @@ private:
       coefficients_.push_back(planes[std::size_t(relations.plane_of[i])]);
     }
     const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
-    const auto plane = t_.backend.read_access(plane_);
-    check_exactly(t_.backend, Is_uncertain{t_.cloud.point, label_.data(), plane.data(), t_.options.certain},
-                  label_.data(), t_.cloud.size, order_, Check_exactly{caller, coefficients_.data(), t_.options.exact});
+    const auto plane = backend_.read_access(plane_);
+    check_exactly(backend_, {points_.cloud.point.data(), order(), label_.data(), label_.size()}, plane.data(),
+                  options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
   }
 
   // Of the distances of the points to the plane of an entry, in epsilons.
   double rms(std::size_t entry) const
   {
-    const Shape& shape = t_.shapes[relations_.id[entry]];
+    const Shape& shape = shapes_[relations_.id[entry]];
     const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
-    return std::sqrt((std::max)(squares, 0.) / (std::max)(shape.scatter.count, 1.)) / t_.options.maximum_distance;
+    return std::sqrt((std::max)(squares, 0.) / (std::max)(shape.scatter.count, 1.)) / options_.maximum_distance;
   }
 
   void drop_clutter()
@@ -139,37 +141,39 @@ private:
     std::vector<Neighbor_counts> counts(plane_.size());
     std::vector<std::uint8_t> is_crisp(plane_.size()), is_dropped(plane_.size());
     for(std::size_t i = 0; i < plane_.size(); ++i)
-      is_crisp[i] = rms(i) < crisp_rms;
-    const auto plane = t_.backend.read_access(plane_);
-    const auto crisp = t_.backend.read_access(is_crisp);
-    auto sums = t_.backend.read_write_access(counts);
-    t_.backend.template for_each_cell<Neighbor_scratch>(
-      t_.number_of_cells, Count_neighbors<Backend>{t_.cloud, t_.cells.data(), label_.data(), plane.data(), crisp.data(),
-                                                   sums.data(), t_.options.growth.tolerance.distance});
+      is_crisp[i] = rms(i) < tuning::clutter::crisp_rms;
+    const auto plane = backend_.read_access(plane_);
+    const auto crisp = backend_.read_access(is_crisp);
+    auto sums = backend_.read_write_access(counts);
+    backend_.template for_each_cell<Neighbor_scratch>(
+      points_.number_of_cells(),
+      Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane.data(), crisp.data(),
+                               sums.data(), options_.growth.tolerance.distance});
     sums.copy_back();
     for(std::size_t i = 0; i < plane_.size(); ++i)
       is_dropped[i] = is_clutter(counts[i], rms(i));
-    const auto dropped = t_.backend.read_access(is_dropped);
-    t_.backend.for_each(t_.cloud.size, Free_dropped{dropped.data(), label_.data()});
+    const auto dropped = backend_.read_access(is_dropped);
+    backend_.for_each(label_.size(), Free_dropped{dropped.data(), label_.data()});
   }
 
   void name_shapes(Engine_result& result)
   {
-    const std::size_t n = t_.cloud.size;
+    const std::size_t n = label_.size();
     Buffer<std::uint32_t> component(n);
-    find_components(t_, label_.data(), component.data());
-    const std::vector<Component> components = large_components(t_, label_.data(), component.data());
+    find_components(points_, options_.growth.cell_size, label_.data(), component.data());
+    const std::vector<Component> components =
+      large_components(points_, options_.minimum_region_size, label_.data(), component.data());
     number_groups(components, result);
     Buffer<std::uint32_t> number(n);
-    t_.backend.for_each(n, Fill{number.data(), no_index});
-    const auto named = t_.backend.read_access(components);
-    t_.backend.for_each(components.size(), Number_roots{named.data(), number.data()});
+    backend_.for_each(n, Fill{number.data(), no_index});
+    const auto named = backend_.read_access(components);
+    backend_.for_each(components.size(), Number_roots{named.data(), number.data()});
     measure_shapes(component.data(), number.data(), result);
     Buffer<std::int32_t> shape_of(n);
-    t_.backend.for_each(n, Write_shapes{component.data(), number.data(), order_, shape_of.data()});
+    backend_.for_each(n, Write_shapes{component.data(), number.data(), order(), shape_of.data()});
     component.release();
     number.release();
-    take_points(t_.backend, std::move(shape_of), components.size(), result);
+    take_points(backend_, std::move(shape_of), components.size(), result);
   }
 
   // Directions and planes in the order in which the shapes have them first.
@@ -191,13 +195,13 @@ private:
   {
     std::vector<std::uint32_t> opposed(result.shapes.size(), 0);
     std::vector<std::uint64_t> distance(1, 0);
-    const auto plane = t_.backend.read_access(plane_);
-    auto opposed_sums = t_.backend.read_write_access(opposed);
-    auto distance_sum = t_.backend.read_write_access(distance);
-    t_.backend.template for_each_cell<Measure_scratch>(
-      t_.number_of_cells,
-      Measure_points<Backend>{t_.cloud.point, t_.cells.data(), label_.data(), plane.data(), component, number,
-                              t_.options.growth.tolerance.distance, opposed_sums.data(), distance_sum.data()});
+    const auto plane = backend_.read_access(plane_);
+    auto opposed_sums = backend_.read_write_access(opposed);
+    auto distance_sum = backend_.read_write_access(distance);
+    backend_.template for_each_cell<Measure_scratch>(
+      points_.number_of_cells(),
+      Measure_points<Backend>{points_.cloud.point.data(), points_.cells.data(), label_.data(), plane.data(), component,
+                              number, options_.growth.tolerance.distance, opposed_sums.data(), distance_sum.data()});
     opposed_sums.copy_back();
     distance_sum.copy_back();
     std::size_t points = 0;
@@ -217,32 +221,36 @@ private:
     else {
       Host_buffer<T> table(buffer.size());
       table.keep_pages();
-      t_.backend.to_host(buffer.data(), buffer.size(), table.data());
+      backend_.to_host(buffer.data(), buffer.size(), table.data());
       return Shared_table<T>(std::move(table));
     }
   }
 
   void write_normals(Engine_result& result)
   {
-    Buffer<std::uint32_t> normal(t_.cloud.size);
-    t_.backend.for_each(t_.cloud.size, Write_normals{t_.cloud.point, order_, normal.data()});
+    Buffer<std::uint32_t> normal(label_.size());
+    backend_.for_each(label_.size(), Write_normals{points_.cloud.point.data(), order(), normal.data()});
     result.normal = on_host<std::uint32_t>(std::move(normal));
   }
 
-  Tandem_state<Backend>& t_;
+  const std::uint32_t* order() const { return points_.cloud.order.data(); }
+
+  Labeled_cloud<Backend>& points_;
+  Backend& backend_;
+  const Shape_table<Backend>& shapes_;
+  const Options& options_;
   const Shape_relations& relations_;
   const Import& in_;
-  const std::uint32_t* order_;
   Buffer<std::uint32_t> label_;            // entry of the relations
   std::vector<Plane> plane_;               // by entry
   std::vector<Coefficients> coefficients_; // by entry
 };
 
 template <class Backend>
-Engine_result extract_shapes(Tandem_state<Backend>& t, const Shape_relations& relations, const Import& in,
-                             const std::uint32_t* order)
+Engine_result extract_shapes(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
+                             const Shape_relations& relations, const Import& in)
 {
-  return Shape_extractor<Backend>(t, relations, in, order).extract();
+  return Shape_extractor<Backend>(points, shapes, options, relations, in).extract();
 }
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
 
+#include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 
 #include <algorithm>
@@ -47,14 +48,17 @@ Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::s
   return groups;
 }
 
-// The shapes of the points, and the points of the shapes, as they leave the back end, which may have an overload of
-// its own; the buffer is given up.
+// The shapes of the points, and the points of the shapes, as they leave the back end; the buffer is given up.
 template <class Backend>
 void take_points(Backend& backend, typename Backend::template Buffer<std::int32_t>&& shape_of, std::size_t shapes,
                  Engine_result& result)
 {
-  result.points = group_points(backend, shape_of.data(), shape_of.size(), shapes);
-  result.shape_of = Shared_table<std::int32_t>(std::move(shape_of));
+  if constexpr(Stage_overrides<Backend>::groups_points)
+    Stage_overrides<Backend>::group_points(backend, std::move(shape_of), shapes, result);
+  else {
+    result.points = group_points(backend, shape_of.data(), shape_of.size(), shapes);
+    result.shape_of = Shared_table<std::int32_t>(std::move(shape_of));
+  }
 }
 
 } // namespace internal

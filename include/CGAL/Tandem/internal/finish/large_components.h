@@ -6,7 +6,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 
-#include <CGAL/Tandem/internal/shapes/point_passes.h>
+#include <CGAL/Tandem/internal/shapes/Count_scratch.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
 #include <algorithm>
 #include <vector>
@@ -70,19 +71,20 @@ struct Gather_components {
 
 // The components that are large enough, by falling size, then by position.
 template <class Backend>
-std::vector<Component> large_components(Tandem_state<Backend>& t, const std::uint32_t* label,
-                                        const std::uint32_t* component)
+std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
+                                        const std::uint32_t* label, const std::uint32_t* component)
 {
-  typename Backend::template Buffer<std::uint32_t> size(t.cloud.size);
-  t.backend.for_each(t.cloud.size, Fill{size.data(), 0});
-  t.backend.template for_each_cell<Count_scratch>(
-    t.number_of_cells, Count_components<Backend>{t.cells.data(), label, component, size.data()});
-  const auto root = t.backend.compact(
-    t.cloud.size, Is_large_root{label, component, size.data(), std::uint64_t(t.options.minimum_region_size)});
+  Backend& backend = points.backend;
+  const std::size_t n = points.cloud.size();
+  typename Backend::template Buffer<std::uint32_t> size(n);
+  backend.for_each(n, Fill{size.data(), 0});
+  backend.template for_each_cell<Count_scratch>(
+    points.number_of_cells(), Count_components<Backend>{points.cells.data(), label, component, size.data()});
+  const auto root = backend.compact(n, Is_large_root{label, component, size.data(), std::uint64_t(minimum_size)});
   typename Backend::template Buffer<Component> buffer(root.size());
-  t.backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
+  backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
   std::vector<Component> components(root.size());
-  t.backend.to_host(buffer.data(), components.size(), components.data());
+  backend.to_host(buffer.data(), components.size(), components.data());
   std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
     return a.size != b.size ? a.size > b.size : a.root < b.root;
   });

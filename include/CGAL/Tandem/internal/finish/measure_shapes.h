@@ -7,7 +7,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
 
-#include <CGAL/Tandem/internal/shapes/point_passes.h>
+#include <CGAL/Tandem/internal/base/types.h>
+#include <CGAL/Tandem/internal/shapes/Count_scratch.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 
 namespace CGAL {
 namespace Tandem {

@@ -7,7 +7,9 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
 
 #include <CGAL/Tandem/internal/backend/Host_memory.h>
-#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+#include <CGAL/Tandem/internal/backend/Stage_overrides.h>
+#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -149,11 +151,11 @@ private:
   CGAL_TANDEM_HD Proposed_points of_round(std::size_t round) const { return {proposed.point, proposed.end + round}; }
 };
 
-// A device has an overload of its own: here the host sees what functors have written.
+// On a back end whose functors write memory of the host.
 template <class Backend>
-void run_label_propagation(Backend& backend, std::size_t maximum_rounds, const Label_propagation<Backend>& rounds)
+void propagate_labels_on_host(Backend& backend, std::size_t maximum_rounds, const Label_propagation<Backend>& rounds)
 {
-  static_assert(std::is_base_of<Host_memory, Backend>::value, "a device needs an overload");
+  static_assert(std::is_base_of<Host_memory, Backend>::value, "a device has to replace this stage");
   const std::size_t items = (std::min)(std::size_t(rounds.proposal.cloud.size), std::size_t(1) << 18);
   for(std::size_t round = 0; round < maximum_rounds; ++round) {
     backend.for_each(items, rounds.accept(round, items));
@@ -163,23 +165,27 @@ void run_label_propagation(Backend& backend, std::size_t maximum_rounds, const L
   }
 }
 
-// Free points join the shapes that they fit, until next to none does.
+// Free points join the shapes that they fit, until next to none does. plane: by shape.
 template <class Backend>
-void propagate_labels(Tandem_state<Backend>& t)
+void propagate_labels(Labeled_cloud<Backend>& points, const std::vector<Plane>& plane, const Tolerance& tolerance)
 {
-  constexpr std::size_t maximum_rounds = 16;
-  const std::size_t n = t.cloud.size, few = n / 100000;
+  constexpr std::size_t maximum_rounds = tuning::end_game::propagation_rounds;
+  Backend& backend = points.backend;
+  const std::size_t n = points.cloud.size(), few = n / tuning::end_game::points_per_late_point;
   typename Backend::template Buffer<std::uint64_t> proposal(n);
   typename Backend::template Buffer<std::uint32_t> proposed(n);
   std::vector<std::uint32_t> end(maximum_rounds + 2, 0); // the host does not look at it again
-  const auto plane = t.backend.read_access(t.plane);
-  const auto ends = t.backend.read_write_access(end);
-  t.backend.for_each(n, Clear_proposals{proposal.data()});
-  const Propose_label<Backend> first = {t.cloud,         t.label.data(),  t.state.data(),
-                                        plane.data(),    proposal.data(), t.options.growth.tolerance,
-                                        proposed.data(), ends.data() + 1};
-  t.backend.for_each(n, first);
-  run_label_propagation(t.backend, maximum_rounds, {first, t.labels(), {proposed.data(), ends.data()}, few});
+  const auto planes = backend.read_access(plane);
+  const auto ends = backend.read_write_access(end);
+  backend.for_each(n, Clear_proposals{proposal.data()});
+  const Propose_label<Backend> first = {points.cloud.view(), points.label.data(), points.state.data(), planes.data(),
+                                        proposal.data(),     tolerance,           proposed.data(),     ends.data() + 1};
+  backend.for_each(n, first);
+  const Label_propagation<Backend> rounds = {first, points.labels(), {proposed.data(), ends.data()}, few};
+  if constexpr(Stage_overrides<Backend>::propagates_labels)
+    Stage_overrides<Backend>::propagate_labels(backend, maximum_rounds, rounds);
+  else
+    propagate_labels_on_host(backend, maximum_rounds, rounds);
 }
 
 } // namespace internal

@@ -6,7 +6,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
 #define CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
 
-#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/shapes/cell_shapes.h>
+#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
 #include <vector>
 
@@ -38,7 +40,8 @@ struct Choose_largest {
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
     bool all_same = true;
-    const std::int64_t farthest = may_lose[s] ? minimum_distance(i, s) + tolerance.distance / 4 : 0;
+    const std::int64_t farthest =
+      may_lose[s] ? minimum_distance(i, s) + tolerance.distance / tuning::end_game::distance_per_farther_plane : 0;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]], best = chosen[i];
       all_same = all_same && t == s;
@@ -88,7 +91,7 @@ struct Take_chosen {
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
   {
     const Range cell = cells[c];
-    const Grid_point& base = cloud.point[cell.first];
+    const Cell_sums changes = {cloud.point[cell.first], change};
     table.clear(block);
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
@@ -97,35 +100,43 @@ struct Take_chosen {
         return;
       labels.label[i] = s;
       labels.state[i] &= std::uint8_t(~interior_bit);
-      table.template add<Backend>(block, old, cloud.point[i], base, -1, change);
-      table.template add<Backend>(block, s, cloud.point[i], base, 1, change);
+      table.template add<Backend>(block, old, cloud.point[i], -1, changes);
+      table.template add<Backend>(block, s, cloud.point[i], 1, changes);
     });
-    table.template flush<Backend>(block, base, change);
+    table.template flush<Backend>(block, changes);
   }
 };
 
-// One Jacobi round of reassignment. Keeps the moments of the shapes right, if they are; their
-// boxes only grow, and they may become empty. False if nothing has changed.
+// Which shapes take part in a reassignment, by id.
+struct Reassignment {
+  std::vector<std::uint8_t> may_lose, may_gain;
+  bool marks_interior;
+};
+
+// One Jacobi round of reassignment. Keeps the moments of the shapes right, if they are; their boxes only grow, and they
+// may become empty. False if nothing has changed.
 template <class Backend>
-bool reassign(Tandem_state<Backend>& t, const std::vector<std::uint8_t>& may_lose,
-              const std::vector<std::uint8_t>& may_gain, bool marks_interior)
+bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance,
+              const Reassignment& which)
 {
-  std::vector<std::int64_t> size(t.shapes.size(), 0);
-  t.backend.for_each_on_host(t.live.size(),
-                             [&](std::size_t l) { size[t.live[l]] = t.shapes[t.live[l]].moments.count; });
-  typename Backend::template Buffer<std::uint32_t> chosen(t.cloud.size);
-  const auto plane = t.backend.read_access(t.plane);
-  const auto sizes = t.backend.read_access(size);
-  const auto losing = t.backend.read_access(may_lose), gaining = t.backend.read_access(may_gain);
-  t.backend.for_each(t.cloud.size,
-                     Choose_largest{t.cloud, t.label.data(), t.state.data(), plane.data(), sizes.data(), losing.data(),
-                                    gaining.data(), chosen.data(), t.options.growth.tolerance, marks_interior});
-  t.backend.template for_each_cell<Moment_table>(
-    t.number_of_cells,
-    Take_chosen<Backend>{t.cloud, t.cells.data(), chosen.data(), t.labels(), start_deltas(t, t.shapes.size())});
-  const Host_buffer<Shape_delta> changes = take_deltas(t, t.shapes.size());
-  t.backend.for_each_on_host(changes.size(), [&](std::size_t c) {
-    Shape& shape = t.shapes[changes[c].id];
+  Backend& backend = points.backend;
+  const std::size_t n = points.cloud.size();
+  const Cloud_view cloud = points.cloud.view();
+  std::vector<std::int64_t> size(shapes.size(), 0);
+  backend.for_each_on_host(shapes.live.size(),
+                           [&](std::size_t l) { size[shapes.live[l]] = shapes[shapes.live[l]].moments.count; });
+  typename Backend::template Buffer<std::uint32_t> chosen(n);
+  const auto plane = backend.read_access(shapes.plane);
+  const auto sizes = backend.read_access(size);
+  const auto losing = backend.read_access(which.may_lose), gaining = backend.read_access(which.may_gain);
+  backend.for_each(n, Choose_largest{cloud, points.label.data(), points.state.data(), plane.data(), sizes.data(),
+                                     losing.data(), gaining.data(), chosen.data(), tolerance, which.marks_interior});
+  backend.template for_each_cell<Moment_table>(
+    points.number_of_cells(), Take_chosen<Backend>{cloud, points.cells.data(), chosen.data(), points.labels(),
+                                                   start_deltas(backend, shapes, shapes.size())});
+  const Host_buffer<Shape_delta> changes = take_deltas(backend, shapes, shapes.size());
+  backend.for_each_on_host(changes.size(), [&](std::size_t c) {
+    Shape& shape = shapes[changes[c].id];
     shape.moments += changes[c].sums.moments();
     shape.box.add(changes[c].sums.box);
     shape.is_dirty = true;
@@ -145,7 +156,8 @@ struct Sum_moments {
   {
     const Range cell = cells[c];
     const Grid_point& base = cloud.point[cell.first];
-    const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, base, sum); };
+    const Cell_sums sums = {base, sum};
+    const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, sums); };
     table.clear(block);
     block.template accumulate<Shape_run>(
       cell.size(),
@@ -161,27 +173,29 @@ struct Sum_moments {
         run.add(cloud.point[i], base, 1);
       },
       add);
-    table.template flush<Backend>(block, base, sum);
+    table.template flush<Backend>(block, sums);
   }
 };
 
 // Moments and bounds of all shapes, anew from the labels.
 template <class Backend>
-void recount(Tandem_state<Backend>& t)
+void recount(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
-  t.backend.template for_each_cell<Moment_table>(
-    t.number_of_cells, Sum_moments<Backend>{t.cloud, t.cells.data(), t.label.data(), start_deltas(t, t.shapes.size())});
-  list_shapes(t);
-  const Host_buffer<Shape_delta> sums = take_deltas(t, t.shapes.size());
-  t.backend.for_each_on_host(t.live.size(), [&](std::size_t l) { t.shapes[t.live[l]].moments = Moments(); });
-  t.assigned = std::size_t(sum_on_host(t.backend, sums.size(), [&](std::size_t g) {
-    Shape& shape = t.shapes[sums[g].id];
-    shape.moments = sums[g].sums.moments();
-    shape.box = sums[g].sums.box;
+  Backend& backend = points.backend;
+  backend.template for_each_cell<Moment_table>(
+    points.number_of_cells(), Sum_moments<Backend>{points.cloud.view(), points.cells.data(), points.label.data(),
+                                                   start_deltas(backend, shapes, shapes.size())});
+  list_shapes(points);
+  const Host_buffer<Shape_delta> sums = take_deltas(backend, shapes, shapes.size());
+  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) { shapes[shapes.live[l]].moments = Moments(); });
+  shapes.assigned = std::size_t(sum_on_host(backend, sums.size(), [&](std::size_t s) {
+    Shape& shape = shapes[sums[s].id];
+    shape.moments = sums[s].sums.moments();
+    shape.box = sums[s].sums.box;
     shape.is_dirty = true;
-    return sums[g].sums.count;
+    return sums[s].sums.count;
   }));
-  drop_empty_shapes(t);
+  drop_empty_shapes(backend, shapes);
 }
 
 } // namespace internal

@@ -52,7 +52,7 @@ struct Growth_scratch {
   std::uint16_t queue[CellSize]; // cell-relative points; each is queued at most once
   std::uint32_t tail;
   Moment_table table;
-  std::uint32_t active[maximum_seeds_in_flight]; // shapes on the frontier of this cell, ascending
+  std::uint32_t active[tuning::growth::maximum_seeds_in_flight]; // shapes on the frontier of this cell, ascending
   std::uint32_t active_count;
   Trial trial[maximum_lookahead];
 };

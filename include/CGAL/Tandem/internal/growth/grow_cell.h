@@ -11,11 +11,20 @@
 #include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/growth/Cell_job.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
-#include <CGAL/Tandem/internal/shapes/Shapes.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// What the growth in one cell reads and writes.
+struct Growth_input {
+  Cell_job job;
+  Cloud_view cloud;
+  Shapes_view shapes;
+  Labels_view labels;
+  Growth_options options;
+};
 
 template <class Backend, class Block, class Scratch>
 class Cell_growth {
@@ -24,10 +33,9 @@ class Cell_growth {
                 "the scratch has no room for the trials");
 
 public:
-  CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Cell_job& job, const Cloud_view& cloud,
-                             const Shapes_view& shapes, const Labels_view& labels, const Growth_options& options)
-    : block_(block), s_(scratch), job_(job), cloud_(cloud), shapes_(shapes), options_(options), label_(labels.label),
-      state_(labels.state)
+  CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Growth_input& in)
+    : block_(block), s_(scratch), job_(in.job), cloud_(in.cloud), shapes_(in.shapes), options_(in.options),
+      label_(in.labels.label), state_(in.labels.state)
   {}
 
   CGAL_TANDEM_HD void run()
@@ -278,11 +286,12 @@ private:
   CGAL_TANDEM_HD void add_deltas(std::uint32_t first, std::uint32_t last)
   {
     s_.table.clear(block_);
+    const Cell_sums sums = {base(), shapes_.delta};
     block_.for_each(last - first, [&](std::uint32_t at) {
       const std::uint32_t i = queued(first + at);
-      s_.table.template add<Backend>(block_, label_[i], cloud_.point[i], base(), 1, shapes_.delta);
+      s_.table.template add<Backend>(block_, label_[i], cloud_.point[i], 1, sums);
     });
-    s_.table.template flush<Backend>(block_, base(), shapes_.delta);
+    s_.table.template flush<Backend>(block_, sums);
   }
 
   Block& block_;

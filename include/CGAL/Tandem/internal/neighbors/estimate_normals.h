@@ -21,12 +21,6 @@ namespace Tandem {
 namespace internal {
 namespace normals {
 
-constexpr int adoption_passes = 4;
-constexpr float adoption_cost_ratio = 0.8f; // least gain in cost
-constexpr float adoption_thickness2 = 4;    // farthest from the plane: 2 sigma
-constexpr float adoption_width2 = 16;       // farthest from its center: 4 sigma along the plane
-constexpr float clutter_thickness2 = 12;    // beyond 3.5 sigma is clutter
-
 struct Own {
   std::uint32_t* source;
 
@@ -69,7 +63,7 @@ struct Adopt {
     const Candidate& c = w.candidate[own];
     if(!(c.error2 > excellent_error2))
       return;
-    float minimum = c.error2 < no_plane ? adoption_cost_ratio * cost(c) : no_plane;
+    float minimum = c.error2 < no_plane ? adoption_cost_share * cost(c) : no_plane;
     const Grid_point p = w.cloud.point[i];
     const std::uint32_t* row = w.cloud.row(std::uint32_t(i));
     for(int j = 0; j < w.k && row[j] != no_index; ++j) {

@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H
 
+#include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/neighbors/Bucket_neighbors.h>
 
 namespace CGAL {
@@ -144,6 +145,13 @@ private:
   std::uint32_t* out_;
 };
 
+template <class Backend, int K>
+void find_bucket_neighbors(Backend& backend, const Box_tree<Backend>& tree, int k, std::uint32_t* out)
+{
+  constexpr std::size_t grain = 64;
+  backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Box_tree<Backend>, K>(tree, k, out));
+}
+
 // The k smallest (squared distance, index j), j != i, of each point i of the
 // sorted cloud, ascending, in out[i k .. i k + k); no_index fills up where the
 // cloud has fewer than k + 1 points. 1 <= k <= maximum_k.
@@ -152,20 +160,22 @@ void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, 
 {
   if(n == 0)
     return;
-  using Tree = Box_tree<Backend>;
-  const Tree tree(backend, point, n);
-  constexpr std::size_t grain = 64;
-  switch(k) {
-  case 8:
-    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 8>(tree, k, out));
-  case 12:
-    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 12>(tree, k, out));
-  case 16:
-    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 16>(tree, k, out));
-  case 20:
-    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 20>(tree, k, out));
-  default:
-    return backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Tree, 0>(tree, k, out));
+  if constexpr(Stage_overrides<Backend>::finds_neighbors)
+    Stage_overrides<Backend>::find_neighbors(backend, point, n, k, out);
+  else {
+    const Box_tree<Backend> tree(backend, point, n);
+    switch(k) { // common numbers are known to the compiler
+    case 8:
+      return find_bucket_neighbors<Backend, 8>(backend, tree, k, out);
+    case 12:
+      return find_bucket_neighbors<Backend, 12>(backend, tree, k, out);
+    case 16:
+      return find_bucket_neighbors<Backend, 16>(backend, tree, k, out);
+    case 20:
+      return find_bucket_neighbors<Backend, 20>(backend, tree, k, out);
+    default:
+      return find_bucket_neighbors<Backend, 0>(backend, tree, k, out);
+    }
   }
 }
 

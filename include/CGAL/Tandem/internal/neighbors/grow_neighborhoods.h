@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
 
+#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/neighbors/Neighborhood.h>
 
@@ -15,20 +16,9 @@ namespace Tandem {
 namespace internal {
 namespace normals {
 
-// Squared angles are in radians^2.
-constexpr int maximum_neighbors = 12;
-constexpr int last_scale = 8;
-constexpr float good_error2 = 0.00274f;       // (3 degrees)^2: the neighborhood need not grow
-constexpr float excellent_error2 = 0.000305f; // (1 degree)^2: no other plane is looked for
-constexpr float no_plane = 1e30f;
-constexpr float noiseless_share = 0.02f; // of epsilon: thinner is as good as flat
+using namespace tuning::normals;
 
-// The weight of being thick, whatever the number of points, against the error
-// from noise, which their number makes small: so a large neighborhood across an
-// edge does not count as precise.
-constexpr float thickness_weight = 0.04f;
-
-constexpr float clutter_share = 0.5f; // of epsilon: what is closer to the plane is not
+constexpr float no_plane = 1e30f; // instead of an error
 
 // The best plane that a point has found for itself.
 struct Candidate {

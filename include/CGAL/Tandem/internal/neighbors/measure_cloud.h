@@ -10,6 +10,7 @@
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
 
 #include <CGAL/Tandem/internal/base/Moments.h>
+#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
@@ -24,19 +25,15 @@ struct Cloud_measure {
   double thickness = 0; // lower quartile of the ratio of that distance to the half-width of the neighborhood
 };
 
-constexpr int measured_neighbors = 20;
-constexpr int spacing_neighbors = 6;
-constexpr std::size_t measured_points = 1 << 17; // about as many are looked at in a large cloud
-constexpr std::size_t measured_cell_size = 2048;
-
-// About measured_points points in whole cells, in the order of the curve.
+// About tuning::estimation::sampled_points points in whole cells, in the order of the curve.
 template <class Backend>
 std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
 {
   const Code_frame frame = make_code_frame(point.data(), point.size());
   const auto order = sort_along_curve(backend, point.data(), point.size(), frame);
-  const std::vector<Range> cells = split_cells(backend, order, frame, measured_cell_size);
-  const std::size_t stride = (point.size() + measured_points - 1) / measured_points;
+  const std::vector<Range> cells = split_cells(backend, order, frame, tuning::estimation::sampled_cell_size);
+  const std::size_t stride =
+    (point.size() + tuning::estimation::sampled_points - 1) / tuning::estimation::sampled_points;
   std::vector<Grid_point> sample;
   for(std::size_t l = 0; l < cells.size(); l += stride)
     for(std::uint32_t i = cells[l].first; i < cells[l].last; ++i)
@@ -57,9 +54,9 @@ inline Cloud_measure measure_neighborhood(const Grid_point* point, std::uint32_t
   moments.add(point[i]);
   double sum = 0;
   int spaced = 0;
-  for(int j = 0; j < measured_neighbors && row[j] != no_index; ++j) {
+  for(int j = 0; j < tuning::estimation::noise_neighbors && row[j] != no_index; ++j) {
     moments.add(point[row[j]]);
-    if(j < spacing_neighbors) {
+    if(j < tuning::estimation::spacing_neighbors) {
       sum += grid_distance(point[i], point[row[j]]);
       ++spaced;
     }
@@ -80,24 +77,27 @@ inline double quantile(std::vector<double>& values, double q)
 template <class Backend>
 Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sample)
 {
-  std::vector<std::uint32_t> neighbor(sample.size() * measured_neighbors);
-  find_neighbors(backend, sample.data(), std::uint32_t(sample.size()), measured_neighbors, neighbor.data());
+  std::vector<std::uint32_t> neighbor(sample.size() * tuning::estimation::noise_neighbors);
+  find_neighbors(backend, sample.data(), std::uint32_t(sample.size()), tuning::estimation::noise_neighbors,
+                 neighbor.data());
   std::vector<double> spacing(sample.size()), noise(sample.size()), thickness(sample.size());
   backend.for_each(sample.size(), [&](std::size_t i) {
     const Cloud_measure m =
-      measure_neighborhood(sample.data(), std::uint32_t(i), neighbor.data() + i * measured_neighbors);
+      measure_neighborhood(sample.data(), std::uint32_t(i), neighbor.data() + i * tuning::estimation::noise_neighbors);
     spacing[i] = m.spacing;
     noise[i] = m.noise;
     thickness[i] = m.thickness;
   });
-  return {quantile(spacing, .5), quantile(noise, .75), quantile(thickness, .25)};
+  using namespace tuning::estimation;
+  return {quantile(spacing, spacing_quantile), quantile(noise, noise_quantile),
+          quantile(thickness, thickness_quantile)};
 }
 
-// Every fourth point, in the order of the curve.
+// Every so manyth point, in the order of the curve.
 inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
 {
   std::vector<Grid_point> thin;
-  for(std::size_t i = 0; i < sample.size(); i += 4)
+  for(std::size_t i = 0; i < sample.size(); i += tuning::estimation::thinning)
     thin.push_back(sample[i]);
   return thin;
 }
@@ -117,7 +117,8 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
   std::vector<Grid_point> sample = sample_cells(backend, point);
   Cloud_measure measure = measure_sample(backend, sample);
   const double spacing = measure.spacing;
-  for(int i = 0; i < 3 && measure.thickness > .4 && sample.size() > 4000; ++i) {
+  using namespace tuning::estimation;
+  for(int i = 0; i < maximum_thinnings && measure.thickness > ball_thickness && sample.size() > minimum_sample; ++i) {
     sample = thinned(sample);
     measure = measure_sample(backend, sample);
   }

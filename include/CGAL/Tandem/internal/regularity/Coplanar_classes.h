@@ -32,13 +32,15 @@ public:
   {
     std::vector<int> pending = by_direction();
     double radius = options.maximum_offset;
-    for(int round = 0; round < rounds && options.try_again(pending.size(), shapes.size(), round); ++round) {
+    for(int round = 0; round < tuning::coplanarity::rounds && options.try_again(pending.size(), shapes.size(), round);
+        ++round) {
       add_classes(verified, pending, plane, radius);
       pending = verify(verified, plane);
-      radius *= 0.5;
+      radius *= tuning::coplanarity::radius_share;
     }
     add_singles(plane);
-    for(int step = 0; step < (options.is_last ? last_joining_steps : joining_steps); ++step)
+    const int steps = options.is_last ? tuning::coplanarity::final_joining_steps : tuning::coplanarity::joining_steps;
+    for(int step = 0; step < steps; ++step)
       join_neighbors(verified, plane);
     for(std::size_t c = 0; c < classes.size(); ++c)
       for(int i : classes[c].members)
@@ -49,10 +51,6 @@ public:
   }
 
 private:
-  // What is refused is tried again with half the radius.
-  static constexpr int rounds = 4;
-  // Then neighbors are joined, a class with at most one other in a step.
-  static constexpr int joining_steps = 2, last_joining_steps = 4;
   // Fewer of them are left to one thread.
   static constexpr std::size_t few_directions = 8, few_classes = 32;
 

@@ -15,16 +15,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-namespace regularity {
-
-// What was refused is clustered again with half the tolerance. A shape large enough
-// to be refused has a precise normal: only true right angles are left to it, and at last none.
-constexpr int levels = 5;
-constexpr double parallel_share[levels] = {1, 0.5, 0.25, 0.125, 0.125};
-constexpr double right_share[levels] = {1, 0.25, 0.0625, 0.0625, 0};
-
-} // namespace regularity
-
 template <class Verify>
 class Direction_fitter {
 public:
@@ -37,9 +27,10 @@ public:
   {
     was_rejected.assign(shapes.size(), 0);
     rejected_cost.assign(shapes.size(), 0);
-    for(int level = 0; level < regularity::levels && options.try_again(pending.size(), shapes.size(), level); ++level) {
-      const double parallel_sine = sine_deg(options.angle_tolerance_deg * regularity::parallel_share[level]);
-      const double right_sine = sine_deg(options.angle_tolerance_deg * regularity::right_share[level]);
+    for(int level = 0; level < tuning::directions::levels && options.try_again(pending.size(), shapes.size(), level);
+        ++level) {
+      const double parallel_sine = sine_deg(options.angle_tolerance_deg * tuning::directions::parallel_share[level]);
+      const double right_sine = sine_deg(options.angle_tolerance_deg * tuning::directions::right_share[level]);
       freeze(right_sine);
       if(options.parallelism && level > 0)
         rejoin(pending, parallel_sine);
@@ -93,7 +84,7 @@ private:
     const Direction_index index(fitted, sine);
     std::vector<int> rest;
     for(int i : pending) {
-      std::pair<double, std::size_t> best(0.25 * rejected_cost[i], groups.size());
+      std::pair<double, std::size_t> best(tuning::directions::rejoin_cost_share * rejected_cost[i], groups.size());
       index.near(shapes[i].fit.normal, [&](std::size_t g, double) {
         if(!groups[g].is_frozen)
           best = (std::min)(best, {verified.added(i, fitted[g]), g});
@@ -112,7 +103,7 @@ private:
   void add_groups(const std::vector<int>& pending, double parallel_sine, double right_sine)
   {
     std::vector<std::vector<int>> clusters;
-    if(options.parallelism && parallel_sine > 1e-9) {
+    if(options.parallelism && parallel_sine > tuning::directions::minimum_sine) {
       std::vector<Vector> normal;
       std::vector<double> weight;
       for(int i : pending) {
@@ -137,7 +128,7 @@ private:
   std::vector<int> fit_and_tie()
   {
     std::vector<int> rejected;
-    for(int step = 0; step < 3; ++step) {
+    for(int step = 0; step < tuning::directions::fits; ++step) {
       refit();
       const std::size_t before = rejected.size();
       remove_rejected([&](int i, const Direction_group& g) { return verified.is_too_far(i, g.fitted); }, rejected);
@@ -157,7 +148,8 @@ private:
       groups.push_back({{i}, 0, {}, 0, {}, {}, {}, 0, canonical(shapes[i].fit.normal), true});
       refit(groups.back());
     }
-    Direction_joiner<Verify>(shapes, options.maximum_distance, sine_deg(options.angle_tolerance_deg), verified, groups)
+    Direction_joiner<Verified_planes<Verify>>(shapes, options.maximum_distance, sine_deg(options.angle_tolerance_deg),
+                                              verified, groups)
       .join();
   }
 
@@ -191,7 +183,7 @@ private:
   void tie()
   {
     if(options.orthogonality) {
-      const double rms = regularity::rms_share * options.maximum_distance;
+      const double rms = tuning::verification::rms_share * options.maximum_distance;
       Frames(groups, rms * rms).tie(verified);
     } else {
       for(Direction_group& g : groups)

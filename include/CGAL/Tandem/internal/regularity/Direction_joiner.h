@@ -9,26 +9,28 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_JOINER_H
 
 #include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
-#include <CGAL/Tandem/internal/regularity/Verified_planes.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-template <class Verify>
+// Verified: Verified_planes.
+template <class Verified>
 class Direction_joiner {
 public:
   // sine: of the largest angle by which a shape is turned.
-  Direction_joiner(const Shape_fits& shapes, double maximum_distance, double sine, Verified_planes<Verify>& verified,
+  Direction_joiner(const Shape_fits& shapes, double maximum_distance, double sine, Verified& verified,
                    std::vector<Direction_group>& groups)
-    : shapes(shapes), squared_rms(join_rms * join_rms * maximum_distance * maximum_distance), sine(sine),
-      verified(verified), groups(groups)
+    : shapes(shapes),
+      squared_rms(tuning::leftovers::rms_share * tuning::leftovers::rms_share * maximum_distance * maximum_distance),
+      sine(sine), verified(verified), groups(groups)
   {}
 
   // The groups keep their directions; those that were given up are gone.
   void join()
   {
-    for(int step = 0; step < steps; ++step) {
+    for(int step = 0; step < tuning::leftovers::steps; ++step) {
       std::vector<Plan> plans = make_plans();
       verify(plans);
       carry_out(plans);
@@ -36,18 +38,6 @@ public:
   }
 
 private:
-  // A group whose first choice has gone has another one.
-  static constexpr int steps = 3;
-  // Of epsilon, added in quadrature, and the share of new misfits. More than where groups
-  // are found: a shape that joins does not turn a settled direction, and drags no other
-  // shape along.
-  static constexpr double join_rms = 1;
-  static constexpr double join_misfit_share = 0.4;
-  // A direction less is not worth more points than this share of a mean shape.
-  static constexpr double price_of_direction = 0.25;
-  // A larger group is no leftover.
-  static constexpr std::size_t maximum_members = 8;
-
   // Where the members of a group go.
   struct Plan {
     std::size_t from;
@@ -65,7 +55,7 @@ private:
   // A group that is orthogonal to another one has a relation to lose.
   bool is_loose(const Direction_group& g) const
   {
-    return g.members.size() <= maximum_members &&
+    return g.members.size() <= tuning::leftovers::maximum_members &&
            std::none_of(groups.begin(), groups.end(),
                         [&](const Direction_group& h) { return are_orthogonal(g.direction, h.direction); });
   }
@@ -112,8 +102,8 @@ private:
         candidates.push_back(groups[plan.from].members[k]);
         planes.push_back(through_centroid(shapes[candidates.back()], groups[plan.to[k]].direction));
       }
-    const std::vector<char> is_rejected =
-      verified.test(candidates, planes, {join_misfit_share, price_of_direction * mean_size()});
+    const std::vector<char> is_rejected = verified.test(
+      candidates, planes, {tuning::leftovers::misfit_share, tuning::leftovers::price_of_direction * mean_size()});
     auto rejected_member = is_rejected.begin();
     plans.erase(std::remove_if(plans.begin(), plans.end(),
                                [&](const Plan& plan) {
@@ -162,7 +152,7 @@ private:
 
   const Shape_fits& shapes;
   double squared_rms, sine;
-  Verified_planes<Verify>& verified;
+  Verified& verified;
   std::vector<Direction_group>& groups;
 };
 

@@ -7,8 +7,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 
-#include <CGAL/Tandem/internal/regularity/constrained_fit.h>
 #include <CGAL/Tandem/internal/regularity/cluster_directions.h>
+#include <CGAL/Tandem/internal/regularity/constrained_fit.h>
 
 #include <map>
 
@@ -88,7 +88,7 @@ public:
     const double allowed = squared_rms * group.weight;
     const std::size_t q = best_partner(rounded_fit, group.sine, [&](const Vector& d) {
       const Vector c = cross(p, d);
-      return dot(c, c) > 0.04 ? worth(group.cost(unit(c)), allowed) : 0;
+      return dot(c, c) > tuning::directions::minimum_squared_sine ? worth(group.cost(unit(c)), allowed) : 0;
     });
     if(q < known)
       result = orthogonal_to_both(p, fixed[q].direction);
@@ -100,12 +100,12 @@ public:
   Vector fix(Direction_group& group, const Vector& n, const Vector& master)
   {
     group.direction = canonical(n);
-    const double x = group.direction.x, reach = 1e-9;
+    const double x = group.direction.x, reach = tuning::relations::same_direction;
     for(double side : {x, -x}) // the sign is arbitrary on the equator
       for(auto i = by_x.lower_bound(side - reach); i != by_x.end() && i->first <= side + reach; ++i) {
         Fixed_direction& d = fixed[i->second];
         if(Direction_index::squared_distance(d.direction, group.direction) < reach * reach &&
-           std::fabs(dot(d.direction, master)) <= 5e-16) {
+           are_orthogonal(d.direction, master)) {
           d.weight += group.weight;
           return group.direction = d.direction;
         }

@@ -65,7 +65,7 @@ public:
   // squared_rms: what a tie may add to the mean squared distance of the points.
   // Chaining spends a quarter of it, since the star has been fitted already.
   Frames(std::vector<Direction_group>& groups, double squared_rms)
-    : groups(groups), squared_rms(squared_rms), fixed(0.25 * squared_rms)
+    : groups(groups), squared_rms(squared_rms), fixed(tuning::directions::chain_share * squared_rms)
   {}
 
   // The loops run on the executor: see Mean_shift.

@@ -10,6 +10,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_MEAN_SHIFT_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_MEAN_SHIFT_H
 
+#include <CGAL/Tandem/internal/base/Tuning.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -47,7 +49,7 @@ public:
   using Position = typename Index::Position;
 
   Mean_shift(const std::vector<Position>& positions, const std::vector<double>& weights, double radius)
-    : position(positions), weight(weights), radius(radius), index(positions, 1.5 * radius)
+    : position(positions), weight(weights), radius(radius), index(positions, tuning::clustering::reach * radius)
   {}
 
   // By falling density; ties are broken by position in the input.
@@ -89,7 +91,8 @@ private:
     executor.for_each(
       n, [&](std::size_t i) { d[i] = density(position[i]); }, few_densities);
     std::vector<char> is_maximum(n, 1);
-    const double squared_sigma = 0.25 * radius * radius;
+    const double sigma = tuning::clustering::sigma * radius;
+    const double squared_sigma = sigma * sigma;
     executor.for_each(
       n,
       [&](std::size_t i) {
@@ -109,8 +112,8 @@ private:
   Mode climb(std::size_t start) const
   {
     Position x = position[start];
-    const double small = 1e-4 * radius * radius;
-    for(int step = 0; step < 16; ++step) {
+    const double small = tuning::clustering::squared_rest * radius * radius;
+    for(int step = 0; step < tuning::clustering::maximum_steps; ++step) {
       typename Index::Mean mean(x);
       index.near(x, [&](std::size_t i, double q) { mean.add(position[i], weight[i] * kernel(q)); });
       const Position next = mean.value();

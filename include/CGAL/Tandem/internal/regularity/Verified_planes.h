@@ -17,20 +17,11 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-namespace regularity {
-
-constexpr double misfit_share = 0.2; // of its points, newly misfitting: the shape is refused
-constexpr double rms_share = 0.6;    // of epsilon, added in quadrature to the distance of the points: refused
-constexpr double still_share = 0.02; // of epsilon: a plane that moved less needs no verification
-
-} // namespace regularity
 
 // The most points of a shape, as a share of it and at all, that may newly misfit.
 struct Misfit_limit {
   double share, points;
 };
-
-inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
 
 // The shapes with the plane that their points accepted last: the local fit at first.
 template <class Verify>
@@ -53,7 +44,7 @@ public:
   // Whether the direction adds too much to the distance of the points (from the moments alone).
   bool is_too_far(int shape, const Vector& n) const
   {
-    const double allowed = regularity::rms_share * maximum_distance;
+    const double allowed = tuning::verification::rms_share * maximum_distance;
     return added(shape, n) > allowed * allowed * shapes[shape].scatter.count;
   }
 
@@ -67,18 +58,18 @@ public:
   bool is_shifted_too_far(int shape, const Regular_plane& plane) const
   {
     return std::fabs(dot(plane.normal, shapes[shape].scatter.centroid) - plane.offset) >
-           regularity::rms_share * maximum_distance;
+           tuning::verification::rms_share * maximum_distance;
   }
 
   // Asks the points, in one call. Returns for each candidate whether it was refused. No shape is there twice.
   std::vector<char> test(const std::vector<int>& candidates, const Regular_planes& planes,
-                         const Misfit_limit& limit = {regularity::misfit_share, 1e300})
+                         const Misfit_limit& limit = {tuning::verification::misfit_share, 1e300})
   {
     enum : char { still, rejected, open };
     std::vector<char> verdict(candidates.size());
     for_each(candidates.size(), [&](std::size_t k) {
       const int i = candidates[k];
-      const bool is_still = motion(i, planes[k]) <= regularity::still_share * maximum_distance;
+      const bool is_still = motion(i, planes[k]) <= tuning::verification::still_share * maximum_distance;
       verdict[k] = is_shifted_too_far(i, planes[k]) ? rejected : is_still ? still : open;
     });
     std::vector<int> selected;
@@ -118,7 +109,8 @@ private:
     const double shift =
       (dot(plane.normal, s.centroid) - plane.offset) - side * (dot(old.normal, s.centroid) - old.offset);
     const double sine = std::sqrt(Direction_index::squared_distance(plane.normal, old.normal));
-    return std::fma(sine, 2 * std::sqrt(shapes[shape].fit.largest / s.count), std::fabs(shift));
+    return std::fma(sine, tuning::verification::extent_deviations * std::sqrt(shapes[shape].fit.largest / s.count),
+                    std::fabs(shift));
   }
 
   const Shape_fits& shapes;

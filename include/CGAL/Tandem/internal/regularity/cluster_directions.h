@@ -207,14 +207,15 @@ std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& norm
   std::vector<int> rest(normals.size());
   for(std::size_t i = 0; i < rest.size(); ++i)
     rest[i] = int(i);
-  for(int pass = 0; pass < 8 && !rest.empty(); ++pass) {
+  for(int pass = 0; pass < tuning::clustering::maximum_passes && !rest.empty(); ++pass) {
     std::vector<Vector> n(rest.size());
     std::vector<double> w(rest.size());
     for(std::size_t k = 0; k < rest.size(); ++k) {
       n[k] = normals[std::size_t(rest[k])];
       w[k] = weights[std::size_t(rest[k])];
     }
-    const Direction_bins bins = make_direction_bins(n, w, radius / 8, executor);
+    const Direction_bins bins =
+      make_direction_bins(n, w, radius / tuning::clustering::direction_bins_per_radius, executor);
     const std::vector<Vector> modes = Mean_shift<Direction_index>(bins.normal, bins.weight, radius).modes(executor);
     const Direction_index index(modes, radius);
     const std::size_t start = groups.size();

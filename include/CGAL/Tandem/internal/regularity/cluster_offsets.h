@@ -69,7 +69,9 @@ inline std::vector<std::vector<int>> cluster_offsets(const std::vector<double>& 
   for(std::size_t i = 0, j; i < order.size(); i = j) {
     Offset_index::Mean mean(order[i].first);
     double weight = 0;
-    for(j = i; j < order.size() && order[j].first - order[i].first <= radius / 16; ++j) {
+    for(j = i;
+        j < order.size() && order[j].first - order[i].first <= radius / tuning::clustering::offset_bins_per_radius;
+        ++j) {
       mean.add(order[j].first, weights[order[j].second]);
       weight += weights[order[j].second];
     }

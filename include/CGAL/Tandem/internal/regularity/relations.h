@@ -7,6 +7,7 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_RELATIONS_H
 
 #include <CGAL/Tandem/internal/base/Moments.h>
+#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/base/planes.h>
 #include <CGAL/Tandem/internal/memory/Unset_vector.h>
 
@@ -27,6 +28,8 @@ struct Shape_fit {
 
 using Shape_fits = Unset_vector<Shape_fit>;
 
+inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
+
 struct Regularity_options {
   double angle_tolerance_deg; // beta, in [0, 45)
   double maximum_offset;      // sigma of the coplanarity
@@ -38,7 +41,7 @@ struct Regularity_options {
   // in the loop few of them keep their local planes, and those that their points refused wait as after a rollback.
   bool try_again(std::size_t pending, std::size_t n, int tries) const
   {
-    return pending > (is_last || tries == 0 ? 0 : n / 64);
+    return pending > (is_last || tries == 0 ? 0 : n / tuning::relations::shapes_per_retry);
   }
 };
 
@@ -51,11 +54,6 @@ struct Relations {
   std::vector<Regular_plane> planes; // their normals are the same bits as the directions
   std::vector<char> is_rolled_back;  // the points refused every tie: the shape keeps its local fit
 };
-
-// Largest |dot| of two unit normals that the result calls orthogonal.
-constexpr double orthogonality_tolerance = 1e-15;
-
-inline bool are_orthogonal(const Vector& a, const Vector& b) { return std::fabs(dot(a, b)) <= orthogonality_tolerance; }
 
 // All pairs (i, j), i < j, of exactly orthogonal directions.
 inline std::vector<std::pair<int, int>> orthogonal_pairs(const std::vector<Vector>& directions)

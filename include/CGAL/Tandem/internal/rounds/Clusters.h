@@ -9,7 +9,8 @@
 
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/memory/Unset_vector.h>
-#include <CGAL/Tandem/internal/shapes/point_passes.h>
+#include <CGAL/Tandem/internal/rounds/Unions.h>
+#include <CGAL/Tandem/internal/shapes/links.h>
 
 #include <algorithm>
 #include <atomic>
@@ -32,9 +33,10 @@ public:
   // A step passes over all links that wait, and wakes threads: few of them are tried one by one.
   static constexpr std::size_t few_links = 256;
 
-  Clusters(Tandem_state<Backend>& t, const Joint_fit_criterion& test, std::size_t few = few_links)
-    : t_(t), unions_(t.shapes.size()), test_(test), few_(few), root_(t.shapes.size()),
-      whole_(t.shapes.size(), no_index), merged_(t.live.size())
+  Clusters(Backend& backend, const Shape_table<Backend>& shapes, const Joint_fit_criterion& test,
+           std::size_t few = few_links)
+    : backend_(backend), shapes_(shapes), unions_(shapes.size()), test_(test), few_(few), root_(shapes.size()),
+      whole_(shapes.size(), no_index), merged_(shapes.live.size())
   {}
 
   // As if link after link were tried: a link depends on those before it that have a cluster in
@@ -45,32 +47,31 @@ public:
   {
     const bool is_ahead = links.size() > few_;
     Unset_vector<Pair> pending(links.size());
-    t_.backend.for_each_on_host(links.size(), [&](std::size_t i) {
-      const Shape &a = t_.shapes[links[i].first()], &b = t_.shapes[links[i].second()];
+    backend_.for_each_on_host(links.size(), [&](std::size_t i) {
+      const Shape &a = shapes_[links[i].first()], &b = shapes_[links[i].second()];
       const bool is_rejected = is_ahead && (!test_.are_aligned(a, b) || test_.are_apart(a, b));
       pending[i] = {links[i].first(), links[i].second(), no_index, is_rejected};
     });
-    std::vector<Claim> claims(is_ahead ? t_.shapes.size() : 0);
+    std::vector<Claim> claims(is_ahead ? shapes_.size() : 0);
     std::uint32_t steps = 0;
     for(std::size_t head = 0; head < pending.size();) {
       bool is_worth_it = pending.size() - head > few_;
       if(is_worth_it) {
         const std::size_t maximum = (std::min)(pending.size() - head, maximum_known);
-        t_.backend.for_each_on_host(maximum, [&](std::size_t i) { find_clusters(pending[head + i]); });
+        backend_.for_each_on_host(maximum, [&](std::size_t i) { find_clusters(pending[head + i]); });
         const std::size_t end = chain_links(++steps, claims, pending, head, head + maximum);
         const auto try_chain = [&](std::size_t c) {
           for(std::uint32_t i = chains_[c].first; i != no_index; i = chained_[i].next)
             try_link(chained_[i]);
         };
-        t_.backend.for_each_on_host(chains_.size(), try_chain, few_chains);
+        backend_.for_each_on_host(chains_.size(), try_chain, few_chains);
         is_worth_it = end - head <= maximum_waiting * chained_.size();
       }
       for(const std::size_t end = (std::min)(head + window, pending.size()); head < end && !is_worth_it; ++head)
         try_link(pending[head]);
     }
-    t_.backend.for_each_on_host(root_.size(),
-                                [&](std::size_t id) { root_[id] = unions_.find_root(std::uint32_t(id)); });
-    t_.backend.for_each_on_host(number_of_merged_, [&](std::size_t i) { refresh(merged_[i]); });
+    backend_.for_each_on_host(root_.size(), [&](std::size_t id) { root_[id] = unions_.find_root(std::uint32_t(id)); });
+    backend_.for_each_on_host(number_of_merged_, [&](std::size_t i) { refresh(merged_[i]); });
     return steps;
   }
 
@@ -81,7 +82,7 @@ public:
 
   const Fitted_moments& whole(std::uint32_t root) const
   {
-    return whole_[root] == no_index ? static_cast<const Fitted_moments&>(t_.shapes[root]) : merged_[whole_[root]];
+    return whole_[root] == no_index ? static_cast<const Fitted_moments&>(shapes_[root]) : merged_[whole_[root]];
   }
 
 private:
@@ -205,10 +206,10 @@ private:
       std::swap(a, b);
     if(!test_.are_aligned(whole(a), whole(b)))
       return;
-    if(4 * size(b) < size(a) && test_.is_tolerable(whole(b), whole(a).local)) {
+    if(tuning::merging::much_larger * size(b) < size(a) && test_.is_tolerable(whole(b), whole(a).local)) {
       Whole& w = own_whole(a);
       w.moments += whole(b).moments;
-      if(4 * w.moments.count > 5 * w.fitted_count)
+      if(tuning::merging::refit_growth.is_exceeded(w.moments.count, w.fitted_count))
         refresh(w);
     } else {
       for(std::uint32_t c : {a, b})
@@ -229,7 +230,7 @@ private:
   {
     if(whole_[root] == no_index) {
       whole_[root] = number_of_merged_++;
-      const Shape& shape = t_.shapes[root];
+      const Shape& shape = shapes_[root];
       new(&merged_[whole_[root]]) Whole{shape, shape.moments.count};
     }
     return merged_[whole_[root]];
@@ -243,7 +244,8 @@ private:
     w.fitted_count = w.moments.count;
   }
 
-  Tandem_state<Backend>& t_;
+  Backend& backend_;
+  const Shape_table<Backend>& shapes_;
   Unions unions_;
   const Joint_fit_criterion test_;
   const std::size_t few_;

@@ -6,7 +6,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_JOINT_FIT_CRITERION_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_JOINT_FIT_CRITERION_H
 
-#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/shapes/Shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +16,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Below this size the normal of a shape says little.
-constexpr std::int64_t reliable_normal_size = 30;
-// How much worse, in epsilons (rms), another plane may be than the local one (R2).
-constexpr double tolerated_rms = 0.5;
-// In a joint fit it may also not be worse by more than the shape's own distances and
-// this: a plane that bridges two narrow strips is close to both, but not as close as
-// their own planes.
-constexpr double negligible_rms = 0.2;
 
 // How much the sum of squared distances grows when the shape gives up its local plane.
 inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
@@ -40,7 +32,8 @@ struct Joint_fit_criterion {
   bool are_aligned(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const double cosine = dot(a.fit.normal, b.fit.normal);
-    return (std::min)(a.moments.count, b.moments.count) <= reliable_normal_size || cosine * cosine >= squared_cosine;
+    return (std::min)(a.moments.count, b.moments.count) <= tuning::merging::reliable_normal_size ||
+           cosine * cosine >= squared_cosine;
   }
 
   bool is_tolerable(const Fitted_moments& m, const Regular_plane& plane) const
@@ -75,7 +68,8 @@ private:
   // How much the sum of squared distances may grow.
   double maximum_excess(const Fitted_moments& m) const
   {
-    const double maximum = tolerated_rms * maximum_distance, little = negligible_rms * maximum_distance;
+    const double maximum = tuning::merging::tolerated_rms * maximum_distance;
+    const double little = tuning::merging::negligible_rms * maximum_distance;
     return (std::min)(maximum * maximum * m.scatter.count, std::fma(little * little, m.scatter.count, m.fit.smallest));
   }
 };

@@ -1,14 +1,17 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the points say to a plane: how many would no longer fit.
+// How many points would no longer fit a plane.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MISFIT_COUNTER_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MISFIT_COUNTER_H
 
 #include <CGAL/Tandem/internal/memory/Unset_vector.h>
 #include <CGAL/Tandem/internal/regularity/cluster_directions.h>
-#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+#include <CGAL/Tandem/internal/shapes/Count_scratch.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,11 +21,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Which points of a shape are asked: those whose position has no bit of the mask,
+// Which points of a shape are counted: those whose position has no bit of the mask,
 // so all, every second one, every fourth one ...
 constexpr std::uint32_t no_sample = 0xffffffffu;
 
-// Copies the points that may be asked, those of a cell to one place.
+// Copies the points that may be counted, those of a cell to one place.
 template <class Backend>
 struct Collect_samples {
   Cloud_view cloud;
@@ -72,7 +75,7 @@ struct Count_misfits {
   Cells_view cells;
   const Sample* sample;
   const Range* ranges;           // of samples, by cell
-  const std::uint32_t* query_of; // by shape, no_index if it is not asked
+  const std::uint32_t* query_of; // by shape, no_index if it is not tested
   const Misfit_query* query;
   std::uint32_t* count; // by query
   Tolerance tolerance;
@@ -94,47 +97,35 @@ struct Count_misfits {
   }
 };
 
-// Of a shape with more points than this only a sample is asked whether a plane is
-// tolerable. (Whether a point stays is asked of each one.)
-constexpr std::int64_t sample_size = 512;
-
 inline std::uint32_t sample_mask(const Shape& shape)
 {
   std::uint32_t mask = 0;
-  while(shape.moments.count / (2 * (std::int64_t(mask) + 1)) >= sample_size)
+  while(shape.moments.count / (2 * (std::int64_t(mask) + 1)) >= tuning::verification::sample_size)
     mask = 2 * mask + 1;
   return mask;
 }
 
-// Asks the points: which share of each listed shape (once in the list) fits its local plane, but not
-// the candidate. Planes that hardly move need no answer from the points, and what
-// was asked last, about hardly other planes, is answered from memory.
+// Counts the points that would no longer fit. Planes that hardly move need no count, and what was counted last, for
+// hardly other planes, is remembered.
 template <class Backend>
 class Misfit_counter {
 public:
-  // ids: the shapes that may be asked for. Points keep their labels until the last question.
-  Misfit_counter(Tandem_state<Backend>& t, const Ids& ids)
-    : t_(t), mask_(t.shapes.size(), no_sample), query_of_(t.shapes.size(), no_index), range_(t.number_of_cells)
+  // ids: the shapes that may be tested. Points keep their labels until the last test.
+  Misfit_counter(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options, const Ids& ids)
+    : points_(points), shapes_(shapes), options_(options), mask_(shapes.size(), no_sample),
+      query_of_(shapes.size(), no_index), range_(points.number_of_cells())
   {
-    if(ids.empty())
-      return;
-    if(t.sample.size() == 0)
-      t.sample.reset(t.cloud.size);
-    t.backend.for_each_on_host(ids.size(), [&](std::size_t i) { mask_[ids[i]] = sample_mask(t.shapes[ids[i]]); });
-    std::vector<std::uint32_t> size(1, 0);
-    const auto mask = t.backend.read_access(mask_);
-    const auto counter = t.backend.read_write_access(size);
-    t.backend.template for_each_cell<Count_scratch>(
-      t.number_of_cells, Collect_samples<Backend>{t.cloud, t.cells_view(), t.label.data(), mask.data(), t.sample.data(),
-                                                  counter.data(), range_.data()});
+    if(!ids.empty())
+      collect_samples(ids);
   }
 
-  Unset_vector<double> operator()(const Ids& ids, const Regular_planes& candidates)
+  // The share of the points of each listed shape, once in the list, that fits its local plane, but not the candidate.
+  Unset_vector<double> count(const Ids& ids, const Regular_planes& candidates)
   {
     Unset_vector<double> shares(ids.size());
     Unset_vector<Misfit_query> query(ids.size());
-    const std::int64_t selected = sum_on_host(t_.backend, ids.size(), [&](std::size_t i) {
-      const Shape& shape = t_.shapes[ids[i]];
+    const std::int64_t selected = sum_on_host(points_.backend, ids.size(), [&](std::size_t i) {
+      const Shape& shape = shapes_[ids[i]];
       shares[i] = 0;
       if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
         return 0;
@@ -144,11 +135,11 @@ public:
     });
     if(selected == 0)
       return shares;
-    const std::vector<std::uint32_t> misfits = count(query);
-    t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+    const std::vector<std::uint32_t> misfits = count_samples(query);
+    points_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
       if(std::exchange(query_of_[ids[i]], no_index) == no_index)
         return;
-      Shape& shape = t_.shapes[ids[i]];
+      Shape& shape = shapes_[ids[i]];
       shares[i] = double(misfits[i]) * (double(mask_[ids[i]]) + 1) / double(shape.moments.count);
       shape.last_misfits = {shape.local, candidates[i], shape.moments.count, shares[i]};
     });
@@ -156,15 +147,32 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> count(const Unset_vector<Misfit_query>& query)
+  void collect_samples(const Ids& ids)
   {
+    Backend& backend = points_.backend;
+    if(points_.sample.size() == 0)
+      points_.sample.reset(points_.cloud.size());
+    backend.for_each_on_host(ids.size(), [&](std::size_t i) { mask_[ids[i]] = sample_mask(shapes_[ids[i]]); });
+    std::vector<std::uint32_t> size(1, 0);
+    const auto mask = backend.read_access(mask_);
+    const auto counter = backend.read_write_access(size);
+    backend.template for_each_cell<Count_scratch>(
+      points_.number_of_cells(),
+      Collect_samples<Backend>{points_.cloud.view(), points_.cells_view(), points_.label.data(), mask.data(),
+                               points_.sample.data(), counter.data(), range_.data()});
+  }
+
+  std::vector<std::uint32_t> count_samples(const Unset_vector<Misfit_query>& query)
+  {
+    Backend& backend = points_.backend;
     std::vector<std::uint32_t> misfits(query.size(), 0);
-    const auto index = t_.backend.read_access(query_of_);
-    const auto queries = t_.backend.read_access(query);
-    auto counts = t_.backend.read_write_access(misfits);
-    t_.backend.template for_each_cell<Count_scratch>(
-      t_.number_of_cells, Count_misfits<Backend>{t_.cells_view(), t_.sample.data(), range_.data(), index.data(),
-                                                 queries.data(), counts.data(), t_.options.growth.tolerance});
+    const auto index = backend.read_access(query_of_);
+    const auto queries = backend.read_access(query);
+    auto counts = backend.read_write_access(misfits);
+    backend.template for_each_cell<Count_scratch>(points_.number_of_cells(),
+                                                  Count_misfits<Backend>{points_.cells_view(), points_.sample.data(),
+                                                                         range_.data(), index.data(), queries.data(),
+                                                                         counts.data(), options_.growth.tolerance});
     counts.copy_back();
     return misfits;
   }
@@ -172,23 +180,26 @@ private:
   bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
   {
     const bool is_same = a.normal == b.normal && a.offset == b.offset;
-    return is_same || bound_motion(shape.box, a, b) <= negligible_motion * t_.options.maximum_distance;
+    return is_same || bound_motion(shape.box, a, b) <= tuning::motion::negligible * options_.maximum_distance;
   }
 
+  // Whether the last count is of hardly other points and planes.
   bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
   {
-    const Misfit_record& record = shape.last_misfits;
-    const std::int64_t change = shape.moments.count - record.points;
-    if((change < 0 ? -change : change) * 32 > record.points || !is_still(shape, candidate, record.candidate) ||
-       !is_still(shape, shape.local, record.local))
+    const Misfit_record& last = shape.last_misfits;
+    const std::int64_t change = shape.moments.count - last.points;
+    if((change < 0 ? -change : change) * tuning::verification::points_per_change > last.points ||
+       !is_still(shape, candidate, last.candidate) || !is_still(shape, shape.local, last.local))
       return false;
-    share = record.misfit_share;
+    share = last.misfit_share;
     return true;
   }
 
-  Tandem_state<Backend>& t_;
+  Labeled_cloud<Backend>& points_;
+  Shape_table<Backend>& shapes_;
+  const Options& options_;
   std::vector<std::uint32_t> mask_;                // by shape
-  std::vector<std::uint32_t> query_of_;            // by shape, no_index between questions
+  std::vector<std::uint32_t> query_of_;            // by shape, no_index between two counts
   typename Backend::template Buffer<Range> range_; // of the samples of each cell
 };
 

@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Joint-fit merge: touching shapes that one plane fits as well as their own planes
-// become one shape. Without it slanted surfaces are cut into terraces.
+// Joint-fit merge: touching shapes that one plane fits as well as their own planes become one shape. Without it slanted
+// surfaces are cut into terraces.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_FRAGMENTS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_FRAGMENTS_H
 
 #include <CGAL/Tandem/internal/rounds/Clusters.h>
 #include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
+#include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 #include <algorithm>
 #include <vector>
@@ -17,28 +18,28 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Fewest neighbor relations between two shapes that touch.
-constexpr std::uint32_t minimum_links = 2;
-
-// The targets of a joint-fit merge along the links. Of each union, shapes of which
-// more than the given share of points does not fit the joint plane are left out.
+// The targets of a joint-fit merge along the links. Of each union, shapes of which more than the given share of points
+// does not fit the joint plane are left out.
 template <class Backend>
-std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const Link_list& links, double misfit_share)
+Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                          const Link_list& links, double misfit_share)
 {
-  Clusters<Backend> clusters(t, {t.options.squared_cosine, t.options.maximum_distance});
+  Backend& backend = points.backend;
+  Clusters<Backend> clusters(backend, shapes, {options.squared_cosine, options.maximum_distance});
   clusters.unite_along(links);
-  const Ids ids = chosen_shapes(t, [&](const Shape&, std::uint32_t id) { return clusters.is_merged(id); });
-  std::vector<std::uint32_t> target = identity_targets(t);
+  const Ids ids =
+    chosen_shapes(backend, shapes, [&](const Shape&, std::uint32_t id) { return clusters.is_merged(id); });
+  Targets target = identity_targets(shapes.size());
   if(ids.empty())
     return target;
   Regular_planes planes(ids.size());
   std::vector<std::int64_t> sizes(ids.size());
-  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+  backend.for_each_on_host(ids.size(), [&](std::size_t i) {
     planes[i] = clusters.whole(clusters.root(ids[i])).local;
-    sizes[i] = t.shapes[ids[i]].moments.count;
+    sizes[i] = shapes[ids[i]].moments.count;
   });
-  const Unset_vector<double> shares = Misfit_counter<Backend>{t, ids}(ids, planes);
-  std::vector<std::size_t> first(t.shapes.size(), ids.size()); // per root: the member that stays
+  const Unset_vector<double> shares = Misfit_counter<Backend>(points, shapes, options, ids).count(ids, planes);
+  std::vector<std::size_t> first(shapes.size(), ids.size()); // per root: the member that stays
   for(std::size_t i = 0; i < ids.size(); ++i) {
     if(shares[i] > misfit_share)
       continue;
@@ -46,7 +47,7 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const Lin
     if(stays == ids.size() || sizes[stays] < sizes[i])
       stays = i;
   }
-  t.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+  backend.for_each_on_host(ids.size(), [&](std::size_t i) {
     if(shares[i] <= misfit_share)
       target[ids[i]] = ids[first[clusters.root(ids[i])]];
   });
@@ -55,15 +56,15 @@ std::vector<std::uint32_t> joint_fit_targets(Tandem_state<Backend>& t, const Lin
 
 // Joint-fit merge of all touching shapes; the links follow. Returns whether there was any.
 template <class Backend>
-bool merge_fragments(Tandem_state<Backend>& t, Link_list& links, double misfit_share)
+bool merge_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                     Link_list& links, double misfit_share)
 {
-  const std::vector<std::uint32_t> target = joint_fit_targets(t, links, misfit_share);
-  const bool is_any = std::any_of(t.live.begin(), t.live.end(), [&](std::uint32_t id) { return target[id] != id; });
-  if(!is_any)
+  const Targets target = joint_fit_targets(points, shapes, options, links, misfit_share);
+  if(std::all_of(shapes.live.begin(), shapes.live.end(), [&](std::uint32_t id) { return target[id] == id; }))
     return false;
-  merge_points(t, target);
-  refit_shapes(t);
-  t.backend.for_each_on_host(links.size(), [&](std::size_t i) {
+  merge_points(points, shapes, target);
+  refit_shapes(points.backend, shapes);
+  points.backend.for_each_on_host(links.size(), [&](std::size_t i) {
     const std::uint32_t a = target[links[i].first()], b = target[links[i].second()];
     links[i].pair = a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;
   });

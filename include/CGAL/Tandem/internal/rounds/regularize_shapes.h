@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The regularity step of a round: the shapes that are large enough get the planes
-// of their relations, the others keep their local fits.
+// The regularity step of a round: the shapes that are large enough get the planes of their relations, the others keep
+// their local fits.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H
 
-#include <CGAL/Tandem/internal/rounds/merge_fragments.h>
 #include <CGAL/Tandem/internal/regularity/regularize.h>
+#include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
+#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,87 +18,80 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The relations of some shapes: those of id[i] are the entries i.
-struct Shape_relations {
-  Ids id;
-  Relations relations;
-  std::int64_t points = 0; // of the shapes when the relations were found
+// Which regularity step it is.
+struct Regularity_step {
+  int round;
+  bool is_last; // at the end: also small shapes take part, and those that wait after a rollback
 };
 
 // A shape that was rolled back tries again when it has grown, or after 2, 4, 8 ... rounds.
 inline void schedule_retry(Shape& shape, int round)
 {
-  shape.rollbacks = (std::min)(shape.rollbacks + 1, 5);
+  shape.rollbacks = (std::min)(shape.rollbacks + 1, tuning::verification::maximum_rollbacks);
   shape.retry_round = round + (1 << shape.rollbacks);
-  shape.retry_count = shape.moments.count + shape.moments.count / 4;
+  shape.retry_count = shape.moments.count + shape.moments.count / tuning::verification::retry_growth_divisor;
 }
 
-// What the points say to the regularity step: see Verified_planes.h.
+// The verification of planes by the points: see Verified_planes.h.
 template <class Backend>
 class Point_verifier {
 public:
   // ids: of the shapes of the step.
-  Point_verifier(Tandem_state<Backend>& t, const Ids& ids) : t_(t), ids_(ids), count_(t, ids) {}
+  Point_verifier(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options, const Ids& ids)
+    : backend_(points.backend), shapes_(shapes), ids_(ids), misfits_(points, shapes, options, ids)
+  {}
 
-  void operator()(const std::vector<int>& shapes, const Regular_planes& candidates, std::vector<std::int64_t>& counts)
+  void operator()(const std::vector<int>& entries, const Regular_planes& candidates, std::vector<std::int64_t>& counts)
   {
-    Ids ids(shapes.size());
+    Ids ids(entries.size());
     for(std::size_t i = 0; i < ids.size(); ++i)
-      ids[i] = ids_[std::size_t(shapes[i])];
-    const Unset_vector<double> shares = count_(ids, candidates);
-    t_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-      counts[i] = std::int64_t(shares[i] * double(t_.shapes[ids[i]].moments.count));
-    });
+      ids[i] = ids_[std::size_t(entries[i])];
+    const Unset_vector<double> shares = misfits_.count(ids, candidates);
+    backend_.for_each_on_host(
+      ids.size(), [&](std::size_t i) { counts[i] = std::int64_t(shares[i] * double(shapes_[ids[i]].moments.count)); });
   }
 
   template <class F>
   void for_each(std::size_t n, F f, std::size_t few) const
   {
-    t_.backend.for_each_on_host(n, f, few);
+    backend_.for_each_on_host(n, f, few);
   }
 
 private:
-  Tandem_state<Backend>& t_;
+  Backend& backend_;
+  const Shape_table<Backend>& shapes_;
   const Ids& ids_;
-  Misfit_counter<Backend> count_;
+  Misfit_counter<Backend> misfits_;
 };
-
-// Relations are found anew when shapes have gained, lost or exchanged this share of their points, in the loop
-// and in the end game. Until then they hold on: in the late rounds little changes. (With a period of more than one
-// round they never do.)
-constexpr double changed_share = 0.05, changed_share_at_end = 0.03;
 
 // A shape without relations, or in the loop one that has changed much by itself, is not held by those found before. (In
 // the end game all of its points fit its plane.)
-inline bool is_held(const Shape& shape, bool is_end)
+inline bool is_held(const Shape& shape, bool is_last)
 {
   const std::int64_t before = shape.regular_count; // 0 if it has none
-  return is_end ? before > 0 : 4 * std::abs(shape.moments.count - before) <= before;
+  return is_last ? before > 0
+                 : tuning::relations::points_per_held_change * std::abs(shape.moments.count - before) <= before;
 }
 
+// Whether shapes have gained, lost or exchanged so many points since that relations are to be found anew. Until then
+// they hold on: in the late rounds little changes. (With a period of more than one round they never do.)
 template <class Backend>
-bool have_changed(const Tandem_state<Backend>& t, const Ids& ids, const Shape_relations& before, bool is_end)
+bool have_changed(Backend& backend, const Shape_table<Backend>& shapes, const Ids& ids, std::int64_t points_before,
+                  bool is_last)
 {
   const auto change = [&](std::size_t i) { // less the points that are still there
-    const Shape& shape = t.shapes[ids[i]];
+    const Shape& shape = shapes[ids[i]];
     return std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
   };
-  const std::int64_t changed = before.points + sum_on_host(t.backend, ids.size(), change);
-  return double(changed) > (is_end ? changed_share_at_end : changed_share) * double(t.assigned);
-}
-
-// The entry has a plane, and a direction, that no other one has.
-inline void set_own_plane(Relations& r, std::size_t entry, const Regular_plane& plane)
-{
-  r.direction_of[entry] = int(r.directions.size());
-  r.plane_of[entry] = int(r.planes.size());
-  r.directions.push_back(plane.normal);
-  r.planes.push_back(plane);
+  const std::int64_t changed = points_before + sum_on_host(backend, ids.size(), change);
+  const double share = is_last ? tuning::relations::changed_share_at_end : tuning::relations::changed_share;
+  return double(changed) > share * double(shapes.assigned);
 }
 
 // Shapes that are held keep the planes of their relations, the others stay at their local planes.
 template <class Backend>
-Shape_relations keep_relations(Tandem_state<Backend>& t, const Ids& ids, const Shape_relations& before, bool is_end)
+Shape_relations keep_relations(Shape_table<Backend>& shapes, const Ids& ids, const Shape_relations& before,
+                               bool is_last)
 {
   const std::size_t n = ids.size();
   Shape_relations r = {ids, before.relations, before.points};
@@ -105,8 +99,8 @@ Shape_relations keep_relations(Tandem_state<Backend>& t, const Ids& ids, const S
   r.relations.plane_of.assign(n, -1);
   r.relations.is_rolled_back.assign(n, 0);
   for(std::size_t i = 0; i < n; ++i) {
-    Shape& shape = t.shapes[ids[i]];
-    if(is_held(shape, is_end)) {
+    Shape& shape = shapes[ids[i]];
+    if(is_held(shape, is_last)) {
       r.relations.direction_of[i] = before.relations.direction_of[std::size_t(shape.entry)];
       r.relations.plane_of[i] = before.relations.plane_of[std::size_t(shape.entry)];
     } else {
@@ -118,75 +112,65 @@ Shape_relations keep_relations(Tandem_state<Backend>& t, const Ids& ids, const S
   return r;
 }
 
-// retry_all: in the end game, also small shapes and those that wait. `before`: the relations of the last step.
+// All shapes are at their local planes afterwards. Returns those that are large enough to have relations.
 template <class Backend>
-Shape_relations regularize_shapes(Tandem_state<Backend>& t, bool retry_all, const Shape_relations& before)
+Ids reset_planes(Backend& backend, Shape_table<Backend>& shapes, std::int64_t minimum_size)
 {
-  const bool is_due = retry_all || (t.round + 1) % t.options.regularity_period == 0;
-  const std::int64_t minimum = retry_all ? t.options.minimum_regular_size : t.options.minimum_related_size;
-  Shape_relations r;
-  r.id = chosen_shapes(t, [&](const Shape&, std::uint32_t id) {
-    Shape& shape = t.shapes[id];
+  return chosen_shapes(backend, shapes, [&](const Shape&, std::uint32_t id) {
+    Shape& shape = shapes[id];
     shape.plane = shape.local;
-    if(shape.moments.count < minimum)
+    if(shape.moments.count < minimum_size)
       shape.regular_count = 0;
-    return shape.moments.count >= minimum;
+    return shape.moments.count >= minimum_size;
   });
-  const bool is_first = retry_all && before.id.empty(); // those of the loop are of other shapes
-  if(is_due && !is_first && !have_changed(t, r.id, before, retry_all))
-    return keep_relations(t, r.id, before, retry_all);
-  Shape_fits fits(r.id.size());
-  std::vector<char> is_excluded(r.id.size());
-  t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
-    const Shape& shape = t.shapes[r.id[i]];
+}
+
+// Finds the relations of the listed shapes; without is_due only the planes through their centroids.
+template <class Backend>
+Shape_relations find_relations(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                               const Regularity_step& step, const Ids& ids)
+{
+  Backend& backend = points.backend;
+  const bool is_due = step.is_last || (step.round + 1) % options.regularity_period == 0;
+  Shape_fits fits(ids.size());
+  std::vector<char> is_excluded(ids.size());
+  backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+    const Shape& shape = shapes[ids[i]];
     fits[i] = {shape.scatter, shape.fit};
-    const bool is_waiting = t.round < shape.retry_round && shape.moments.count < shape.retry_count;
-    is_excluded[i] = !is_due || (!retry_all && is_waiting);
+    const bool is_waiting = step.round < shape.retry_round && shape.moments.count < shape.retry_count;
+    is_excluded[i] = !is_due || (!step.is_last && is_waiting);
   });
-  Point_verifier<Backend> verify(t, r.id);
-  Regularity_options options = t.options.regularity;
-  options.is_last = retry_all;
-  r.relations = regularize(fits, is_excluded, options, verify);
-  r.points = sum_on_host(t.backend, r.id.size(), [&](std::size_t i) {
-    Shape& shape = t.shapes[r.id[i]];
+  Point_verifier<Backend> verify(points, shapes, options, ids);
+  Regularity_options regularity = options.regularity;
+  regularity.is_last = step.is_last;
+  Shape_relations r;
+  r.id = ids;
+  r.relations = regularize(fits, is_excluded, regularity, verify);
+  r.points = sum_on_host(backend, ids.size(), [&](std::size_t i) {
+    Shape& shape = shapes[ids[i]];
     shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
     shape.entry = int(i);
     shape.regular_count = is_due ? shape.moments.count : 0;
     if(r.relations.is_rolled_back[i])
-      schedule_retry(shape, t.round);
+      schedule_retry(shape, step.round);
     return shape.regular_count;
   });
   return r;
 }
 
-// Touching shapes of one plane become one shape.
+// `before`: the relations of the last step.
 template <class Backend>
-std::vector<std::uint32_t> coplanar_targets(Tandem_state<Backend>& t, const Shape_relations& r, const Link_list& links)
+Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                                  const Regularity_step& step, const Shape_relations& before)
 {
-  std::vector<int> plane_of(t.shapes.size(), -1);
-  for(std::size_t i = 0; i < r.id.size(); ++i)
-    plane_of[r.id[i]] = r.relations.plane_of[i];
-  const auto itself = [](std::size_t i) { return std::uint32_t(i); };
-  const Ids coplanar = part_on_host(t.backend, links.size(), itself, [&](std::uint32_t i) {
-                         const int plane = plane_of[links[i].first()];
-                         return plane >= 0 && plane == plane_of[links[i].second()]; // what is united has one plane
-                       }).chosen;
-  Unions unions(t.shapes.size());
-  std::vector<std::uint32_t> united;
-  for(std::uint32_t i : coplanar) {
-    std::uint32_t a = unions.root(links[i].first()), b = unions.root(links[i].second());
-    if(a == b)
-      continue;
-    const std::int64_t na = t.shapes[a].moments.count, nb = t.shapes[b].moments.count;
-    if(na < nb || (na == nb && b < a))
-      std::swap(a, b);
-    unions.set_parent(b, a);
-    united.push_back(b);
-  }
-  std::vector<std::uint32_t> target = identity_targets(t);
-  for(std::uint32_t id : united)
-    target[id] = unions.root(id);
-  return target;
+  Backend& backend = points.backend;
+  const Ids ids =
+    reset_planes(backend, shapes, step.is_last ? options.minimum_regular_size : options.minimum_related_size);
+  const bool is_due = step.is_last || (step.round + 1) % options.regularity_period == 0;
+  const bool is_first = step.is_last && before.id.empty(); // those of the loop are of other shapes
+  if(is_due && !is_first && !have_changed(backend, shapes, ids, before.points, step.is_last))
+    return keep_relations(shapes, ids, before, step.is_last);
+  return find_relations(points, shapes, options, step, ids);
 }
 
 } // namespace internal

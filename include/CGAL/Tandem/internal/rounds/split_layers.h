@@ -10,15 +10,15 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_LAYERS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_LAYERS_H
 
-#include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
+#include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
+#include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
+#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Of the distances to the plane, over [-2, 2] epsilon.
-constexpr int histogram_bins = 64;
-// Fewer of them are left to one thread.
+// Fewer histograms are left to one thread.
 constexpr std::size_t few_histograms = 16;
 
 template <class Backend>
@@ -26,9 +26,9 @@ struct Count_distances {
   Cloud_view cloud;
   Cells_view cells;
   const std::uint32_t* label;
-  const std::uint32_t* histogram_of; // by shape, no_index if not asked
+  const std::uint32_t* histogram_of; // by shape, no_index if not examined
   const Plane* plane;                // by histogram
-  std::uint32_t* histogram;          // histogram_bins each
+  std::uint32_t* histogram;          // tuning::layers::bins each
   std::int64_t epsilon;
 
   template <class Block>
@@ -42,23 +42,31 @@ struct Count_distances {
       if(s >= first_mark || histogram_of[s] == no_index)
         return;
       const std::uint32_t h = histogram_of[s];
-      const std::int64_t bin = (signed_distance(plane[h], cloud.point[cell.first + at]) + 2 * epsilon) / (epsilon / 16);
-      if(bin >= 0 && bin < histogram_bins)
-        Backend::atomic_add(histogram[h * histogram_bins + std::uint32_t(bin)], 1u);
+      const std::int64_t from_first = signed_distance(plane[h], cloud.point[cell.first + at]) + 2 * epsilon;
+      const std::int64_t bin = from_first / (epsilon / tuning::layers::bins_per_distance);
+      if(bin >= 0 && bin < tuning::layers::bins)
+        Backend::atomic_add(histogram[h * tuning::layers::bins + std::uint32_t(bin)], 1u);
     });
   }
 };
 
+// Histograms of the distances of the points to one plane for some shapes.
+struct Distance_histograms {
+  std::vector<std::uint32_t> of;    // by shape: its histogram, or no_index
+  std::vector<Plane> plane;         // by histogram
+  std::vector<std::uint32_t> count; // tuning::layers::bins for each
+};
+
 template <class Backend>
-void count_distances(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& histogram_of,
-                     const std::vector<Plane>& planes, std::vector<std::uint32_t>& histogram)
+void count_distances(Labeled_cloud<Backend>& points, std::int64_t epsilon, Distance_histograms& histograms)
 {
-  const auto index = t.backend.read_access(histogram_of);
-  const auto plane = t.backend.read_access(planes);
-  auto counts = t.backend.read_write_access(histogram);
-  t.backend.template for_each_cell<Count_scratch>(
-    t.number_of_cells, Count_distances<Backend>{t.cloud, t.cells_view(), t.label.data(), index.data(), plane.data(),
-                                                counts.data(), t.options.growth.tolerance.distance});
+  Backend& backend = points.backend;
+  const auto index = backend.read_access(histograms.of);
+  const auto plane = backend.read_access(histograms.plane);
+  auto counts = backend.read_write_access(histograms.count);
+  backend.template for_each_cell<Count_scratch>(
+    points.number_of_cells(), Count_distances<Backend>{points.cloud.view(), points.cells_view(), points.label.data(),
+                                                       index.data(), plane.data(), counts.data(), epsilon});
   counts.copy_back();
 }
 
@@ -66,24 +74,23 @@ void count_distances(Tandem_state<Backend>& t, const std::vector<std::uint32_t>&
 // clearly higher than the middle, or the shape is known to be crooked.
 inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
 {
-  // A Gaussian of sigma = epsilon / 6, at the distance of 0, 1, 2 ... bins. (A wider one
-  // hides the gap between layers of noise that are 1.1 epsilon apart.)
-  static const std::int64_t weight[8] = {1000, 932, 755, 531, 325, 172, 80, 32};
-  auto density = [&](int bin) {
+  using namespace tuning::layers;
+  const auto density = [&](int bin) {
     std::int64_t sum = 0;
-    for(int b = (std::max)(0, bin - 7); b <= (std::min)(histogram_bins - 1, bin + 7); ++b)
-      sum += weight[b < bin ? bin - b : b - bin] * std::int64_t(histogram[b]);
+    const int first = (std::max)(0, bin - kernel_size + 1), last = (std::min)(bins - 1, bin + kernel_size - 1);
+    for(int b = first; b <= last; ++b)
+      sum += kernel[b < bin ? bin - b : b - bin] * std::int64_t(histogram[b]);
     return sum;
   };
-  const std::int64_t middle = (density(histogram_bins / 2 - 1) + density(histogram_bins / 2)) / 2;
+  const std::int64_t middle = (density(bins / 2 - 1) + density(bins / 2)) / 2;
   std::int64_t highest = 0;
   int peak = 0;
-  for(int bin = 0; bin < histogram_bins; ++bin)
+  for(int bin = 0; bin < bins; ++bin)
     if(density(bin) > highest) {
       highest = density(bin);
       peak = bin;
     }
-  return is_crooked || highest * 2 >= middle * 3 ? (peak + 0.5) / 16 - 2 : 0;
+  return is_crooked || peak_height.is_reached(highest, middle) ? (peak + 0.5) / bins_per_distance - 2 : 0;
 }
 
 struct Lean_query {
@@ -97,7 +104,7 @@ struct Sum_normals {
   Cloud_view cloud;
   Cells_view cells;
   const std::uint32_t* label;
-  const std::uint32_t* query_of; // by shape, no_index if not asked
+  const std::uint32_t* query_of; // by shape, no_index if not examined
   const Lean_query* query;
   std::int64_t* sum; // by query, 3 each
 
@@ -122,106 +129,124 @@ struct Sum_normals {
 };
 
 template <class Backend>
-std::vector<std::int64_t> sum_normals(Tandem_state<Backend>& t, const std::vector<std::uint32_t>& query_of,
+std::vector<std::int64_t> sum_normals(Labeled_cloud<Backend>& points, const std::vector<std::uint32_t>& query_of,
                                       const std::vector<Lean_query>& query)
 {
+  Backend& backend = points.backend;
   std::vector<std::int64_t> sum(3 * query.size(), 0);
-  const auto index = t.backend.read_access(query_of);
-  const auto queries = t.backend.read_access(query);
-  auto sums = t.backend.read_write_access(sum);
-  t.backend.template for_each_cell<Count_scratch>(
-    t.number_of_cells,
-    Sum_normals<Backend>{t.cloud, t.cells_view(), t.label.data(), index.data(), queries.data(), sums.data()});
+  const auto index = backend.read_access(query_of);
+  const auto queries = backend.read_access(query);
+  auto sums = backend.read_write_access(sum);
+  backend.template for_each_cell<Count_scratch>(
+    points.number_of_cells(), Sum_normals<Backend>{points.cloud.view(), points.cells_view(), points.label.data(),
+                                                   index.data(), queries.data(), sums.data()});
   sums.copy_back();
   return sum;
 }
 
-// A shape may be two layers if its points' normals lean by more than about 4 degrees
-// to one side of its plane (the sine), or their distances are spread (rms, in epsilons).
-constexpr double suspicious_lean = 0.07;
-constexpr double suspicious_rms = 0.45;
-// By more than about 6 degrees to the best plane through them: it bridges layers,
-// whether or not noise fills the gap between them.
-constexpr double certain_lean = 0.1;
-constexpr std::int64_t crooked_size = 100; // the normals of fewer points, at edges, may lean by themselves
-
-// The planes, along the mean normals of the points, about which the distances of
-// suspicious shapes are to be counted; the entries of `r` that they belong to.
+// The entries of shapes that are large enough, and have grown since they were examined last.
 template <class Backend>
-std::vector<std::size_t> suspicious_shapes(Tandem_state<Backend>& t, const Shape_relations& r, Regular_planes& planes)
+std::vector<std::size_t> entries_to_examine(Backend& backend, const Shape_table<Backend>& shapes, const Ids& ids)
 {
-  std::vector<char> is_selected(r.id.size());
-  t.backend.for_each_on_host(r.id.size(), [&](std::size_t i) {
-    const Shape& shape = t.shapes[r.id[i]];
-    is_selected[i] =
-      shape.moments.count >= reliable_normal_size && shape.moments.count * 10 >= shape.layered_count * 11;
-  });
-  std::vector<std::uint32_t> query_of(t.shapes.size(), no_index);
-  std::vector<std::size_t> selected;
-  for(std::size_t i = 0; i < r.id.size(); ++i)
-    if(is_selected[i]) {
-      query_of[r.id[i]] = std::uint32_t(selected.size());
-      selected.push_back(i);
-    }
-  std::vector<Lean_query> query(selected.size());
-  t.backend.for_each_on_host(selected.size(), [&](std::size_t q) {
-    Shape& shape = t.shapes[r.id[selected[q]]];
-    query[q] = {sample_mask(shape), rounded(shape.plane)};
-    shape.layered_count = shape.moments.count;
+  std::vector<char> is_chosen(ids.size());
+  backend.for_each_on_host(ids.size(), [&](std::size_t i) {
+    const Shape& shape = shapes[ids[i]];
+    is_chosen[i] = shape.moments.count >= tuning::merging::reliable_normal_size &&
+                   tuning::layers::examined_growth.is_reached(shape.moments.count, shape.layered_count);
   });
   std::vector<std::size_t> entries;
-  if(selected.empty())
-    return entries;
-  const std::vector<std::int64_t> sum = sum_normals(t, query_of, query);
-  const double maximum = suspicious_rms * t.options.maximum_distance;
-  std::vector<Vector> mean(selected.size());
-  std::vector<char> is_suspicious(selected.size());
-  t.backend.for_each_on_host(selected.size(), [&](std::size_t q) {
-    const Shape& shape = t.shapes[r.id[selected[q]]];
-    const std::int64_t* s = sum.data() + 3 * q;
-    mean[q] = unit({double(s[0]), double(s[1]), double(s[2])});
-    const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
-    is_suspicious[q] =
-      length(cross(mean[q], shape.plane.normal)) > suspicious_lean || squares > maximum * maximum * shape.scatter.count;
-  });
-  for(std::size_t q = 0; q < selected.size(); ++q)
-    if(is_suspicious[q]) {
-      entries.push_back(selected[q]);
-      planes.push_back(plane_through(mean[q], t.shapes[r.id[selected[q]]].scatter.centroid));
-    }
+  for(std::size_t i = 0; i < ids.size(); ++i)
+    if(is_chosen[i])
+      entries.push_back(i);
   return entries;
 }
 
+// The mean normals of the points of these entries.
 template <class Backend>
-void split_layers(Tandem_state<Backend>& t, Shape_relations& r)
+std::vector<Vector> mean_normals(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Ids& ids,
+                                 const std::vector<std::size_t>& entries)
 {
-  Regular_planes planes;
-  const std::vector<std::size_t> entries = suspicious_shapes(t, r, planes);
+  std::vector<std::uint32_t> query_of(shapes.size(), no_index);
+  for(std::size_t q = 0; q < entries.size(); ++q)
+    query_of[ids[entries[q]]] = std::uint32_t(q);
+  std::vector<Lean_query> query(entries.size());
+  points.backend.for_each_on_host(entries.size(), [&](std::size_t q) {
+    Shape& shape = shapes[ids[entries[q]]];
+    query[q] = {sample_mask(shape), rounded(shape.plane)};
+    shape.layered_count = shape.moments.count;
+  });
+  const std::vector<std::int64_t> sum = sum_normals(points, query_of, query);
+  std::vector<Vector> mean(entries.size());
+  points.backend.for_each_on_host(entries.size(), [&](std::size_t q) {
+    const std::int64_t* s = sum.data() + 3 * q;
+    mean[q] = unit({double(s[0]), double(s[1]), double(s[2])});
+  });
+  return mean;
+}
+
+// A shape that may be two layers.
+struct Suspect {
+  std::size_t entry;
+  Regular_plane plane; // along the mean normal of its points
+};
+
+template <class Backend>
+std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Ids& ids,
+                                       double epsilon)
+{
+  std::vector<Suspect> suspects;
+  const std::vector<std::size_t> entries = entries_to_examine(points.backend, shapes, ids);
   if(entries.empty())
+    return suspects;
+  const std::vector<Vector> mean = mean_normals(points, shapes, ids, entries);
+  const double maximum = tuning::layers::suspicious_rms * epsilon;
+  std::vector<char> is_suspicious(entries.size());
+  points.backend.for_each_on_host(entries.size(), [&](std::size_t q) {
+    const Shape& shape = shapes[ids[entries[q]]];
+    const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
+    is_suspicious[q] = length(cross(mean[q], shape.plane.normal)) > tuning::layers::suspicious_lean ||
+                       squares > maximum * maximum * shape.scatter.count;
+  });
+  for(std::size_t q = 0; q < entries.size(); ++q)
+    if(is_suspicious[q])
+      suspects.push_back({entries[q], plane_through(mean[q], shapes[ids[entries[q]]].scatter.centroid)});
+  return suspects;
+}
+
+// Shapes of two layers leave their relations for the plane of one of them.
+template <class Backend>
+void split_layers(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                  Shape_relations& r)
+{
+  std::vector<Suspect> suspects = suspicious_shapes(points, shapes, r.id, options.maximum_distance);
+  if(suspects.empty())
     return;
-  std::vector<std::uint32_t> histogram_of(t.shapes.size(), no_index), histogram(entries.size() * histogram_bins, 0);
-  std::vector<Plane> integer_planes;
-  for(std::size_t h = 0; h < entries.size(); ++h) {
-    histogram_of[r.id[entries[h]]] = std::uint32_t(h);
-    integer_planes.push_back(rounded(planes[h]));
+  Distance_histograms histograms;
+  histograms.of.assign(shapes.size(), no_index);
+  histograms.count.assign(suspects.size() * tuning::layers::bins, 0);
+  for(std::size_t h = 0; h < suspects.size(); ++h) {
+    histograms.of[r.id[suspects[h].entry]] = std::uint32_t(h);
+    histograms.plane.push_back(rounded(suspects[h].plane));
   }
-  count_distances(t, histogram_of, integer_planes, histogram);
-  std::vector<double> layer(entries.size());
-  t.backend.for_each_on_host(
-    entries.size(),
+  count_distances(points, options.growth.tolerance.distance, histograms);
+  std::vector<double> layer(suspects.size());
+  points.backend.for_each_on_host(
+    suspects.size(),
     [&](std::size_t h) {
-      const Shape& shape = t.shapes[r.id[entries[h]]];
+      const Shape& shape = shapes[r.id[suspects[h].entry]];
       const bool is_crooked =
-        shape.moments.count >= crooked_size && length(cross(planes[h].normal, shape.local.normal)) > certain_lean;
-      layer[h] = find_layer(histogram.data() + h * histogram_bins, is_crooked);
+        shape.moments.count >= tuning::layers::minimum_size &&
+        length(cross(suspects[h].plane.normal, shape.local.normal)) > tuning::layers::certain_lean;
+      layer[h] = find_layer(histograms.count.data() + h * tuning::layers::bins, is_crooked);
     },
     few_histograms);
-  for(std::size_t h = 0; h < entries.size(); ++h) {
+  for(std::size_t h = 0; h < suspects.size(); ++h) {
     if(layer[h] == 0)
       continue;
-    planes[h].offset = std::fma(layer[h], t.options.maximum_distance, planes[h].offset);
-    t.shapes[r.id[entries[h]]].plane = planes[h];
-    set_own_plane(r.relations, entries[h], planes[h]); // it has left its relations
+    Regular_plane& plane = suspects[h].plane;
+    plane.offset = std::fma(layer[h], options.maximum_distance, plane.offset);
+    shapes[r.id[suspects[h].entry]].plane = plane;
+    set_own_plane(r.relations, suspects[h].entry, plane);
   }
 }
 

@@ -66,6 +66,18 @@ struct Shape_run {
   }
 };
 
+// The sums of all shapes, as a cell adds to them: its moments are relative to one of its points.
+struct Cell_sums {
+  const Grid_point& base;
+  Shared_moments* sum; // by shape
+
+  template <class Backend>
+  CGAL_TANDEM_HD void add(std::uint32_t s, const Cell_moments& m, const Box& box) const
+  {
+    atomic_add<Backend>(sum[s], shifted(m, base.x, base.y, base.z), box);
+  }
+};
+
 // Open addressing with a bounded probe: what finds no place goes to the shape at once.
 struct Moment_table {
   static constexpr std::uint32_t slots = 64;
@@ -97,35 +109,33 @@ struct Moment_table {
     return slots;
   }
 
-  // base: that of the run.
   template <class Backend, class Block>
-  CGAL_TANDEM_HD void add(Block& block, const Shape_run& run, const Grid_point& base, Shared_moments* target)
+  CGAL_TANDEM_HD void add(Block& block, const Shape_run& run, const Cell_sums& target)
   {
     if(run.shape == no_index)
       return;
     const std::uint32_t slot = claim(block, run.shape);
     if(slot == slots)
-      return atomic_add<Backend>(target[run.shape], shifted(run.moments, base.x, base.y, base.z), run.box);
+      return target.template add<Backend>(run.shape, run.moments, run.box);
     block.add_moments(moments[slot], run.moments);
     block.add_box(box[slot], run.box);
   }
 
   template <class Backend, class Block>
-  CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, const Grid_point& base, int sign,
-                          Shared_moments* target)
+  CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, int sign, const Cell_sums& target)
   {
     Shape_run run;
     run.shape = s;
-    run.add(p, base, sign);
-    add<Backend>(block, run, base, target);
+    run.add(p, target.base, sign);
+    add<Backend>(block, run, target);
   }
 
   template <class Backend, class Block>
-  CGAL_TANDEM_HD void flush(Block& block, const Grid_point& base, Shared_moments* target)
+  CGAL_TANDEM_HD void flush(Block& block, const Cell_sums& target)
   {
     block.for_each(slots, [&](std::uint32_t i) {
       if(shape[i] != no_index)
-        atomic_add<Backend>(target[shape[i]], shifted(moments[i], base.x, base.y, base.z), box[i]);
+        target.template add<Backend>(shape[i], moments[i], box[i]);
     });
   }
 };

@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
 
+#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 namespace CGAL {
@@ -17,10 +18,8 @@ struct Growth_options {
   int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin
   int seed_tries;          // candidates that may fail in one pass
   std::uint32_t core_size; // fewest points that a shape begins with
+  std::size_t cell_size;   // most points of a cell
 };
-
-constexpr int young_seeds_in_flight = 8; // in the first rounds
-constexpr int maximum_seeds_in_flight = 32;
 
 // Points of a cell, at most: the queue of a small one fits into fast memory.
 constexpr std::uint32_t small_cell = 8192;
@@ -36,7 +35,7 @@ struct Exact_bounds {
     const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
     const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
     const double e = std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
-    return std::fma(size, 1e-15, std::fabs(e)) <= maximum_distance;
+    return std::fma(size, tuning::exactness::evaluation_margin, std::fabs(e)) <= maximum_distance;
   }
 
   bool is_aligned(const Coefficients& c, const Vector& n) const
@@ -45,11 +44,8 @@ struct Exact_bounds {
   }
 };
 
-constexpr double rounded_normal_margin = 2e-7;
-
-// In grid steps and integers; see design section 5 and the constants beside.
+// Lengths are grid steps. See the manual, "Parameters", and Tuning.h.
 struct Options {
-  std::size_t cell_size; // most points of a cell
   Growth_options growth;
   Regularity_options regularity;
   double maximum_distance; // epsilon
@@ -57,7 +53,7 @@ struct Options {
   std::int64_t minimum_region_size;
   std::int64_t minimum_regular_size;  // smaller shapes keep their local plane in the end game ...
   std::int64_t minimum_related_size;  // ... and these in the loop
-  std::int64_t minimum_fragment_size; // smaller shapes are given up when they stop growing
+  std::int64_t minimum_fragment_size; // smaller shapes are dissolved when they stop growing
   Tolerance tight;                    // of the second criterion of seeds
   Tolerance certain;                  // bounds within which the exact check is not needed
   Exact_bounds exact;                 // in the caller's units

@@ -10,7 +10,7 @@
 #define CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
 
 #include <CGAL/Tandem/internal/base/Box.h>
-#include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
 #include <vector>
 
@@ -48,11 +48,12 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
   return p;
 }
 
-// The candidates of a cell are seed[cell.first] ... seed[cell.first + count[c] - 1].
+// The candidates of a cell are seed[cell.first] ... seed[cell.first + count[c] - 1]; those before cursor[c] are used up.
 template <class Backend>
 struct Seeds {
   typename Backend::template Buffer<std::uint32_t> seed;
   std::vector<std::uint32_t> count;
+  std::vector<std::uint32_t> cursor;
 };
 
 constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
@@ -121,19 +122,22 @@ struct Take_seeds {
   }
 };
 
-// The cells are a table of the back end.
 template <class Backend>
-Seeds<Backend> order_seeds(Backend& backend, const Cloud_view& cloud, const Range* cells, std::size_t size,
-                           const Seed_bounds& bounds)
+Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bounds)
 {
-  typename Backend::template Buffer<std::uint64_t> key(cloud.size);
+  Backend& backend = points.backend;
+  const std::size_t n = points.cloud.size(), cells = points.number_of_cells();
+  typename Backend::template Buffer<std::uint64_t> key(n);
   Seeds<Backend> seeds;
-  seeds.seed.reset(cloud.size);
-  seeds.count.resize(size);
+  seeds.seed.reset(n);
+  seeds.count.resize(cells);
+  seeds.cursor.assign(cells, 0);
   auto count = backend.write_access(seeds.count);
-  backend.template for_each_cell<Box_scratch>(size, Rate_seeds{cloud, cells, key.data(), bounds});
-  backend.sort_ranges(key.data(), cells, size, cloud.size, bounds.cell_size);
-  backend.template for_each_cell<Box_scratch>(size, Take_seeds{cells, key.data(), seeds.seed.data(), count.data()});
+  backend.template for_each_cell<Box_scratch>(cells,
+                                              Rate_seeds{points.cloud.view(), points.cells.data(), key.data(), bounds});
+  backend.sort_ranges(key.data(), points.cells.data(), cells, n, bounds.cell_size);
+  backend.template for_each_cell<Box_scratch>(
+    cells, Take_seeds{points.cells.data(), key.data(), seeds.seed.data(), count.data()});
   count.copy_back();
   return seeds;
 }

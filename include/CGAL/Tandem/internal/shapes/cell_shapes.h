@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_CELL_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_CELL_SHAPES_H
 
-#include <CGAL/Tandem/internal/shapes/Tandem_state.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -56,10 +56,10 @@ private:
 
 // To be called when points have got new labels. Points that lose theirs may stay listed.
 template <class Backend>
-void list_shapes(Tandem_state<Backend>& t)
+void list_shapes(Labeled_cloud<Backend>& points)
 {
-  t.backend.template for_each_cell<List_scratch>(t.number_of_cells,
-                                                 List_shapes{t.cells.data(), t.label.data(), t.cell_shapes.data()});
+  points.backend.template for_each_cell<List_scratch>(
+    points.number_of_cells(), List_shapes{points.cells.data(), points.label.data(), points.cell_shapes.data()});
 }
 
 // Gives the shapes of a list their new labels; those with a mark leave it. `labels` has room for a list.

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_DELTAS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_DELTAS_H
 
-#include <CGAL/Tandem/internal/shapes/Tandem_state.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
 namespace CGAL {
@@ -43,20 +43,20 @@ struct Take_sums {
 // The sums of all shapes, zero, to be handed to the functors of a pass. A growth pass has more
 // ids than shapes.
 template <class Backend>
-Shared_moments* start_deltas(Tandem_state<Backend>& t, std::size_t ids)
+Shared_moments* start_deltas(Backend& backend, Shape_table<Backend>& shapes, std::size_t ids)
 {
-  if(t.delta.size() < ids) {
-    t.delta.reset(ids + ids / 2);
-    t.backend.for_each(t.delta.size(), Clear_sums{t.delta.data()});
+  if(shapes.delta.size() < ids) {
+    shapes.delta.reset(ids + ids / 2);
+    backend.for_each(shapes.delta.size(), Clear_sums{shapes.delta.data()});
   }
-  return t.delta.data();
+  return shapes.delta.data();
 }
 
 // After the pass: the sums of the shapes that it has met, by id.
 template <class Backend>
-Host_buffer<Shape_delta> take_deltas(Tandem_state<Backend>& t, std::size_t ids)
+Host_buffer<Shape_delta> take_deltas(Backend& backend, Shape_table<Backend>& shapes, std::size_t ids)
 {
-  return t.backend.template collect<Shape_delta>(ids, Take_sums{t.delta.data()});
+  return backend.template collect<Shape_delta>(ids, Take_sums{shapes.delta.data()});
 }
 
 } // namespace internal

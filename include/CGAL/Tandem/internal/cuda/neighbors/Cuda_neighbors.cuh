@@ -19,18 +19,25 @@ constexpr int largest_packet_k = 20;
 constexpr int largest_cuda_k = 64;
 constexpr unsigned neighbor_lanes = 128;
 
-inline Neighbor_task make_neighbor_task(const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor,
-                                        void* scratch)
+// The rows of k neighbors of n points; pointers to memory of the current device that are aligned to 16 bytes.
+struct Neighbor_rows {
+  const Grid_point* point;
+  std::uint32_t n;
+  int k;
+  std::uint32_t* neighbor;
+};
+
+inline Neighbor_task make_neighbor_task(const Neighbor_rows& rows, void* scratch)
 {
   Neighbor_task task;
-  task.point = reinterpret_cast<const int4*>(point);
-  task.n = n;
-  task.k = k;
-  task.neighbor = neighbor;
+  task.point = reinterpret_cast<const int4*>(rows.point);
+  task.n = rows.n;
+  task.k = rows.k;
+  task.neighbor = rows.neighbor;
   task.counters = static_cast<Neighbor_counters*>(scratch);
   task.deferred = reinterpret_cast<Deferred_lanes*>(task.counters + 1);
   task.query = reinterpret_cast<std::uint32_t*>(task.deferred + task.packets());
-  task.tree.shape(n);
+  task.tree.shape(rows.n);
   task.tree.place(reinterpret_cast<std::int32_t*>(task.query + task.maximum_queries()));
   return task;
 }
@@ -90,21 +97,19 @@ inline void search_single(const Neighbor_task& task, bool all, cudaStream_t stre
   CGAL_TANDEM_CUDA_LAUNCHED();
 }
 
-// As find_neighbors() of the engine, for 1 <= k <= 64, with pointers to memory of
-// the current device that are aligned to 16 bytes; `scratch` has
-// neighbor_scratch_bytes(n). Does not wait for the stream.
-inline void find_neighbors_cuda(const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor, void* scratch,
-                                cudaStream_t stream)
+// As find_neighbors() of the engine, for 1 <= k <= 64. `scratch` has neighbor_scratch_bytes(n) bytes, aligned as the
+// rows. Does not wait for the stream.
+inline void find_neighbors_cuda(const Neighbor_rows& rows, void* scratch, cudaStream_t stream)
 {
   static_assert(sizeof(Grid_point) == sizeof(int4), "points are read as int4");
-  if(n == 0)
+  if(rows.n == 0)
     return;
-  if(k < 1 || k > largest_cuda_k)
-    throw std::invalid_argument("k is " + std::to_string(k) + ", must be in [1, 64]");
-  const Neighbor_task task = make_neighbor_task(point, n, k, neighbor, scratch);
+  if(rows.k < 1 || rows.k > largest_cuda_k)
+    throw std::invalid_argument("k is " + std::to_string(rows.k) + ", must be in [1, 64]");
+  const Neighbor_task task = make_neighbor_task(rows, scratch);
   CGAL_TANDEM_CUDA(cudaMemsetAsync(task.counters, 0, sizeof(Neighbor_counters), stream));
   build_box_levels(task, stream);
-  const bool has_packets = k <= largest_packet_k;
+  const bool has_packets = rows.k <= largest_packet_k;
   if(has_packets)
     search_packets(task, stream);
   search_single(task, !has_packets, stream);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All rounds of an absorption in one kernel, which takes less time than to launch one for each step: see absorb.h.
+// All rounds of a label propagation in one kernel, which takes less time than to launch one for each step: see
+// propagate_labels.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_LABEL_PROPAGATION_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_LABEL_PROPAGATION_CUH
@@ -37,7 +38,7 @@ __global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_roun
 // Few points join a shape in a round, and the more blocks there are the longer they wait for each other.
 constexpr std::size_t points_of_lane = 64;
 
-inline void run_label_propagation(Cuda_backend&, std::size_t maximum_rounds, Label_propagation<Cuda_backend> rounds)
+inline void propagate_labels_cuda(std::size_t maximum_rounds, Label_propagation<Cuda_backend> rounds)
 {
   const auto kernel = run_steps<Label_propagation<Cuda_backend>>;
   int multiprocessors = 0, blocks = 0; // on each of them at the same time

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sums of links, as the device makes them: see point_passes.h.
+// The sums of links, as the device makes them: see links.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_LINKS_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_LINKS_CUH
 
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
-#include <CGAL/Tandem/internal/shapes/point_passes.h>
+#include <CGAL/Tandem/internal/shapes/links.h>
 
 #include <cub/device/device_reduce.cuh>
 #include <thrust/functional.h>
@@ -71,12 +71,12 @@ struct Count_ranks {
 };
 
 // By stable sorts; few of them are summed on the host.
-inline Link_list sum_links(Cuda_backend& backend, const Link* source, std::size_t n, std::size_t ids,
-                           std::uint32_t minimum)
+inline Link_list sum_links_cuda(Cuda_backend& backend, const Link* source, std::size_t n, std::size_t ids,
+                                std::uint32_t minimum)
 {
   constexpr std::size_t few = 4096;
   if(n < few)
-    return sum_links<Cuda_backend>(backend, source, n, ids, minimum);
+    return sum_links_on_host(backend, source, n, minimum);
   const int bits = bits_of(ids);
   Device_buffer<std::uint64_t> pairs[2] = {Device_buffer<std::uint64_t>(n), Device_buffer<std::uint64_t>(n)};
   Device_buffer<std::uint32_t> counts[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};

@@ -131,7 +131,7 @@ private:
   bool are_in_tables_ = false;
 };
 
-inline Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
+inline Device_buffer<Grid_point> import_points_cuda(Cuda_backend& backend, Import& in)
 {
   const auto values_of = [&]() -> const Values_on_device& { // no other back end uploads
     return static_cast<const Values_on_device&>(*in.uploaded);
@@ -178,8 +178,8 @@ struct Find_first {
 };
 
 // By a stable sort.
-inline void take_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
-                        Engine_result& result)
+inline void group_points_cuda(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
+                              Engine_result& result)
 {
   const std::size_t n = shape_of.size();
   Device_buffer<std::uint32_t> keys[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};

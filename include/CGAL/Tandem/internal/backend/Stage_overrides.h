@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The stages that a back end may execute in a way of its own. All others are the same source for every back end.
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_STAGE_OVERRIDES_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_STAGE_OVERRIDES_H
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A specialization of Stage_overrides inherits from this, sets the flags of the stages that it replaces, and has a
+// static function for each: with the name, the parameters and the result that are given here. What a stage returns is
+// defined without reference to how it is computed, so all back ends have the same bits.
+struct No_stage_overrides {
+  // Buffer<Grid_point> import_points(Backend&, Import&)
+  // The caller's points on the grid, in their order. Generic form: engine/prepare.h.
+  static constexpr bool imports_points = false;
+
+  // void expect_cells(Backend&, const std::vector<Range>& cells)
+  // Most loops will be over these cells. A hint: the generic form does nothing.
+  static constexpr bool expects_cells = false;
+
+  // void find_neighbors(Backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
+  // The k smallest (squared distance, index) of each point. Generic form: neighbors/find_neighbors.h. It needs host
+  // memory, so a device has to replace it.
+  static constexpr bool finds_neighbors = false;
+
+  // Link_list sum_links(Backend&, const Link* link, std::size_t n, std::size_t ids, std::uint32_t minimum)
+  // The sums by pair of ids, sorted. Generic form: shapes/links.h.
+  static constexpr bool sums_links = false;
+
+  // void propagate_labels(Backend&, std::size_t maximum_rounds, const Label_propagation<Backend>& rounds)
+  // All rounds of a label propagation. Generic form: finish/propagate_labels.h. It needs host memory, so a device has
+  // to replace it.
+  static constexpr bool propagates_labels = false;
+
+  // void group_points(Backend&, Buffer<std::int32_t>&& shape_of, std::size_t shapes, Engine_result& result)
+  // Fills the shape of each point and the points of each shape. Generic form: finish/group_points.h. It needs host
+  // memory, so a device has to replace it.
+  static constexpr bool groups_points = false;
+};
+
+template <class Backend>
+struct Stage_overrides : No_stage_overrides {};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_STAGE_OVERRIDES_H

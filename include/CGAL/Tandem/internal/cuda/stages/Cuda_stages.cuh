@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The stages that the device executes in ways of its own: see Stage_overrides.h.
+
+#ifndef CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_STAGES_CUH
+#define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_STAGES_CUH
+
+#include <CGAL/Tandem/internal/backend/Stage_overrides.h>
+#include <CGAL/Tandem/internal/cuda/neighbors/Cuda_neighbors.cuh>
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_label_propagation.cuh>
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_links.cuh>
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_tables.cuh>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <>
+struct Stage_overrides<Cuda_backend> : No_stage_overrides {
+  static constexpr bool imports_points = true, expects_cells = true, finds_neighbors = true, sums_links = true,
+                        propagates_labels = true, groups_points = true;
+
+  static Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
+  {
+    return import_points_cuda(backend, in);
+  }
+
+  static void expect_cells(Cuda_backend& backend, const std::vector<Range>& cells) { backend.expect_cells(cells); }
+
+  static void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
+  {
+    Device_buffer<unsigned char> scratch(neighbor_scratch_bytes(n));
+    find_neighbors_cuda({point, n, k, out}, scratch.data(), stream_of_thread());
+  }
+
+  static Link_list sum_links(Cuda_backend& backend, const Link* link, std::size_t n, std::size_t ids,
+                             std::uint32_t minimum)
+  {
+    return sum_links_cuda(backend, link, n, ids, minimum);
+  }
+
+  static void propagate_labels(Cuda_backend&, std::size_t maximum_rounds, const Label_propagation<Cuda_backend>& rounds)
+  {
+    propagate_labels_cuda(maximum_rounds, rounds);
+  }
+
+  static void group_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
+                           Engine_result& result)
+  {
+    group_points_cuda(backend, std::move(shape_of), shapes, result);
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_STAGES_CUH

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parameters in the units of the grid.
+
+#ifndef CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
+#define CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
+
+#include <CGAL/Tandem/internal/base/angles.h>
+#include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+inline Tolerance make_tolerance(double distance, double cosine)
+{
+  return {std::int64_t(llrint(distance * normal_scale)), std::int64_t(llrint(cosine * cosine * 4294967296.0))};
+}
+
+// The largest error of an integer distance, in steps.
+inline double distance_margin(const Grid& grid)
+{
+  const double size = std::fabs(grid.origin.x) + std::fabs(grid.origin.y) + std::fabs(grid.origin.z);
+  return std::fma(size / grid.step, tuning::exactness::relative_margin, tuning::exactness::distance_margin);
+}
+
+// How shapes begin and grow.
+inline Growth_options make_growth_options(const Parameters& p, const Tolerance& tolerance)
+{
+  using namespace tuning::growth;
+  const std::size_t core_size =
+    (std::min)(p.k_neighbors / neighbors_per_core_point + 1, p.cell_size / cell_points_per_core_point);
+  return {tolerance, young_seeds_in_flight, seed_tries, std::uint32_t(core_size), p.cell_size};
+}
+
+inline Options make_options(const Import& in, const Parameters& p)
+{
+  Options o;
+  const double step = in.grid.step;
+  const double cosine = cosine_deg(p.maximum_angle);
+  o.maximum_distance = p.maximum_distance / step;
+  o.squared_cosine = cosine * cosine;
+  o.minimum_region_size = std::int64_t(p.minimum_region_size);
+  o.minimum_regular_size = (std::min)(o.minimum_region_size, tuning::loop::minimum_regular_size);
+  o.minimum_related_size = (std::max)(o.minimum_regular_size, tuning::loop::related_share.of(o.minimum_region_size));
+  o.minimum_fragment_size =
+    (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_share.of(o.minimum_region_size));
+  o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));
+  o.tight = make_tolerance(o.maximum_distance * tuning::growth::tight_distance_share,
+                           cosine_deg(p.maximum_angle * tuning::growth::tight_angle_share));
+  o.regularity = {p.angle_tolerance,
+                  p.maximum_offset / step,
+                  o.maximum_distance,
+                  p.regularize_parallelism,
+                  p.regularize_orthogonality,
+                  p.regularize_coplanarity,
+                  false};
+  const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
+  o.certain = make_tolerance(o.maximum_distance - distance_margin(in.grid), cosine_deg(certain_angle));
+  o.exact = {p.maximum_distance, std::fma(1.0, cosine, tuning::exactness::rounded_normal_margin)};
+  o.regularity_period = int((std::min)(p.regularity_period, std::size_t(1) << 30));
+  return o;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H

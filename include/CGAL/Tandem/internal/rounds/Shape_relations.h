@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_RELATIONS_H
+#define CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_RELATIONS_H
+
+#include <CGAL/Tandem/internal/regularity/relations.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The relations of some shapes: those of id[i] are the entries i.
+struct Shape_relations {
+  Ids id;
+  Relations relations;
+  std::int64_t points = 0; // of the shapes when the relations were found
+};
+
+// The entry has a plane, and a direction, that no other one has.
+inline void set_own_plane(Relations& r, std::size_t entry, const Regular_plane& plane)
+{
+  r.direction_of[entry] = int(r.directions.size());
+  r.plane_of[entry] = int(r.planes.size());
+  r.directions.push_back(plane.normal);
+  r.planes.push_back(plane);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_RELATIONS_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A shape: its points by their moments, its planes, and its history.
+
+#ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H
+#define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H
+
+#include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/base/Moments.h>
+#include <CGAL/Tandem/internal/base/planes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// What the points of a shape said when they were asked last: the share of them that
+// fits the local plane, but not the candidate.
+struct Misfit_record {
+  Regular_plane local = {}, candidate = {};
+  std::int64_t points = 0;
+  double misfit_share = 0;
+};
+
+// Points, with the plane that fits them best.
+struct Fitted_moments {
+  Moments moments;
+  Scatter scatter;          // of moments, with ...
+  Fit fit;                  // ... its local plane
+  Regular_plane local = {}; // the local plane again
+};
+
+// The best plane of the points.
+inline void refit(Fitted_moments& m)
+{
+  m.scatter = make_scatter(m.moments);
+  m.fit = fit_plane(m.scatter);
+  m.local = plane_through(m.fit.normal, m.scatter.centroid);
+}
+
+struct Shape : Fitted_moments {
+  Box box;
+  Regular_plane plane = {};     // local or regular
+  Regular_plane checked = {};   // the plane when the points were last checked against it
+  Regular_plane restarted = {}; // the plane when the whole shape was last put on the frontier
+  int age = 0;                  // passes of growth since it began
+  int rollbacks = 0;
+  int retry_round = 0;            // not regularized before this round ...
+  std::int64_t retry_count = 0;   // ... or before it has this many points
+  std::int64_t layered_count = 0; // points when it was last examined for layers
+  std::int64_t regular_count = 0; // points when its relations were found; 0 if it has none yet
+  int entry = 0;                  // its place in the relations, if it has some
+  Misfit_record last_misfits;
+  bool is_active = false; // it has gained points in the last pass
+  bool is_changed = true; // its points or its plane have changed since its links were collected
+  bool is_dirty = true;   // its points have changed since it was fitted
+};
+
+inline void refit_if_dirty(Shape& shape)
+{
+  if(shape.is_dirty)
+    refit(shape);
+  shape.is_dirty = false;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H
