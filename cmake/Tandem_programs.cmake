@@ -35,7 +35,7 @@ endfunction()
 function(tandem_share_engine target)
   foreach(source IN LISTS ARGN)
     get_filename_component(source "${source}" ABSOLUTE)
-    file(STRINGS "${source}" detects REGEX "include.*(<CGAL/Shape_regularization_tandem|\"test_support\\.h|\"box_cloud\\.h)")
+    file(STRINGS "${source}" detects REGEX "include.*(<CGAL/Shape_regularization_tandem|\"testing/)")
     if(detects)
       if(NOT TARGET tandem_shared_engine)
         add_library(tandem_shared_engine STATIC EXCLUDE_FROM_ALL "${tandem_programs_dir}/shared_engine.cpp")
@@ -47,6 +47,25 @@ function(tandem_share_engine target)
       return()
     endif()
   endforeach()
+endfunction()
+
+# What tests and benchmark share ("testing/scenes.h"), and the headers of the benchmark ("report/plot.h").
+function(tandem_share_testing target)
+  target_include_directories(${target} PRIVATE
+    "${tandem_programs_dir}/../test/Shape_regularization_tandem"
+    "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem")
+endfunction()
+
+# Contestants in processes of their own: in the benchmark, and in the test of it.
+function(tandem_add_run_isolated target)
+  if(NOT TARGET tandem_run_isolated)
+    add_library(tandem_run_isolated OBJECT EXCLUDE_FROM_ALL
+      "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem/contestants/run_isolated.cpp")
+    target_link_libraries(tandem_run_isolated PRIVATE Tandem::tandem)
+    tandem_share_testing(tandem_run_isolated)
+    tandem_set_warnings(tandem_run_isolated)
+  endif()
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:tandem_run_isolated>)
 endfunction()
 
 # Programs that offer the CUDA back end where it is built.

@@ -5,7 +5,7 @@
 // manual includes: so pictures, numbers and program agree.
 //   draw_figures CLOUD.ply MAXIMUM_DISTANCE FOLDER    writes FOLDER/fig/*.png and FOLDER/tables/*.md
 
-#include "../../../benchmark/Shape_regularization_tandem/Scene_view.h"
+#include "report/Scene_view.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 #include <CGAL/Simple_cartesian.h>

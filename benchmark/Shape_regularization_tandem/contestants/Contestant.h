@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What takes part in a comparison: a detector, the task that it is given, and
+// what it did. Contestants differ in nothing else, so an experiment is a loop
+// over contestants, clouds and tasks.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTESTANT_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTESTANT_H
+
+#include "testing/evaluate.h"
+#include "clouds/ply_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Shape_regularization_tandem/Statistics.h>
+
+#include <functional>
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+// The same for all contestants; each reads what concerns it. Lengths in units of the cloud. No pointers: a task is
+// handed to another process as it is.
+struct Task {
+  double maximum_distance = 0;                   // epsilon
+  double maximum_angle_deg = 25.841932763167124; // alpha: a cosine of 0.9, as in the paper
+  std::size_t minimum_region_size = 200;         // points
+  double angle_tolerance_deg = 8;                // beta, of all that regularize
+  double maximum_offset = -1;                    // sigma, of all that regularize; negative: epsilon
+  unsigned k_neighbors = 12;                     // Tandem and region growing
+  std::size_t cell_size = 8192;                  // Tandem
+  double cluster_epsilon = -1;                   // RANSAC; negative: 1 % of the diagonal, its default
+  unsigned threads = 0;                          // of parallel contestants; 0: as many as there are processors
+  unsigned seed = 0;                             // of randomized contestants
+  bool estimates_normals = false;                // each by its own means, although the cloud may have normals
+  Parameters engine;                             // Tandem: all that has no member above
+
+  double offset() const { return maximum_offset < 0 ? maximum_distance : maximum_offset; }
+  Tolerances tolerances() const { return {maximum_distance, maximum_angle_deg}; }
+};
+
+// Seconds are those of the method: neither reading nor the conversion of the cloud counts.
+struct Run {
+  Detection detection;
+  std::vector<Vec> normals;          // those that were used, if the contestant estimated them; null: none
+  double normal_seconds = 0;         // estimation of normals, where the task asks for it
+  double detection_seconds = 0;      // where it regularizes in tandem, all of it
+  double regularization_seconds = 0; // where that is a step of its own
+  double user = 0;                   // processor seconds of all threads and steps, user and system
+  Stage_times stages;                // Tandem's
+  std::string hash;                  // of labels and planes
+  std::size_t peak_bytes = 0;        // of the process, beyond what it had with the cloud ready; 0: unknown
+  std::size_t engine_bytes = 0;      // Tandem's own account
+  bool finished = false;
+  std::string error; // why it did not finish
+
+  double wall() const { return normal_seconds + detection_seconds + regularization_seconds; }
+};
+
+struct Contestant {
+  std::string name;        // short, of [a-z0-9+-]: in files and options
+  std::string description; // in tables
+  std::string base;        // the contestant whose result `step` continues, if any
+  bool is_tandem = false;
+  bool is_parallel = false; // uses Task::threads
+  bool is_random = false;   // uses Task::seed
+  bool regularizes = false;
+
+  // Cloud, task, and the run of the base (an empty one if there is no base).
+  std::function<Run(const Ply_cloud&, const Task&, const Run&)> step;
+
+  // From the cloud to the result, in this process: with the base, if there is one.
+  std::function<Run(const Ply_cloud&, const Task&)> run;
+};
+
+// All that are compiled in, each after its base (contestants.h). Throws std::invalid_argument for an unknown name.
+std::vector<Contestant> contestants();
+Contestant contestant(const std::string& name);
+
+// The result without the points that violate the tolerances, and then without the shapes that have become too small:
+// what a detector has under the tolerances it was given (contestants.h). `normals` are those that the run used.
+Detection cleaned(const Ply_cloud& cloud, const std::vector<Vec>& normals, const Task& task, Detection detection);
+
+// The same in a process of its own (run_isolated.h): fresh memory and threads, whose peak is measured; a crash or an
+// overrun is a run with finished == false. `base` spares the run of the base. main() begins with
+//   if(is_isolated_call(argc, argv)) return isolated_main(argv);
+Run run_isolated(const Contestant& contestant, const Ply_cloud& cloud, const Task& task, double time_limit_seconds,
+                 const Run* base = nullptr);
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTESTANT_H

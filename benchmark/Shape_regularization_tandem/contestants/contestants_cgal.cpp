@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// CGAL's detectors of planes, and its regularization of their results.
+
+#include "contestants.h"
+#include "testing/fit_plane.h"
+#include "region_growing.h"
+#include "testing/scene_normals.h"
+
+#include <CGAL/Shape_detection/Efficient_RANSAC.h>
+#include <CGAL/Shape_regularization/regularize_planes.h>
+
+#include <tuple>
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+namespace {
+
+using Ransac_item = std::tuple<Kernel::Point_3, Kernel::Vector_3, std::uint32_t>;
+using Ransac_range = std::vector<Ransac_item>;
+using Ransac_point_map = Nth_of_tuple_property_map<0, Ransac_item>;
+using Ransac_normal_map = Nth_of_tuple_property_map<1, Ransac_item>;
+using Ransac_traits =
+  Shape_detection::Efficient_RANSAC_traits<Kernel, Ransac_range, Ransac_point_map, Ransac_normal_map>;
+using Ransac = Shape_detection::Efficient_RANSAC<Ransac_traits>;
+using Ransac_plane = Shape_detection::Plane<Ransac_traits>;
+
+// The points as CGAL's detectors want them: relative to the center, since they lose shapes far from the origin.
+struct Input {
+  explicit Input(const Ply_cloud& cloud) : center(extent_of(cloud.points).center)
+  {
+    points.reserve(cloud.points.size());
+    for(const Vec& p : cloud.points)
+      points.push_back(p - center);
+  }
+
+  // Without normals where they are to be estimated, which is part of the work.
+  template <class Range, class Make>
+  Range range(const Ply_cloud& cloud, const Task& task, Make make) const
+  {
+    Range result;
+    result.reserve(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const Vec &p = points[i], n = estimates_normals(cloud, task) ? Vec{0, 0, 0} : unit(cloud.normals[i]);
+      result.push_back(make(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z), i));
+    }
+    return result;
+  }
+
+  Vec center;
+  std::vector<Vec> points;
+};
+
+// Begins the run: normal_of(i) is where the normal of a point goes.
+template <class Normal>
+Run estimate_normals(const Input& in, const Ply_cloud& cloud, const Task& task, Meter& meter, Normal normal_of)
+{
+  Run run;
+  if(!estimates_normals(cloud, task))
+    return run;
+  run.normals = scenes::pca_normals(in.points);
+  for(std::size_t i = 0; i < in.points.size(); ++i) {
+    const Vec n = unit(run.normals[i]);
+    normal_of(i) = Kernel::Vector_3(n.x, n.y, n.z);
+  }
+  run.normal_seconds = meter.lap();
+  return run;
+}
+
+void move(std::vector<Plane>& planes, const Vec& by)
+{
+  for(Plane& plane : planes)
+    plane.offset -= dot(plane.normal, by);
+}
+
+Plane normalized(const Kernel::Plane_3& p)
+{
+  const Vec n{p.a(), p.b(), p.c()};
+  return {(1 / length(n)) * n, p.d() / length(n)};
+}
+
+template <bool is_cached>
+Run growing_step(const Ply_cloud& cloud, const Task& task, const Run&)
+{
+  const Input in(cloud);
+  Point_range range = in.range<Point_range>(
+    cloud, task, [](const auto& p, const auto& n, std::size_t) { return Point_with_normal(p, n); });
+  Meter meter;
+  Run run = estimate_normals(
+    in, cloud, task, meter, [&](std::size_t i) -> auto& { return range[i].second; });
+  const Regions regions = region_growing(range, task, is_cached);
+  run.detection.label.assign(range.size(), -1);
+  for(std::size_t s = 0; s < regions.size(); ++s)
+    for(std::size_t i : regions[s])
+      run.detection.label[i] = std::int32_t(s);
+  run.detection.planes = fit_planes(in.points, run.detection.label, regions.size());
+  run.detection_seconds = meter.lap();
+  move(run.detection.planes, in.center);
+  return finished(run, meter);
+}
+
+Ransac::Parameters ransac_parameters(const Task& task)
+{
+  Ransac::Parameters p;
+  p.probability = 0.01;
+  p.min_points = task.minimum_region_size;
+  p.epsilon = task.maximum_distance;
+  p.cluster_epsilon = task.cluster_epsilon;
+  p.normal_threshold = std::cos(task.maximum_angle_deg * 0.017453292519943295);
+  return p;
+}
+
+// On a range that carries the position of each item, since the detector reorders it.
+Run ransac_step(const Ply_cloud& cloud, const Task& task, const Run&)
+{
+  const Input in(cloud);
+  Ransac_range range = in.range<Ransac_range>(
+    cloud, task, [](const auto& p, const auto& n, std::size_t i) { return Ransac_item(p, n, std::uint32_t(i)); });
+  Meter meter;
+  Run run = estimate_normals(
+    in, cloud, task, meter, [&](std::size_t i) -> auto& { return std::get<1>(range[i]); });
+  get_default_random() = Random(task.seed);
+  Ransac detector;
+  detector.set_input(range);
+  detector.add_shape_factory<Ransac_plane>();
+  detector.detect(ransac_parameters(task));
+  run.detection.label.assign(range.size(), -1);
+  for(const auto& shape : detector.shapes()) {
+    for(std::size_t i : shape->indices_of_assigned_points())
+      run.detection.label[std::get<2>(range[i])] = std::int32_t(run.detection.planes.size());
+    const Kernel::Plane_3 plane = *dynamic_cast<Ransac_plane*>(shape.get());
+    run.detection.planes.push_back(normalized(plane));
+  }
+  run.detection_seconds = meter.lap();
+  move(run.detection.planes, in.center);
+  return finished(run, meter);
+}
+
+template <bool uses_symmetry>
+Run regularize_step(const Ply_cloud& cloud, const Task& task, const Run& base)
+{
+  Run run = base;
+  run.hash.clear();
+  const Vec center = extent_of(cloud.points).center;
+  move(run.detection.planes, -1.0 * center);
+  std::vector<Kernel::Point_3> points;
+  for(const Vec& p : cloud.points)
+    points.emplace_back(p.x - center.x, p.y - center.y, p.z - center.z);
+  std::vector<Kernel::Plane_3> planes;
+  for(const Plane& p : run.detection.planes)
+    planes.emplace_back(p.normal.x, p.normal.y, p.normal.z, p.offset);
+  std::vector<int> index(run.detection.label.begin(), run.detection.label.end());
+  Meter meter;
+  if(!planes.empty())
+    Shape_regularization::Planes::regularize_planes(planes, Identity_property_map<Kernel::Plane_3>(), points,
+                                                    Identity_property_map<Kernel::Point_3>(),
+                                                    CGAL::parameters::plane_index_map(make_property_map(index))
+                                                      .regularize_axis_symmetry(uses_symmetry)
+                                                      .maximum_angle(task.angle_tolerance_deg)
+                                                      .maximum_offset(task.offset()));
+  run.regularization_seconds = meter.lap();
+  std::transform(planes.begin(), planes.end(), run.detection.planes.begin(), normalized);
+  move(run.detection.planes, center);
+  return finished(run, meter);
+}
+
+using Step = Run (*)(const Ply_cloud&, const Task&, const Run&);
+
+Contestant make(const std::string& name, const std::string& description, Step step)
+{
+  Contestant c;
+  c.name = name;
+  c.description = description;
+  c.step = step;
+  return c;
+}
+
+// A detector, followed by regularize_planes without and with its symmetry.
+void add_regularized(std::vector<Contestant>& list, Contestant base, const std::string& name)
+{
+  base.base = base.name;
+  base.regularizes = true;
+  const std::string description = base.description;
+  base.name = name + "+regularize";
+  base.description = description + " + regularize_planes";
+  base.step = regularize_step<false>;
+  list.push_back(base);
+  base.name = name + "+symmetry";
+  base.description = description + " + regularize_planes, symmetric";
+  base.step = regularize_step<true>;
+  list.push_back(base);
+}
+
+} // namespace
+
+std::vector<Contestant> cgal_contestants()
+{
+  std::vector<Contestant> list;
+  list.push_back(make("growing", "region growing", growing_step<false>));
+  list.push_back(make("growing-cached", "region growing (cached)", growing_step<true>));
+  add_regularized(list, list.back(), "growing");
+  list.push_back(make("ransac", "Efficient RANSAC", ransac_step));
+  list.back().is_random = true;
+  add_regularized(list, list.back(), "ransac");
+  return list;
+}
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the subcommands of the benchmark have in common: where to read and write,
+// how large, and what a table of results is.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_H
+
+#include "contestants/Contestant.h"
+#include "criteria/results.h"
+
+namespace CGAL {
+namespace Tandem {
+namespace benchmark {
+
+struct Experiment_options {
+  bool is_quick = false;                // small clouds, few steps
+  std::string output = ".";             // folder of the CSV files, plots and pictures; it exists
+  std::string data;                     // folder of clouds (TANDEM_DATA); empty: there is none
+  std::string sources;                  // folder of the benchmark's own files: clouds.csv, plot files
+  double time_limit = 600;              // seconds for one run of one contestant
+  unsigned repeats = 3;                 // runs that are timed
+  unsigned threads = 0;                 // of parallel contestants; 0: all
+  std::vector<std::string> contestants; // names; empty: as the experiment thinks fit
+  std::vector<std::string> arguments;   // what is left of the command line
+};
+
+// A subcommand of tandem_benchmark: benchmark.cpp has the list.
+struct Experiment {
+  const char* name;
+  const char* help;
+  void (*run)(const Experiment_options&); // throws what main prints
+};
+
+} // namespace benchmark
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The result handed to the parts of CGAL that take planes with their points.
+
+#undef NDEBUG
+
+#include "testing/box_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/adapters.h>
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Shape_regularization/regularize_planes.h>
+#include <CGAL/structure_point_set.h>
+#if defined(CGAL_USE_GLPK)
+#include <CGAL/GLPK_mixed_integer_program_traits.h>
+#include <CGAL/Polygonal_surface_reconstruction.h>
+#include <CGAL/Surface_mesh.h>
+#endif
+
+#include <iterator>
+
+namespace np = CGAL::Tandem::parameters;
+using Shapes = CGAL::Tandem::Planar_shapes_3<Epick>;
+using Plane = Epick::Plane_3;
+
+void test_index_maps(const Shapes& shapes)
+{
+  const auto shape_map = CGAL::Tandem::shape_index_map(shapes);
+  const auto plane_map = CGAL::Tandem::plane_index_map(shapes);
+  const std::vector<Plane> planes = CGAL::Tandem::distinct_planes(shapes);
+  CHECK(planes.size() == shapes.number_of_coplanar_groups());
+  for(std::size_t i = 0; i < shapes.number_of_points(); ++i) {
+    const int s = shapes.shape_index(i);
+    CHECK_AT(get(shape_map, i) == s, std::to_string(i));
+    CHECK_AT((get(plane_map, i) < 0) == (s < 0), std::to_string(i));
+    if(s >= 0)
+      CHECK_AT(planes[std::size_t(get(plane_map, i))] == shapes.plane(std::size_t(s)), std::to_string(i));
+  }
+}
+
+void test_structure_point_set(const Pairs<Epick>& points, const Shapes& shapes)
+{
+  Pairs<Epick> structured;
+  CGAL::structure_point_set(points, CGAL::Tandem::distinct_planes(shapes), std::back_inserter(structured), .02,
+                            CGAL::parameters::point_map(First<Epick>())
+                              .normal_map(Second<Epick>())
+                              .plane_map(CGAL::Identity_property_map<Plane>())
+                              .plane_index_map(CGAL::Tandem::plane_index_map(shapes)));
+  CHECK(structured.size() > 100 && structured.size() < points.size());
+}
+
+// CGAL's regularization finds nothing left to do but for the last bits.
+void test_regularize_planes(const Pairs<Epick>& points, const Shapes& shapes)
+{
+  std::vector<Plane> planes = shapes.planes();
+  CGAL::Shape_regularization::Planes::regularize_planes(
+    planes, points,
+    CGAL::parameters::plane_map(CGAL::Identity_property_map<Plane>())
+      .point_map(First<Epick>())
+      .plane_index_map(CGAL::Tandem::shape_index_map(shapes))
+      .regularize_axis_symmetry(false)
+      .maximum_angle(5)
+      .maximum_offset(.001));
+  for(std::size_t s = 0; s < planes.size(); ++s) {
+    const double cosine = planes[s].orthogonal_vector() * shapes.plane(s).orthogonal_vector() /
+                          std::sqrt(planes[s].orthogonal_vector().squared_length());
+    CHECK_AT(std::fabs(cosine) > 1 - 1e-12, std::to_string(s));
+  }
+}
+
+void test_output(const Pairs<Epick>& points, const Shapes& shapes)
+{
+  std::vector<std::pair<Plane, std::vector<Pairs<Epick>::const_iterator>>> regions;
+  CGAL::Tandem::output_shapes(points, shapes, std::back_inserter(regions));
+  CHECK(regions.size() == shapes.number_of_shapes());
+  for(std::size_t s = 0; s < regions.size(); ++s) {
+    CHECK_AT(regions[s].first == shapes.oriented_plane(s), std::to_string(s));
+    CHECK_AT(regions[s].second.size() == shapes.points(s).size(), std::to_string(s));
+    for(std::size_t j = 0; j < regions[s].second.size(); ++j)
+      CHECK_AT(std::size_t(regions[s].second[j] - points.begin()) == shapes.points(s)[j], std::to_string(s));
+  }
+}
+
+// With a hole in the indices: an item is not its position.
+void test_point_set(const Pairs<Epick>& pairs)
+{
+  CGAL::Point_set_3<Epick::Point_3> points;
+  points.add_normal_map();
+  for(const auto& p : pairs)
+    points.insert(p.first, p.second);
+  points.remove(points.begin());
+  const Shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.006));
+  const auto map = CGAL::Tandem::add_shape_property(points, shapes);
+  CHECK(points.has_property_map<int>("shape"));
+  std::vector<std::pair<Plane, std::vector<CGAL::Point_set_3<Epick::Point_3>::Index>>> regions;
+  CGAL::Tandem::output_shapes(points, shapes, std::back_inserter(regions));
+  CHECK(regions.size() == 6);
+  for(std::size_t s = 0; s < regions.size(); ++s)
+    for(const auto& item : regions[s].second) {
+      CHECK_AT(map[item] == int(s), std::to_string(s));
+      CHECK_AT(CGAL::squared_distance(points.point(item), regions[s].first) <= .006 * .006 * 1.000001,
+               std::to_string(s));
+    }
+}
+
+// A fit to the projected points is the plane again; so the reconstruction keeps the right angles.
+void test_projected_points(const Pairs<Epick>& points, const Shapes& shapes)
+{
+  using Item = CGAL::Tandem::Point_with_plane<Epick>;
+  const std::vector<Item> items = CGAL::Tandem::projected_points(points, shapes, np::point_map(First<Epick>()));
+  CHECK(items.size() == shapes.statistics().number_of_assigned_points);
+  const std::vector<Plane> planes = CGAL::Tandem::distinct_planes(shapes);
+  for(const Item& item : items)
+    CHECK(CGAL::squared_distance(std::get<0>(item), planes[std::size_t(std::get<2>(item))]) < 1e-28);
+#if defined(CGAL_USE_GLPK)
+  using Reconstruction = CGAL::Polygonal_surface_reconstruction<Epick>;
+  Reconstruction reconstruction(items, CGAL::Nth_of_tuple_property_map<0, Item>(),
+                                CGAL::Nth_of_tuple_property_map<1, Item>(), CGAL::Nth_of_tuple_property_map<2, Item>());
+  CGAL::Surface_mesh<Epick::Point_3> mesh;
+  CHECK(reconstruction.reconstruct<CGAL::GLPK_mixed_integer_program_traits<double>>(mesh));
+  CHECK_AT(mesh.number_of_faces() == 6, std::to_string(mesh.number_of_faces()));
+  for(const auto v : mesh.vertices()) { // the edges at a corner of the box
+    std::vector<Epick::Vector_3> edges;
+    for(const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      edges.push_back(mesh.point(mesh.source(h)) - mesh.point(v));
+    for(std::size_t i = 0; i < edges.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        CHECK_AT(std::fabs(edges[i] * edges[j]) < 1e-9, std::to_string(edges[i] * edges[j]));
+  }
+#endif
+}
+
+int main()
+{
+  const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
+  const Shapes shapes = CGAL::Tandem::detect_planes(
+    points, np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006));
+  CHECK(shapes.number_of_shapes() == 6);
+  test_index_maps(shapes);
+  test_structure_point_set(points, shapes);
+  test_regularize_planes(points, shapes);
+  test_output(points, shapes);
+  test_point_set(points);
+  test_projected_points(points, shapes);
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

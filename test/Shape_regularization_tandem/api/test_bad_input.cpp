@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bad data gets an answer, misuse gets an exception that names the parameter, its
+// value and the allowed range.
+
+#undef NDEBUG
+
+#include "testing/box_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+
+#include <limits>
+
+namespace np = CGAL::Tandem::parameters;
+using CGAL::Tandem::detect_planes;
+using CGAL::Tandem::estimate_parameters;
+
+const float nan_value = std::numeric_limits<float>::quiet_NaN();
+const float infinite = std::numeric_limits<float>::infinity();
+
+// A valid answer with the expected number of shapes, with and without normals and parameters.
+void check_answer(const std::vector<Box_point>& cloud, std::size_t shapes, const std::string& name)
+{
+  const Pairs<Epick> points = make_pairs<Epick>(cloud);
+  const auto given = np::point_map(First<Epick>()).normal_map(Second<Epick>());
+  const auto bare = np::point_map(First<Epick>());
+  auto check = [&](const auto& list, std::size_t expected, const std::string& what) {
+    const auto result = detect_planes(points, list);
+    CHECK_AT(result.number_of_points() == points.size(), what);
+    CHECK_AT(result.number_of_shapes() == expected, what + ": " + std::to_string(result.number_of_shapes()));
+    std::string why;
+    CHECK_AT(is_valid_result(points, result, list, &why), what + ": " + why);
+  };
+  check(given.maximum_distance(.006).minimum_region_size(100), shapes, name + ", normals");
+  check(given.maximum_distance(.006)
+          .minimum_region_size(100)
+          .regularize_parallelism(false)
+          .regularize_orthogonality(false)
+          .regularize_coplanarity(false),
+        shapes, name + ", nothing regularized");
+  check(bare.maximum_distance(.006).minimum_region_size(100), shapes, name + ", no normals");
+  using Float = CGAL::Simple_cartesian<float>; // whose values are kept as floats
+  const auto floats = np::point_map(First<Float>()).normal_map(Second<Float>()).maximum_distance(.006);
+  CHECK_AT(detect_planes(make_pairs<Float>(cloud), floats).hash() ==
+             detect_planes(points, given.maximum_distance(.006)).hash(),
+           name + ", float");
+  for(const auto& result : {detect_planes(points, given), detect_planes(points, bare)}) // with estimated parameters
+    CHECK_AT(result.number_of_points() == points.size(), name);
+}
+
+std::vector<Box_point> repeat(std::size_t n, Box_point p) { return std::vector<Box_point>(n, p); }
+
+void test_degenerate_clouds()
+{
+  const Box_point p = {{1, 2, 3}, {0, 0, 1}};
+  check_answer({}, 0, "empty");
+  check_answer({p}, 0, "one point");
+  check_answer(repeat(3, p), 0, "three equal points");
+  check_answer(repeat(20, p), 0, "20 equal points");
+  std::vector<Box_point> line, flat, twice = make_box_cloud(400);
+  for(int i = 0; i < 3000; ++i)
+    line.push_back({{.001f * float(i), .002f * float(i), -.003f * float(i)}, {2, -1, 0}});
+  for(int i = 0; i < 3000; ++i)
+    flat.push_back({{.01f * float(i % 60), .01f * float(i / 60), 5}, {0, 0, -3}});
+  check_answer(flat, 1, "perfectly flat");
+  const std::vector<Box_point> once = twice;
+  twice.insert(twice.end(), once.begin(), once.end());
+  check_answer(twice, 6, "exact duplicates");
+
+  // No plane is defined; whatever the answer is, it has to be valid.
+  for(const auto& cloud : {line, repeat(3000, p)}) {
+    const Pairs<Epick> points = make_pairs<Epick>(cloud);
+    for(const auto& result : {detect_planes(points, np::point_map(First<Epick>())),
+                              detect_planes(points, np::point_map(First<Epick>()).maximum_distance(.01))}) {
+      std::string why;
+      CHECK_AT(is_valid_result(points, result, np::point_map(First<Epick>()), &why), why);
+    }
+    const auto given = np::point_map(First<Epick>()).normal_map(Second<Epick>());
+    std::string why;
+    CHECK_AT(is_valid_result(points, detect_planes(points, given), given, &why), why);
+  }
+}
+
+// Points that cannot be used are counted and change nothing for the others.
+void test_invalid_points()
+{
+  const std::vector<Box_point> clean = make_box_cloud();
+  std::vector<Box_point> cloud;
+  std::vector<std::size_t> position;
+  for(std::size_t i = 0; i < clean.size(); ++i) {
+    const auto& p = clean[i].position;
+    if(i % 10 == 0)
+      cloud.push_back({{i % 20 ? nan_value : p[0], p[1], i % 20 ? p[2] : -infinite}, clean[i].normal});
+    if(i % 15 == 0)
+      cloud.push_back({p, {0, i % 30 ? 0 : nan_value, i % 45 ? 0 : infinite}});
+    position.push_back(cloud.size());
+    cloud.push_back(clean[i]);
+  }
+  const auto given = np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006);
+  const auto expected = detect_planes(make_pairs<Epick>(clean), given);
+  const Pairs<Epick> points = make_pairs<Epick>(cloud);
+  const auto shapes = detect_planes(points, given.minimum_region_size(expected.parameters().minimum_region_size));
+  CHECK(shapes.statistics().number_of_ignored_coordinates == (clean.size() + 9) / 10);
+  CHECK(shapes.statistics().number_of_ignored_normals == (clean.size() + 14) / 15);
+  CHECK(shapes.statistics().number_of_points == cloud.size());
+  std::string why;
+  CHECK_AT(is_valid_result(points, shapes, given, &why), why);
+  std::vector<std::int32_t> mapped;
+  for(std::size_t i : position)
+    mapped.push_back(shapes.shape_index(i));
+  CHECK(shapes.hash(mapped, shapes.data().coefficients) == expected.hash());
+
+  const std::vector<Box_point> nothing = repeat(100, {{nan_value, 0, 0}, {0, 0, 1}});
+  check_answer(nothing, 0, "only invalid coordinates");
+  CHECK(detect_planes(make_pairs<Epick>(repeat(100, {{0, 0, 0}, {0, 0, 0}})), given)
+          .statistics()
+          .number_of_ignored_normals == 100);
+}
+
+// Normals of any length mean the same.
+void test_lengths_of_normals()
+{
+  const std::vector<Box_point> clean = make_box_cloud(600);
+  const auto given = np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006);
+  const Pairs<Epick> points = make_pairs<Epick>(clean);
+  const std::uint64_t hash = detect_planes(points, given).hash();
+  for(double factor : {0x1p-900, 0x1p-1, 0x1p+700, -1.}) {
+    Pairs<Epick> scaled = points;
+    for(auto& p : scaled)
+      p.second = factor * p.second;
+    CHECK_AT(detect_planes(scaled, given).hash() == hash, std::to_string(factor));
+  }
+}
+
+template <class NP>
+void check_refused(const NP& list, std::initializer_list<const char*> words, int line)
+{
+  const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud(50));
+  const Pairs<Epick> none;
+  const auto all = list.point_map(First<Epick>());
+  check_throws<std::invalid_argument>([&] { detect_planes(points, all); }, words, line);
+  check_throws<std::invalid_argument>([&] { detect_planes(none, all); }, words, line);
+  check_throws<std::invalid_argument>([&] { estimate_parameters(points, all); }, words, line);
+}
+
+void test_misuse()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  check_refused(np::maximum_distance(0.), {"maximum_distance", "0", "(0, infinity)"}, __LINE__);
+  check_refused(np::maximum_distance(-.5), {"maximum_distance", "-0.5", "(0, infinity)"}, __LINE__);
+  check_refused(np::maximum_distance(nan), {"maximum_distance", "nan"}, __LINE__);
+  check_refused(np::maximum_distance(inf), {"maximum_distance", "inf"}, __LINE__);
+  check_refused(np::maximum_angle(0), {"maximum_angle", "0", "(0, 90)"}, __LINE__);
+  check_refused(np::maximum_angle(90), {"maximum_angle", "90", "(0, 90)"}, __LINE__);
+  check_refused(np::maximum_angle(nan), {"maximum_angle", "nan"}, __LINE__);
+  check_refused(np::angle_tolerance(-1), {"angle_tolerance", "-1", "[0, 45)"}, __LINE__);
+  check_refused(np::angle_tolerance(45.), {"angle_tolerance", "45", "[0, 45)"}, __LINE__);
+  check_refused(np::maximum_offset(-1.), {"maximum_offset", "-1", "[0, infinity)"}, __LINE__);
+  check_refused(np::minimum_region_size(0), {"minimum_region_size", "0"}, __LINE__);
+  check_refused(np::minimum_region_size(-5), {"minimum_region_size", "-5"}, __LINE__);
+  check_refused(np::minimum_region_size(2), {"minimum_region_size", "2", "[3, "}, __LINE__);
+  check_refused(np::minimum_region_size(-5), {"minimum_region_size", "-5", "[3, 2147483648]"}, __LINE__);
+  check_refused(np::k_neighbors(2), {"k_neighbors", "2", "[3, 64]"}, __LINE__);
+  check_refused(np::k_neighbors(0), {"k_neighbors", "0", "[3, 64]"}, __LINE__);
+  check_refused(np::k_neighbors(65u), {"k_neighbors", "65", "[3, 64]"}, __LINE__);
+  check_refused(np::k_neighbors(-1), {"k_neighbors", "-1"}, __LINE__);
+  check_refused(np::cell_size(63), {"cell_size", "63", "[64, 65536]"}, __LINE__);
+  check_refused(np::cell_size(65537), {"cell_size", "65537", "[64, 65536]"}, __LINE__);
+  CGAL::Tandem::Parameters settings;
+  settings.k_neighbors = 100;
+  check_refused(np::settings(settings), {"k_neighbors", "100", "[3, 64]"}, __LINE__);
+}
+
+// The grid is coarsened as long as epsilon keeps 16 steps; then there is an exception.
+void test_extent()
+{
+  std::vector<Box_point> cloud = make_box_cloud(600);
+  const auto given =
+    np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006).minimum_region_size(50);
+  CHECK(!detect_planes(make_pairs<Epick>(cloud), given).statistics().is_grid_coarse);
+  cloud.push_back({{20000, 0, 0}, {0, 0, 1}});
+  const auto shapes = detect_planes(make_pairs<Epick>(cloud), given);
+  CHECK(shapes.statistics().is_grid_coarse);
+  CHECK(shapes.number_of_shapes() == 6);
+  std::string why;
+  CHECK_AT(is_valid_result(make_pairs<Epick>(cloud), shapes, given, &why), why);
+  cloud.push_back({{2e6f, 0, 0}, {0, 0, 1}});
+  check_throws<std::range_error>([&] { detect_planes(make_pairs<Epick>(cloud), given); },
+                                 {"maximum_distance", "0.006", "extent", "2e+06", "2^24"}, __LINE__);
+  // Not so if epsilon is estimated.
+  detect_planes(make_pairs<Epick>(cloud), np::point_map(First<Epick>()).normal_map(Second<Epick>()));
+  Pairs<Epick> huge = make_pairs<Epick>(cloud);
+  huge[0].first = Epick::Point_3(1e300, 0, 0);
+  huge[1].first = Epick::Point_3(-1.7e308, 0, 1.7e308);
+  check_throws<std::range_error>([&] { detect_planes(huge, given); }, {"maximum_distance", "extent"}, __LINE__);
+}
+
+int main()
+{
+  test_degenerate_clouds();
+  test_invalid_points();
+  test_lengths_of_normals();
+  test_misuse();
+  test_extent();
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

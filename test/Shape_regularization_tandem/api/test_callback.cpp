@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Progress rises from 0 to 1, and a cancelled detection leaves a valid result.
+
+#undef NDEBUG
+
+#include "testing/box_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+
+namespace np = CGAL::Tandem::parameters;
+using CGAL::Tandem::detect_planes;
+
+int main()
+{
+  const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
+  const auto list = np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006);
+  const auto silent = detect_planes(points, list);
+  CHECK(!silent.is_cancelled());
+
+  std::vector<double> progress;
+  const CGAL::Tandem::Callback record = [&](double p) {
+    progress.push_back(p);
+    return true;
+  };
+  CHECK(detect_planes(points, list.callback(record)).hash() == silent.hash());
+  CHECK(progress.size() >= 3 && progress.front() == 0 && progress.back() == 1);
+  for(std::size_t i = 1; i < progress.size(); ++i)
+    CHECK_AT(progress[i - 1] <= progress[i] && progress[i] <= 1, std::to_string(i));
+
+  for(std::size_t calls = 1; calls < progress.size(); ++calls) {
+    std::size_t count = 0;
+    const CGAL::Tandem::Callback cancel = [&](double) { return ++count < calls; };
+    const auto shapes = detect_planes(points, list.callback(cancel));
+    CHECK_AT(shapes.is_cancelled() && count == calls, std::to_string(calls));
+    CHECK_AT(calls > 1 || shapes.number_of_shapes() == 0, std::to_string(calls));
+    CHECK_AT(shapes.number_of_points() == points.size(), std::to_string(calls));
+    std::string why;
+    CHECK_AT(is_valid_result(points, shapes, list, &why), std::to_string(calls) + ": " + why);
+  }
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

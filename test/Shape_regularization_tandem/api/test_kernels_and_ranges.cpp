@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Four kernels, five kinds of range, both lists of named parameters, the class
+// and the function, all tags: the same cloud gives the same result, and the range is left alone.
+
+#undef NDEBUG
+
+#include "testing/box_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <memory>
+
+namespace np = CGAL::Tandem::parameters;
+using CGAL::Tandem::detect_planes;
+
+// A range of indices into arrays, and how often each was read.
+struct Counting_map {
+  using key_type = int;
+  using value_type = Epick::Point_3;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+  const std::vector<Box_point>* cloud;
+  std::shared_ptr<std::vector<int>> reads;
+
+  friend value_type get(const Counting_map& map, int i)
+  {
+    ++(*map.reads)[std::size_t(i)];
+    const auto& p = (*map.cloud)[std::size_t(i)].position;
+    return value_type(p[0], p[1], p[2]);
+  }
+};
+
+struct Normal_of_index {
+  using key_type = int;
+  using value_type = Epick::Vector_3;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+  const std::vector<Box_point>* cloud;
+
+  friend value_type get(const Normal_of_index& map, int i)
+  {
+    const auto& n = (*map.cloud)[std::size_t(i)].normal;
+    return value_type(n[0], n[1], n[2]);
+  }
+};
+
+template <class Shapes>
+void check_box(const Shapes& shapes, const std::string& name)
+{
+  CHECK_AT(shapes.number_of_shapes() == 6, name + ": " + std::to_string(shapes.number_of_shapes()));
+  CHECK_AT(shapes.number_of_parallel_groups() == 3, name);
+  CHECK_AT(shapes.number_of_coplanar_groups() == 6, name);
+  CHECK_AT(shapes.orthogonal_groups().size() == 3, name);
+  CHECK_AT(shapes.statistics().degrees_of_freedom == 9, name);
+  CHECK_AT(shapes.statistics().complexity == .5, name);
+  CHECK_AT(shapes.statistics().coverage > .9, name);
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+    for(std::size_t i : shapes.points(s))
+      CHECK_AT(shapes.shape_index(i) == int(s), name);
+}
+
+// Returns the hash.
+template <class Kernel>
+std::uint64_t test_pairs(const std::vector<Box_point>& cloud, const std::string& name)
+{
+  const Pairs<Kernel> points = make_pairs<Kernel>(cloud);
+  const Pairs<Kernel> copy = points;
+  const auto list = np::point_map(First<Kernel>()).normal_map(Second<Kernel>()).maximum_distance(.006);
+  const auto shapes = detect_planes<CGAL::Sequential_tag>(points, list);
+  check_box(shapes, name);
+  CHECK_AT(points == copy, name);
+  std::string why;
+  CHECK_AT(is_valid_result(points, shapes, list, &why), name + ": " + why);
+  CHECK_AT(shapes.hash() == detect_planes<CGAL::Parallel_if_available_tag>(points, list).hash(), name);
+  CHECK_AT(shapes.hash() == detect_planes<CGAL::Tandem::Cuda_if_available_tag>(points, list).hash(), name);
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) { // the normals point out of the box
+    const auto n = shapes.oriented_plane(s).orthogonal_vector();
+    std::size_t agreeing = 0;
+    for(std::size_t i : shapes.points(s))
+      agreeing += CGAL::to_double(n * points[i].second) > 0;
+    CHECK_AT(2 * agreeing > shapes.points(s).size(), name);
+  }
+  return shapes.hash();
+}
+
+template <class Kernel>
+std::uint64_t test_point_set(const std::vector<Box_point>& cloud, const std::string& name)
+{
+  CGAL::Point_set_3<typename Kernel::Point_3> points;
+  points.add_normal_map();
+  for(const auto& p : make_pairs<Kernel>(cloud))
+    points.insert(p.first, p.second);
+  const auto shapes = detect_planes(points, np::maximum_distance(.006));
+  check_box(shapes, name);
+  std::string why;
+  CHECK_AT(is_valid_result(points, shapes, np::default_values(), &why), name + ": " + why);
+  CHECK_AT(!shapes.has_estimated_normals(), name);
+
+  // Without its normals, by request or because there are none.
+  const auto estimated = detect_planes(points, np::maximum_distance(.006).normal_map(CGAL::Default()));
+  check_box(estimated, name);
+  points.remove_normal_map();
+  const auto bare = detect_planes(points, np::maximum_distance(.006));
+  CHECK_AT(estimated.has_estimated_normals() && bare.has_estimated_normals(), name);
+  CHECK_AT(estimated.hash() == bare.hash(), name);
+  return shapes.hash();
+}
+
+template <class Kernel>
+std::uint64_t test_points(const std::vector<Box_point>& cloud, const std::string& name)
+{
+  std::vector<typename Kernel::Point_3> points;
+  for(const auto& p : make_pairs<Kernel>(cloud))
+    points.push_back(p.first);
+  const auto shapes = detect_planes(points, np::maximum_distance(.006));
+  check_box(shapes, name);
+  std::string why;
+  CHECK_AT(is_valid_result(points, shapes, np::default_values(), &why), name + ": " + why);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(shapes.shape_index(i) >= 0)
+      CHECK_AT(std::fabs(CGAL::to_double(shapes.estimated_normal(i).squared_length()) - 1) < 1e-6, name);
+  return shapes.hash();
+}
+
+std::uint64_t test_indices(const std::vector<Box_point>& cloud)
+{
+  std::vector<int> indices;
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+    indices.push_back(int(i));
+  const Counting_map point_map = {&cloud, std::make_shared<std::vector<int>>(cloud.size(), 0)};
+  const auto shapes =
+    detect_planes(indices, np::combine(CGAL::parameters::point_map(point_map).normal_map(Normal_of_index{&cloud}),
+                                       np::maximum_distance(.006)));
+  check_box(shapes, "indices");
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+    CHECK_AT((*point_map.reads)[i] == 1, "reads of point " + std::to_string(i));
+  return shapes.hash();
+}
+
+std::uint64_t test_class(const std::vector<Box_point>& cloud)
+{
+  using Traits = CGAL::Tandem::Tandem_traits_3<Epick, Pairs<Epick>, First<Epick>, Second<Epick>, CGAL::Sequential_tag>;
+  CGAL::Tandem::Parameters settings;
+  settings.maximum_distance = .006;
+  const Pairs<Epick> points = make_pairs<Epick>(cloud);
+  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(points, np::settings(settings), Traits());
+  std::size_t rounds = 1, assigned = 0;
+  for(; detection.iterate(); ++rounds)
+    assigned = (std::max)(assigned, detection.shapes().statistics().number_of_assigned_points);
+  CHECK(rounds > 1 && assigned > 0);
+  detection.finish();
+  CHECK(detection.parameters().maximum_offset == .006);
+  CHECK(detection.shapes().statistics().number_of_rounds == rounds);
+  CHECK(!detection.iterate());
+  check_box(detection.shapes(), "class");
+  return detection.shapes().hash();
+}
+
+int main()
+{
+  const std::vector<Box_point> cloud = make_box_cloud();
+  const std::uint64_t hash = test_pairs<Epick>(cloud, "epick");
+  CHECK((test_pairs<CGAL::Simple_cartesian<double>>(cloud, "double") == hash));
+  CHECK((test_pairs<CGAL::Simple_cartesian<float>>(cloud, "float") == hash));
+  CHECK((test_pairs<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "epeck") == hash));
+  CHECK((test_point_set<Epick>(cloud, "point set of epick") == hash));
+  CHECK((test_point_set<CGAL::Simple_cartesian<float>>(cloud, "point set of float") == hash));
+  CHECK((test_point_set<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "point set of epeck") == hash));
+  CHECK(test_indices(cloud) == hash);
+  CHECK(test_class(cloud) == hash);
+  const std::uint64_t estimated = test_points<Epick>(cloud, "points of epick");
+  CHECK((test_points<CGAL::Simple_cartesian<float>>(cloud, "points of float") == estimated));
+  CHECK((test_points<CGAL::Simple_cartesian<double>>(cloud, "points of double") == estimated));
+  CHECK((test_points<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "points of epeck") == estimated));
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// is_valid_result() accepts a result, and refuses it as soon as one promise is
+// broken: each corruption below breaks a single one.
+
+#undef NDEBUG
+
+#include "testing/box_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+
+#include <cmath>
+
+namespace np = CGAL::Tandem::parameters;
+using Shapes = CGAL::Tandem::Planar_shapes_3<Epick>;
+using Data = Shapes::Data;
+
+class Corruptions {
+public:
+  Corruptions(const Pairs<Epick>& points, const Shapes& shapes) : points_(points), shapes_(shapes) {}
+
+  // `corrupt` changes the data; the reason given has to contain `word`.
+  template <class F>
+  void refuse(const char* name, const char* word, F corrupt)
+  {
+    Data data = shapes_.data();
+    corrupt(data);
+    std::string why;
+    CHECK_AT(!is_valid_result(points_, Shapes(data), maps(), &why), name);
+    CHECK_AT(why.find(word) != std::string::npos, std::string(name) + " is refused because: " + why);
+  }
+
+  // The first assigned point of shape s at or after `from`.
+  static std::size_t point_of(const Data& data, int s, std::size_t from = 0)
+  {
+    while(data.shape_of[from] != s)
+      ++from;
+    return from;
+  }
+
+  // A shape that is parallel to shape 0.
+  static std::size_t parallel_to_first(const Data& data)
+  {
+    std::size_t s = 1;
+    while(data.parallel_group[s] != data.parallel_group[0])
+      ++s;
+    return s;
+  }
+
+  static decltype(np::point_map(First<Epick>()).normal_map(Second<Epick>())) maps()
+  {
+    return np::point_map(First<Epick>()).normal_map(Second<Epick>());
+  }
+
+private:
+  const Pairs<Epick>& points_;
+  const Shapes& shapes_;
+};
+
+// The labels are shared, so they are changed in a copy.
+template <class F>
+void change_labels(Data& d, F change)
+{
+  std::vector<std::int32_t> labels(d.shape_of.begin(), d.shape_of.end());
+  change(labels);
+  CGAL::Tandem::internal::Host_buffer<std::int32_t> changed(labels.size());
+  std::copy(labels.begin(), labels.end(), changed.begin());
+  d.shape_of = std::move(changed);
+}
+
+void set_label(Data& d, std::size_t i, std::int32_t label)
+{
+  change_labels(d, [&](std::vector<std::int32_t>& labels) { labels[i] = label; });
+}
+
+void test_points(Corruptions& c)
+{
+  c.refuse("label too large", "out of range", [](Data& d) { set_label(d, 5, int(d.coefficients.size())); });
+  c.refuse("label below -1", "out of range", [](Data& d) { set_label(d, 5, -2); });
+  c.refuse("missing label", "shape indices",
+           [](Data& d) { change_labels(d, [](std::vector<std::int32_t>& labels) { labels.pop_back(); }); });
+  c.refuse("swapped labels", "too far", [](Data& d) {
+    const std::size_t i = Corruptions::point_of(d, 0), j = Corruptions::point_of(d, 1);
+    set_label(d, i, 1);
+    set_label(d, j, 0);
+  });
+  c.refuse("point freed behind the statistics", "count other points",
+           [](Data& d) { set_label(d, Corruptions::point_of(d, 0), -1); });
+  c.refuse("oblique normal", "oblique", [](Data& d) { d.parameters.maximum_angle = .5; });
+  c.refuse("smaller epsilon", "too far", [](Data& d) { d.parameters.maximum_distance = .0005; });
+}
+
+void test_planes(Corruptions& c)
+{
+  c.refuse("moved plane", "too far", [](Data& d) { d.coefficients[0][3] += .006; });
+  c.refuse("normal that is not unit", "unit normal", [](Data& d) { d.coefficients[0][0] *= 1.0001; });
+  c.refuse("infinite offset", "unit normal", [](Data& d) { d.coefficients[0][3] = 1 / 0.; });
+  c.refuse("NaN", "unit normal", [](Data& d) { d.coefficients[0][1] = std::nan(""); });
+  c.refuse("last bit of a parallel normal", "parallel", [](Data& d) {
+    double& x = d.coefficients[Corruptions::parallel_to_first(d)][0];
+    x = std::nextafter(x, 0.);
+  });
+  c.refuse("sign of a parallel normal", "parallel", [](Data& d) {
+    for(double& x : d.coefficients[Corruptions::parallel_to_first(d)])
+      x = -x;
+  });
+  c.refuse("planes called coplanar", "coplanar", [](Data& d) {
+    d.coplanar_group[Corruptions::parallel_to_first(d)] = d.coplanar_group[0];
+    for(int& g : d.coplanar_group) // no group is empty
+      g -= g == int(d.coefficients.size()) - 1 && d.coplanar_group[0] != g;
+  });
+  c.refuse("planes called orthogonal", "not orthogonal", [](Data& d) {
+    const std::array<double, 4> old = d.coefficients[0];
+    for(std::size_t s = 0; s < d.coefficients.size(); ++s)
+      if(d.parallel_group[s] == d.parallel_group[0]) { // turned so little that all points still fit
+        d.coefficients[s][0] = old[0] - 1e-14 * old[1];
+        d.coefficients[s][1] = old[1] + 1e-14 * old[0];
+      }
+  });
+  c.refuse("unknown group", "no group", [](Data& d) { d.parallel_group[1] = 1 << 30; });
+  c.refuse("negative group", "no group", [](Data& d) { d.coplanar_group[1] = -1; });
+  c.refuse("unknown orthogonal pair", "orthogonal", [](Data& d) { d.orthogonal_groups.emplace_back(0, 17); });
+  c.refuse("missing plane", "tables", [](Data& d) { d.coefficients.pop_back(); });
+}
+
+void test_shapes(Corruptions& c)
+{
+  c.refuse("small shape", "too small", [](Data& d) { d.parameters.minimum_region_size = 100000; });
+  c.refuse("orthogonal pair removed", "orthogonal pairs", [](Data& d) { d.orthogonal_groups.pop_back(); });
+  c.refuse("coverage", "coverage", [](Data& d) { d.statistics.coverage = .5; });
+  c.refuse("mean distance", "mean distance", [](Data& d) { d.statistics.mean_distance = 1; });
+  c.refuse("number of shapes", "count other shapes", [](Data& d) { ++d.statistics.number_of_shapes; });
+}
+
+// Points of a strip are taken out of the largest face, so that it falls into two parts.
+void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
+{
+  c.refuse("disconnected shape", "not connected", [&](Data& d) {
+    const Epick::Vector_3 across(.36, .48, -.8), along(-.8, .6, 0), up(.48, .64, .6);
+    double middle = 0;
+    std::vector<std::size_t> members;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if(d.shape_of[i] == 0)
+        members.push_back(i);
+    const auto& n = d.coefficients[0];
+    const Epick::Vector_3 normal(n[0], n[1], n[2]);
+    const Epick::Vector_3 axis = std::fabs(normal * across) > .9 ? along : std::fabs(normal * along) > .9 ? up : across;
+    for(std::size_t i : members)
+      middle += (points[i].first - CGAL::ORIGIN) * axis / double(members.size());
+    change_labels(d, [&](std::vector<std::int32_t>& labels) {
+      for(std::size_t i : members)
+        if(std::fabs((points[i].first - CGAL::ORIGIN) * axis - middle) < .12) {
+          labels[i] = -1;
+          --d.statistics.number_of_assigned_points;
+        }
+    });
+    d.statistics.coverage = double(d.statistics.number_of_assigned_points) / double(points.size());
+  });
+}
+
+int main()
+{
+  const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
+  const Shapes shapes = CGAL::Tandem::detect_planes(points, Corruptions::maps().maximum_distance(.006));
+  CHECK(shapes.number_of_shapes() == 6);
+  std::string why;
+  CHECK_AT(is_valid_result(points, shapes, Corruptions::maps(), &why), why);
+  Corruptions corruptions(points, shapes);
+  test_points(corruptions);
+  test_planes(corruptions);
+  test_shapes(corruptions);
+  test_connectivity(corruptions, points);
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,290 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the steps before and after the loop are made of, against naive versions, on
+// several back ends: compaction, the order along the curve, leaves, the border, sums
+// of shapes, sizes of components, the exact check, what is measured and handed over.
+
+#undef NDEBUG
+
+#include "testing/block_searches.h"
+#include "testing/body_fixture.h"
+
+#include <CGAL/Tandem/internal/finish/extract_shapes.h>
+#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
+
+#include <map>
+#include <set>
+
+using namespace CGAL::Tandem::internal;
+
+template <class Backend>
+class Backend_steps {
+public:
+  Backend_steps(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+
+  void run()
+  {
+    test_searches();
+    test_compact();
+    test_order();
+    test_border();
+    test_deltas();
+    test_component_sizes();
+    test_exact_check();
+    test_measures();
+    test_groups();
+  }
+
+private:
+  template <class Buffer>
+  static std::vector<std::uint32_t> to_vector(const Buffer& buffer)
+  {
+    return std::vector<std::uint32_t>(buffer.begin(), buffer.end());
+  }
+
+  void test_searches()
+  {
+    for(std::uint32_t start : search_starts)
+      for(std::uint32_t most : search_sizes)
+        CHECK_AT(count_wrong_searches(backend_, start, most) == 0,
+                 name_ + ": searches from " + std::to_string(start) + " on for " + std::to_string(most) + " items");
+  }
+
+  void test_compact()
+  {
+    for(std::uint32_t n : {0u, 1u, 16384u, 16385u, 50000u})
+      for(std::uint32_t step : {1u, 3u, 20000u, 100000u}) {
+        std::vector<std::uint32_t> expected;
+        for(std::uint32_t i = 0; i < n; ++i)
+          if(i % step == step - 1)
+            expected.push_back(i);
+        const auto kept = backend_.compact(n, [step](std::uint32_t i) { return i % step == step - 1; });
+        check_lists(to_vector(kept), expected, name_ + ": compact");
+      }
+  }
+
+  // Many points of one code: each point 1 to 4 times, and the points between far outliers.
+  void test_order()
+  {
+    std::vector<Grid_point> point;
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+      point.insert(point.end(), 1 + i % 4, f_.point[i]);
+    point.push_back({1 << 28, 1 << 28, 1 << 28, no_normal});
+    point.push_back({-(1 << 28), -(1 << 28), -(1 << 28), no_normal});
+    const Code_frame frame = make_code_frame(point.data(), point.size());
+    std::vector<std::uint32_t> expected(point.size()), got;
+    for(std::uint32_t i = 0; i < expected.size(); ++i)
+      expected[i] = i;
+    auto key = [&](std::uint32_t i) {
+      const Grid_point& p = point[i]; // equal points: the last one first
+      return std::make_tuple(frame.code(p), frame.code_inside(p), p.x, p.y, p.z, p.normal, ~i);
+    };
+    std::sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
+    const auto order = sort_along_curve(backend_, point.data(), point.size(), frame,
+                                        [](std::uint32_t i, std::uint32_t j) { return i > j; });
+    for(std::size_t i = 0; i < order.size(); ++i)
+      got.push_back(order.view().index(i));
+    check_lists(got, expected, name_ + ": order along the curve");
+    test_leaves(order, frame);
+  }
+
+  template <class Table>
+  void test_leaves(const Table& order, const Code_frame& frame)
+  {
+    Sequential_backend sequential;
+    Host_sort_table copy(order.size());
+    for(std::size_t i = 0; i < order.size(); ++i)
+      copy.view().set(i, order.view().key(i), order.view().index(i));
+    for(std::size_t size : {std::size_t(64), std::size_t(700)}) {
+      const std::vector<Range> got = split_cells(backend_, order, frame, size),
+                               expected = split_cells(sequential, copy, frame, size);
+      CHECK_AT(got.size() == expected.size() &&
+                 std::equal(got.begin(), got.end(), expected.begin(),
+                            [](const Range& a, const Range& b) { return a.first == b.first && a.last == b.last; }),
+               name_ + ": leaves of " + std::to_string(size));
+    }
+  }
+
+  void test_border()
+  {
+    std::vector<std::uint32_t> expected;
+    for(const Range& cell : f_.cells)
+      for(std::uint32_t i = cell.first; i < cell.last; ++i) {
+        bool is_at_border = false;
+        f_.for_each_neighbor(i, [&](std::uint32_t q) { is_at_border |= q < cell.first || q >= cell.last; });
+        if(is_at_border)
+          expected.push_back(i);
+      }
+    Tandem_state<Backend> t(backend_);
+    take_cloud(f_, t);
+    find_border(t);
+    check_lists(to_vector(t.border), expected, name_ + ": border");
+    for(std::size_t c = 0; c < f_.cells.size(); ++c)
+      for(std::uint32_t b = t.cell_border[c].first; b < t.cell_border[c].last; ++b)
+        CHECK_AT(t.border[b] >= f_.cells[c].first && t.border[b] < f_.cells[c].last, name_ + ": border of a leaf");
+    CHECK_AT(t.cell_border[f_.cells.size() - 1].last == expected.size(), name_ + ": border of the last leaf");
+  }
+
+  // Twice: what has been taken is zero again.
+  void test_deltas()
+  {
+    Tandem_state<Backend> t(backend_);
+    t.shapes.resize(backend_, f_.plane.size() + 5);
+    std::map<std::uint32_t, std::int64_t> expected, got;
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+      if(f_.label[i] < first_mark)
+        expected[f_.label[i]] -= 1;
+    for(int pass = 0; pass < 2; ++pass) {
+      Shared_moments* sums = start_deltas(t, t.shapes.size());
+      for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+        if(f_.label[i] < first_mark)
+          add_point(sums[f_.label[i]], f_.point[i], -1);
+      got.clear();
+      std::uint32_t last = 0;
+      for(const Shape_delta& delta : take_deltas(t, t.shapes.size())) {
+        CHECK_AT(got.empty() || delta.id > last, name_ + ": order of deltas");
+        got[last = delta.id] = delta.sums.count;
+      }
+      CHECK_AT(got == expected && !got.empty(), name_ + ": deltas of pass " + std::to_string(pass));
+    }
+    CHECK_AT(take_deltas(t, t.shapes.size()).size() == 0, name_ + ": deltas without a pass");
+  }
+
+  void test_component_sizes()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::uint32_t> component(n), size(n, 0), expected(n, 0);
+    for(std::uint32_t i = 0; i < n; ++i) { // more roots in a leaf than its table has slots
+      component[i] = i - i % (1 + i / 16 % 32);
+      if(f_.label[i] < first_mark)
+        ++expected[component[i]];
+    }
+    backend_.template for_each_cell<Count_scratch>(
+      f_.cells.size(), Count_components<Backend>{f_.cells.data(), f_.label.data(), component.data(), size.data()});
+    check_lists(size, expected, name_ + ": sizes of components");
+  }
+
+  // Points that the integers leave open are decided by the caller's coordinates.
+  void test_exact_check()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    const Tolerance certain = {f_.tolerance.distance / 2, f_.tolerance.squared_cosine};
+    const Exact_bounds bounds = {1200, 0};
+    std::vector<Coefficients> plane;
+    for(const Plane& p : f_.plane)
+      plane.push_back({double(p.nx) / normal_scale, double(p.ny) / normal_scale, double(p.nz) / normal_scale,
+                       double(p.d) / normal_scale});
+    std::vector<double> coordinates(3 * std::size_t(n)), normals(coordinates.size(), 1);
+    std::vector<std::uint32_t> origin(n), label = f_.label, expected = label;
+    std::size_t refused = 0;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      origin[i] = n - 1 - i;
+      const double p[3] = {double(f_.point[i].x), double(f_.point[i].y), double(f_.point[i].z)};
+      std::copy(p, p + 3, &coordinates[3 * std::size_t(origin[i])]);
+      if(label[i] < first_mark && !fits(f_.plane[label[i]], f_.point[i], certain) &&
+         !bounds.is_near(plane[label[i]], {p[0], p[1], p[2]})) {
+        expected[i] = locked_label;
+        ++refused;
+      }
+    }
+    check_exactly(backend_, {f_.point.data(), label.data(), f_.plane.data(), certain}, label.data(), n, origin.data(),
+                  {{{coordinates.data(), false}, {normals.data(), false}}, plane.data(), bounds});
+    check_lists(label, expected, name_ + ": exact check");
+    CHECK_AT(refused > 20 || n < 100, name_ + ": " + std::to_string(refused) + " points refused");
+  }
+
+  // Every second label is a shape, all others are left out. Some points are farther away than epsilon.
+  void test_measures()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    const std::size_t labels = f_.plane.size();
+    std::vector<std::uint32_t> component(n), number(n, no_index), root(labels, no_index), opposed(labels, 0),
+      sums(labels);
+    std::vector<std::uint64_t> distance(1, 0);
+    std::uint64_t expected = 0;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      component[i] = i;
+      const std::uint32_t label = f_.label[i];
+      if(label >= first_mark)
+        continue;
+      component[i] = root[label] = (std::min)(root[label], i);
+      if(label % 2 != 0)
+        continue;
+      number[root[label]] = label;
+      const double share = double(f_.distance(label, i)) / double(f_.tolerance.distance);
+      expected += std::uint64_t(std::floor((std::min)(share, 1.) * distance_units + .5));
+      const Int_vector m = decode_normal(f_.point[i].normal);
+      sums[label] +=
+        double(f_.plane[label].nx) * m.x + double(f_.plane[label].ny) * m.y + double(f_.plane[label].nz) * m.z < 0;
+    }
+    backend_.template for_each_cell<Measure_scratch>(
+      f_.cells.size(),
+      Measure_points<Backend>{f_.point.data(), f_.cells.data(), f_.label.data(), f_.plane.data(), component.data(),
+                              number.data(), f_.tolerance.distance, opposed.data(), distance.data()});
+    check_lists(opposed, sums, name_ + ": opposed normals");
+    CHECK_AT(distance[0] == expected, name_ + ": distances");
+  }
+
+  // Labels that are no shapes are left out.
+  void test_groups()
+  {
+    const std::size_t shapes = f_.plane.size() - 1;
+    std::vector<std::int32_t> shape_of;
+    std::vector<std::vector<std::uint32_t>> expected(shapes);
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      shape_of.push_back(f_.label[i] < first_mark ? std::int32_t(f_.label[i]) : -1);
+      if(f_.label[i] < shapes)
+        expected[f_.label[i]].push_back(i);
+    }
+    const Point_groups groups = group_points(backend_, shape_of.data(), shape_of.size(), shapes);
+    for(std::size_t s = 0; s < shapes; ++s)
+      check_lists(std::vector<std::uint32_t>(groups.position.begin() + groups.first[s],
+                                             groups.position.begin() + groups.first[s + 1]),
+                  expected[s], name_ + ": points of shape " + std::to_string(s));
+    CHECK_AT(groups.position.size() == groups.first[shapes], name_);
+  }
+
+  Backend& backend_;
+  const std::string name_;
+  const Fixture& f_;
+};
+
+// All that can be used, up to the largest and down to the smallest numbers, wherever it is among others.
+template <class Value>
+void test_values()
+{
+  using Limits = std::numeric_limits<Value>;
+  const Value large = (Limits::max)(), small = Limits::denorm_min(), infinite = Limits::infinity();
+  for(std::size_t points : {1, 2, 7, 8, 9, 40})
+    for(std::size_t i = 0; i < 3 * points; ++i) {
+      std::vector<Value> v(3 * points, Value(1));
+      for(Value value : {large, -large, small, -small, Value(0)}) {
+        v[i] = value;
+        CHECK(are_finite(v.data(), v.size()) && !has_null(v.data(), v.size()));
+        const Coordinate_box box = box_around(v.data(), v.size());
+        for(std::size_t c = 0; c < 3; ++c) {
+          const Value other = points > 1 || c != i % 3 ? Value(1) : value;
+          CHECK(box.low[c] == double(c == i % 3 ? (std::min)(value, other) : other));
+          CHECK(box.high[c] == double(c == i % 3 ? (std::max)(value, other) : other));
+        }
+      }
+      for(Value value : {Limits::quiet_NaN(), infinite, -infinite}) {
+        v[i] = value;
+        CHECK(!are_finite(v.data(), v.size()));
+      }
+      std::fill_n(v.begin() + std::ptrdiff_t(i / 3 * 3), 3, Value(0));
+      CHECK(has_null(v.data(), v.size()));
+      v[i] = -small;
+      CHECK(!has_null(v.data(), v.size()));
+    }
+}
+
+int main()
+{
+  test_values<float>();
+  test_values<double>();
+  test_on_all_backends<Backend_steps>();
+  return report();
+}

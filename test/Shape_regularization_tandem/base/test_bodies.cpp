@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The arithmetic below all decisions, against long double and brute force: packed
+// normals, the predicate fits(), moments, fits, eigenvectors.
+
+#undef NDEBUG
+
+#include "testing/test_support.h"
+
+#include <CGAL/Tandem/internal/engine/prepare.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#endif
+#include <Eigen/Dense>
+
+using namespace CGAL::Tandem::internal;
+using scenes::Random;
+
+std::int32_t coordinate(Random& random, int bits)
+{
+  const std::int64_t range = std::int64_t(1) << bits;
+  return std::int32_t(std::int64_t(random.bits() % std::uint64_t(2 * range)) - range);
+}
+
+Grid_point random_point(Random& random, int bits)
+{
+  const scenes::Vec n = random.direction();
+  return {coordinate(random, bits), coordinate(random, bits), coordinate(random, bits), encode_normal({n.x, n.y, n.z})};
+}
+
+Plane random_plane(Random& random, const Grid_point& through)
+{
+  const scenes::Vec n = random.direction();
+  return make_plane({n.x, n.y, n.z}, {double(through.x), double(through.y), double(through.z)});
+}
+
+std::string text(const Vector& v)
+{
+  return std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z);
+}
+
+void check_packing(const Vector& n)
+{
+  const std::uint32_t code = encode_normal(n);
+  const Int_vector m = decode_normal(code), o = decode_normal(encode_normal(-n));
+  const Vector d = unit({double(m.x), double(m.y), double(m.z)});
+  // 16 bits in an octahedron: half a step of 2^-15 an axis, stretched by up to 3.
+  CHECK_AT(length(cross(d, unit(n))) < packing_margin_deg * .0174 && dot(d, n) > 0, text(n) + " becomes " + text(d));
+  CHECK_AT(o.x == -m.x && o.y == -m.y && o.z == -m.z, "the opposite of " + text(n));
+  CHECK_AT(code != no_normal, text(n));
+}
+
+void test_normals()
+{
+  Random random(1);
+  for(int i = 0; i < 20000; ++i) {
+    const scenes::Vec n = random.direction();
+    check_packing({n.x, n.y, n.z});
+    check_packing({n.x * 1e-30, n.y * 1e-30, n.z * 1e-30}); // any length
+    check_packing({n.x, n.y, n.z * 1e-7});                  // at the seam
+  }
+  for(int x = -3; x <= 3; ++x)
+    for(int y = -3; y <= 3; ++y)
+      for(int z = -3; z <= 3; ++z)
+        if(x != 0 || y != 0 || z != 0)
+          check_packing({double(x), double(y), double(z)});
+  check_packing({-0., -1, -0.});
+  check_packing({1, -0., -1e-300});
+  CHECK(encode_normal({0, 0, 0}) == no_normal);
+  CHECK(encode_normal({0, std::nan(""), 1}) == no_normal);
+  CHECK(decode_normal(no_normal).x == 0 && decode_normal(no_normal).y == 0 && decode_normal(no_normal).z == 0);
+}
+
+// Where long double says clearly yes or no, the integers have to agree.
+void test_fits()
+{
+  Random random(2);
+  int near = 0, aligned = 0;
+  for(int i = 0; i < 50000; ++i) {
+    const int bits = 8 + int(random.bits() % 22);
+    const Grid_point p = random_point(random, bits), q = random_point(random, bits);
+    const Plane s = random_plane(random, q);
+    const long double n[3] = {(long double)(s.nx), (long double)(s.ny), (long double)(s.nz)};
+    const long double size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    CHECK_AT(std::fabs(size / (long double)(normal_scale)-1) < 1e-8L, "plane " + std::to_string(i));
+    const long double e = n[0] * p.x + n[1] * p.y + n[2] * p.z + (long double)(s.d);
+    CHECK_AT(e == (long double)(signed_distance(s, p)), "point " + std::to_string(i));
+    const Int_vector m = decode_normal(p.normal);
+    const long double cosine =
+      std::fabs((n[0] * m.x + n[1] * m.y + n[2] * m.z) / size /
+                std::sqrt((long double)(m.x) * m.x + (long double)(m.y) * m.y + (long double)(m.z) * m.z));
+    const double degrees = 1 + 88 * random.uniform(), distance = std::ldexp(random.uniform(), bits);
+    const Tolerance t = make_tolerance(distance, cosine_deg(degrees));
+    const bool is_aligned_here = cosine >= std::cos((long double)(degrees)*3.14159265358979323846L / 180);
+    if(std::fabs(cosine * cosine - (long double)(t.squared_cosine) / 4294967296.L) > 1e-7L)
+      CHECK_AT(is_aligned(s, p, t.squared_cosine) == is_aligned_here, "angle of point " + std::to_string(i));
+    CHECK_AT(is_near(s, p, t.distance) == (std::fabs(e) <= (long double)(t.distance)),
+             "distance of point " + std::to_string(i));
+    near += is_near(s, p, t.distance);
+    aligned += is_aligned(s, p, t.squared_cosine);
+  }
+  CHECK(near > 5000 && near < 45000 && aligned > 5000 && aligned < 45000); // both answers are tested
+}
+
+// Both bounds belong to the shape.
+void test_bounds_are_inclusive()
+{
+  const Plane flat = make_plane({0, 0, 1}, {0, 0, 0});
+  const Tolerance t = make_tolerance(100, cosine_deg(60));
+  const std::uint32_t up = encode_normal({0, 0, 1}), down = encode_normal({0, 0, -1});
+  for(std::int32_t z : {100, -100, 101, -101})
+    for(std::uint32_t normal : {up, down, no_normal})
+      CHECK_AT(fits(flat, {5, -7, z, normal}, t) == (std::abs(z) == 100 && normal != no_normal), std::to_string(z));
+}
+
+bool equal(const Moments& a, const Moments& b)
+{
+  return a.count == b.count && std::equal(a.sum, a.sum + 3, b.sum) && std::equal(a.product, a.product + 6, b.product);
+}
+
+// The same sums three ways: in grid coordinates, relative to a leaf, and by words
+// with their carry, where points are also taken out again.
+template <class Backend>
+void test_moments(const char* name)
+{
+  Random random(3);
+  for(int bits : {3, 12, 23, 28, 29})
+    for(int round = 0; round < 20; ++round) {
+      const Grid_point base = random_point(random, bits);
+      Moments whole, left;
+      Shared_moments shared;
+      Box box;
+      const int bucket_bits = (std::min)(bits, 20);
+      for(int leaf = 0; leaf < 6; ++leaf) {
+        Cell_moments cell;
+        Box leaf_box;
+        for(int i = 0; i < 200; ++i) {
+          Grid_point p = random_point(random, bucket_bits);
+          p.x += base.x / 2, p.y += base.y / 2, p.z += base.z / 2;
+          const int sign = leaf < 4 ? 1 : -1; // the last two take away more than there is
+          whole.add(p, sign);
+          leaf_box.add(p);
+          cell.add(std::int64_t(p.x) - base.x / 2, std::int64_t(p.y) - base.y / 2, std::int64_t(p.z) - base.z / 2,
+                   sign);
+        }
+        const Moments moved = shifted(cell, base.x / 2, base.y / 2, base.z / 2);
+        left += moved;
+        atomic_add<Backend>(shared, moved, leaf_box);
+        box.add(leaf_box);
+        const std::string where =
+          std::string(name) + ", " + std::to_string(bits) + " bits, leaf " + std::to_string(leaf);
+        CHECK_AT(equal(left, whole), where + ": shifted");
+        CHECK_AT(equal(shared.moments(), whole), where + ": shared");
+        CHECK_AT(std::equal(box.low, box.low + 3, shared.box.low) &&
+                   std::equal(box.high, box.high + 3, shared.box.high),
+                 where);
+      }
+    }
+}
+
+// The carry from the low to the high word, both ways.
+void test_carry()
+{
+  const Int128 values[] = {0,
+                           1,
+                           -1,
+                           (Int128(1) << 64) - 1,
+                           Int128(1) << 64,
+                           -(Int128(1) << 64),
+                           (Int128(1) << 100) + 5,
+                           -(Int128(1) << 100) - 5,
+                           (Int128(1) << 63),
+                           -(Int128(1) << 63)};
+  for(const Int128& a : values)
+    for(const Int128& b : values) {
+      Shared_moments shared;
+      Moments m;
+      for(const Int128& v : {a, b, b, Int128(-a)}) {
+        std::fill(m.product, m.product + 6, v);
+        atomic_add<Sequential_backend>(shared, m, Box());
+      }
+      for(int i = 0; i < 6; ++i)
+        CHECK_AT(shared.moments().product[i] == 2 * b, "product " + std::to_string(i));
+    }
+}
+
+// Scatter and plane of points far from the origin, against long double about the centroid.
+void test_fit()
+{
+  Random random(4);
+  for(int bits : {6, 16, 24, 28}) {
+    const Grid_point far = random_point(random, 28);
+    std::vector<Grid_point> points;
+    Moments m;
+    const scenes::Vec n = random.direction(), u = unit(cross(n, scenes::Vec{n.y, n.z, -n.x})), v = cross(n, u);
+    for(int i = 0; i < 500; ++i) {
+      const double a = std::ldexp(random.uniform(), bits), b = std::ldexp(random.uniform(), bits),
+                   c = 3 * random.gaussian();
+      const scenes::Vec p = a * u + b * v + c * n;
+      points.push_back({far.x + std::int32_t(p.x), far.y + std::int32_t(p.y), far.z + std::int32_t(p.z), 0});
+      m.add(points.back());
+    }
+    long double mean[3] = {0, 0, 0}, s[3][3] = {};
+    for(const Grid_point& p : points) {
+      const long double c[3] = {(long double)(p.x) / 500, (long double)(p.y) / 500, (long double)(p.z) / 500};
+      for(int i = 0; i < 3; ++i)
+        mean[i] += c[i];
+    }
+    for(const Grid_point& p : points) {
+      const long double c[3] = {p.x - mean[0], p.y - mean[1], p.z - mean[2]};
+      for(int i = 0; i < 3; ++i)
+        for(int j = 0; j < 3; ++j)
+          s[i][j] += c[i] * c[j];
+    }
+    const Scatter scatter = make_scatter(m);
+    const Symmetric_matrix& x = scatter.matrix;
+    const long double trace = s[0][0] + s[1][1] + s[2][2];
+    const double got[6] = {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz};
+    for(int i = 0, k = 0; i < 3; ++i)
+      for(int j = i; j < 3; ++j, ++k)
+        CHECK_AT(std::fabs((long double)(got[k]) - s[i][j]) <= 1e-13L * trace,
+                 std::to_string(bits) + " bits, entry " + std::to_string(k));
+    CHECK_AT(std::fabs((long double)(scatter.centroid.x) - mean[0]) < 1e-6L, std::to_string(bits) + " bits, centroid");
+    const Vector normal = fit_plane(scatter).normal;
+    CHECK_AT(bits == 6 || std::fabs(dot(normal, {n.x, n.y, n.z})) > 1 - 1e-6,
+             std::to_string(bits) + " bits: " + text(normal));
+  }
+}
+
+void check_eigen_system(const Symmetric_matrix& m, const std::string& name)
+{
+  Eigen::Matrix3d e;
+  e << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
+  const Eigen::Vector3d expected = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(e).eigenvalues();
+  const Eigen_system system = eigen_system(m);
+  const double size = (std::max)(e.norm(), 1e-300);
+  for(int i = 0; i < 3; ++i) {
+    const Vector& v = system.vector[i];
+    CHECK_AT(std::fabs(system.value[i] - expected[i]) <= 2e-15 * size, name + ", value " + std::to_string(i));
+    CHECK_AT(i == 0 || system.value[i - 1] <= system.value[i], name + ": the values are not sorted");
+    CHECK_AT(length(m * v - system.value[i] * v) <= 4e-15 * size,
+             name + ", vector " + std::to_string(i) + " is " + text(v));
+    for(int j = 0; j <= i; ++j)
+      CHECK_AT(std::fabs(dot(v, system.vector[j]) - (i == j)) < 4e-15, name + ": the vectors are not orthonormal");
+  }
+}
+
+void test_eigen_system()
+{
+  Random random(5);
+  for(int i = 0; i < 3000; ++i) {
+    Symmetric_matrix m = {0, 0, 0, 0, 0, 0};
+    const int rank = 1 + int(random.bits() % 5);
+    const double flat = std::ldexp(1, -int(random.bits() % 40));
+    for(int r = 0; r < rank; ++r) {
+      const scenes::Vec a = random.direction();
+      const Vector v = {a.x, a.y, flat * a.z};
+      m = m + Symmetric_matrix{v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
+    }
+    check_eigen_system(m, "matrix " + std::to_string(i) + " of rank " + std::to_string(rank));
+  }
+  check_eigen_system({0, 0, 0, 0, 0, 0}, "null matrix");
+  check_eigen_system({1e30, 0, 0, 1e30, 0, 1e30}, "isotropic matrix");
+  check_eigen_system({2, 0, 0, 1, 0, 3}, "diagonal matrix");
+  check_eigen_system({1, 1, 1, 1, 1, 1}, "matrix of ones");
+  check_eigen_system({1e20, 1, 0, 1e-20, 0, 1}, "graded matrix");
+}
+
+int main()
+{
+  test_normals();
+  test_fits();
+  test_bounds_are_inclusive();
+  test_moments<Sequential_backend>("sequential");
+#ifdef CGAL_LINKED_WITH_TBB
+  test_moments<Tbb_backend>("parallel");
+#endif
+  test_carry();
+  test_fit();
+  test_eigen_system();
+  return report();
+}

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuda_tag as a guest of its process: several threads, the current device, memory that
+// is kept and given back, memory that is too small.
+//   test_cuda_device [RUNS]   checks, too, that so many runs do not lose memory
+
+#undef NDEBUG
+
+#include "testing/cuda_support.h"
+
+#include <CGAL/Tandem/internal/cuda/runtime/Device_guard.cuh>
+
+#include <cuda_runtime_api.h>
+
+#include <cstdlib>
+#include <thread>
+
+using CGAL::Tandem::Cuda_if_available_tag;
+
+std::size_t free_memory()
+{
+  std::size_t free = 0, total = 0;
+  CHECK(cudaMemGetInfo(&free, &total) == cudaSuccess);
+  return free;
+}
+
+int number_of_devices()
+{
+  int devices = 0;
+  CHECK(cudaGetDeviceCount(&devices) == cudaSuccess);
+  return devices;
+}
+
+// All at the same time, each thread with a cloud of its own and once with the first, and on all devices.
+void test_threads()
+{
+  constexpr std::size_t number = 6;
+  const char* names[number] = {"house", "village", "indoor", "part", "cube", "staircase"};
+  const Parameters parameters = make_parameters(.03, 40);
+  std::vector<Cloud> clouds;
+  std::vector<std::uint64_t> expected;
+  for(const char* name : names) {
+    clouds.push_back(make_cloud(name, 20000));
+    expected.push_back(detect(clouds.back(), parameters).hash());
+  }
+  std::vector<int> wrong(number, 0);
+  std::vector<std::thread> threads;
+  for(std::size_t t = 0; t < number; ++t)
+    threads.emplace_back([&, t, device = int(t) % number_of_devices()] {
+      wrong[t] += cudaSetDevice(device) != cudaSuccess;
+      for(int run = 0; run < 4; ++run) {
+        wrong[t] += detect<Cuda_tag>(clouds[t], parameters).hash() != expected[t];
+        wrong[t] += detect<Cuda_tag>(clouds[0], parameters).hash() != expected[0];
+      }
+    });
+  for(std::thread& thread : threads)
+    thread.join();
+  for(std::size_t t = 0; t < number; ++t)
+    check_equal(wrong[t], 0, "wrong results of thread " + std::to_string(t));
+}
+
+// A detection that is made by one thread, on the last device, and finished by another one.
+void test_moves_between_threads()
+{
+  const Cloud cloud = make_cloud("house", 20000);
+  const auto list = CGAL::Tandem::parameters::settings(make_parameters(.05, 40))
+                      .point_map(First<Kernel>())
+                      .normal_map(Second<Kernel>());
+  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Cuda_tag>;
+  CHECK(cudaSetDevice(number_of_devices() - 1) == cudaSuccess);
+  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(cloud, list);
+  CHECK(cudaSetDevice(0) == cudaSuccess);
+  int device_of_thread = -1;
+  std::thread([&] {
+    detection.detect();
+    CHECK(cudaGetDevice(&device_of_thread) == cudaSuccess);
+  }).join();
+  check_equal(device_of_thread, 0, "device of a thread that has chosen none, where the first one is in use");
+  CHECK(detection.shapes().hash() == detect(cloud, make_parameters(.05, 40)).hash());
+}
+
+// The last device is used, and that alone: the first of several has no context afterwards, of any thread. To be called
+// before something else has made one.
+void test_last_device()
+{
+  const int last = number_of_devices() - 1;
+  const Cloud cloud = make_cloud("house", 300000);
+  const Parameters parameters = make_parameters(.05, 100);
+  CHECK(cudaSetDevice(last) == cudaSuccess);
+  CHECK(detect<Cuda_tag>(cloud, parameters).hash() == detect(cloud, parameters).hash());
+  CHECK(CGAL::Tandem::internal::has_context(last));
+  CHECK(last == 0 || !CGAL::Tandem::internal::has_context(0));
+  CHECK(cudaSetDevice(0) == cudaSuccess);
+}
+
+// On each device there is; the current one stays what it was.
+void test_current_device()
+{
+  const Cloud cloud = make_cloud("house", 10000);
+  const std::uint64_t expected = detect(cloud, make_parameters(.05, 40)).hash();
+  for(int device = number_of_devices() - 1; device >= 0; --device) {
+    CHECK(cudaSetDevice(device) == cudaSuccess);
+    CHECK_AT(detect<Cuda_tag>(cloud, make_parameters(.05, 40)).hash() == expected, std::to_string(device));
+    int now = -1;
+    CHECK(cudaGetDevice(&now) == cudaSuccess);
+    check_equal(now, device, "current device");
+    CHECK(cudaGetLastError() == cudaSuccess);
+  }
+}
+
+// Fails at the item in the middle.
+struct Failing_map {
+  using key_type = Cloud::value_type;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+  const Cloud* cloud;
+
+  friend reference get(const Failing_map& map, const key_type& item)
+  {
+    if(&item == &(*map.cloud)[map.cloud->size() / 2])
+      throw std::domain_error("no such point");
+    return item.first;
+  }
+};
+
+// Nothing is lost where a map fails in the middle of the upload, and where a callback throws between rounds.
+void test_exceptions()
+{
+  const Cloud cloud = make_cloud("house", 100000);
+  const auto settings = CGAL::Tandem::parameters::settings(make_parameters(.05, 40)).normal_map(Second<Kernel>());
+  const auto fail_in_upload = [&] {
+    CGAL::Tandem::detect_planes<Cuda_tag>(cloud, settings.point_map(Failing_map{&cloud}));
+  };
+  const auto fail_between_rounds = [&] {
+    int calls = 0;
+    const CGAL::Tandem::Callback callback = [&](double) -> bool {
+      return ++calls < 4 ? true : throw std::domain_error("no more");
+    };
+    CGAL::Tandem::detect_planes<Cuda_tag>(cloud, settings.point_map(First<Kernel>()).callback(callback));
+  };
+  std::size_t settled = 0;
+  for(int run = 0; run < 40; ++run) {
+    check_throws<std::domain_error>(fail_in_upload, {"no such point"}, __LINE__);
+    check_throws<std::domain_error>(fail_between_rounds, {"no more"}, __LINE__);
+    if(run == 19)
+      settled = free_memory();
+  }
+  check_equal(free_memory(), settled, "free memory after exceptions");
+  CHECK(detect<Cuda_tag>(cloud, make_parameters(.05, 40)).hash() == detect(cloud, make_parameters(.05, 40)).hash());
+}
+
+// What a run keeps for the next one is given back, as often as asked for.
+void test_release()
+{
+  const Cloud cloud = make_cloud("village", 300000);
+  CGAL::Tandem::release_memory();
+  const Shapes first = detect<Cuda_tag>(cloud, make_parameters(.05, 100));
+  const std::size_t before = free_memory();
+  CGAL::Tandem::release_memory();
+  const std::size_t released = free_memory();
+  CHECK_AT(released > before, std::to_string(before) + " bytes free before release_memory()");
+  CGAL::Tandem::release_memory();
+  check_equal(free_memory(), released, "free memory after the second release_memory()");
+  CHECK(detect<Cuda_tag>(cloud, make_parameters(.05, 100)).hash() == first.hash());
+}
+
+// Another user of the device leaves less memory than the tables of leaves and shapes need.
+void test_too_large_cloud()
+{
+  const Cloud cloud = make_cloud("house", 120000);
+  const Parameters parameters = make_parameters(.05, 100);
+  const std::uint64_t expected = detect(cloud, parameters).hash();
+  CGAL::Tandem::release_memory();
+  const std::size_t left = std::size_t(24) << 20;
+  void* block = nullptr;
+  CHECK(free_memory() > left && cudaMalloc(&block, free_memory() - left) == cudaSuccess);
+  check_throws<std::length_error>([&] { detect<Cuda_tag>(cloud, parameters); },
+                                  {"the cloud has 120000 points", "the CUDA device has memory for", "k_neighbors"},
+                                  __LINE__);
+  const Shapes on_host = detect<Cuda_if_available_tag>(cloud, parameters);
+  CHECK(on_host.hash() == expected && on_host.statistics().backend != std::string("cuda"));
+  CHECK(cudaFree(block) == cudaSuccess);
+  const Shapes on_device = detect<Cuda_if_available_tag>(cloud, parameters);
+  CHECK(on_device.hash() == expected && on_device.statistics().backend == std::string("cuda"));
+}
+
+// The first runs find out how much memory is kept.
+void test_loop(int runs)
+{
+  const Cloud cloud = make_cloud("house", 20000);
+  const Parameters parameters = make_parameters(.05, 40);
+  const std::uint64_t expected = detect(cloud, parameters).hash();
+  std::size_t settled = 0;
+  for(int run = 0; run < runs; ++run) {
+    const Given given = run % 2 == 0 ? Given::normals : Given::nothing;
+    const std::uint64_t hash = detect<Cuda_tag>(cloud, parameters, given).hash();
+    CHECK_AT(given == Given::nothing || hash == expected, "run " + std::to_string(run));
+    if(run == 9)
+      settled = free_memory();
+  }
+  if(runs > 10)
+    check_equal(free_memory(), settled, "free memory after " + std::to_string(runs) + " runs");
+}
+
+int main(int argc, char** argv)
+{
+  int devices = 0;
+  if(cudaGetDeviceCount(&devices) == cudaSuccess && devices > 1)
+    static_cast<void>(cudaSetDevice(devices - 1)); // test_last_device()
+  if(!has_device())
+    return exit_skipped;
+  if(argc > 1) {
+    test_loop(std::atoi(argv[1]));
+    return report();
+  }
+  test_last_device();
+  test_threads();
+  test_moves_between_threads();
+  test_current_device();
+  test_exceptions();
+  test_release();
+  test_too_large_cloud();
+  test_loop(30);
+  return report();
+}

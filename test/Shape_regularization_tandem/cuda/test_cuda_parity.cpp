@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuda_tag gives the bits of Sequential_tag: on all scenes, for all options, for bad
+// input, and after each round.
+//   test_cuda_parity [SEED [NUMBER]]   or for so many random cases (1), from this seed on
+
+#undef NDEBUG
+
+#include "testing/cuda_support.h"
+#include "testing/patches_cloud.h"
+#include "testing/random_case.h"
+
+#include <cstdlib>
+#include <limits>
+
+// Labels, planes, relations, and what the statistics say of the way to them.
+void check_same_result(const Shapes& device, const Shapes& host, const std::string& name)
+{
+  check_same(device, host, name);
+  CHECK_AT(device.hash() == host.hash(), name + ": hash");
+  const auto &a = device.statistics(), &b = host.statistics();
+  CHECK_AT(a.backend == std::string("cuda") || a.number_of_rounds == 0, name + ": " + a.backend);
+  check_equal(a.number_of_rounds, b.number_of_rounds, name + ": rounds");
+  check_equal(a.number_of_ignored_coordinates, b.number_of_ignored_coordinates, name + ": ignored coordinates");
+  check_equal(a.number_of_ignored_normals, b.number_of_ignored_normals, name + ": ignored normals");
+  check_equal(a.is_grid_coarse, b.is_grid_coarse, name + ": coarse grid");
+}
+
+// Returns the number of shapes.
+std::size_t compare_with_host(const std::string& name, const Cloud& cloud, const Parameters& parameters, Given given)
+{
+  const std::string what = name + (given == Given::normals ? "" : ", own normals");
+  const Shapes device = detect<Cuda_tag>(cloud, parameters, given);
+  check_same_result(device, detect(cloud, parameters, given), what);
+  check_valid(cloud, device, what, given);
+  return device.number_of_shapes();
+}
+
+void test_scenes()
+{
+  std::size_t shapes = 0;
+  for(const std::string& name : scenes::scene_names())
+    for(std::size_t size : {std::size_t(3000), std::size_t(20000)}) {
+      const Cloud cloud = make_cloud(name, size);
+      for(Given given : {Given::normals, Given::nothing}) {
+        const std::string what = name + ", " + std::to_string(size) + " points";
+        shapes += compare_with_host(what, cloud, Parameters(), given); // with estimated parameters
+        shapes += compare_with_host(what + ", .02", cloud, make_parameters(.02, 30), given);
+      }
+    }
+  CHECK_AT(shapes > 500, std::to_string(shapes) + " shapes in all");
+}
+
+// Each option on its own.
+std::vector<std::pair<std::string, Parameters>> variants(const Parameters& base)
+{
+  std::vector<std::pair<std::string, Parameters>> list;
+  auto add = [&](const std::string& name, auto change) {
+    list.emplace_back(name, base);
+    change(list.back().second);
+  };
+  add("no parallelism", [](Parameters& p) { p.regularize_parallelism = false; });
+  add("no orthogonality", [](Parameters& p) { p.regularize_orthogonality = false; });
+  add("no coplanarity", [](Parameters& p) { p.regularize_coplanarity = false; });
+  add("no regularity",
+      [](Parameters& p) { p.regularize_parallelism = p.regularize_orthogonality = p.regularize_coplanarity = false; });
+  for(std::size_t k : {3, 8, 12, 20, 25, 64}) // two searches, a packet of each size
+    add("k = " + std::to_string(k), [&](Parameters& p) { p.k_neighbors = k; });
+  for(std::size_t size : {64, 300, 8192, 8193, 65536}) // queues in fast and in slow memory
+    add("cells of " + std::to_string(size), [&](Parameters& p) { p.cell_size = size; });
+  add("large epsilon", [](Parameters& p) { p.maximum_distance *= 20; });
+  add("small epsilon", [](Parameters& p) { p.maximum_distance /= 50; });
+  add("wide angle", [](Parameters& p) { p.maximum_angle = 80; });
+  add("narrow angle", [](Parameters& p) { p.maximum_angle = 2; });
+  add("no tolerance", [](Parameters& p) { p.angle_tolerance = p.maximum_offset = 0; });
+  add("all shapes", [](Parameters& p) { p.minimum_region_size = 3; });
+  return list;
+}
+
+void test_options()
+{
+  for(const char* name : {"house", "indoor"}) {
+    const Cloud cloud = make_cloud(name, 70000);
+    for(const auto& variant : variants(make_parameters(name == std::string("house") ? .08 : .03, 80)))
+      for(Given given : {Given::normals, Given::nothing})
+        compare_with_host(std::string(name) + ", " + variant.first, cloud, variant.second, given);
+  }
+}
+
+Cloud repeated(std::size_t n) { return Cloud(n, {Kernel::Point_3(1, 2, 3), Kernel::Vector_3(0, 0, 1)}); }
+
+Cloud line(std::size_t n)
+{
+  Cloud cloud;
+  for(std::size_t i = 0; i < n; ++i)
+    cloud.emplace_back(Kernel::Point_3(.001 * double(i), .002 * double(i), -.003 * double(i)),
+                       Kernel::Vector_3(2, -1, 0));
+  return cloud;
+}
+
+Cloud with_invalid_points()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  Cloud cloud = make_cloud("cube", 5000);
+  for(std::size_t i = 0; i < cloud.size(); i += 7) {
+    if(i % 2 == 0)
+      cloud[i].first = Kernel::Point_3(i % 4 == 0 ? nan : -infinite, 0, 0);
+    else
+      cloud[i].second = Kernel::Vector_3(i % 3 == 0 ? nan : 0, 0, 0);
+  }
+  return cloud;
+}
+
+Cloud moved(Cloud cloud, double x, double y, double z)
+{
+  for(auto& item : cloud)
+    item.first = Kernel::Point_3(item.first.x() + x, item.first.y() + y, item.first.z() + z);
+  return cloud;
+}
+
+void test_bad_input()
+{
+  const Cloud cube = make_cloud("cube", 6000, .001, .02);
+  Cloud doubled = cube, far = cube, few(cube.begin(), cube.begin() + 12), clusters = cube;
+  doubled.insert(doubled.end(), cube.begin(), cube.end());
+  far.emplace_back(Kernel::Point_3(30000, 0, 0), Kernel::Vector_3(0, 0, 1));
+  for(const auto& item : moved(cube, 900, -400, 200))
+    clusters.push_back(item);
+  std::vector<std::pair<std::string, Cloud>> clouds = {{"duplicates", doubled},
+                                                       {"coarse grid", far},
+                                                       {"few points", few},
+                                                       {"far clusters", clusters},
+                                                       {"a line", line(3000)},
+                                                       {"invalid points", with_invalid_points()},
+                                                       {"huge offset", moved(cube, 4e6, -5e6, 300)},
+                                                       {"empty", {}}};
+  for(std::size_t n : {1, 2, 3, 4, 33, 5000})
+    clouds.emplace_back(std::to_string(n) + " equal points", repeated(n));
+  for(const auto& named : clouds)
+    for(Given given : {Given::normals, Given::nothing})
+      for(std::size_t minimum : {std::size_t(3), std::size_t(40)})
+        compare_with_host(named.first, named.second, make_parameters(.01, minimum), given);
+  CHECK(detect<Cuda_tag>(far, make_parameters(.01, 40)).statistics().is_grid_coarse);
+}
+
+template <class Normal_map, class Tag>
+using Detection =
+  CGAL::Tandem::Planar_shape_detection_3<CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Normal_map, Tag>>;
+
+// A difference is reported with the round in which it comes up.
+template <class Normal_map>
+void compare_rounds(const std::string& name, const Cloud& cloud, const Parameters& parameters)
+{
+  const auto list = CGAL::Tandem::parameters::settings(parameters).point_map(First<Kernel>()).normal_map(Normal_map());
+  Detection<Normal_map, CGAL::Sequential_tag> host(cloud, list);
+  Detection<Normal_map, Cuda_tag> device(cloud, list);
+  const int failures_before = failures();
+  bool goes_on = true;
+  for(int round = 0; goes_on && failures() == failures_before; ++round) {
+    goes_on = host.iterate();
+    const std::string where = name + ", round " + std::to_string(round);
+    CHECK_AT(device.iterate() == goes_on, where + ": one of them has ended");
+    check_same(device.shapes(), host.shapes(), where);
+  }
+  host.finish();
+  device.finish();
+  check_same_result(device.shapes(), host.shapes(), name + ", after the end game");
+  CHECK_AT(host.shapes().number_of_shapes() >= 2, name);
+}
+
+void test_rounds()
+{
+  for(const char* name : {"house", "staircase", "village"}) {
+    const Cloud cloud = make_cloud(name, 20000);
+    Parameters parameters = make_parameters(.3, 40);
+    parameters.cell_size = 1000;
+    compare_rounds<Second<Kernel>>(name, cloud, parameters);
+    compare_rounds<CGAL::Default>(name + std::string(", own normals"), cloud, parameters);
+  }
+  compare_rounds<Second<Kernel>>("patches", make_patches_cloud(500, .02), make_parameters(.05, 100)); // several passes
+}
+
+// However the device is stopped, the shapes are those of the host stopped there.
+void test_cancellation()
+{
+  const Cloud cloud = make_cloud("house", 20000);
+  auto cancelled = [&](auto tag, int calls) {
+    const CGAL::Tandem::Callback callback = [&calls](double) { return --calls > 0; };
+    const auto list = CGAL::Tandem::parameters::settings(make_parameters(.05, 40)).point_map(First<Kernel>());
+    return CGAL::Tandem::detect_planes<decltype(tag)>(cloud, list.normal_map(Second<Kernel>()).callback(callback));
+  };
+  for(int calls = 1; calls <= 5; ++calls) {
+    const Shapes device = cancelled(Cuda_tag(), calls);
+    const std::string name = "cancelled by call " + std::to_string(calls);
+    CHECK_AT(device.is_cancelled(), name);
+    check_same(device, cancelled(CGAL::Sequential_tag(), calls), name);
+    check_valid(cloud, device, name);
+  }
+}
+
+// Returns the number of shapes.
+std::size_t test_random_cases(std::uint64_t seed, std::uint64_t number)
+{
+  std::size_t shapes = 0;
+  for(std::uint64_t i = 0; i < number; ++i) {
+    const Random_case c = make_random_case(seed + i, 60000);
+    shapes += compare_with_host(c.name, c.cloud, c.parameters, c.given);
+  }
+  return shapes;
+}
+
+int main(int argc, char** argv)
+{
+  if(!has_device())
+    return exit_skipped;
+  if(argc > 1) {
+    test_random_cases(std::strtoull(argv[1], nullptr, 10), argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1);
+    return report();
+  }
+  CHECK(test_random_cases(1, 50) > 200);
+  test_rounds();
+  test_scenes();
+  test_options();
+  test_bad_input();
+  test_cancellation();
+  return report();
+}

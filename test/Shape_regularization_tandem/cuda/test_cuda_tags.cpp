@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tags of the CUDA back end where there is a device, where there is none, and
+// where the library is not linked: Cuda_if_available_tag works everywhere.
+
+#undef NDEBUG
+
+#include "testing/cuda_support.h"
+
+using CGAL::Tandem::Cuda_if_available_tag;
+
+void test_if_available(const Cloud& cloud, const Parameters& parameters)
+{
+  const std::string expected = CGAL::Tandem::cuda_available()
+                                 ? "cuda"
+                                 : CGAL::Tandem::internal::Backend_of<CGAL::Parallel_if_available_tag>::type::name();
+  for(Given given : {Given::normals, Given::nothing}) {
+    const Shapes shapes = detect<Cuda_if_available_tag>(cloud, parameters, given);
+    CHECK_AT(shapes.statistics().backend == expected, shapes.statistics().backend);
+    check_same(shapes, detect(cloud, parameters, given), "Cuda_if_available_tag");
+    CHECK(shapes.number_of_shapes() >= 6);
+  }
+}
+
+// Step by step, as the loop of a caller has it.
+void test_steps(const Cloud& cloud, const Parameters& parameters)
+{
+  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Cuda_if_available_tag>;
+  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(
+    cloud, CGAL::Tandem::parameters::settings(parameters).point_map(First<Kernel>()).normal_map(Second<Kernel>()));
+  while(detection.iterate())
+    CHECK(detection.shapes().number_of_points() == cloud.size());
+  detection.finish();
+  check_same(detection.shapes(), detect(cloud, parameters), "step by step");
+}
+
+void test_report()
+{
+  const std::string report = CGAL::Tandem::cuda_device_report();
+#ifdef CGAL_TANDEM_USE_CUDA
+  const char* words = CGAL::Tandem::cuda_available() ? "compute capability" : "no CUDA device";
+#else
+  const char* words = "built without CUDA";
+  CHECK(!CGAL::Tandem::cuda_available());
+#endif
+  CHECK_AT(report.find(words) != std::string::npos, report);
+  CGAL::Tandem::release_memory();
+}
+
+int main()
+{
+  const Cloud cloud = make_cloud("cube", 6000);
+  const Parameters parameters = make_parameters(.02, 40);
+  test_if_available(cloud, parameters);
+  test_steps(cloud, parameters);
+  test_report();
+#ifdef CGAL_TANDEM_USE_CUDA
+  if(!CGAL::Tandem::cuda_available())
+    check_throws<std::runtime_error>([&] { detect<CGAL::Tandem::Cuda_tag>(cloud, parameters); },
+                                     {"Cuda_tag", "no CUDA device", "Cuda_if_available_tag"}, __LINE__);
+#endif
+  return report();
+}

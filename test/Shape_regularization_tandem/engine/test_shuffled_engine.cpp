@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The whole method on Shuffled_backend: after each round, and at the end, the bits
+// of the sequential one. A difference is reported with the round in which it comes up.
+//   test_shuffled_engine [SEED]   or only that random case, to try it again
+
+#undef NDEBUG
+#define CGAL_TANDEM_SOILS_MEMORY // see Unset_vector.h
+
+#include "testing/Shuffled_block.h"
+#include "testing/patches_cloud.h"
+#include "testing/random_case.h"
+
+#include <cstdlib>
+
+using Point_map = First<Kernel>;
+
+template <class Normal_map>
+using Sequential_traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, Point_map, Normal_map, CGAL::Sequential_tag>;
+
+template <class Normal_map>
+struct Shuffled_traits : Sequential_traits<Normal_map> {
+  using Backend = CGAL::Tandem::internal::Shuffled_backend;
+  using Engine = CGAL::Tandem::internal::Engine<Backend>;
+  explicit Shuffled_traits(std::uint64_t seed = 1) : seed(seed) {}
+  Backend backend() const { return Backend(seed); }
+  std::uint64_t seed;
+};
+
+// Returns the number of shapes.
+template <class Normal_map>
+std::size_t compare(const std::string& name, const Cloud& cloud, const Parameters& parameters, std::uint64_t seed)
+{
+  const auto list = CGAL::Tandem::parameters::settings(parameters).point_map(Point_map()).normal_map(Normal_map());
+  CGAL::Tandem::Planar_shape_detection_3<Sequential_traits<Normal_map>> expected(cloud, list);
+  CGAL::Tandem::Planar_shape_detection_3<Shuffled_traits<Normal_map>> shuffled(cloud, list,
+                                                                               Shuffled_traits<Normal_map>(seed));
+  const int failures_before = failures();
+  bool goes_on = true;
+  for(int round = 0; goes_on && failures() == failures_before; ++round) {
+    goes_on = expected.iterate();
+    const std::string where = name + ", seed " + std::to_string(seed) + ", round " + std::to_string(round);
+    CHECK_AT(shuffled.iterate() == goes_on, where + ": one of them has ended");
+    check_same(shuffled.shapes(), expected.shapes(), where);
+  }
+  if(failures() > failures_before)
+    return 0;
+  expected.finish();
+  shuffled.finish();
+  check_same(shuffled.shapes(), expected.shapes(), name + ", seed " + std::to_string(seed) + ", after the end game");
+  return expected.shapes().number_of_shapes();
+}
+
+void test(const std::string& name, const scenes::Options& options, double epsilon, std::size_t minimum,
+          std::uint64_t seeds)
+{
+  const Cloud cloud = to_cloud(scenes::make_scene(name, options));
+  Parameters parameters = make_parameters(epsilon, minimum);
+  for(std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    parameters.cell_size = seed % 2 == 0 ? 8192 : 300;
+    parameters.k_neighbors = 10 + 2 * seed;
+    CHECK_AT(compare<Second<Kernel>>(name, cloud, parameters, seed) >= 2, name);
+    CHECK_AT(compare<CGAL::Default>(name + " without normals", cloud, parameters, seed) >= 2, name);
+  }
+}
+
+// Returns the number of shapes.
+std::size_t test_random_case(std::uint64_t seed)
+{
+  const Random_case c = make_random_case(seed, 15000);
+  return c.given == Given::normals ? compare<Second<Kernel>>(c.name, c.cloud, c.parameters, seed)
+                                   : compare<CGAL::Default>(c.name, c.cloud, c.parameters, seed);
+}
+
+void test_random_cases()
+{
+  int with_shapes = 0;
+  for(std::uint64_t seed = 1; seed <= 80; ++seed)
+    with_shapes += test_random_case(seed) >= 2;
+  CHECK_AT(with_shapes >= 15, std::to_string(with_shapes) + " cases with shapes");
+}
+
+int main(int argc, char** argv)
+{
+  if(argc > 1) {
+    test_random_case(std::strtoull(argv[1], nullptr, 10));
+    return report();
+  }
+  test("house", scene_options(8000, .001, .1), .08, 40, 3);
+  test("staircase", scene_options(3000, .001, .05), .01, 30, 3);
+  test("indoor", scene_options(10000, .0005, .05), .03, 40, 2);
+  test("slope", scene_options(4000, .001), .03, 50, 3);
+  // several passes
+  CHECK(compare<Second<Kernel>>("patches", make_patches_cloud(200, .02), make_parameters(.05, 100), 1) >= 2);
+  test_random_cases();
+  return report();
+}

@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Estimated normals on scenes with known faces, against the plane of 20 neighbors;
+// degenerate clouds; the same bits from all back ends and compilers.
+
+#undef NDEBUG
+#include <CGAL/Tandem/internal/base/Moments.h>
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
+#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
+
+#include "testing/turned_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+using namespace CGAL::Tandem::internal;
+using namespace turned_box;
+
+namespace {
+
+int failures = 0;
+
+void expect(bool ok, const char* test, const char* what, double index, double value)
+{
+  if(ok)
+    return;
+  ++failures;
+  std::fprintf(stderr, "%s: %s, index %.0f, value %.9g\n", test, what, index, value);
+}
+
+constexpr double epsilon = 1024; // in steps of the grid
+
+std::vector<Grid_point> points_of(const std::vector<Item>& items)
+{
+  std::vector<Grid_point> points;
+  for(const Item& e : items)
+    points.push_back(e.point);
+  return points;
+}
+
+template <class Backend>
+std::vector<Grid_point> with_normals(std::vector<Grid_point> points, int k = 12)
+{
+  Backend backend;
+  std::vector<std::uint32_t> neighbors(points.size() * std::size_t(k) + 1);
+  find_neighbors(backend, points.data(), std::uint32_t(points.size()), k, neighbors.data());
+  const Cloud_view cloud = {points.data(), neighbors.data(), std::uint32_t(points.size()), k};
+  estimate_normals(backend, cloud, points.data(), epsilon);
+  return points;
+}
+
+// What everybody does.
+std::vector<Grid_point> with_pca_normals(std::vector<Grid_point> points)
+{
+  constexpr int k = 20;
+  Sequential_backend backend;
+  std::vector<std::uint32_t> neighbors(points.size() * k);
+  find_neighbors(backend, points.data(), std::uint32_t(points.size()), k, neighbors.data());
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    Moments m;
+    m.add(points[i]);
+    for(int j = 0; j < k; ++j)
+      m.add(points[neighbors[i * k + std::size_t(j)]]);
+    points[i].normal = encode_normal(fit_plane(make_scatter(m)).normal);
+  }
+  return points;
+}
+
+constexpr double cos_10 = .98481, cos_25 = .90631;
+
+double cosine(const Grid_point& p, int a)
+{
+  const Int_vector n = decode_normal(p.normal);
+  const Vector v = {double(n.x), double(n.y), double(n.z)};
+  const Vector t = {axis[a][0] / 25., axis[a][1] / 25., axis[a][2] / 25.};
+  return length(v) > 0 ? std::fabs(dot(v, t)) / length(v) : 0;
+}
+
+// The share of face points whose normal is within the angle of their face's.
+double good_share(const std::vector<Item>& items, const std::vector<Grid_point>& points, double minimum_cosine)
+{
+  double faces = 0, good = 0;
+  for(std::size_t i = 0; i < items.size(); ++i)
+    if(items[i].height < 0) {
+      ++faces;
+      good += cosine(points[i], items[i].face) >= minimum_cosine;
+    }
+  return good / faces;
+}
+
+// The share of clutter between two heights over a face that is aligned with it.
+double aligned_clutter(const std::vector<Item>& items, const std::vector<Grid_point>& points, double low, double high)
+{
+  double all = 0, aligned = 0;
+  for(std::size_t i = 0; i < items.size(); ++i)
+    if(items[i].height >= low && items[i].height < high) {
+      ++all;
+      aligned += cosine(points[i], items[i].face) >= cos_25;
+    }
+  return aligned / all;
+}
+
+struct Quality {
+  const char* name;
+  Box_options options;
+  double minimum_25, minimum_10; // and better than the plane of 20 neighbors by the margins
+  double margin_25, margin_10;
+};
+
+void test_quality(const Quality& q)
+{
+  std::vector<Item> items = make_box(q.options);
+  sort_along_curve(items);
+  const std::vector<Grid_point> points = with_normals<Sequential_backend>(points_of(items));
+  const std::vector<Grid_point> peer = with_pca_normals(points_of(items));
+  const double good_25 = good_share(items, points, cos_25), good_10 = good_share(items, points, cos_10);
+  const double peer_25 = good_share(items, peer, cos_25), peer_10 = good_share(items, peer, cos_10);
+  std::printf("%s: within 25 / 10 degrees %.4f %.4f, plane of 20 neighbors %.4f %.4f\n", q.name, good_25, good_10,
+              peer_25, peer_10);
+  expect(good_25 >= q.minimum_25, q.name, "share within 25 degrees", 0, good_25);
+  expect(good_10 >= q.minimum_10, q.name, "share within 10 degrees", 0, good_10);
+  expect(good_25 >= peer_25 + q.margin_25, q.name, "gain within 25 degrees", 0, good_25 - peer_25);
+  expect(good_10 >= peer_10 + q.margin_10, q.name, "gain within 10 degrees", 0, good_10 - peer_10);
+}
+
+// Clutter off a face by more than the noise must not look like the face.
+void test_clutter()
+{
+  const std::int64_t sigma = 256;
+  std::vector<Item> items = make_box({30000, 30000, sigma});
+  sort_along_curve(items);
+  const std::vector<Grid_point> points = with_normals<Sequential_backend>(points_of(items));
+  const std::vector<Grid_point> peer = with_pca_normals(points_of(items));
+  const double outside = aligned_clutter(items, points, 3.5 * sigma, 7 * sigma);
+  std::printf("clutter from 3.5 to 7 sigma off a face, aligned with it: %.3f, by the plane of 20 neighbors %.3f\n",
+              outside, aligned_clutter(items, peer, 3.5 * sigma, 7 * sigma));
+  expect(outside < .25, "clutter", "aligned share of clutter off a face", 0, outside);
+  expect(good_share(items, points, cos_25) > .93, "clutter", "face points within 25 degrees", 0,
+         good_share(items, points, cos_25));
+}
+
+void expect_no_normals(const char* test, const std::vector<Grid_point>& points)
+{
+  const std::vector<Grid_point> r = with_normals<Sequential_backend>(points);
+  for(std::size_t i = 0; i < r.size(); ++i)
+    expect(r[i].normal == no_normal, test, "a normal out of nothing", double(i), r[i].normal);
+}
+
+void test_degenerate()
+{
+  expect_no_normals("empty", {});
+  expect_no_normals("one point", {{5, -7, 9, 0}});
+  expect_no_normals("two points", {{5, -7, 9, 0}, {2000, 9, 4, 0}});
+  expect_no_normals("all equal", std::vector<Grid_point>(200, Grid_point{1, 2, 3, 0}));
+  std::vector<Grid_point> line, rounded_line, far_pair;
+  for(int i = 0; i < 300; ++i) {
+    line.push_back({i * 3000, i * -2000, i * 1000, 0});
+    rounded_line.push_back({i * 3000, std::int32_t(i * 2000. / 7), std::int32_t(i * -500. / 3), 0});
+    const std::int32_t end = i % 2 ? (1 << 29) - 1 : -(1 << 29);
+    far_pair.push_back({end, end, end, 0});
+  }
+  expect_no_normals("line", line);
+  expect_no_normals("line, rounded", rounded_line);
+  expect_no_normals("two places", far_pair);
+}
+
+// Flat grids: every normal is exact, also where neighbors are many, few, or far apart.
+void test_flat()
+{
+  for(const std::int32_t spacing : {1, 1000, 1 << 22})
+    for(const int k : {3, 6, 12, 20}) {
+      std::vector<Item> items;
+      for(std::int32_t i = -20; i < 20; ++i)
+        for(std::int32_t j = -20; j < 20; ++j)
+          items.push_back({{i * spacing, (2 * j + (i & 1)) * spacing, 2 * i * spacing, 0}, 0, -1});
+      sort_along_curve(items);
+      const std::vector<Grid_point> r = with_normals<Sequential_backend>(points_of(items), k);
+      for(std::size_t i = 0; i < r.size(); ++i) {
+        const Int_vector n = decode_normal(r[i].normal);
+        const Vector v = unit({double(n.x), double(n.y), double(n.z)});
+        const double sine = length(cross(v, unit({2, 0, -1})));
+        expect(length(v) > 0 && sine < 2e-4, "flat", "sine", double(i), sine);
+      }
+    }
+}
+
+// thickness() and plane_normal() against Jacobi, from round to flat to thin.
+void test_solver()
+{
+  Random random = {5};
+  for(int i = 0; i < 20000; ++i) {
+    const int bits[3] = {int(random.below(20)), int(random.below(20)), int(random.below(20))};
+    Neighborhood_sum sum;
+    Moments moments;
+    for(int j = 0; j < 13; ++j) {
+      std::int64_t c[3];
+      for(int a = 0; a < 3; ++a)
+        c[a] = random.below(std::int64_t(2) << bits[a]) - (std::int64_t(1) << bits[a]);
+      const Grid_point p = turned(c);
+      sum.add({float(p.x), float(p.y), float(p.z)});
+      moments.add(p);
+    }
+    const Neighborhood h = sum.mean();
+    const Eigen_system e = eigen_system(make_scatter(moments).matrix);
+    const double value[3] = {e.value[0] / 13, e.value[1] / 13, e.value[2] / 13};
+    const Thickness t = thickness(h);
+    if(value[1] < 1 || value[1] < 4e-6 * value[2])
+      continue;
+    const double allowed = 2e-6 * value[2];
+    expect(std::fabs(t.smallest - value[0]) <= allowed + 1e-3 * value[0], "solver", "smallest", i,
+           t.smallest / value[0]);
+    expect(std::fabs(t.middle - value[1]) <= allowed + 1e-2 * value[1], "solver", "middle", i, t.middle / value[1]);
+    const Float_vector n = plane_normal(h, t.smallest);
+    const Vector v = unit({n.x, n.y, n.z});
+    if(value[1] - value[0] < .01 * value[1] + 100 * allowed)
+      continue;
+    expect(std::fabs(dot(v, e.vector[0])) > 1 - 1e-3, "solver", "normal", i, std::fabs(dot(v, e.vector[0])));
+  }
+}
+
+std::uint64_t hash_of(const std::vector<Grid_point>& points)
+{
+  std::uint64_t h = 1469598103934665603u;
+  for(const Grid_point& p : points)
+    h = (h ^ p.normal) * 1099511628211u;
+  return h;
+}
+
+void test_same_bits()
+{
+  std::vector<Item> items = make_box({20000, 4000, 256});
+  sort_along_curve(items);
+  const std::vector<Grid_point> sequential = with_normals<Sequential_backend>(points_of(items));
+  const std::vector<Grid_point> parallel = with_normals<Tbb_backend>(points_of(items));
+  for(std::size_t i = 0; i < items.size(); ++i)
+    expect(sequential[i].normal == parallel[i].normal, "same bits", "back ends differ", double(i), parallel[i].normal);
+  // Changes with the method; must not change with the compiler, its options or the machine.
+  const std::uint64_t expected = 0x667ecc6034502174u;
+  if(hash_of(sequential) != expected) {
+    ++failures;
+    std::fprintf(stderr, "same bits: hash %016llx\n", static_cast<unsigned long long>(hash_of(sequential)));
+  }
+}
+
+} // namespace
+
+int main()
+{
+  test_solver();
+  test_flat();
+  test_degenerate();
+  test_quality({"clean", {20000, 0, 0}, .99, .99, .03, .08});
+  test_quality({"little noise", {20000, 2000, 64}, .98, .98, .03, .05});
+  test_quality({"noise", {40000, 10000, 300}, .95, .94, .04, .4});
+  test_clutter();
+  test_same_bits();
+  if(failures > 0)
+    std::fprintf(stderr, "%d failures\n", failures);
+  return failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Relations hold on while little changes: shapes keep the bits of their planes, whatever their ids are, but those
+// that are new or have changed by themselves; and they are found anew when more has changed.
+
+#undef NDEBUG
+
+#include "testing/test_support.h"
+
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/growth/grow_shapes.h>
+#include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
+
+#include <map>
+#include <random>
+
+using namespace CGAL::Tandem::internal;
+
+using State = Tandem_state<Sequential_backend>;
+
+// Walls of two directions, each a little turned, in steps of the grid.
+class Walls {
+public:
+  static constexpr int large = 20, points = 5000;
+
+  Walls() : t(backend_)
+  {
+    t.cloud = {nullptr, nullptr, 0, 0}; // no point objects to anything
+    t.options = Options();
+    t.options.maximum_distance = 1500;
+    t.options.regularity = {8, 1500, 1500, true, true, true, false};
+    t.options.minimum_regular_size = 10;
+    t.options.minimum_related_size = 40;
+    t.options.regularity_period = 1;
+    for(int w = 0; w < large; ++w)
+      add_wall(points);
+  }
+
+  // Returns its id.
+  std::uint32_t add_wall(int n)
+  {
+    const std::uint32_t id = std::uint32_t(t.shapes.size()), wall = std::uint32_t(offset_.size());
+    t.shapes.resize(backend_, id + 1);
+    t.is_restarted.resize(id + 1, 0);
+    t.live.push_back(id);
+    offset_.push_back(int(wall) * 20000);
+    tilt_.push_back(int(random_() % 41) - 20); // thousandths
+    add_points(id, wall, n);
+    return id;
+  }
+
+  // Points of a wall that belong to the shape of that id.
+  void add_points(std::uint32_t id, std::uint32_t wall, int n)
+  {
+    Shape& shape = t.shapes[id];
+    for(int i = 0; i < n; ++i) {
+      const int u = int(random_() % 40000), v = int(random_() % 40000);
+      const int w = offset_[wall] + u * tilt_[wall] / 1000 + int(random_() % 200);
+      const Grid_point p = wall % 2 ? Grid_point{w, u, v, no_normal} : Grid_point{u, w, v, no_normal};
+      shape.moments.add(p, 1);
+      shape.box.add(p);
+    }
+    t.assigned += std::size_t(n);
+    refit(shape);
+  }
+
+  void remove(std::uint32_t id)
+  {
+    t.assigned -= std::size_t(t.shapes[id].moments.count);
+    clear_shape(t, id);
+    t.live.erase(std::find(t.live.begin(), t.live.end(), id));
+  }
+
+  // As where most ids have gone out of use.
+  void renumber()
+  {
+    t.shapes.keep(backend_, t.live);
+    std::iota(t.live.begin(), t.live.end(), 0u);
+  }
+
+  Regular_planes planes() const
+  {
+    Regular_planes result;
+    for(std::uint32_t id : t.live)
+      result.push_back(t.shapes[id].plane);
+    return result;
+  }
+
+private:
+  Sequential_backend backend_;
+  std::mt19937 random_{9};
+  std::vector<int> offset_, tilt_; // by wall
+
+public:
+  State t;
+};
+
+bool is_same(const Regular_plane& a, const Regular_plane& b) { return a.normal == b.normal && a.offset == b.offset; }
+
+bool are_same(const Regular_planes& a, const Regular_planes& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
+}
+
+// The tables say what the shapes have.
+void check_tables(const State& t, const Shape_relations& r, const std::string& where)
+{
+  CHECK_AT(r.relations.plane_of.size() == r.id.size() && r.relations.direction_of.size() == r.id.size(), where);
+  for(std::size_t i = 0; i < r.id.size(); ++i) {
+    const Regular_plane& plane = r.relations.planes.at(std::size_t(r.relations.plane_of[i]));
+    CHECK_AT(is_same(plane, t.shapes[r.id[i]].plane), where + ": plane");
+    CHECK_AT(plane.normal == r.relations.directions.at(std::size_t(r.relations.direction_of[i])),
+             where + ": direction");
+  }
+}
+
+std::size_t number_of_directions(const Regular_planes& planes)
+{
+  std::map<std::tuple<double, double, double>, int> directions;
+  for(const Regular_plane& p : planes)
+    ++directions[std::make_tuple(p.normal.x, p.normal.y, p.normal.z)];
+  return directions.size();
+}
+
+int main()
+{
+  Walls walls;
+  State& t = walls.t;
+  const std::uint32_t small = walls.add_wall(60), other = walls.add_wall(50);
+  Shape_relations r = regularize_shapes(t, false, {});
+  check_tables(t, r, "found");
+  Regular_planes before = walls.planes();
+  CHECK(number_of_directions(before) < 6);
+
+  walls.add_points(3, 3, 100); // a thousandth of all points
+  CHECK(!is_same(t.shapes[3].local, before[3]));
+  r = regularize_shapes(t, false, r);
+  check_tables(t, r, "few points more");
+  CHECK(are_same(walls.planes(), before));
+
+  walls.remove(small);
+  walls.renumber();
+  before.erase(before.begin() + std::ptrdiff_t(small));
+  r = regularize_shapes(t, false, r);
+  check_tables(t, r, "other ids");
+  CHECK(are_same(walls.planes(), before));
+
+  const std::uint32_t same = other - 1; // its id now
+  walls.add_points(same, other, 20);    // much for it, little for all
+  const std::uint32_t fresh = walls.add_wall(45), tiny = walls.add_wall(39);
+  r = regularize_shapes(t, false, r);
+  check_tables(t, r, "others change");
+  CHECK(r.id.size() == t.live.size() - 1 && r.id.back() == fresh);
+  for(std::uint32_t id : {same, fresh})
+    CHECK(t.shapes[id].plane.normal == canonical(t.shapes[id].fit.normal));
+  CHECK(is_same(t.shapes[tiny].plane, t.shapes[tiny].local));
+  before.resize(Walls::large);
+  Regular_planes after = walls.planes();
+  after.resize(Walls::large);
+  CHECK(are_same(after, before));
+
+  walls.add_points(3, 3, 1000);
+  walls.add_points(7, 7, 1200);
+  walls.add_points(9, 9, 1200);
+  walls.add_points(11, 11, 1100); // less than five percent in all
+  r = regularize_shapes(t, false, r);
+  check_tables(t, r, "more points");
+  Regular_planes kept = walls.planes();
+  kept.resize(Walls::large);
+  CHECK(are_same(kept, before));
+
+  walls.add_points(4, 4, 800); // more than five percent in all
+  r = regularize_shapes(t, false, r);
+  check_tables(t, r, "found anew");
+  after = walls.planes();
+  CHECK(number_of_directions(after) < 7);
+  after.resize(Walls::large);
+  CHECK(!are_same(after, before));
+
+  // The end game starts on its own, and holds what it has found, also a shape that has changed much by itself.
+  const Shape_relations last = regularize_shapes(t, true, {});
+  check_tables(t, last, "last");
+  CHECK(last.id.size() == t.live.size());
+  before = walls.planes();
+  walls.add_points(5, 5, 2500); // less than three percent
+  walls.add_points(tiny, tiny + 1, 10);
+  const std::uint32_t late = walls.add_wall(45);
+  check_tables(t, regularize_shapes(t, true, last), "last again");
+  CHECK(t.shapes[late].plane.normal == canonical(t.shapes[late].fit.normal));
+  after = walls.planes();
+  after.resize(before.size());
+  CHECK(are_same(after, before));
+  walls.add_points(6, 6, 1500); // more than three percent in all
+  check_tables(t, regularize_shapes(t, true, last), "last anew");
+  after = walls.planes();
+  after.resize(before.size());
+  CHECK(!are_same(after, before));
+  return report();
+}
