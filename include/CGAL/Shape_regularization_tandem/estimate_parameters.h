@@ -69,7 +69,7 @@ inline void check_given_parameters(Parameters p)
 - `maximum_distance` is the larger of 7/3 of the noise and 0.74 of the spacing of the points, and at least 2^-22 of the
   extent of the cloud. The noise is the upper quartile, over the points, of the root mean square distance of a point
   and its 20 nearest neighbors to their plane; the spacing is the median of the mean distance of a point to its 6
-  nearest neighbors. In large clouds, octree leaves which hold about 130,000 points together are looked at. Where the
+  nearest neighbors. In large clouds, octree cells which hold about 130,000 points together are measured. Where the
   noise exceeds the spacing, so that three quarters of the neighborhoods are more than 0.4 as thick as wide, the noise
   is measured with every fourth, 16th or 64th of these points.
 - `maximum_offset` is `maximum_distance`.
