@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Prints the architecture of the CUDA device of this machine, as CMAKE_CUDA_ARCHITECTURES
-# wants it (90, say); nothing where there is no device. (nvidia-smi prints its errors, too.)
+# expects it (for example 90); nothing where there is no device. (nvidia-smi prints its errors, too.)
 
 architecture=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2> /dev/null | head -n 1 | tr -d .)
 case $architecture in

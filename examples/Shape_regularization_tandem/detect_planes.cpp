@@ -147,7 +147,7 @@ void name_device(const Shapes& shapes, const Options& o, Run& run)
 #endif
 }
 
-// The files that are asked for, opened before the work starts, so that a bad name costs no time.
+// The files to be written, opened before the work starts, so that a bad name costs no time.
 class Output_files {
 public:
   explicit Output_files(const Options& o) : options(o)

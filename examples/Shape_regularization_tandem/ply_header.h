@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads the header of a PLY file and refuses what CGAL's reader would misread or
+// Reads the header of a PLY file and rejects what CGAL's reader would misread or
 // crash on: unknown types, missing or mixed coordinates, a file that is too short.
 
 #ifndef DETECT_PLANES_PLY_HEADER_H

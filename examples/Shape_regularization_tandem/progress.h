@@ -21,7 +21,7 @@ inline volatile std::sig_atomic_t interrupt_flag = 0;
 
 inline bool is_interrupted() { return interrupt_flag != 0; }
 
-// The first signal asks the run to end, a second one ends the process.
+// The first signal requests the end of the run, a second one ends the process.
 inline void catch_interrupts()
 {
   const auto handler = [](int signal) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads a cloud with CGAL's readers, and says in one line what is wrong with a file
+// Reads a cloud with CGAL's readers, and reports in one line what is wrong with a file
 // that they cannot read, or would misread without a word.
 
 #ifndef DETECT_PLANES_READ_CLOUD_H
@@ -30,7 +30,7 @@ namespace program {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 
-// CGAL's readers report on std::cerr; what they say becomes part of our one line.
+// CGAL's readers report on std::cerr; their message becomes part of our one line.
 class Captured_messages {
 public:
   Captured_messages() : previous(std::cerr.rdbuf(text.rdbuf())) {}

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Keeps Efficient RANSAC, or any detector, and regularizes its planes with Tandem: a change
-// of namespace. The planes are asked for their points, and orthogonal ones are exactly so.
+// of namespace. Planes are verified against their points, and orthogonal ones are exactly so.
 
 #include "house_cloud.h"
 
@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
   auto planes = ransac.planes();
   const CGAL::Shape_detection::Point_to_shape_index_map<Traits> index_map(points, planes);
 
-  // The parameters of CGAL::Shape_regularization::Planes::regularize_planes(), but a result that tells what was done.
+  // The parameters of CGAL::Shape_regularization::Planes::regularize_planes(); the result describes the relations.
   const CGAL::Tandem::Plane_relations relations =
     CGAL::Tandem::regularize_planes(planes, points,
                                     CGAL::parameters::plane_map(Plane_map())
@@ -50,13 +50,13 @@ int main(int argc, char* argv[])
             << relations.orthogonal_groups.size() << " pairs of them orthogonal, "
             << relations.number_of_coplanar_groups() << " distinct planes\n";
 
-  // What it did to each plane is told, too.
-  std::size_t refused = 0;
+  // The result also describes what happened to each plane.
+  std::size_t rolled_back = 0;
   double largest_angle = 0;
   for(std::size_t p = 0; p < planes.size(); ++p) {
-    refused += relations.is_rolled_back[p];
+    rolled_back += relations.is_rolled_back[p];
     largest_angle = (std::max)(largest_angle, relations.angle[p]);
   }
-  std::cout << "turned by at most " << largest_angle << " degrees; " << refused << " planes refused a relation\n";
+  std::cout << "turned by at most " << largest_angle << " degrees; " << rolled_back << " planes rolled back\n";
   return planes.size() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,7 +8,7 @@
 // Structuring moves points onto the planes that it gets, onto the lines where two of
 // them meet and onto their corners, so the regularity is kept. Corners that are closer
 // than three times the spacing, however, are merged into one between them, which is on none of
-// its planes exactly: the attraction_factor of the structure says how close.
+// its planes exactly: the attraction_factor of the structure sets how close.
 
 #include "house_cloud.h"
 

@@ -34,7 +34,7 @@ struct Parameters {
   std::size_t minimum_region_size = 0;
   /// number of neighbors of a point (k), in [3, 64]
   std::size_t k_neighbors = 12;
-  /// largest number of points of an octree leaf, in [64, 65536]
+  /// largest number of points of an octree cell, in [64, 65536]
   std::size_t cell_size = 8192;
   /// whether shapes of nearly the same direction are made parallel
   bool regularize_parallelism = true;
@@ -71,7 +71,7 @@ template <class T>
   throw std::invalid_argument(std::string(name) + " is " + to_text(value) + ", allowed is " + range);
 }
 
-// Written so that NaN is refused. A length below 1e-270 has no grid of normalized doubles.
+// Written so that NaN is rejected. A length below 1e-270 has no grid of normalized doubles.
 inline void check_length(const char* name, double value, double smallest)
 {
   if(!(value >= smallest) || value > 1e270)

@@ -75,7 +75,7 @@ public:
     import_time_ = watch.lap();
     if(in_.size() >= parameters_.minimum_region_size && go_on(0))
       engine_ = std::make_unique<Engine>(backend_, in_, parameters_);
-    in_.uploaded.reset(); // without an engine nobody asks for the values
+    in_.uploaded.reset(); // without an engine nobody needs the values
   }
 
   // The engine refers to members.

@@ -23,7 +23,7 @@ struct Plane_relations {
   /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   std::vector<std::pair<int, int>> orthogonal_groups;
   std::vector<bool> is_changed; ///< of each plane: whether it was changed
-  /// of each plane: whether it could have been related to others, but its points refused that
+  /// of each plane: whether its points rejected all relations that were tested, so that it was rolled back
   std::vector<bool> is_rolled_back;
   std::vector<double> angle;            ///< of each plane: how far it was turned, in degrees
   std::vector<double> largest_distance; ///< of each plane: the largest distance of its points to it

@@ -77,7 +77,7 @@ template <class GeomTraits, class PointRange, class PointMap, class NormalMap = 
           class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 class Tandem_traits_3 : public internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap> {
 public:
-  /// what executes, as it was asked for
+  /// what executes, as the tag selects it
   using Concurrency_tag = ConcurrencyTag;
 
   /// executes what is to be done at the border to the caller

@@ -44,9 +44,8 @@ inline std::string cuda_device_report()
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-gives back the memory, of the host and of the devices, that calls with `Cuda_tag` have kept so that the next
-one need not ask for it (of the host at most 8 GiB), but for some megabytes of each thread that is still there. May be
-called at any time.
+frees the memory, of the host and of the devices, that calls with `Cuda_tag` have kept for the next one (of the host at
+most 8 GiB), except some megabytes of each thread that still exists. May be called at any time.
 */
 inline void release_memory()
 {

@@ -19,8 +19,9 @@ The range is neither changed nor reordered, and each of its points is read once;
 concurrency tag, number of threads and order of the points. Points with a coordinate that is not finite, or with a
 given normal that is null or not finite, belong to no shape and are counted in the statistics of the result.
 
-The method is that of sections 3 and 4 of \cgalCite{OLA16}; what differs is said in the
-\ref Tandem_algorithm_paper "user manual". Time and memory are about linear in the number of points.
+The method is that of sections 3 and 4 of \cgalCite{OLA16}. The user manual lists
+\ref Tandem_algorithm_paper "what differs" and describes \ref Tandem_method "each stage". Time and memory are about
+linear in the number of points.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, `CGAL::Parallel_if_available_tag` (the default),
 `Cuda_tag` or `Cuda_if_available_tag`
@@ -38,7 +39,7 @@ the defaults then
   \cgalParamNEnd
   \cgalParamNBegin{normal_map}
     \cgalParamDescription{a property map from the value type of the range to `Vector_3`; the length does not matter, nor
-    does the orientation. `CGAL::Default()` asks for estimated normals where the range has its own.}
+    does the orientation. `CGAL::Default()` selects estimated normals where the range has its own.}
     \cgalParamDefault{normals are estimated from the neighbors of each point}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
@@ -66,7 +67,7 @@ the defaults then
     \cgalParamDefault{12}
   \cgalParamNEnd
   \cgalParamNBegin{cell_size}
-    \cgalParamDescription{the largest number of points of an octree leaf, in [64, 65536]}
+    \cgalParamDescription{the largest number of points of an octree cell, in [64, 65536]}
     \cgalParamDefault{8192}
   \cgalParamNEnd
   \cgalParamNBegin{regularize_parallelism, regularize_orthogonality, regularize_coplanarity}
@@ -81,7 +82,7 @@ the defaults then
   \cgalParamNBegin{callback}
     \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread, and
     cancels by returning `false`. The shapes found until then are finished and verified, so that all guarantees hold;
-    `Planar_shapes_3::is_cancelled()` tells.}
+    see `Planar_shapes_3::is_cancelled()`.}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}

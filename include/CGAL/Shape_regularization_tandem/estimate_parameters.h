@@ -69,7 +69,7 @@ inline void check_given_parameters(Parameters p)
 - `maximum_distance` is the larger of 7/3 of the noise and 0.74 of the spacing of the points, and at least 2^-22 of the
   extent of the cloud. The noise is the upper quartile, over the points, of the root mean square distance of a point
   and its 20 nearest neighbors to their plane; the spacing is the median of the mean distance of a point to its 6
-  nearest neighbors. In large clouds, octree leaves which hold about 130,000 points together are looked at. Where the
+  nearest neighbors. In large clouds, octree cells which hold about 130,000 points together are measured. Where the
   noise exceeds the spacing, so that three quarters of the neighborhoods are more than 0.4 as thick as wide, the noise
   is measured with every fourth, 16th or 64th of these points.
 - `maximum_offset` is `maximum_distance`.
@@ -93,7 +93,6 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
   Parameters p = internal::read_parameters(np);
   internal::check_given_parameters(p);
   internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
-    using Traits = typename std::decay<decltype(traits)>::type;
     auto backend = traits.backend();
     const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
     internal::complete_parameters(backend, in, internal::has_own_offset(np), p);

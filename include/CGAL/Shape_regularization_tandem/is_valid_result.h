@@ -31,7 +31,6 @@ bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>
                      const NamedParameters& np = NamedParameters(), std::string* why = nullptr)
 {
   return internal::with_traits<CGAL::Parallel_if_available_tag>(points, np, [&](const auto& traits) {
-    using Traits = typename std::decay<decltype(traits)>::type;
     auto backend = traits.backend();
     internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
     internal::put_on_grid(backend, in, shapes.parameters().maximum_distance);

@@ -174,9 +174,10 @@ Takes the named parameters of `CGAL::Shape_regularization::Planes::regularize_pl
 region growing or any other detector. Unlike that function it
 - ties all orthogonal groups exactly: for groups that are reported as orthogonal, the dot product of the unit normals is
   at most 1e-15 in absolute value;
-- fits the planes of a group jointly to their points, and asks the points: where more than a fifth of those within
-  `maximum_distance` of a plane would leave it, or their root mean square distance would grow by more than half of
-  `maximum_distance` (in quadrature), the plane is not moved there;
+- fits the planes of a group jointly to their points, and verifies the result against the points: a plane is rolled back
+  where more than a fifth of its points within `maximum_distance` would leave it, or where their root mean square distance
+  would grow by more than 0.6 `maximum_distance` (in quadrature). For small groups that join a larger direction these
+  bounds are two fifths and `maximum_distance`;
 - reports the relations, and how far each plane moved.
 
 Planes keep their orientation. A plane that is related to no other, that has no normal, or whose points do not determine

@@ -12,7 +12,7 @@ namespace Tandem {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-Asks for the computation on a CUDA device: the one that is current for the calling
+Selects a CUDA device for the computation: the one that is current for the calling
 thread. Where there is something to do, but no device, `std::runtime_error` is thrown, and
 `std::length_error` if it has not enough memory. Needs the library `Tandem::tandem_cuda`. Besides this tag there
 are CGAL's `Sequential_tag`, `Parallel_tag` and `Parallel_if_available_tag`. All of
