@@ -16,26 +16,26 @@ namespace {
 
 // As after prepare().
 template <class State>
-void forget_shapes(State& t)
+void clear_shapes(State& t)
 {
-  t.live.clear();
-  t.shapes.resize(t.backend, 0);
-  t.plane.clear();
-  t.rounds.clear();
-  t.is_restarted.clear();
-  t.assigned = 0;
-  t.seed_cursor.assign(t.number_of_cells, 0);
-  t.backend.for_each(t.number_of_cells, internal::Clear_lists{t.cell_shapes.data()});
-  t.backend.for_each(t.cloud.size, internal::Free_all{t.labels()});
+  t.shapes = {};
+  t.seeds.cursor.assign(t.seeds.cursor.size(), 0);
+  internal::clear_labels(t.points);
 }
 
 template <class State>
 void fit_shapes(State& t)
 {
-  internal::refit_shapes(t);
-  for(std::uint32_t id : t.live)
+  internal::refit_shapes(t.points.backend, t.shapes);
+  for(std::uint32_t id : t.shapes.live)
     t.shapes[id].plane = t.shapes[id].local;
-  internal::apply_planes(t, internal::identity_targets(t));
+  internal::apply_planes(t.points, t.shapes, t.options, internal::identity_targets(t.shapes.size()));
+}
+
+template <class State>
+std::size_t grow_shapes(State& t)
+{
+  return internal::grow_shapes(t.points, t.shapes, t.seeds, t.options.growth);
 }
 
 // Arguments: points, rounds before.
@@ -46,28 +46,28 @@ void grow_pass(benchmark::State& state)
   double gained = 0;
   for(auto _ : state) {
     state.PauseTiming();
-    forget_shapes(scan.state);
+    clear_shapes(scan.state);
     for(int round = 0; round < state.range(1); ++round) {
-      internal::grow_shapes(scan.state);
+      grow_shapes(scan.state);
       fit_shapes(scan.state);
     }
     state.ResumeTiming();
-    gained += double(internal::grow_shapes(scan.state));
+    gained += double(grow_shapes(scan.state));
   }
   state.counters["gained"] = benchmark::Counter(gained, benchmark::Counter::kAvgIterations);
-  state.counters["shapes"] = double(scan.state.live.size());
+  state.counters["shapes"] = double(scan.state.shapes.live.size());
   count_points(state);
 }
 
-// The order of the candidates of each leaf.
+// The order of the candidates of each cell.
 template <class Backend>
 void order_seeds(benchmark::State& state)
 {
   Prepared_scan<Backend> scan(std::size_t(state.range(0)), true);
-  const auto& t = scan.state;
+  auto& t = scan.state;
   for(auto _ : state) {
-    auto seeds = internal::order_seeds(t.backend, t.cloud, t.cells.data(), t.number_of_cells,
-                                       {t.options.growth.tolerance, t.options.tight, t.options.cell_size});
+    auto seeds =
+      internal::order_seeds(t.points, {t.options.growth.tolerance, t.options.tight, t.options.growth.cell_size});
     benchmark::DoNotOptimize(seeds.seed.data());
   }
   count_points(state);

@@ -29,11 +29,9 @@ void tandem_normals(benchmark::State& state)
     internal::Import in = micro_import(std::size_t(state.range(0)), false);
     Backend backend;
     internal::Tandem_state<Backend> t(backend);
-    typename Backend::template Buffer<std::uint32_t> order, neighbors;
-    typename Backend::template Buffer<internal::Grid_point> points;
     CGAL::Tandem::Stage_times times;
     state.ResumeTiming();
-    internal::prepare(t, in, micro_parameters(), order, points, neighbors, times);
+    internal::prepare(t, in, micro_parameters(), times);
     estimation += times.normals;
   }
   state.counters["estimation_s"] = benchmark::Counter(estimation, benchmark::Counter::kAvgIterations);

@@ -99,13 +99,11 @@ struct Prepared_scan {
   Backend backend;
   internal::Import in;
   internal::Tandem_state<Backend> state;
-  typename Backend::template Buffer<std::uint32_t> order, neighbors;
-  typename Backend::template Buffer<internal::Grid_point> points;
   Stage_times times;
 
   Prepared_scan(std::size_t size, bool has_normals) : in(micro_import(size, has_normals)), state(backend)
   {
-    internal::prepare(state, in, micro_parameters(), order, points, neighbors, times);
+    internal::prepare(state, in, micro_parameters(), times);
   }
 };
 

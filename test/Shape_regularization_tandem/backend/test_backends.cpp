@@ -82,16 +82,17 @@ private:
       return std::make_tuple(frame.code(p), frame.code_inside(p), p.x, p.y, p.z, p.normal, ~i);
     };
     std::sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
-    const auto order = sort_along_curve(backend_, point.data(), point.size(), frame,
-                                        [](std::uint32_t i, std::uint32_t j) { return i > j; });
+    const auto order =
+      sort_along_curve(backend_, point.data(), point.size(), frame,
+                       make_tie_order([](std::uint32_t i, std::uint32_t j) { return i > j; }, Nothing()));
     for(std::size_t i = 0; i < order.size(); ++i)
       got.push_back(order.view().index(i));
     check_lists(got, expected, name_ + ": order along the curve");
-    test_leaves(order, frame);
+    test_cells(order, frame);
   }
 
   template <class Table>
-  void test_leaves(const Table& order, const Code_frame& frame)
+  void test_cells(const Table& order, const Code_frame& frame)
   {
     Sequential_backend sequential;
     Host_sort_table copy(order.size());
@@ -103,7 +104,7 @@ private:
       CHECK_AT(got.size() == expected.size() &&
                  std::equal(got.begin(), got.end(), expected.begin(),
                             [](const Range& a, const Range& b) { return a.first == b.first && a.last == b.last; }),
-               name_ + ": leaves of " + std::to_string(size));
+               name_ + ": cells of " + std::to_string(size));
     }
   }
 
@@ -117,46 +118,48 @@ private:
         if(is_at_border)
           expected.push_back(i);
       }
-    Tandem_state<Backend> t(backend_);
-    take_cloud(f_, t);
-    find_border(t);
-    check_lists(to_vector(t.border), expected, name_ + ": border");
+    Labeled_cloud<Backend> points(backend_);
+    take_cloud(f_, points);
+    find_border(points);
+    const auto& border = points.border;
+    check_lists(to_vector(border.point), expected, name_ + ": border");
     for(std::size_t c = 0; c < f_.cells.size(); ++c)
-      for(std::uint32_t b = t.cell_border[c].first; b < t.cell_border[c].last; ++b)
-        CHECK_AT(t.border[b] >= f_.cells[c].first && t.border[b] < f_.cells[c].last, name_ + ": border of a leaf");
-    CHECK_AT(t.cell_border[f_.cells.size() - 1].last == expected.size(), name_ + ": border of the last leaf");
+      for(std::uint32_t b = border.range[c].first; b < border.range[c].last; ++b)
+        CHECK_AT(border.point[b] >= f_.cells[c].first && border.point[b] < f_.cells[c].last,
+                 name_ + ": border of a cell");
+    CHECK_AT(border.range[f_.cells.size() - 1].last == expected.size(), name_ + ": border of the last cell");
   }
 
   // Twice: what has been taken is zero again.
   void test_deltas()
   {
-    Tandem_state<Backend> t(backend_);
-    t.shapes.resize(backend_, f_.plane.size() + 5);
+    Shape_table<Backend> shapes;
+    shapes.shape.resize(backend_, f_.plane.size() + 5);
     std::map<std::uint32_t, std::int64_t> expected, got;
     for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
       if(f_.label[i] < first_mark)
         expected[f_.label[i]] -= 1;
     for(int pass = 0; pass < 2; ++pass) {
-      Shared_moments* sums = start_deltas(t, t.shapes.size());
+      Shared_moments* sums = start_deltas(backend_, shapes, shapes.size());
       for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
         if(f_.label[i] < first_mark)
           add_point(sums[f_.label[i]], f_.point[i], -1);
       got.clear();
       std::uint32_t last = 0;
-      for(const Shape_delta& delta : take_deltas(t, t.shapes.size())) {
+      for(const Shape_delta& delta : take_deltas(backend_, shapes, shapes.size())) {
         CHECK_AT(got.empty() || delta.id > last, name_ + ": order of deltas");
         got[last = delta.id] = delta.sums.count;
       }
       CHECK_AT(got == expected && !got.empty(), name_ + ": deltas of pass " + std::to_string(pass));
     }
-    CHECK_AT(take_deltas(t, t.shapes.size()).size() == 0, name_ + ": deltas without a pass");
+    CHECK_AT(take_deltas(backend_, shapes, shapes.size()).size() == 0, name_ + ": deltas without a pass");
   }
 
   void test_component_sizes()
   {
     const std::uint32_t n = f_.cloud.size;
     std::vector<std::uint32_t> component(n), size(n, 0), expected(n, 0);
-    for(std::uint32_t i = 0; i < n; ++i) { // more roots in a leaf than its table has slots
+    for(std::uint32_t i = 0; i < n; ++i) { // more roots in a cell than its table has slots
       component[i] = i - i % (1 + i / 16 % 32);
       if(f_.label[i] < first_mark)
         ++expected[component[i]];
@@ -178,7 +181,7 @@ private:
                        double(p.d) / normal_scale});
     std::vector<double> coordinates(3 * std::size_t(n)), normals(coordinates.size(), 1);
     std::vector<std::uint32_t> origin(n), label = f_.label, expected = label;
-    std::size_t refused = 0;
+    std::size_t rejected = 0;
     for(std::uint32_t i = 0; i < n; ++i) {
       origin[i] = n - 1 - i;
       const double p[3] = {double(f_.point[i].x), double(f_.point[i].y), double(f_.point[i].z)};
@@ -186,13 +189,13 @@ private:
       if(label[i] < first_mark && !fits(f_.plane[label[i]], f_.point[i], certain) &&
          !bounds.is_near(plane[label[i]], {p[0], p[1], p[2]})) {
         expected[i] = locked_label;
-        ++refused;
+        ++rejected;
       }
     }
-    check_exactly(backend_, {f_.point.data(), label.data(), f_.plane.data(), certain}, label.data(), n, origin.data(),
+    check_exactly(backend_, {f_.point.data(), origin.data(), label.data(), n}, f_.plane.data(), certain,
                   {{{coordinates.data(), false}, {normals.data(), false}}, plane.data(), bounds});
     check_lists(label, expected, name_ + ": exact check");
-    CHECK_AT(refused > 20 || n < 100, name_ + ": " + std::to_string(refused) + " points refused");
+    CHECK_AT(rejected > 20 || n < 100, name_ + ": " + std::to_string(rejected) + " points rejected");
   }
 
   // Every second label is a shape, all others are left out. Some points are farther away than epsilon.

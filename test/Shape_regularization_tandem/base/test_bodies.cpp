@@ -8,7 +8,7 @@
 
 #include "testing/test_support.h"
 
-#include <CGAL/Tandem/internal/engine/prepare.h>
+#include <CGAL/Tandem/internal/engine/make_options.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
@@ -47,7 +47,8 @@ void check_packing(const Vector& n)
   const Int_vector m = decode_normal(code), o = decode_normal(encode_normal(-n));
   const Vector d = unit({double(m.x), double(m.y), double(m.z)});
   // 16 bits in an octahedron: half a step of 2^-15 an axis, stretched by up to 3.
-  CHECK_AT(length(cross(d, unit(n))) < packing_margin_deg * .0174 && dot(d, n) > 0, text(n) + " becomes " + text(d));
+  CHECK_AT(length(cross(d, unit(n))) < tuning::exactness::packing_margin_deg * .0174 && dot(d, n) > 0,
+           text(n) + " becomes " + text(d));
   CHECK_AT(o.x == -m.x && o.y == -m.y && o.z == -m.z, "the opposite of " + text(n));
   CHECK_AT(code != no_normal, text(n));
 }
@@ -120,7 +121,7 @@ bool equal(const Moments& a, const Moments& b)
   return a.count == b.count && std::equal(a.sum, a.sum + 3, b.sum) && std::equal(a.product, a.product + 6, b.product);
 }
 
-// The same sums three ways: in grid coordinates, relative to a leaf, and by words
+// The same sums three ways: in grid coordinates, relative to a point, and by words
 // with their carry, where points are also taken out again.
 template <class Backend>
 void test_moments(const char* name)
@@ -132,25 +133,25 @@ void test_moments(const char* name)
       Moments whole, left;
       Shared_moments shared;
       Box box;
-      const int bucket_bits = (std::min)(bits, 20);
-      for(int leaf = 0; leaf < 6; ++leaf) {
+      const int part_bits = (std::min)(bits, 20);
+      for(int part = 0; part < 6; ++part) {
         Cell_moments cell;
-        Box leaf_box;
+        Box part_box;
         for(int i = 0; i < 200; ++i) {
-          Grid_point p = random_point(random, bucket_bits);
+          Grid_point p = random_point(random, part_bits);
           p.x += base.x / 2, p.y += base.y / 2, p.z += base.z / 2;
-          const int sign = leaf < 4 ? 1 : -1; // the last two take away more than there is
+          const int sign = part < 4 ? 1 : -1; // the last two take away more than there is
           whole.add(p, sign);
-          leaf_box.add(p);
+          part_box.add(p);
           cell.add(std::int64_t(p.x) - base.x / 2, std::int64_t(p.y) - base.y / 2, std::int64_t(p.z) - base.z / 2,
                    sign);
         }
         const Moments moved = shifted(cell, base.x / 2, base.y / 2, base.z / 2);
         left += moved;
-        atomic_add<Backend>(shared, moved, leaf_box);
-        box.add(leaf_box);
+        atomic_add<Backend>(shared, moved, part_box);
+        box.add(part_box);
         const std::string where =
-          std::string(name) + ", " + std::to_string(bits) + " bits, leaf " + std::to_string(leaf);
+          std::string(name) + ", " + std::to_string(bits) + " bits, part " + std::to_string(part);
         CHECK_AT(equal(left, whole), where + ": shifted");
         CHECK_AT(equal(shared.moments(), whole), where + ": shared");
         CHECK_AT(std::equal(box.low, box.low + 3, shared.box.low) &&

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first and the last step between the caller's points and the engine: the leaves
+// The first and the last step between the caller's points and the engine: the cells
 // of the octree, and the exact check at the bounds.
 
 #undef NDEBUG
@@ -26,32 +26,32 @@ Grid_point random_point(Random& random, int bits)
 }
 
 // Leaves are consecutive, not too large, not too wide.
-void check_leaves(const std::vector<Grid_point>& points, std::size_t cell_size, const std::string& name)
+void check_cells(const std::vector<Grid_point>& points, std::size_t cell_size, const std::string& name)
 {
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(points.data(), points.size());
   auto order = sort_along_curve(backend, points.data(), points.size(), frame);
-  const std::vector<Range> leaves = split_cells(backend, order, frame, cell_size);
+  const std::vector<Range> cells = split_cells(backend, order, frame, cell_size);
   std::vector<int> seen(points.size(), 0);
   for(const auto& entry : order)
     ++seen[entry.index];
   CHECK_AT(std::count(seen.begin(), seen.end(), 1) == long(seen.size()), name + ": the order is no permutation");
   std::uint32_t next = 0;
-  for(const Range& leaf : leaves) {
-    CHECK_AT(leaf.first == next && leaf.size() > 0 && leaf.size() <= cell_size,
-             name + ", leaf at " + std::to_string(leaf.first));
-    next = leaf.last;
+  for(const Range& cell : cells) {
+    CHECK_AT(cell.first == next && cell.size() > 0 && cell.size() <= cell_size,
+             name + ", cell at " + std::to_string(cell.first));
+    next = cell.last;
     Box box;
-    for(std::uint32_t i = leaf.first; i < leaf.last; ++i)
+    for(std::uint32_t i = cell.first; i < cell.last; ++i)
       box.add(points[order.view().index(i)]);
     for(int a = 0; a < 3; ++a)
       CHECK_AT(std::int64_t(box.high[a]) - box.low[a] <= std::int64_t(1) << cell_extent_bits,
-               name + ", leaf at " + std::to_string(leaf.first));
+               name + ", cell at " + std::to_string(cell.first));
   }
-  CHECK_AT(next == points.size(), name + ": the leaves end at " + std::to_string(next));
+  CHECK_AT(next == points.size(), name + ": the cells end at " + std::to_string(next));
 }
 
-void test_leaves()
+void test_cells()
 {
   Random random(6);
   for(int bits : {0, 2, 10, 22, 28})
@@ -59,11 +59,11 @@ void test_leaves()
       std::vector<Grid_point> points;
       for(int i = 0; i < 5000; ++i)
         points.push_back(random_point(random, bits));
-      check_leaves(points, cell_size, std::to_string(bits) + " bits");
-      points.insert(points.end(), 3000, points[0]); // more equal points than a leaf may have
-      check_leaves(points, cell_size, std::to_string(bits) + " bits and duplicates");
+      check_cells(points, cell_size, std::to_string(bits) + " bits");
+      points.insert(points.end(), 3000, points[0]); // more equal points than a cell may have
+      check_cells(points, cell_size, std::to_string(bits) + " bits and duplicates");
     }
-  check_leaves({random_point(random, 28)}, 64, "one point");
+  check_cells({random_point(random, 28)}, 64, "one point");
 }
 
 // The filter may only pass points that are within the bounds, and nothing that is clearly within is freed.
@@ -98,7 +98,7 @@ void test_exact_check()
     const std::uint32_t origin = 0;
     std::uint32_t label = 0;
     const Plane integer = rounded(plane);
-    check_exactly(backend, {&g, &label, &integer, options.certain}, &label, 1, &origin,
+    check_exactly(backend, {&g, &origin, &label, 1}, &integer, options.certain,
                   {{{p, false}, {normal, false}}, &c, options.exact});
     const long double e =
       (long double)(c[0]) * p[0] + (long double)(c[1]) * p[1] + (long double)(c[2]) * p[2] + (long double)(c[3]);
@@ -127,7 +127,7 @@ void test_zero_offset()
 
 int main()
 {
-  test_leaves();
+  test_cells();
   test_zero_offset();
   test_exact_check();
   return report();

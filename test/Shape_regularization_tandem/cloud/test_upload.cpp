@@ -103,9 +103,9 @@ void test_pieces(const std::string& name, const Pairs<K>& cloud, bool has_bad_po
   using Traits = CGAL::Tandem::Tandem_traits_3<K, Pairs<K>, First<K>, NormalMap, CGAL::Parallel_if_available_tag>;
   const Traits traits;
   auto backend = traits.backend();
-  const typename Traits::Normal_map normal_map = typename Traits::Normal_map();
-  const Import expected = read_points<Traits>(backend, cloud, First<K>(), normal_map, traits);
-  Import in = read_points<Traits>(backend, cloud, First<K>(), normal_map, traits, Test_upload());
+  const Item_reader<Traits> reader(traits, First<K>(), typename Traits::Normal_map());
+  const Import expected = read_points(backend, cloud, reader);
+  Import in = read_points(backend, cloud, reader, Test_upload());
   CHECK_AT((in.uploaded == nullptr) == has_bad_points, name + ": where the values are");
   in.drop_upload();
   CHECK_AT(is_same(in, expected), name + ": other values");
@@ -132,14 +132,14 @@ void test_twins(std::vector<Grid_point> points, int expected)
 {
   Sequential_backend backend;
   int prepared = 0, early = 0, questions = 0;
-  sort_along_curve(
-    backend, points.data(), points.size(), make_code_frame(points.data(), points.size()),
-    [&](std::uint32_t i, std::uint32_t j) {
-      early += prepared == 0;
-      ++questions;
-      return j < i;
-    },
-    [&] { ++prepared; });
+  sort_along_curve(backend, points.data(), points.size(), make_code_frame(points.data(), points.size()),
+                   make_tie_order(
+                     [&](std::uint32_t i, std::uint32_t j) {
+                       early += prepared == 0;
+                       ++questions;
+                       return j < i;
+                     },
+                     [&] { ++prepared; }));
   const std::string name = std::to_string(points.size()) + " points";
   CHECK_AT(prepared == expected && early == 0, name + ": prepared " + std::to_string(prepared) + " times");
   CHECK_AT((questions > 0) == (expected > 0), name + ": " + std::to_string(questions) + " questions");

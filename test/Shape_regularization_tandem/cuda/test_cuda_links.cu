@@ -46,14 +46,14 @@ int main()
   Sequential_backend host;
   for(std::size_t n : {0, 1, 100, 4095, 4096, 5000, 300000})
     for(std::uint32_t ids : {2u, 50u, 8192u, 0xffffffffu})
-      for(std::uint32_t least : {1u, 2u, 700u, 0xffffffffu}) {
+      for(std::uint32_t minimum : {1u, 2u, 700u, 0xffffffffu}) {
         const Link_list links = random_links(n, ids, 3);
         Device_buffer<Link> buffer(n);
         cuda.from_host(links.data(), n, buffer.data());
-        const Link_list expected = sum_links(host, links.data(), n, ids, least);
-        if(is_same(sum_links(cuda, buffer.data(), n, ids, least), expected))
+        const Link_list expected = sum_links_on_host(host, links.data(), n, minimum);
+        if(is_same(sum_links_cuda(cuda, buffer.data(), n, ids, minimum), expected))
           continue;
-        std::fprintf(stderr, "%zu links of %u ids with at least %u relations differ\n", n, ids, least);
+        std::fprintf(stderr, "%zu links of %u ids with at least %u relations differ\n", n, ids, minimum);
         ++failures;
       }
   std::printf("%d failures\n", failures);

@@ -67,7 +67,7 @@ std::vector<std::uint32_t> device_neighbors(const Grid_cloud& cloud, int k)
   point.write(cloud.data());
   std::vector<std::uint32_t> rows(n * std::size_t(k) + 1, untouched);
   out.write(rows.data());
-  find_neighbors_cuda(point.data(), n, k, out.data(), scratch.data(), nullptr);
+  find_neighbors_cuda({point.data(), n, k, out.data()}, scratch.data(), nullptr);
   rows = out.read();
   if(rows.back() != untouched) {
     ++failures;

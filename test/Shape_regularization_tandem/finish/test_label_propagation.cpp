@@ -159,9 +159,9 @@ private:
       const Propose_label<Backend> first = {f_.cloud,        label.data(), state.data(),    f_.plane.data(),
                                             proposal.data(), f_.tolerance, proposed.data(), counters.data() + 1};
       backend_.for_each(n, first);
-      run_label_propagation(backend_, end.first,
-                            Label_propagation<Backend>{
-                              first, {label.data(), state.data()}, {proposed.data(), counters.data()}, end.second});
+      propagate_labels_on_host(backend_, end.first,
+                               Label_propagation<Backend>{
+                                 first, {label.data(), state.data()}, {proposed.data(), counters.data()}, end.second});
       check_lists(label, expected, name_ + ": rounds of label propagation");
       CHECK_AT((label == all) == (end.first == 16 && end.second == 0), name_ + ": the end of label propagation");
     }
@@ -254,10 +254,10 @@ private:
         f_.for_each_neighbor(r, take);
       }
     }
-    Tandem_state<Backend> t(backend_);
-    take_cloud(f_, t);
-    find_border(t);
-    find_components(t, f_.label.data(), component.data());
+    Labeled_cloud<Backend> points(backend_);
+    const std::size_t cell_size = take_cloud(f_, points);
+    find_border(points);
+    find_components(points, cell_size, f_.label.data(), component.data());
     check_lists(component, expected, name_ + ": components");
   }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bodies of a round, over the points, against naive versions of them, on several
-// back ends: proposals, growth, shapes of leaves, links, misfits, and the update of labels.
+// The bodies of a round, over the points, adeltast naive versions of them, on several
+// back ends: proposals, growth, shapes of cells, links, misfits, and the update of labels.
 
 #undef NDEBUG
 
@@ -10,6 +10,8 @@
 
 #include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
+#include <CGAL/Tandem/internal/shapes/links.h>
+#include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 #include <map>
 #include <set>
@@ -38,12 +40,12 @@ private:
     for(std::uint32_t i = 0; i < f_.cloud.size; i += 2)
       border.push_back(i);
     for(std::uint32_t i : border) {
-      std::set<std::pair<std::uint64_t, std::uint32_t>> offers;
+      std::set<std::pair<std::uint64_t, std::uint32_t>> proposals;
       f_.for_each_neighbor(i, [&](std::uint32_t q) {
         if(f_.label[i] == free_label && f_.label[q] < first_mark && f_.fits(f_.label[q], i))
-          offers.emplace(f_.distance(f_.label[q], i), f_.label[q]);
+          proposals.emplace(f_.distance(f_.label[q], i), f_.label[q]);
       });
-      expected.push_back(offers.empty() ? no_index : offers.begin()->second);
+      expected.push_back(proposals.empty() ? no_index : proposals.begin()->second);
     }
     proposal.resize(border.size());
     backend_.for_each(
@@ -95,28 +97,28 @@ private:
       rounds.push_back(std::uint16_t(s % 3 == 0 ? 256 : s % 5));
     const std::vector<std::uint32_t> expected = flood_fill(label, state, rounds);
     std::vector<std::uint8_t> is_restarted(plane.size(), 0);
-    std::vector<Shared_moments> gain(plane.size()), expected_gain(plane.size());
+    std::vector<Shared_moments> delta(plane.size()), expected_delta(plane.size());
     for(std::size_t i = 0; i < label.size(); ++i)
       if(label[i] != expected[i])
-        add_point(expected_gain[expected[i]], f_.point[i], 1);
+        add_point(expected_delta[expected[i]], f_.point[i], 1);
     // No points of the border, no seeds.
     const std::vector<Range> border(f_.cells.size(), Range{0, 0});
     const std::vector<std::uint32_t> none(f_.cells.size(), 0);
     const std::vector<Cell_shapes> lists = f_.list_shapes(label);
     const Cells_view cells = {f_.cells.data(), lists.data()};
-    const Cell_tables leaves = {cells, border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
+    const Cell_tables tables = {cells, border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
     const Grow_cells<Backend> body = {f_.cloud,
-                                      {plane.data(), rounds.data(), is_restarted.data(), gain.data()},
+                                      {plane.data(), rounds.data(), is_restarted.data(), delta.data()},
                                       {label.data(), state.data()},
-                                      {f_.tolerance, 8, 64, 7},
-                                      leaves,
+                                      {f_.tolerance, 8, 64, 7, 0},
+                                      tables,
                                       none.data()};
     if(std::all_of(f_.cells.begin(), f_.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))
       backend_.template for_each_cell<Growth_scratch<small_cell>>(f_.cells.size(), body);
     else
       backend_.template for_each_cell<Growth_scratch<largest_cell>>(f_.cells.size(), body);
     check_lists(label, expected, name_ + ": growth");
-    check_moments(gain, expected_gain, name_ + ": growth");
+    check_moments(delta, expected_delta, name_ + ": growth");
   }
 
   // Of few shapes a leaf, and of more than fit into a list.
@@ -137,7 +139,7 @@ private:
                                           list[c].shape + (std::min)(size, std::size_t(Cell_shapes::capacity)));
         const bool is_complete = size == expected.size() && got == expected;
         const bool has_overflown = size > Cell_shapes::capacity && expected.size() > Cell_shapes::capacity;
-        CHECK_AT(is_complete || has_overflown, name_ + ": shapes of leaf " + std::to_string(c));
+        CHECK_AT(is_complete || has_overflown, name_ + ": shapes of cell " + std::to_string(c));
       }
     }
   }
@@ -260,7 +262,7 @@ private:
           relabeled.insert(target[f_.lists[c].shape[i]]);
       CHECK_AT(f_.lists[c].size <= Cell_shapes::capacity &&
                  relabeled == std::multiset<std::uint32_t>(lists[c].shape, lists[c].shape + lists[c].size),
-               name_ + ": list of leaf " + std::to_string(c) + " after an update");
+               name_ + ": list of cell " + std::to_string(c) + " after an update");
     }
     check_moments(loss, expected_loss, name_ + ": update");
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Joint-fit clusters: links that are tried at the same time give what they give one
-// after the other, on all back ends. What is refused without a fit would have been refused with it.
+// after the other, on all back ends. What is rejected without a fit would have been rejected with it.
 
 #undef NDEBUG
 
@@ -29,18 +29,18 @@ std::int32_t height(int x, int y, int unevenness, std::mt19937& random)
 }
 
 template <class Backend>
-void make_fragments(Tandem_state<Backend>& t, int unevenness, std::int32_t shift = 0)
+void make_fragments(Backend& backend, Shape_table<Backend>& shapes, int unevenness, std::int32_t shift = 0)
 {
   std::mt19937 random(3);
-  t.shapes.resize(t.backend, columns * rows);
+  shapes.shape.resize(backend, columns * rows);
   for(int id = 0; id < columns * rows; ++id) {
-    Shape& shape = t.shapes[std::size_t(id)];
+    Shape& shape = shapes[std::size_t(id)];
     for(int i = 0; i < 20 + int(random() % 200); ++i) {
       const int x = id % columns * width + int(random() % width), y = id / columns * width + int(random() % width);
       shape.moments.add({x + shift, y + shift, height(x, y, unevenness, random) + shift, no_normal}, 1);
     }
     refit(shape);
-    t.live.push_back(std::uint32_t(id));
+    shapes.live.push_back(std::uint32_t(id));
   }
 }
 
@@ -56,7 +56,7 @@ Link_list make_links()
   return links;
 }
 
-// What is to be found: more clusters than `few` and fewer than `many`, in so many steps. Without refusals ahead, or if no
+// What is to be found: more clusters than `few` and fewer than `many`, in so many steps. Without rejections ahead, or if no
 // chains became one, it would take more.
 struct Scene {
   int unevenness;
@@ -73,12 +73,12 @@ struct Outcome {
 template <class Backend>
 Outcome unite(Backend& backend, int unevenness, std::size_t few)
 {
-  Tandem_state<Backend> t(backend);
-  make_fragments(t, unevenness);
-  Clusters<Backend> clusters(t, {.95, maximum_distance}, few);
+  Shape_table<Backend> shapes;
+  make_fragments(backend, shapes, unevenness);
+  Clusters<Backend> clusters(backend, shapes, {.95, maximum_distance}, few);
   Outcome outcome;
   outcome.steps = clusters.unite_along(make_links());
-  for(const std::uint32_t id : t.live) {
+  for(const std::uint32_t id : shapes.live) {
     outcome.root.push_back(clusters.root(id));
     outcome.plane.push_back(clusters.whole(clusters.root(id)).local);
     CHECK(clusters.is_merged(id) || clusters.root(id) == id);
@@ -102,20 +102,20 @@ void check(Backend& backend, const Scene& scene, const Outcome& expected, const 
 void check_apart(std::int32_t shift)
 {
   Sequential_backend backend;
-  Tandem_state<Sequential_backend> t(backend);
-  make_fragments(t, 0, shift);
+  Shape_table<Sequential_backend> shapes;
+  make_fragments(backend, shapes, 0, shift);
   const Joint_fit_criterion test = {.95, maximum_distance};
-  int refused = 0, apart = 0;
+  int rejected = 0, apart = 0;
   for(const Link& link : make_links()) {
-    const Shape &a = t.shapes[link.first()], &b = t.shapes[link.second()];
+    const Shape &a = shapes[link.first()], &b = shapes[link.second()];
     Fitted_moments joint;
     const bool is_rejected = !test.fit(a, b, joint), is_apart = test.are_apart(a, b);
-    refused += is_rejected;
+    rejected += is_rejected;
     apart += is_apart;
     CHECK(!is_apart || (is_rejected && !test.is_tolerable(a, b.local) && !test.is_tolerable(b, a.local)));
     check_equal(test(a, b, joint), !is_rejected, "with and without the shortcut");
   }
-  CHECK_AT(refused > 200 && 2 * apart > refused, std::to_string(apart) + " of " + std::to_string(refused));
+  CHECK_AT(rejected > 200 && 2 * apart > rejected, std::to_string(apart) + " of " + std::to_string(rejected));
 }
 
 // The eigenvalues of a turned diagonal matrix are known.

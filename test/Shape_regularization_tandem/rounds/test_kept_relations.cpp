@@ -17,22 +17,18 @@
 
 using namespace CGAL::Tandem::internal;
 
-using State = Tandem_state<Sequential_backend>;
-
 // Walls of two directions, each a little turned, in steps of the grid.
 class Walls {
 public:
   static constexpr int large = 20, points = 5000;
 
-  Walls() : t(backend_)
+  Walls() : cloud(backend_) // which is empty: no point rejects anything
   {
-    t.cloud = {nullptr, nullptr, 0, 0}; // no point objects to anything
-    t.options = Options();
-    t.options.maximum_distance = 1500;
-    t.options.regularity = {8, 1500, 1500, true, true, true, false};
-    t.options.minimum_regular_size = 10;
-    t.options.minimum_related_size = 40;
-    t.options.regularity_period = 1;
+    options.maximum_distance = 1500;
+    options.regularity = {8, 1500, 1500, true, true, true, false};
+    options.minimum_regular_size = 10;
+    options.minimum_related_size = 40;
+    options.regularity_period = 1;
     for(int w = 0; w < large; ++w)
       add_wall(points);
   }
@@ -40,10 +36,10 @@ public:
   // Returns its id.
   std::uint32_t add_wall(int n)
   {
-    const std::uint32_t id = std::uint32_t(t.shapes.size()), wall = std::uint32_t(offset_.size());
-    t.shapes.resize(backend_, id + 1);
-    t.is_restarted.resize(id + 1, 0);
-    t.live.push_back(id);
+    const std::uint32_t id = std::uint32_t(shapes.size()), wall = std::uint32_t(offset_.size());
+    shapes.shape.resize(backend_, id + 1);
+    shapes.is_restarted.resize(id + 1, 0);
+    shapes.live.push_back(id);
     offset_.push_back(int(wall) * 20000);
     tilt_.push_back(int(random_() % 41) - 20); // thousandths
     add_points(id, wall, n);
@@ -53,7 +49,7 @@ public:
   // Points of a wall that belong to the shape of that id.
   void add_points(std::uint32_t id, std::uint32_t wall, int n)
   {
-    Shape& shape = t.shapes[id];
+    Shape& shape = shapes[id];
     for(int i = 0; i < n; ++i) {
       const int u = int(random_() % 40000), v = int(random_() % 40000);
       const int w = offset_[wall] + u * tilt_[wall] / 1000 + int(random_() % 200);
@@ -61,29 +57,34 @@ public:
       shape.moments.add(p, 1);
       shape.box.add(p);
     }
-    t.assigned += std::size_t(n);
+    shapes.assigned += std::size_t(n);
     refit(shape);
   }
 
   void remove(std::uint32_t id)
   {
-    t.assigned -= std::size_t(t.shapes[id].moments.count);
-    clear_shape(t, id);
-    t.live.erase(std::find(t.live.begin(), t.live.end(), id));
+    shapes.assigned -= std::size_t(shapes[id].moments.count);
+    shapes.clear(id);
+    shapes.live.erase(std::find(shapes.live.begin(), shapes.live.end(), id));
   }
 
   // As where most ids have gone out of use.
   void renumber()
   {
-    t.shapes.keep(backend_, t.live);
-    std::iota(t.live.begin(), t.live.end(), 0u);
+    shapes.shape.keep(backend_, shapes.live);
+    std::iota(shapes.live.begin(), shapes.live.end(), 0u);
+  }
+
+  Shape_relations regularize(bool is_last, const Shape_relations& before)
+  {
+    return regularize_shapes(cloud, shapes, options, {0, is_last}, before);
   }
 
   Regular_planes planes() const
   {
     Regular_planes result;
-    for(std::uint32_t id : t.live)
-      result.push_back(t.shapes[id].plane);
+    for(std::uint32_t id : shapes.live)
+      result.push_back(shapes[id].plane);
     return result;
   }
 
@@ -93,7 +94,9 @@ private:
   std::vector<int> offset_, tilt_; // by wall
 
 public:
-  State t;
+  Labeled_cloud<Sequential_backend> cloud;
+  Shape_table<Sequential_backend> shapes;
+  Options options = Options();
 };
 
 bool is_same(const Regular_plane& a, const Regular_plane& b) { return a.normal == b.normal && a.offset == b.offset; }
@@ -103,13 +106,13 @@ bool are_same(const Regular_planes& a, const Regular_planes& b)
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
 }
 
-// The tables say what the shapes have.
-void check_tables(const State& t, const Shape_relations& r, const std::string& where)
+// The tables agree with the shapes.
+void check_tables(const Shape_table<Sequential_backend>& shapes, const Shape_relations& r, const std::string& where)
 {
   CHECK_AT(r.relations.plane_of.size() == r.id.size() && r.relations.direction_of.size() == r.id.size(), where);
   for(std::size_t i = 0; i < r.id.size(); ++i) {
     const Regular_plane& plane = r.relations.planes.at(std::size_t(r.relations.plane_of[i]));
-    CHECK_AT(is_same(plane, t.shapes[r.id[i]].plane), where + ": plane");
+    CHECK_AT(is_same(plane, shapes[r.id[i]].plane), where + ": plane");
     CHECK_AT(plane.normal == r.relations.directions.at(std::size_t(r.relations.direction_of[i])),
              where + ": direction");
   }
@@ -126,35 +129,35 @@ std::size_t number_of_directions(const Regular_planes& planes)
 int main()
 {
   Walls walls;
-  State& t = walls.t;
+  const Shape_table<Sequential_backend>& shapes = walls.shapes;
   const std::uint32_t small = walls.add_wall(60), other = walls.add_wall(50);
-  Shape_relations r = regularize_shapes(t, false, {});
-  check_tables(t, r, "found");
+  Shape_relations r = walls.regularize(false, {});
+  check_tables(shapes, r, "found");
   Regular_planes before = walls.planes();
   CHECK(number_of_directions(before) < 6);
 
   walls.add_points(3, 3, 100); // a thousandth of all points
-  CHECK(!is_same(t.shapes[3].local, before[3]));
-  r = regularize_shapes(t, false, r);
-  check_tables(t, r, "few points more");
+  CHECK(!is_same(shapes[3].local, before[3]));
+  r = walls.regularize(false, r);
+  check_tables(shapes, r, "few points more");
   CHECK(are_same(walls.planes(), before));
 
   walls.remove(small);
   walls.renumber();
   before.erase(before.begin() + std::ptrdiff_t(small));
-  r = regularize_shapes(t, false, r);
-  check_tables(t, r, "other ids");
+  r = walls.regularize(false, r);
+  check_tables(shapes, r, "other ids");
   CHECK(are_same(walls.planes(), before));
 
   const std::uint32_t same = other - 1; // its id now
   walls.add_points(same, other, 20);    // much for it, little for all
   const std::uint32_t fresh = walls.add_wall(45), tiny = walls.add_wall(39);
-  r = regularize_shapes(t, false, r);
-  check_tables(t, r, "others change");
-  CHECK(r.id.size() == t.live.size() - 1 && r.id.back() == fresh);
+  r = walls.regularize(false, r);
+  check_tables(shapes, r, "others change");
+  CHECK(r.id.size() == shapes.live.size() - 1 && r.id.back() == fresh);
   for(std::uint32_t id : {same, fresh})
-    CHECK(t.shapes[id].plane.normal == canonical(t.shapes[id].fit.normal));
-  CHECK(is_same(t.shapes[tiny].plane, t.shapes[tiny].local));
+    CHECK(shapes[id].plane.normal == canonical(shapes[id].fit.normal));
+  CHECK(is_same(shapes[tiny].plane, shapes[tiny].local));
   before.resize(Walls::large);
   Regular_planes after = walls.planes();
   after.resize(Walls::large);
@@ -164,35 +167,35 @@ int main()
   walls.add_points(7, 7, 1200);
   walls.add_points(9, 9, 1200);
   walls.add_points(11, 11, 1100); // less than five percent in all
-  r = regularize_shapes(t, false, r);
-  check_tables(t, r, "more points");
+  r = walls.regularize(false, r);
+  check_tables(shapes, r, "more points");
   Regular_planes kept = walls.planes();
   kept.resize(Walls::large);
   CHECK(are_same(kept, before));
 
   walls.add_points(4, 4, 800); // more than five percent in all
-  r = regularize_shapes(t, false, r);
-  check_tables(t, r, "found anew");
+  r = walls.regularize(false, r);
+  check_tables(shapes, r, "found anew");
   after = walls.planes();
   CHECK(number_of_directions(after) < 7);
   after.resize(Walls::large);
   CHECK(!are_same(after, before));
 
   // The end game starts on its own, and holds what it has found, also a shape that has changed much by itself.
-  const Shape_relations last = regularize_shapes(t, true, {});
-  check_tables(t, last, "last");
-  CHECK(last.id.size() == t.live.size());
+  const Shape_relations last = walls.regularize(true, {});
+  check_tables(shapes, last, "last");
+  CHECK(last.id.size() == shapes.live.size());
   before = walls.planes();
   walls.add_points(5, 5, 2500); // less than three percent
   walls.add_points(tiny, tiny + 1, 10);
   const std::uint32_t late = walls.add_wall(45);
-  check_tables(t, regularize_shapes(t, true, last), "last again");
-  CHECK(t.shapes[late].plane.normal == canonical(t.shapes[late].fit.normal));
+  check_tables(shapes, walls.regularize(true, last), "last again");
+  CHECK(shapes[late].plane.normal == canonical(shapes[late].fit.normal));
   after = walls.planes();
   after.resize(before.size());
   CHECK(are_same(after, before));
   walls.add_points(6, 6, 1500); // more than three percent in all
-  check_tables(t, regularize_shapes(t, true, last), "last anew");
+  check_tables(shapes, walls.regularize(true, last), "last anew");
   after = walls.planes();
   after.resize(before.size());
   CHECK(!are_same(after, before));

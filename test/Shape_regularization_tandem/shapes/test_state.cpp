@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// After each round the table of shapes and the labels of the points say the same:
+// After each round the table of shapes and the labels of the points agree:
 // labels are live shapes or marks, counts, sums and boxes are those of the points, which see the planes of the shapes.
 
 #undef NDEBUG
@@ -36,11 +36,11 @@ struct Sums {
 std::map<std::uint32_t, Sums> sums_of_labels(const State& t)
 {
   std::map<std::uint32_t, Sums> sums;
-  for(std::uint32_t i = 0; i < t.cloud.size; ++i)
-    if(t.label[i] < first_mark) {
-      Sums& s = sums[t.label[i]];
-      s.moments.add(t.cloud.point[i], 1);
-      s.box.add(t.cloud.point[i]);
+  for(std::uint32_t i = 0; i < t.points.cloud.size(); ++i)
+    if(t.points.label[i] < first_mark) {
+      Sums& s = sums[t.points.label[i]];
+      s.moments.add(t.points.cloud.point[i], 1);
+      s.box.add(t.points.cloud.point[i]);
     }
   return sums;
 }
@@ -64,34 +64,34 @@ bool is_same(const Plane& a, const Plane& b) { return a.nx == b.nx && a.ny == b.
 void check_state(const State& t, const std::string& where)
 {
   const std::map<std::uint32_t, Sums> sums = sums_of_labels(t);
-  CHECK_AT(std::is_sorted(t.live.begin(), t.live.end(), std::less_equal<std::uint32_t>()), where);
-  check_equal(t.live.size(), sums.size(), where + ": live shapes");
+  CHECK_AT(std::is_sorted(t.shapes.live.begin(), t.shapes.live.end(), std::less_equal<std::uint32_t>()), where);
+  check_equal(t.shapes.live.size(), sums.size(), where + ": live shapes");
   std::size_t assigned = 0;
   for(const auto& s : sums) {
     const std::string shape = where + ", shape " + std::to_string(s.first);
-    if(!std::binary_search(t.live.begin(), t.live.end(), s.first)) {
+    if(!std::binary_search(t.shapes.live.begin(), t.shapes.live.end(), s.first)) {
       CHECK_AT(false, shape + " has " + std::to_string(s.second.moments.count) + " points, but is not live");
       continue;
     }
     CHECK_AT(is_same(t.shapes[s.first].moments, s.second.moments), shape + ": moments");
     CHECK_AT(contains(t.shapes[s.first].box, s.second.box), shape + ": box");
-    CHECK_AT(is_same(t.plane[s.first], rounded(t.shapes[s.first].plane)), shape + ": plane");
+    CHECK_AT(is_same(t.shapes.plane[s.first], rounded(t.shapes[s.first].plane)), shape + ": plane");
     assigned += std::size_t(s.second.moments.count);
   }
-  check_equal(t.assigned, assigned, where + ": assigned points");
+  check_equal(t.shapes.assigned, assigned, where + ": assigned points");
   for(std::uint32_t id = 0; id < t.shapes.size(); ++id)
     CHECK_AT(sums.count(id) > 0 || t.shapes[id].moments.count == 0, where + ", dead shape " + std::to_string(id));
-  for(const Shared_moments& delta : t.delta)
+  for(const Shared_moments& delta : t.shapes.delta)
     CHECK_AT(delta.count == 0, where + ": deltas that were not taken");
 }
 
 // Most shapes go out of use, between two passes of growth: the others get new ids, and stay what they are.
 void check_new_ids(State& t, const std::string& where)
 {
-  drop_shapes(t, [](const Shape&, std::uint32_t id) { return id % 4 != 0; });
+  drop_shapes(t.points, t.shapes, [](const Shape&, std::uint32_t id) { return id % 4 != 0; });
   Host_buffer<Shape_delta> none;
-  number_shapes(t, t.shapes.size(), none);
-  CHECK_AT(t.shapes.size() <= 2 * t.live.size(), where + ": " + std::to_string(t.shapes.size()) + " ids");
+  number_shapes(t.points, t.shapes, t.shapes.size(), none);
+  CHECK_AT(t.shapes.size() <= 2 * t.shapes.live.size(), where + ": " + std::to_string(t.shapes.size()) + " ids");
   check_state(t, where);
 }
 
@@ -101,7 +101,7 @@ int test(const std::string& name, const scenes::Options& options, Parameters par
   using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, CGAL::Sequential_tag>;
   Sequential_backend backend;
   const Cloud cloud = to_cloud(scenes::make_scene(name, options));
-  Import in = read_points(backend, cloud, First<Kernel>(), Second<Kernel>(), Traits());
+  Import in = read_points(backend, cloud, Item_reader<Traits>(Traits(), First<Kernel>(), Second<Kernel>()));
   choose_grid(in, parameters.maximum_distance);
   Engine<Sequential_backend> engine(backend, in, parameters);
   State& state = engine.*reveal(State_of_engine());
@@ -120,7 +120,7 @@ int main()
   int rounds = 0;
   for(const char* name : {"house", "village", "indoor", "part", "staircase", "sphere", "chained"})
     for(std::size_t cell_size : {std::size_t(64), std::size_t(300), std::size_t(8192)})
-      for(std::size_t minimum : {std::size_t(60), std::size_t(600)}) // with 600, fragments are given up, too
+      for(std::size_t minimum : {std::size_t(60), std::size_t(600)}) // with 600, fragments are dissolved, too
         for(double epsilon : {.01, .03}) {
           Parameters parameters = make_parameters(epsilon, minimum);
           parameters.cell_size = cell_size;

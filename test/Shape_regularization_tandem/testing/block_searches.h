@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BLOCK_SEARCHES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BLOCK_SEARCHES_H
 
-#include <CGAL/Tandem/internal/shapes/Shapes.h>
+#include <CGAL/Tandem/internal/base/types.h>
 
 #include <algorithm>
 #include <cstdint>

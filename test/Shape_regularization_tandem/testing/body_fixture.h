@@ -99,16 +99,21 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   return f;
 }
 
+// Returns the largest number of points of a cell.
 template <class Backend>
-void take_cloud(const Fixture& f, Tandem_state<Backend>& t)
+std::size_t take_cloud(const Fixture& f, Labeled_cloud<Backend>& points)
 {
-  t.cloud = f.cloud;
-  t.number_of_cells = f.cells.size();
-  t.cells.reset(f.cells.size());
-  std::copy(f.cells.begin(), f.cells.end(), t.cells.data());
-  t.options.cell_size = 0;
+  points.cloud.k = f.cloud.k;
+  points.cloud.point.reset(f.point.size());
+  std::copy(f.point.begin(), f.point.end(), points.cloud.point.data());
+  points.cloud.neighbor.reset(f.neighbor.size());
+  std::copy(f.neighbor.begin(), f.neighbor.end(), points.cloud.neighbor.data());
+  points.cells.reset(f.cells.size());
+  std::copy(f.cells.begin(), f.cells.end(), points.cells.data());
+  std::size_t cell_size = 0;
   for(const Range& cell : f.cells)
-    t.options.cell_size = (std::max)(t.options.cell_size, std::size_t(cell.size()));
+    cell_size = (std::max)(cell_size, std::size_t(cell.size()));
+  return cell_size;
 }
 
 template <class T>

@@ -203,8 +203,9 @@ private:
     if(n == 0)
       return true;
     const std::size_t k = data_.parameters.k_neighbors;
-    const auto order = sort_along_curve(backend, in_.point.data(), n, make_code_frame(in_.point.data(), n),
-                                        [&](std::uint32_t i, std::uint32_t j) { return in_.precedes(i, j); });
+    const auto order =
+      sort_along_curve(backend, in_.point.data(), n, make_code_frame(in_.point.data(), n),
+                       make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in_.precedes(i, j); }, Nothing()));
     std::vector<Grid_point> point(n);
     std::vector<std::int32_t> label(n);
     for(std::size_t i = 0; i < n; ++i) {

@@ -39,7 +39,7 @@ struct Cloud_view {
 
 // The sorted cloud: owns what a Cloud_view shows.
 template <class Backend>
-struct Cloud {
+struct Sorted_cloud {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 

@@ -43,7 +43,7 @@ struct Gather_sorted {
 };
 
 template <class Backend>
-void sort_points(Backend& backend, Import& in, std::size_t cell_size, Cloud<Backend>& cloud,
+void sort_points(Backend& backend, Import& in, std::size_t cell_size, Sorted_cloud<Backend>& cloud,
                  typename Backend::template Buffer<Range>& cells)
 {
   const std::size_t n = in.size();

@@ -65,7 +65,7 @@ struct Labeled_cloud {
   Labels_view labels() { return {label.data(), state.data()}; }
 
   Backend& backend;
-  Cloud<Backend> cloud;
+  Sorted_cloud<Backend> cloud;
   Buffer<Range> cells;
   Buffer<Cell_shapes> cell_shapes; // by cell
   Border<Backend> border;
