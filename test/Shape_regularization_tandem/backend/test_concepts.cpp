@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The concepts of the back ends are complete and strict: the engine compiles with the archetypes, which have nothing
+// but what concepts.h lists, the back ends of the host are models, and what lacks one operation is none.
+
+#undef NDEBUG
+
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/backend/Serial_block.h>
+#include <CGAL/Tandem/internal/backend/archetypes.h>
+#include <CGAL/Tandem/internal/engine/Engine.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#endif
+
+#include <cstdio>
+#include <string>
+
+using namespace CGAL::Tandem::internal;
+
+// All that the engine calls.
+template class CGAL::Tandem::internal::Engine<archetypes::Backend>;
+
+static_assert(Is_block<archetypes::Block>::value && Is_block<Serial_block>::value, "models of Block");
+static_assert(Is_backend<archetypes::Backend>::value && !Is_host_backend<archetypes::Backend>::value, "the archetype");
+static_assert(Is_host_backend<Sequential_backend>::value, "the sequential back end");
+#ifdef CGAL_LINKED_WITH_TBB
+static_assert(Is_host_backend<Tbb_backend>::value, "the parallel back end");
+#endif
+
+// An operation is hidden by a member of the same name that cannot be called.
+struct Nothing_callable {};
+
+#define TANDEM_WITHOUT(concept, model, operation)                                                                      \
+  struct model##_without_##operation : archetypes::model {                                                             \
+    Nothing_callable operation;                                                                                        \
+  };                                                                                                                   \
+  static_assert(!concept<model##_without_##operation>::value, #operation " is not required")
+
+TANDEM_WITHOUT(Is_block, Block, lookahead);
+TANDEM_WITHOUT(Is_block, Block, for_each);
+TANDEM_WITHOUT(Is_block, Block, for_each_neighbor);
+TANDEM_WITHOUT(Is_block, Block, find_first);
+TANDEM_WITHOUT(Is_block, Block, find);
+TANDEM_WITHOUT(Is_block, Block, min);
+TANDEM_WITHOUT(Is_block, Block, single);
+TANDEM_WITHOUT(Is_block, Block, accumulate);
+TANDEM_WITHOUT(Is_block, Block, load);
+TANDEM_WITHOUT(Is_block, Block, fetch_min);
+TANDEM_WITHOUT(Is_block, Block, add);
+TANDEM_WITHOUT(Is_block, Block, append);
+TANDEM_WITHOUT(Is_block, Block, exchange_if);
+TANDEM_WITHOUT(Is_block, Block, count_pair);
+TANDEM_WITHOUT(Is_block, Block, add_moments);
+TANDEM_WITHOUT(Is_block, Block, add_box);
+TANDEM_WITHOUT(Is_backend, Backend, keeps_pages);
+TANDEM_WITHOUT(Is_backend, Backend, name);
+TANDEM_WITHOUT(Is_backend, Backend, read_access);
+TANDEM_WITHOUT(Is_backend, Backend, read_write_access);
+TANDEM_WITHOUT(Is_backend, Backend, write_access);
+TANDEM_WITHOUT(Is_backend, Backend, to_host);
+TANDEM_WITHOUT(Is_backend, Backend, from_host);
+TANDEM_WITHOUT(Is_backend, Backend, wait);
+TANDEM_WITHOUT(Is_backend, Backend, for_each);
+TANDEM_WITHOUT(Is_backend, Backend, for_each_cell);
+TANDEM_WITHOUT(Is_backend, Backend, sort);
+TANDEM_WITHOUT(Is_backend, Backend, sort_ranges);
+TANDEM_WITHOUT(Is_backend, Backend, compact);
+TANDEM_WITHOUT(Is_backend, Backend, collect);
+TANDEM_WITHOUT(Is_backend, Backend, for_each_on_host);
+TANDEM_WITHOUT(Is_backend, Backend, sort_on_host);
+TANDEM_WITHOUT(Is_backend, Backend, atomic_add);
+TANDEM_WITHOUT(Is_backend, Backend, atomic_min);
+TANDEM_WITHOUT(Is_backend, Backend, atomic_max);
+TANDEM_WITHOUT(Is_backend, Backend, atomic_load);
+TANDEM_WITHOUT(Is_backend, Backend, atomic_exchange_if);
+
+struct Other_buffer : archetypes::Backend {
+  template <class T>
+  using Buffer = Nothing_callable;
+};
+struct Other_sort_table : archetypes::Backend {
+  using Sort_table = Nothing_callable;
+};
+static_assert(!Is_backend<Other_buffer>::value && !Is_backend<Other_sort_table>::value, "tables");
+
+struct Without_pieces : Sequential_backend {
+  Nothing_callable for_each_piece;
+};
+static_assert(Is_backend<Without_pieces>::value && !Is_host_backend<Without_pieces>::value, "for_each_piece");
+
+// The archetype replaces the stages that need memory of the host; who replaces nothing has no flag set.
+static_assert(Stage_overrides<archetypes::Backend>::propagates_labels &&
+                !Stage_overrides<archetypes::Backend>::sums_links,
+              "overrides of the archetype");
+static_assert(!Stage_overrides<Sequential_backend>::finds_neighbors &&
+                !Stage_overrides<Sequential_backend>::groups_points,
+              "the sequential back end replaces no stage");
+
+int main()
+{
+  // The engine of the archetype can be called, and finds nothing in a cloud without points.
+  archetypes::Backend backend;
+  Import in;
+  CGAL::Tandem::Parameters parameters;
+  parameters.maximum_distance = 1;
+  parameters.minimum_region_size = 3;
+  Engine<archetypes::Backend> engine(backend, in, parameters);
+  const bool is_right = !engine.iterate() && engine.name() == std::string("archetype");
+  if(!is_right)
+    std::fprintf(stderr, "the engine of the archetype does not run\n");
+  return is_right ? 0 : 1;
+}

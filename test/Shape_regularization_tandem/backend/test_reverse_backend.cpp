@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A third back end of the host, added from outside of the package by a tag: it has the bits of the sequential one,
+// although all of its loops run backwards.
+
+#undef NDEBUG
+
+#include "testing/Reverse_backend.h"
+#include "testing/test_support.h"
+
+#include <CGAL/Tandem/internal/backend/concepts.h>
+
+using CGAL::Tandem::Reverse_tag;
+
+static_assert(CGAL::Tandem::internal::Is_host_backend<CGAL::Tandem::internal::Reverse_backend>::value,
+              "the back end is no model of the concept");
+
+int main()
+{
+  std::size_t shapes = 0;
+  for(const char* name : {"house", "indoor", "staircase"})
+    for(Given given : {Given::normals, Given::nothing}) {
+      const Cloud cloud = to_cloud(scenes::make_scene(name, scene_options(8000, .001, .1)));
+      Parameters parameters = make_parameters(.02, 50);
+      parameters.cell_size = 700;
+      const Shapes expected = detect<CGAL::Sequential_tag>(cloud, parameters, given);
+      const Shapes reverse = detect<Reverse_tag>(cloud, parameters, given);
+      CHECK_AT(reverse.hash() == expected.hash(), name);
+      CHECK_AT(reverse.statistics().backend == std::string("reverse"), name);
+      shapes += expected.number_of_shapes();
+    }
+  CHECK_AT(shapes > 30, std::to_string(shapes));
+  return report();
+}

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A small back end of its own, added as CONTRIBUTING.md describes it: one thread runs all loops backwards.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_REVERSE_BACKEND_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_REVERSE_BACKEND_H
+
+#include <CGAL/Shape_regularization_tandem/internal/Execution_of.h>
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
+#include <CGAL/Tandem/internal/backend/Serial_block.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace CGAL {
+namespace Tandem {
+
+struct Reverse_tag {};
+
+namespace internal {
+
+class Reverse_backend : public Host_memory {
+public:
+  static const char* name() { return "reverse"; }
+
+  template <class F>
+  void for_each(std::size_t n, F f)
+  {
+    while(n > 0)
+      f(--n);
+  }
+
+  template <class F>
+  void for_each_piece(std::size_t n, std::size_t grain, F f)
+  {
+    for_each((n + grain - 1) / grain, [&](std::size_t p) { f(p * grain, (std::min)((p + 1) * grain, n)); });
+  }
+
+  template <class F>
+  void for_each_on_host(std::size_t n, F f, std::size_t = 0)
+  {
+    for_each(n, f);
+  }
+
+  template <class Iterator, class Less>
+  void sort_on_host(Iterator first, Iterator last, Less less)
+  {
+    std::sort(first, last, less);
+  }
+
+  template <class Scratch, class Body>
+  void for_each_cell(std::size_t cells, Body body)
+  {
+    const auto scratch = std::make_unique<Scratch>();
+    for_each(cells, [&](std::size_t c) {
+      Serial_block block;
+      body(block, *scratch, std::uint32_t(c));
+    });
+  }
+
+  void sort(Sort_table& table)
+  {
+    using Entry = Sort_table::Entry;
+    std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+  }
+
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
+  {
+    for_each(ranges, [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
+  }
+
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    return compact_on(*this, n, is_kept);
+  }
+
+  template <class T, class F>
+  Host_buffer<T> collect(std::size_t n, F f)
+  {
+    return collect_on<T>(*this, n, f);
+  }
+
+  template <class T>
+  static T atomic_add(T& target, T value)
+  {
+    const T old = target;
+    target = T(old + value);
+    return old;
+  }
+
+  template <class T>
+  static T atomic_min(T& target, T value)
+  {
+    const T old = target;
+    target = (std::min)(old, value);
+    return old;
+  }
+
+  template <class T>
+  static void atomic_max(T& target, T value)
+  {
+    target = (std::max)(target, value);
+  }
+
+  template <class T>
+  static T atomic_load(const T& target)
+  {
+    return target;
+  }
+
+  template <class T>
+  static T atomic_exchange_if(T& target, T expected, T value)
+  {
+    const T old = target;
+    target = old == expected ? value : old;
+    return old;
+  }
+};
+
+template <>
+struct Execution_of<Reverse_tag> {
+  using Backend = Reverse_backend;
+  using Engine = internal::Engine<Backend>;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_REVERSE_BACKEND_H
