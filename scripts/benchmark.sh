@@ -13,7 +13,6 @@
 #     ALPHA     largest angle between its normal and the plane's, in degrees
 #     MINIMUM   points of the smallest shape
 #     CLUSTER   cluster epsilon of RANSAC (default: -1, for CGAL's 1 % of the diagonal)
-#   benchmark.sh --record "WHY"     times Tandem alone and appends rows to history.csv of the benchmark
 # Environment:
 #   TANDEM_DATA       folder of the clouds of clouds.csv that are files (PLY or PLY.xz)
 #   TANDEM_BUILD_DIR  where to build (default: build/benchmark of this repository)
@@ -66,12 +65,10 @@ measure()
 forget_results() { rm -rf "$result"/*.csv "$result"/*.svg "$result/results" "$result/pictures" "$result/index.html"; }
 
 quick=
-record=
 result=$build/result
 case ${1:-} in
   --help | -h) usage; exit 0 ;;
   --quick) quick=--quick; result=$build/result-quick; shift ;;
-  --record) [ $# -eq 2 ] || fail "--record takes one argument, the reason"; record=$2; shift 2 ;;
   -*) fail "unknown option $1 (--help lists them)" ;;
 esac
 [ $# -eq 0 ] || result=$build/result-chosen
@@ -82,10 +79,6 @@ build_program
 TANDEM_COMMIT=$(git -C "$root" describe --always --dirty 2> /dev/null || echo unknown)
 export TANDEM_COMMIT
 
-if [ -n "$record" ]; then
-  measure record "$record"
-  exit 0
-fi
 forget_results
 measure compare "$@"
 if [ $# -eq 0 ]; then
