@@ -49,7 +49,7 @@ function(tandem_share_engine target)
   endforeach()
 endfunction()
 
-# What tests and benchmark share ("testing/scenes.h"), and the headers of the benchmark ("report/plot.h").
+# What tests and benchmark share ("testing/scenes.h"), and the headers of the benchmark ("report/shape_colors.h").
 function(tandem_share_testing target)
   target_include_directories(${target} PRIVATE
     "${tandem_programs_dir}/../test/Shape_regularization_tandem"

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing, builds, and measures Tandem beside CGAL's own detectors and PCL, by the
-# criteria and the experiments of the paper. Prints tables; writes results.csv, plots, pictures and the
+# criteria and the experiments of the paper. Prints tables; writes CSV files, plots, pictures and the
 # page index.html into a folder that it names at the end.
 #   benchmark.sh                    everything: an hour or more
 #   benchmark.sh --quick            everything in small: five minutes
@@ -38,7 +38,7 @@ usage() { sed -n '/^# Installs/,/^$/s/^# \{0,1\}//p' "$0"; }
 install()
 {
   "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev \
-    libtbb-dev libpng-dev gnuplot-nox xz-utils
+    libtbb-dev gnuplot-nox xz-utils
   [ -n "$quick" ] || [ "${TANDEM_WITHOUT_PCL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libpcl-dev ||
     echo "PCL cannot be installed: the comparison goes on without it"
 }
@@ -86,6 +86,4 @@ if [ $# -eq 0 ]; then
     measure "$experiment"
   done
 fi
-measure page
-echo
-echo "All of it, with plots and pictures: $result/index.html"
+"$root/benchmark/Shape_regularization_tandem/report/page.sh" "$result"

@@ -16,12 +16,16 @@ doc=$root/doc/Shape_regularization_tandem
 fail() { echo "doc_figures.sh: $*" >&2; exit 1; }
 
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] ||
-  "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libpng-dev libtbb-dev
+  "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libtbb-dev gnuplot-nox
 "$root/scripts/sample_cloud.sh" "$build/building.ply"
 echo "Building draw_figures (a minute or so) ..."
 cmake -S "$doc/figures" -B "$build" > "$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
 cmake --build "$build" --target draw_figures > "$build/build.log" 2>&1 ||
   { cat "$build/build.log" >&2; fail "the build failed"; }
-mkdir -p "$doc/fig" "$doc/tables"
-"$build/draw_figures" "$build/building.ply" 0.15 "$doc"
+mkdir -p "$build/clouds" "$doc/fig" "$doc/tables"
+"$build/draw_figures" "$build/building.ply" 0.15 "$build/clouds" "$doc/tables"
+for cloud in "$build"/clouds/*.ply; do
+  picture=$doc/fig/$(basename "$cloud" .ply).png
+  TANDEM_SKIP_INSTALL=1 "$root/scripts/render.sh" "$cloud" "$picture" --alone --width 330 --height 260
+done
 echo "Pictures and tables: $doc/fig, $doc/tables"

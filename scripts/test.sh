@@ -45,6 +45,8 @@ sanitizer_flags='-O1 -g1 -fno-omit-frame-pointer'
 # With the building of CGAL's data where it can be had, since two of its examples are tests.
 run_release()
 {
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" gnuplot-nox ||
+    echo "gnuplot cannot be installed: the pictures of the benchmark are not tested"
   "$root/scripts/sample_cloud.sh" "$build/release/examples/Shape_regularization_tandem/building.ply" ||
     echo "the sample cloud cannot be had: the examples of the building are not run"
   configuration release . -DCMAKE_BUILD_TYPE=Release

@@ -69,7 +69,7 @@ public:
     }
   }
 
-  // What the first runs found, seen from one place: FOLDER/CLOUD.METHOD.png.
+  // What the first runs found, as colored clouds: FOLDER/CLOUD.METHOD.ply.
   void draw(const std::string& folder) const
   {
     Picture_book book(named_.cloud, named_.task.tolerances(), folder, named_.name);

@@ -16,9 +16,9 @@ namespace benchmark {
 
 struct Experiment_options {
   bool is_quick = false;                // small clouds, few steps
-  std::string output = ".";             // folder of the CSV files, plots and pictures; it exists
+  std::string output = ".";             // folder of the CSV files and pictures; it exists
   std::string data;                     // folder of clouds (TANDEM_DATA); empty: there is none
-  std::string sources;                  // folder of the benchmark's own files: clouds.csv, plot files
+  std::string sources;                  // folder of the benchmark's own files: clouds.csv
   double time_limit = 600;              // seconds for one run of one contestant
   unsigned repeats = 3;                 // runs that are timed
   unsigned threads = 0;                 // of parallel contestants; 0: all

@@ -56,7 +56,12 @@ public:
     run(once, named, {"tandem", "growing-cached", "growing+regularize", "ransac", "pcl-growing"});
   }
 
-  void write() const { write_csv(options_.output + "/results.csv", rows_); }
+  void write() const
+  {
+    write_csv(options_.output + "/results.csv", rows_);
+    write_csv(options_.output + "/comparison.csv", table_);
+  }
+
   const std::vector<Row>& rows() const { return rows_; }
 
 private:
@@ -65,7 +70,12 @@ private:
     Comparison comparison(options, named, chosen(options, names));
     comparison.measure();
     const std::vector<Row> rows = comparison.rows();
-    print_table(rows);
+    const std::vector<Summary> all = summaries(rows);
+    print_table(all);
+    for(const Summary& summary : all) {
+      table_.push_back(summary_row(summary, all.front()));
+      append_environment(table_.back(), environment());
+    }
     const std::string normals = named.task.estimates_normals ? "own" : "given";
     comparison.write_detections(options.output + "/results/" + named.name + "." + normals);
     if(!named.task.estimates_normals)
@@ -75,7 +85,8 @@ private:
   }
 
   Experiment_options options_;
-  std::vector<Row> rows_;
+  std::vector<Row> rows_;  // a row for each run
+  std::vector<Row> table_; // and for each method
 };
 
 // What is guaranteed: each run finishes, its points are within the tolerances, and runs, back ends and orders of the

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The paper's figures 9 and 11: what the angle tolerance and the size of the
-// leaves do to the result.
+// cells do to the result.
 
 #include "experiment_trials.h"
 
@@ -15,26 +15,6 @@ namespace {
 Named_cloud house_for_sweeps(const Experiment_options& options)
 {
   return noisy_house({std::size_t(options.is_quick ? 50000 : 200000), 0.001, 0.1, 1});
-}
-
-void plot_regularity(const Trials& trials)
-{
-  for(const char* cloud : {"house", "kinect", "street"}) {
-    std::vector<Row> rows = trials.rows_where("cloud", cloud);
-    if(rows.empty())
-      continue;
-    Series_table table(rows, "method", "beta");
-    Axis beta{"angle tolerance beta (degrees)"}, complexity{"complexity"};
-    Plot plot{std::string("Regularity against coverage: ") + cloud + ", marks are beta in degrees",
-              {{complexity, {"coverage (%)"}, table("complexity_relaxed", "coverage_percent", true)},
-               panel(table, beta, "beta", "complexity", "complexity_relaxed"),
-               panel(table, beta, "beta", "mean distance (epsilons)", "mean_distance_in_epsilons"),
-               panel(table, beta, "beta", "true orthogonal pairs kept", "orthogonal_kept_relaxed"),
-               panel(table, beta, "beta", "false parallel pairs", "parallel_false_relaxed"),
-               panel(table, beta, "beta", "points beyond tolerances (%)", "violating_percent")},
-              {}};
-    draw(trials.path(std::string("-") + cloud), plot);
-  }
 }
 
 } // namespace
@@ -62,7 +42,6 @@ void run_regularity(const Experiment_options& options)
       }
     }
   trials.write();
-  plot_regularity(trials);
 }
 
 void run_cell_size(const Experiment_options& options)
@@ -79,20 +58,11 @@ void run_cell_size(const Experiment_options& options)
         task.cell_size = size;
         task.threads = options.threads;
         Row columns;
-        append_cell(columns, "points_in_a_leaf", size);
+        append_cell(columns, "points_in_a_cell", size);
         append_cell(columns, "repeat", repeat);
         trials.add(c, "tandem", task, columns);
       }
   trials.write();
-  Series_table table(trials.rows(), "cloud", "points_in_a_leaf", Repeats::least);
-  Axis x{"largest number of points in a leaf", true};
-  auto panel_of = [&](const char* label, const char* column) {
-    return panel(table, x, "points_in_a_leaf", label, column);
-  };
-  draw(trials.path(), {"Size of the leaves: time and quality of Tandem",
-                       {panel_of("time (s)", "seconds"), panel_of("of which growth (s)", "stage_growth"),
-                        panel_of("coverage (%)", "coverage_percent"), panel_of("complexity", "complexity_exact")},
-                       {}});
 }
 
 } // namespace benchmark

@@ -14,32 +14,11 @@ namespace {
 
 struct Sweep {
   const char* name;
-  const char* title;
-  const char* x_label;
   bool is_noise; // else outliers
   bool has_own_normals;
 };
 
-const Sweep sweeps[] = {
-  {"noise", "Robustness to noise, given normals as noisy as the points", "noise, sigma (% of the diagonal)", true,
-   false},
-  {"own-normals", "Robustness to noise, each method with its own normals", "noise, sigma (% of the diagonal)", true,
-   true},
-  {"outliers", "Robustness to outliers, given normals", "outliers (% of the points)", false, false}};
-
-void plot(const Trials& trials, const Sweep& sweep)
-{
-  Series_table table(trials.rows_where("sweep", sweep.name), "method", "percent");
-  Axis x{sweep.x_label};
-  auto panel_of = [&](const char* label, const char* column) { return panel(table, x, "percent", label, column); };
-  Plot plot{sweep.title,
-            {panel_of("faces found, F1 at IoU .5", "face_f1_50"), panel_of("point precision", "point_precision"),
-             panel_of("coverage (%)", "coverage_percent"), panel_of("directions", "directions_relaxed"),
-             panel_of("complexity", "complexity_relaxed"),
-             panel_of("points beyond tolerances (%)", "violating_percent")},
-            {}};
-  draw(trials.path(std::string("-") + sweep.name), plot);
-}
+const Sweep sweeps[] = {{"noise", true, false}, {"own-normals", true, true}, {"outliers", false, false}};
 
 } // namespace
 
@@ -68,7 +47,6 @@ void run_robustness(const Experiment_options& options)
           trials.add(c, method, c.task, columns);
       }
     trials.write();
-    plot(trials, sweep);
   }
 }
 

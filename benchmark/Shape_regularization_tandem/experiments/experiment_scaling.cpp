@@ -6,6 +6,9 @@
 
 #include "experiment_trials.h"
 
+#include <cmath>
+#include <map>
+
 namespace CGAL {
 namespace Tandem {
 namespace benchmark {
@@ -16,11 +19,11 @@ namespace {
 double patience(const Experiment_options& options) { return options.is_quick ? 2 : 40; }
 
 // The exponent of a power law, by least squares of the logarithms.
-double exponent(const std::vector<Plot_point>& points)
+double exponent(const std::map<double, double>& values)
 {
-  double n = double(points.size()), x = 0, y = 0, xx = 0, xy = 0;
-  for(const Plot_point& p : points) {
-    double lx = std::log(p.x), ly = std::log(p.y);
+  double n = double(values.size()), x = 0, y = 0, xx = 0, xy = 0;
+  for(const auto& value : values) {
+    double lx = std::log(value.first), ly = std::log(value.second);
     x += lx;
     y += ly;
     xx += lx * lx;
@@ -47,7 +50,7 @@ public:
           patient.push_back(name);
       names = patient;
     }
-    finish("points", "points", "number of points");
+    finish("points");
   }
 
   void over_neighbors()
@@ -61,7 +64,7 @@ public:
         if(k <= 24 || std::string(name) == "tandem")
           add(c, "k", k, name, task);
       }
-    finish("k", "k", "number of neighbors k");
+    finish("k");
   }
 
   void over_threads()
@@ -73,7 +76,7 @@ public:
       task.threads = threads;
       add(c, "threads", threads, "tandem", task);
     }
-    finish("threads", "threads", "number of threads");
+    finish("threads");
   }
 
 private:
@@ -104,36 +107,55 @@ private:
     return fastest;
   }
 
-  void finish(const std::string& sweep, const std::string& name, const std::string& label)
+  // Writes the rows, and the exponents of the sweep.
+  void finish(const std::string& sweep)
   {
-    Series_table table(trials_.rows_where("sweep", sweep), "method", "value", Repeats::least);
-    Axis x{label, true};
-    Plot plot{"Scaling over the " + label, {}, {}};
-    for(auto y : {std::pair<const char*, const char*>{"seconds", "time (s)"},
-                  {"user_seconds", "processor time (s)"},
-                  {"peak_mib", "peak memory (MiB)"}}) {
-      const Axis axis{y.second, true};
-      plot.panels.push_back({x, axis, table("value", y.first)});
-      for(const Series& series : plot.panels.back().series)
-        if(series.points.size() > 1)
-          add_exponent(name, y.first, series);
-    }
+    for(const char* quantity : {"seconds", "user_seconds", "peak_mib"})
+      for(const std::string& method : methods_of(sweep)) {
+        const std::map<double, double> values = least_values(sweep, method, quantity);
+        if(values.size() > 1)
+          add_exponent(method, quantity, sweep, values);
+      }
     trials_.write();
     write_csv(trials_.path("-exponents.csv"), exponents_);
-    draw(trials_.path("-" + name), plot);
   }
 
-  void add_exponent(const std::string& over, const std::string& quantity, const Series& series)
+  std::vector<std::string> methods_of(const std::string& sweep) const
   {
-    const double value = exponent(series.points);
-    std::printf("%-32s %-10s ~ %s^%.2f\n", series.name.c_str(), quantity.c_str(), over.c_str(), value);
+    std::vector<std::string> names;
+    for(const Row& row : trials_.rows())
+      if(cell(row, "sweep") == sweep && std::find(names.begin(), names.end(), cell(row, "method")) == names.end())
+        names.push_back(cell(row, "method"));
+    return names;
+  }
+
+  // The least over the repeats, for each value of the sweep: errors of times are positive.
+  std::map<double, double> least_values(const std::string& sweep, const std::string& method,
+                                        const std::string& quantity) const
+  {
+    std::map<double, double> least;
+    for(const Row& row : trials_.rows()) {
+      const double y = std::atof(cell(row, quantity).c_str());
+      if(cell(row, "sweep") != sweep || cell(row, "method") != method || !(y > 0))
+        continue;
+      const auto entry = least.emplace(std::atof(cell(row, "value").c_str()), y).first;
+      entry->second = (std::min)(entry->second, y);
+    }
+    return least;
+  }
+
+  void add_exponent(const std::string& method, const std::string& quantity, const std::string& over,
+                    const std::map<double, double>& values)
+  {
+    const double value = exponent(values);
+    std::printf("%-32s %-10s ~ %s^%.2f\n", method.c_str(), quantity.c_str(), over.c_str(), value);
     Row row;
-    append_cell(row, "method", series.name);
+    append_cell(row, "method", method);
     append_cell(row, "quantity", quantity);
     append_cell(row, "over", over);
     append_cell(row, "exponent", value);
-    append_cell(row, "from", series.points.front().x);
-    append_cell(row, "to", series.points.back().x);
+    append_cell(row, "from", values.begin()->first);
+    append_cell(row, "to", values.rbegin()->first);
     exponents_.push_back(row);
   }
 

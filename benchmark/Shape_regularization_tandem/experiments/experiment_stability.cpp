@@ -28,18 +28,6 @@ void run_stability(const Experiment_options& options)
       trials.add(c, method, task, columns);
     }
   trials.write();
-  Series_table table(trials.rows(), "method", "epsilon_percent");
-  Axis x{"epsilon (% of the diagonal)", true};
-  auto panel_of = [&](const char* label, const char* column) {
-    return panel(table, x, "epsilon_percent", label, column);
-  };
-  Plot plot{"Stability: balls and drums on a plate",
-            {panel_of("shapes", "shapes"), panel_of("directions", "directions_relaxed"),
-             panel_of("coverage (%)", "coverage_percent"), panel_of("complexity", "complexity_relaxed"),
-             panel_of("mean distance (epsilons)", "mean_distance_in_epsilons"),
-             panel_of("points beyond tolerances (%)", "violating_percent")},
-            {}};
-  draw(trials.path(), plot);
 }
 
 } // namespace benchmark

@@ -41,25 +41,6 @@ void add_periods(Trials& trials, const Named_cloud& c, const std::string& series
   trials.write();
 }
 
-void plot(const Trials& trials, const std::vector<std::size_t>& periods)
-{
-  Series_table table(trials.rows(), "series", "period");
-  Axis x{"rounds from one regularity step to the next"};
-  auto panel_of = [&](const char* label, const char* column) {
-    return panel(table, x, "position", label, column, false);
-  };
-  Plot plot{"Synergy: the same engine, regularized in tandem, afterwards, or never",
-            {panel_of("faces found, F1 at IoU .75", "face_f1_75"), panel_of("directions", "directions_exact"),
-             panel_of("true parallel pairs made exact", "parallel_kept_exact"),
-             panel_of("angle error (degrees)", "angle_error_deg"), panel_of("complexity", "complexity_exact"),
-             panel_of("coverage (%)", "coverage_percent")},
-            {}};
-  plot.panels[1].y.is_logarithmic = true;
-  for(std::size_t period : periods)
-    plot.x_names.push_back(period_name(period));
-  draw(trials.path(), plot);
-}
-
 } // namespace
 
 void run_synergy(const Experiment_options& options)
@@ -75,7 +56,6 @@ void run_synergy(const Experiment_options& options)
       series << "noise " << 100 * noise << " % of the diagonal";
       add_periods(trials, noisy_house({points, noise, 100 * noise, seed}), series.str(), periods);
     }
-  plot(trials, periods);
 }
 
 } // namespace benchmark

@@ -34,23 +34,6 @@ Named_cloud load(const Category& category, const Experiment_options& options)
   return c;
 }
 
-void plot(const Trials& trials)
-{
-  Series_table table(trials.rows(), "method", "category", Repeats::least);
-  Plot plot{"One cloud of each category", {}, {}, false};
-  for(const Category& category : categories)
-    plot.x_names.push_back(category.name);
-  auto add = [&](const Axis& y, const char* column) {
-    const Axis none;
-    plot.panels.push_back({none, y, table("position", column)});
-  };
-  add({"time (s)", true}, "seconds");
-  add({"coverage (%)", false, false}, "coverage_percent");
-  add({"complexity", false, true}, "complexity_relaxed");
-  add({"points beyond tolerances (%)", false, true}, "violating_percent");
-  draw(trials.path(), plot);
-}
-
 } // namespace
 
 void run_table1(const Experiment_options& options)
@@ -69,7 +52,6 @@ void run_table1(const Experiment_options& options)
     }
     trials.write();
   }
-  plot(trials);
 }
 
 } // namespace benchmark

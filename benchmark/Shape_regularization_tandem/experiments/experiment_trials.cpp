@@ -73,14 +73,6 @@ Run Trials::run_base(const Named_cloud& c, const std::string& contestant_name, c
   return base.empty() ? Run() : run_isolated(contestant(base), c.cloud, task, options_.time_limit);
 }
 
-std::vector<Row> Trials::rows_where(const std::string& column, const std::string& value) const
-{
-  std::vector<Row> found;
-  std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(found),
-               [&](const Row& row) { return cell(row, column) == value; });
-  return found;
-}
-
 void Trials::write() const
 {
   Row where;

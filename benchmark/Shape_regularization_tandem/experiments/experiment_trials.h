@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the experiments share: runs that become rows, and panels of plots.
+// What the experiments share: runs that become rows.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_TRIALS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_TRIALS_H
 
 #include "clouds/experiment_clouds.h"
 #include "experiments.h"
-#include "report/plot.h"
 
 namespace CGAL {
 namespace Tandem {
@@ -19,7 +18,7 @@ class Trials {
 public:
   Trials(const Experiment_options& options, const std::string& name);
 
-  // One run in a process of its own. `columns` tell the step of the experiment; `method` names it in the plots, by
+  // One run in a process of its own. `columns` tell the step of the experiment; `method` names it in the table, by
   // default as the contestant does. The row that was added; the run may have failed.
   const Row& add(const Named_cloud& c, const std::string& contestant_name, const Task& task, const Row& columns,
                  const std::string& method = "", const Run* base = nullptr);
@@ -28,7 +27,6 @@ public:
   Run run_base(const Named_cloud& c, const std::string& contestant_name, const Task& task) const;
 
   const std::vector<Row>& rows() const { return rows_; }
-  std::vector<Row> rows_where(const std::string& column, const std::string& value) const;
 
   // In the folder of the output: the name of the experiment with a suffix.
   std::string path(const std::string& suffix = "") const { return options_.output + "/" + name_ + suffix; }
@@ -51,14 +49,6 @@ inline std::vector<std::string> methods(const Experiment_options& options, const
 inline std::vector<std::string> regularized_methods(const Experiment_options& options)
 {
   return methods(options, {"tandem", "growing+regularize", "ransac+regularize"});
-}
-
-// A panel over one column. Coverage and the like, where small differences matter, do not begin at zero.
-inline Panel panel(const Series_table& table, const Axis& x, const std::string& x_column, const std::string& y_label,
-                   const std::string& y_column, bool begins_at_zero = true)
-{
-  const Axis y{y_label, false, begins_at_zero && y_column != "coverage_percent" && y_column != "point_precision"};
-  return {x, y, table(x_column, y_column)};
 }
 
 } // namespace benchmark

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The paper's experiments, and how time and memory grow: each writes NAME.csv and
-// NAME*.svg to the folder of the output. All are deterministic but for the times.
+// The paper's experiments, and how time and memory grow: each writes NAME.csv to
+// the folder of the output. All are deterministic but for the times.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENTS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENTS_H
@@ -27,7 +27,7 @@ inline std::vector<Experiment> paper_experiments()
   return {{"table1", "one cloud of each category: time, coverage, error, complexity beside the peers", run_table1},
           {"robustness", "more and more noise and outliers (the paper's figure 7)", run_robustness},
           {"regularity", "coverage against complexity, over the angle tolerance (figure 9)", run_regularity},
-          {"cell-size", "time, coverage and complexity over the size of the leaves (figure 11)", run_cell_size},
+          {"cell-size", "time, coverage and complexity over the size of the cells (figure 11)", run_cell_size},
           {"synergy", "from alternation in every round to detection before regularization (figure 12)", run_synergy},
           {"stability", "shapes and coverage over epsilon, on curved objects (figure 14)", run_stability},
           {"scaling", "time and memory over points, neighbors and threads, with exponents", run_scaling}};

@@ -6,7 +6,6 @@
 
 #include "experiments/compare.h"
 #include "experiments/experiments.h"
-#include "report/page.h"
 #include "contestants/run_isolated.h"
 
 #include <boost/program_options.hpp>
@@ -29,7 +28,6 @@ std::vector<Experiment> experiments()
      run_compare}};
   for(const Experiment& e : paper_experiments())
     list.push_back(e);
-  list.push_back({"page", "all that was measured into --output, as one HTML page: index.html", run_page});
   return list;
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rows of a comparison as a table for the terminal, in which every value in
+// The rows of a comparison as a table, for the terminal and as CSV, in which every value in
 // which a peer is better than Tandem is marked.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_COMPARISON_TABLE_H
@@ -43,7 +43,9 @@ inline const std::vector<Criterion>& shown_criteria()
                                                   {">eps", "beyond_epsilon", 1, 0, Better::lower},
                                                   {">alpha", "beyond_alpha", 1, 0, Better::lower},
                                                   {"F1", "face_f1_50", 1, 3, Better::higher},
-                                                  {"prec.", "point_precision", 1, 3, Better::higher}};
+                                                  {"prec.", "point_precision", 1, 3, Better::higher},
+                                                  {"again%", "points_relabeled", 100, 1, Better::lower},
+                                                  {"shuf.%", "relabeled_when_shuffled", 100, 1, Better::lower}};
   return criteria;
 }
 
@@ -75,6 +77,7 @@ public:
   const Row& first() const { return rows_.front(); }
   std::size_t runs() const { return rows_.size(); }
   bool is_finished() const { return cell(first(), "finished") == "true"; }
+  bool is_cleaned() const { return cell(first(), "cleaned") == "true"; }
   bool is_tandem() const { return cell(first(), "method").substr(0, 6) == "tandem"; }
 
   // As it is shown; empty if it is not known.
@@ -143,6 +146,38 @@ inline bool is_better(const Criterion& c, const Summary& peer, const Summary& re
   return c.better == Better::lower ? a < b : a > b;
 }
 
+// A cleaned result was not run by itself, so its time and memory say nothing; one run cannot differ from others.
+inline bool concerns(const Criterion& c, const Summary& summary)
+{
+  const std::string column = c.column;
+  const bool is_of_run = column == "seconds" || column == "user_seconds" || column == "bytes_per_point";
+  return summary.is_finished() && !summary.text(c).empty() && !(is_of_run && summary.is_cleaned()) &&
+         (summary.runs() > 1 || column != "points_relabeled");
+}
+
+// A value, with a star where a peer is better than the reference; "-" where it is not known.
+inline std::string marked(const Criterion& c, const Summary& summary, const Summary& reference)
+{
+  if(!concerns(c, summary))
+    return "-";
+  const bool is_marked = !summary.is_tandem() && is_better(c, summary, reference);
+  return summary.text(c) + (is_marked ? "*" : "");
+}
+
+// Of comparison.csv.
+inline Row summary_row(const Summary& summary, const Summary& reference)
+{
+  Row row;
+  for(const char* column : {"cloud", "points", "normals", "epsilon", "alpha_deg", "minimum", "k", "description"})
+    append_cell(row, column, cell(summary.first(), column));
+  if(!summary.is_finished())
+    append_cell(row, "error", cell(summary.first(), "error"));
+  for(const std::vector<Criterion>* criteria : {&shown_criteria(), &further_criteria()})
+    for(const Criterion& c : *criteria)
+      append_cell(row, c.title, marked(c, summary, reference));
+  return row;
+}
+
 inline void print_summary(const Summary& summary, const Summary& reference)
 {
   std::printf("%-64.64s", cell(summary.first(), "description").c_str());
@@ -151,9 +186,8 @@ inline void print_summary(const Summary& summary, const Summary& reference)
     return;
   }
   for(const Criterion& c : shown_criteria()) {
-    const std::string text = summary.text(c);
-    const bool is_marked = !summary.is_tandem() && is_better(c, summary, reference);
-    std::printf("%7s%c", text.empty() ? "-" : text.c_str(), is_marked ? '*' : ' ');
+    const std::string text = marked(c, summary, reference);
+    std::printf(text.back() == '*' ? "%8s" : "%7s ", text.c_str());
   }
   const char* before = " also better: ";
   for(const Criterion& c : further_criteria())
@@ -175,9 +209,8 @@ inline void print_ranges(const Summary& summary)
 }
 
 // Of one cloud.
-inline void print_table(const std::vector<Row>& rows)
+inline void print_table(const std::vector<Summary>& all)
 {
-  const std::vector<Summary> all = summaries(rows);
   std::printf("%-64s", "");
   for(const Criterion& c : shown_criteria())
     std::printf("%7s ", c.title);
@@ -199,8 +232,9 @@ inline void print_legend()
     "max/e:\n"
     "distance of the points to their planes, in epsilons. >eps, >alpha: points of shapes that violate the tolerances.\n"
     "Cleaned: these points, then shapes that have become too small, are dropped. F1: of true faces found, at an\n"
-    "intersection over union of one half; prec.: of points. Region growing (cached): each neighborhood computed "
-    "once.\n");
+    "intersection over union of one half; prec.: of points. again%%, shuf.%%: points in another shape when the method\n"
+    "runs once more (RANSAC: with another seed), and when the points come in another order. Region growing (cached):\n"
+    "each neighborhood computed once.\n");
 }
 
 } // namespace benchmark

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Colors of shapes: distinct, the same in every run, and the same for the shapes
-// of two results that have most points in common.
+// Colors of shapes: distinct, the same in every run, and the same for the shapes of two results that have most points
+// in common. Colored clouds are written as PLY files, which viewers show and scripts/render.sh draws.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SHAPE_COLORS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SHAPE_COLORS_H
 
-#include "Picture.h"
+#include "clouds/ply_cloud.h"
 #include "testing/evaluate_spread.h"
 
 namespace CGAL {
@@ -56,6 +56,22 @@ inline std::vector<Color> colors_like(const Detection& reference, const Detectio
   for(std::size_t s = 0; s < colors.size(); ++s)
     colors[s] = match[s] >= 0 ? known[std::size_t(match[s])] : color_of_index(next++);
   return colors;
+}
+
+// The points with the colors and, for even shading, the normals of their shapes. Others are grey.
+inline Ply_cloud colored(Ply_cloud cloud, const Detection& detection, const std::vector<Color>& colors)
+{
+  cloud.normals.resize(cloud.points.size(), Vec{0, 0, 0});
+  cloud.color.assign(cloud.points.size(), Color{110, 110, 110});
+  cloud.label = detection.label;
+  for(std::size_t i = 0; i < cloud.points.size(); ++i)
+    if(cloud.label[i] >= 0) {
+      const std::size_t shape = std::size_t(cloud.label[i]);
+      const Vec& normal = detection.planes[shape].normal;
+      cloud.normals[i] = length(normal) > 0 ? scenes::unit(normal) : normal;
+      cloud.color[i] = colors[shape];
+    }
+  return cloud;
 }
 
 } // namespace benchmark

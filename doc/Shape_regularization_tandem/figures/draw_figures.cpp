@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Draws the pictures of the manual, and writes their numbers as tables which the
+// Writes what the pictures of the manual show, as colored clouds, and their numbers as tables which the
 // manual includes: so pictures, numbers and program agree.
-//   draw_figures CLOUD.ply MAXIMUM_DISTANCE FOLDER    writes FOLDER/fig/*.png and FOLDER/tables/*.md
+//   draw_figures CLOUD.ply MAXIMUM_DISTANCE CLOUDS TABLES    writes CLOUDS/*.ply and TABLES/*.md
 
-#include "report/Scene_view.h"
+#include "report/shape_colors.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 #include <CGAL/Simple_cartesian.h>
@@ -104,8 +104,8 @@ private:
 
 class Figures {
 public:
-  Figures(const Ply_cloud& cloud, double maximum_distance, const std::string& folder)
-    : points_(range_of(cloud)), view_(cloud, View(), Picture_size{330, 260}), folder_(folder + "/")
+  Figures(const Ply_cloud& cloud, double maximum_distance, const std::string& clouds, const std::string& tables)
+    : cloud_(cloud), points_(range_of(cloud)), clouds_(clouds + "/"), tables_(tables + "/")
   {
     right_.maximum_distance = maximum_distance;
     right_.minimum_region_size = 100;
@@ -119,7 +119,7 @@ public:
     Parameters p = right_;
     p.minimum_region_size = 20;
     final_ = detection_of(detect(p));
-    Table table(folder_ + "tables/rounds.md", "after");
+    Table table(tables_ + "rounds.md", "after");
     CGAL::Tandem::Planar_shape_detection_3<Traits> detection(points_, named(p));
     for(int round = 1; detection.iterate(); ++round)
       if(round <= 3) {
@@ -162,14 +162,14 @@ private:
 
   void write(const std::string& name, const Detection& detection, const std::vector<Color>& colors) const
   {
-    view_.draw(detection, colors, std::vector<bool>(points_.size())).write_png(folder_ + "fig/" + name + ".png");
+    write_ply(clouds_ + name + ".ply", colored(cloud_, detection, colors));
   }
 
   template <class Number>
   void choose(const std::string& name, Number Parameters::*parameter, const std::vector<Number>& values,
               bool by_direction = false) const
   {
-    Table table(folder_ + "tables/" + name + ".md", "`" + name + "`");
+    Table table(tables_ + name + ".md", "`" + name + "`");
     const auto text = [](Number value) { return CGAL::Tandem::internal::to_text(value); };
     for(std::size_t i = 0; i < values.size(); ++i) {
       Parameters p = right_;
@@ -184,9 +184,9 @@ private:
     table.close();
   }
 
+  const Ply_cloud& cloud_;
   Range points_;
-  Scene_view view_;
-  std::string folder_;
+  std::string clouds_, tables_;
   Parameters right_;
   Shapes final_shapes_;
   Detection final_; // gives the colors
@@ -196,12 +196,12 @@ private:
 
 int main(int argc, char** argv)
 try {
-  if(argc != 4 || !(std::atof(argv[2]) > 0)) {
-    std::cerr << "usage: draw_figures CLOUD.ply MAXIMUM_DISTANCE FOLDER\n";
+  if(argc != 5 || !(std::atof(argv[2]) > 0)) {
+    std::cerr << "usage: draw_figures CLOUD.ply MAXIMUM_DISTANCE CLOUDS TABLES\n";
     return 2;
   }
   const Ply_cloud cloud = read_ply(argv[1]);
-  Figures figures(cloud, std::atof(argv[2]), argv[3]);
+  Figures figures(cloud, std::atof(argv[2]), argv[3], argv[4]);
   figures.draw_rounds();
   figures.draw_choices();
   return 0;
