@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the growth inside one octree cell works on: shapes, seeds, and its scratch memory.
+// What the growth inside one octree cell reads and writes: shapes, seeds, and its scratch memory.
 
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_CELL_JOB_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_CELL_JOB_H
@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What the shapes look like to the points during one pass: plain arrays, by shape.
+// What growth uses of the shapes during one pass: plain arrays, by shape. A cell writes the entries of its new shapes
+// only; to the sums of the others all cells add atomically.
 struct Shapes_view {
   Plane* plane;
   std::uint16_t* rounds;            // breadth-first rounds of this pass
@@ -22,7 +23,7 @@ struct Shapes_view {
   Shared_moments* delta;            // what the pass adds
 };
 
-// The part of one cell in a pass.
+// The part of one cell in a pass. Points are positions in the sorted cloud.
 struct Cell_job {
   Range cell;
   const std::uint32_t* border;   // its points with a neighbor in another cell ...
@@ -35,8 +36,8 @@ struct Cell_job {
   bool has_restarted = true;  // maybe: some shape grows again from all of its points
 };
 
-// A candidate that is tried: the seed and its free neighbors that fit its plane, then those that fit the plane
-// through them, are the core of a new shape, unless they are too few.
+// A candidate that is tried, as in the manual, "Growth". A plane is fitted to the seed and those of its free neighbors
+// that fit its own plane. Those that fit the new plane are the core of a new shape, unless they are too few.
 struct Trial {
   std::uint32_t at, seed; // the seed among the candidates, and the point
   bool is_candidate;      // still: no shape that has begun meanwhile may reach it
@@ -45,12 +46,14 @@ struct Trial {
   std::uint32_t count;    // ... and the second
   std::uint32_t lost;     // points, of the seed and its neighbors, that shapes have taken since
 };
+// Of the blocks of all back ends: what the scratch memory has room for.
 constexpr std::uint32_t maximum_lookahead = 32;
 
+// Shared by the lanes of a block. Places in the queue are given in any order, so nothing may depend on them.
 template <std::uint32_t CellSize>
 struct Growth_scratch {
   std::uint16_t queue[CellSize]; // cell-relative points; each is queued at most once
-  std::uint32_t tail;
+  std::uint32_t tail;            // of the queue: its size
   Moment_table table;
   std::uint32_t active[tuning::growth::maximum_seeds_in_flight]; // shapes on the frontier of this cell, ascending
   std::uint32_t active_count;

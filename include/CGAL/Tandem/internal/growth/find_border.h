@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points from which shapes grow from one cell to the next.
+// The points at which shapes grow from one cell into the next. Computed once, as the neighbors and the cells stay.
+// Fills the Border of the cloud, nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_FIND_BORDER_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_FIND_BORDER_H
@@ -12,13 +13,15 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Of bodies whose lanes share nothing.
 struct No_scratch {};
 
-// Whether the points of a cell have a neighbor in another one.
+// Whether the points of a cell have a neighbor in another one. Only its own row counts, since proposals are
+// made along that row.
 struct Mark_border {
   Cloud_view cloud;
   const Range* cells;
-  std::uint8_t* is_border;
+  std::uint8_t* is_border; // by position
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
@@ -34,13 +37,14 @@ struct Mark_border {
   }
 };
 
+// The predicate of the compaction.
 struct Is_marked {
   const std::uint8_t* mark;
 
   CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return mark[i] != 0; }
 };
 
-// The entries of `border` that lie in each cell.
+// The entries of `border` that lie in each cell, by binary search: they ascend, and so do the cells.
 struct Find_cell_borders {
   const Range* cells;
   const std::uint32_t* border;
@@ -59,6 +63,7 @@ private:
   }
 };
 
+// The marks take one byte a point meanwhile, the result 8 bytes a border point.
 template <class Backend>
 void find_border(Labeled_cloud<Backend>& points)
 {

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Growth inside one octree cell (Algorithm 2 of the paper): all shapes of the cell
-// grow at the same time over its free points, with their planes fixed; then new
-// shapes begin. A cell writes the labels of its own points only.
+// Growth inside one octree cell (Algorithm 2 of the paper). All shapes of the cell grow at the same time over its free
+// points, with their planes fixed; then new shapes start. A cell reads and writes labels and states of its own points
+// only, so cells need no order. See the manual, "Growth".
 
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What the growth in one cell reads and writes.
+// Changed are labels, states, the seed cursor, the new shapes and the sums.
 struct Growth_input {
   Cell_job job;
   Cloud_view cloud;
@@ -26,6 +26,9 @@ struct Growth_input {
   Growth_options options;
 };
 
+// All members are called by all lanes of the block, but for those that are called within its functors. The queue has
+// the points that have been visited in this pass: first the frontier, then the points that shapes took. Its order is
+// arbitrary, but steps of growth are ranges of it.
 template <class Backend, class Block, class Scratch>
 class Cell_growth {
   static_assert(Is_block<Block>::value, "the block is no model of the concept Block");
@@ -38,11 +41,13 @@ public:
       label_(in.labels.label), state_(in.labels.state)
   {}
 
+  // Old shapes grow before new ones start, so that these do not take the points the old ones reach. Nothing can start
+  // without seeds, so then the active shapes need not be known.
   CGAL_TANDEM_HD void run()
   {
     block_.single([&] { s_.tail = s_.active_count = 0; });
     collect_frontier();
-    const std::uint32_t old = s_.tail;
+    const std::uint32_t old = s_.tail; // from here on, points that have a shape since this pass
     join_proposals();
     const bool has_seeds = *job_.seed_cursor < job_.seed_count;
     if(has_seeds)
@@ -55,12 +60,16 @@ public:
   }
 
 private:
+  // The origin of the moments of this cell. Any of its points would do.
   CGAL_TANDEM_HD const Grid_point& base() const { return cloud_.point[job_.cell.first]; }
 
+  // By one lane. There is room, since no point is queued twice.
   CGAL_TANDEM_HD void push(std::uint32_t i) { s_.queue[block_.append(s_.tail)] = std::uint16_t(i - job_.cell.first); }
 
+  // The position of the point at a place of the queue.
   CGAL_TANDEM_HD std::uint32_t queued(std::uint32_t place) const { return job_.cell.first + s_.queue[place]; }
 
+  // The only way for shapes of other cells to come in. Proposals were made before any cell grew.
   CGAL_TANDEM_HD void join_proposals()
   {
     block_.for_each(job_.border_size, [&](std::uint32_t b) {
@@ -73,11 +82,12 @@ private:
     });
   }
 
-  // Queues the points from which shapes go on.
+  // Queues the points from which shapes go on: those whose neighbors were not visited yet, and all of restarted shapes.
   CGAL_TANDEM_HD void collect_frontier()
   {
     block_.for_each(job_.cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = job_.cell.first + at;
+      // Most points of late rounds are on no frontier; without restarts their labels are not read.
       const bool is_on = state_[i] & frontier_bit;
       if((!is_on && !job_.has_restarted) || label_[i] >= first_mark || !(is_on || shapes_.is_restarted[label_[i]]))
         return;
@@ -86,9 +96,9 @@ private:
     });
   }
 
-  // The distinct shapes of the queue that keep new ones from beginning, as far as the
-  // list goes. Those that grow again from all of their points are not among them:
-  // while planes settle they would take the room round after round.
+  // The distinct shapes of the queue that keep new ones from starting, until the list is full. Restarted shapes do not
+  // count: as long as planes still move, they would fill the list round after round. Found by rising id, so the list
+  // does not depend on the order of the queue.
   CGAL_TANDEM_HD void list_active()
   {
     std::uint32_t next = 0;
@@ -104,8 +114,8 @@ private:
     }
   }
 
-  // Breadth-first rounds over [head, tail) of the queue. A free point that several
-  // shapes reach in one round goes to the smallest id.
+  // Breadth-first steps, the first one from [head, tail) of the queue. A free point that several shapes reach in one
+  // step goes to the smallest id. Points that a shape reaches in its last step stay on the frontier for the next pass.
   CGAL_TANDEM_HD void expand(std::uint32_t head, std::uint32_t tail)
   {
     for(int round = 0; head < tail; ++round) {
@@ -113,6 +123,7 @@ private:
         tail - head, cloud_.k, [&](std::uint32_t source) { return row_if_going_on(head + source, round); },
         [&](std::uint32_t source, std::uint32_t q) { propose(label_[queued(head + source)], q); });
       const std::uint32_t sources = tail - head;
+      // Claims become labels only now, so that all shapes of a step start from the same labels.
       block_.for_each(s_.tail - head, [&](std::uint32_t at) {
         const std::uint32_t i = queued(head + at);
         if(at >= sources) {
@@ -126,13 +137,16 @@ private:
     }
   }
 
+  // Null where the shape has used up its steps of this pass.
   CGAL_TANDEM_HD const std::uint32_t* row_if_going_on(std::uint32_t place, int round) const
   {
     const std::uint32_t i = queued(place);
     return round < shapes_.rounds[label_[i]] ? cloud_.row(i) : nullptr;
   }
 
-  // Claims are marked, and become labels when the round is over.
+  // Of shape s to point q, by one lane. Claims are marked, and become labels at the end of the step. Another lane may
+  // lower the label after it was read here. That is harmless: within a step labels only fall, and the minimum remains.
+  // Only the first claim replaces free_label, so a point is queued once.
   CGAL_TANDEM_HD void propose(std::uint32_t s, std::uint32_t q)
   {
     if(!is_own(q))
@@ -146,8 +160,10 @@ private:
       push(q);
   }
 
-  // New shapes begin at the first candidates with a core. Those without one are no seeds any more, and each costs a
-  // try. A block may try some of them ahead.
+  // New shapes start at the first candidates with a core. Those without one are no seeds any more, and each costs a
+  // try. A block may try several at once, as many lanes would be idle for one. The result is as if one were tried after
+  // the other: where an earlier shape took points of a core, that candidate is tried again. Candidates in reach of a
+  // growing shape are left for later passes.
   CGAL_TANDEM_HD void begin_shapes()
   {
     const std::uint32_t first = s_.tail;
@@ -170,6 +186,7 @@ private:
         look_again(shape++, next + 1, size);
         --room;
       }
+      // A seed is tried once, whether or not its shape could start. What is no candidate was not tried.
       block_.for_each(next, [&](std::uint32_t i) {
         if(s_.trial[i].is_candidate)
           state_[s_.trial[i].seed] |= failed_seed_bit;
@@ -181,6 +198,7 @@ private:
     expand(first, s_.tail);
   }
 
+  // Moves the cursor, so that later passes do not visit used candidates again.
   CGAL_TANDEM_HD std::uint32_t skip_used_candidates()
   {
     const std::uint32_t at =
@@ -191,6 +209,7 @@ private:
 
   CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return Labels_view{label_, state_}.is_untried(i); }
 
+  // Tests at most maximum_seeds_in_flight planes, so this is cheap enough for each seed.
   CGAL_TANDEM_HD bool is_candidate(std::uint32_t i) const
   {
     if(!is_untried(i))
@@ -201,12 +220,15 @@ private:
     return true;
   }
 
+  // False for no_index.
   CGAL_TANDEM_HD bool is_own(std::uint32_t q) const { return q >= job_.cell.first && q < job_.cell.last; }
 
-  // Tries the next candidates, some of them; returns how many.
+  // Tries the next candidates, at most Block::lookahead; returns how many. All of them are tried with the same labels.
+  // A trial with too few points keeps the plane of its seed; its count is then too small as well.
   CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at)
   {
     const Grid_point& o = base();
+    // First the points that fit the planes of the seeds, then the new planes, then the cores.
     const std::uint32_t size = block_.find(
       at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); },
       [&](std::uint32_t i, std::uint32_t c) {
@@ -229,7 +251,8 @@ private:
     return size;
   }
 
-  // The trials behind that of a shape which has begun: it may reach their seed, or have taken points of their core.
+  // Corrects the later trials [first, last) when a shape has started: it may reach their seed, or have taken points of
+  // their core.
   CGAL_TANDEM_HD void look_again(std::uint32_t shape, std::uint32_t first, std::uint32_t last)
   {
     const std::uint32_t width = std::uint32_t(cloud_.k) + 1;
@@ -243,7 +266,8 @@ private:
     });
   }
 
-  // f(trial, point) for what fits the plane of each trial.
+  // f(trial, point), by one lane each, for the free points near the seed that fit the plane of a trial. Many lanes have
+  // one trial in common, so f has to add atomically.
   template <class F>
   CGAL_TANDEM_HD void for_each_of_cores(std::uint32_t size, F f)
   {
@@ -256,16 +280,19 @@ private:
     });
   }
 
+  // The seed for j = 0, else a neighbor of it; it may be no_index, or in another cell.
   CGAL_TANDEM_HD std::uint32_t near_seed(std::uint32_t seed, std::uint32_t j) const
   {
     return j == 0 ? seed : cloud_.row(seed)[j - 1];
   }
 
+  // Points of other cells are left out, since their labels may change at this time.
   CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
   {
     return is_own(q) && label_[q] == free_label && fits(plane, cloud_.point[q], options_.tolerance);
   }
 
+  // The core takes its label. The shape grows by one step in this pass: its plane is still uncertain.
   CGAL_TANDEM_HD void begin_shape(const Trial& trial, std::uint32_t shape)
   {
     block_.single([&] {
@@ -283,6 +310,7 @@ private:
     });
   }
 
+  // Adds [first, last) of the queue to the sums of the shapes: the points that came in this pass.
   CGAL_TANDEM_HD void add_deltas(std::uint32_t first, std::uint32_t last)
   {
     s_.table.clear(block_);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One growth pass over all cells.
+// One pass of growth over all cells. Changes labels, states, seed cursors, proposals and the sums of the shapes. The
+// table of shapes follows in grow_shapes.h. Also: which cells still have many untried seeds.
 
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELLS_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELLS_H
@@ -18,14 +19,14 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A free border point proposes to join the nearest shape among those of its
-// neighbors that it fits. Labels and planes do not change meanwhile.
+// The proposal for a free border point: the nearest shape among those of its neighbors that it fits, of equally near
+// ones the smallest id. Labels and planes do not change meanwhile, so the points may come in any order.
 struct Propose {
   Cloud_view cloud;
-  const std::uint32_t* label;
-  const Plane* plane;
+  const std::uint32_t* label; // by position
+  const Plane* plane;         // by shape
   const std::uint32_t* border;
-  std::uint32_t* proposal;
+  std::uint32_t* proposal; // by entry of border
   Tolerance tolerance;
 
   CGAL_TANDEM_HD void operator()(std::size_t b) const
@@ -54,7 +55,7 @@ struct Propose {
   }
 };
 
-// What the cells have from pass to pass, by cell or by position.
+// What the cells have from pass to pass. border_of, seed_count and seed_cursor are by cell, seed is by position.
 struct Cell_tables {
   Cells_view cells;
   const Range* border_of; // in `border`
@@ -65,6 +66,7 @@ struct Cell_tables {
   std::uint32_t* seed_cursor;
 };
 
+// The body of a pass: makes the job of a cell from the tables.
 template <class Backend>
 struct Grow_cells {
   Cloud_view cloud;
@@ -92,8 +94,9 @@ struct Grow_cells {
   }
 };
 
-// Ids for as many shapes as may begin in each cell, behind those of the shapes that there are: where those of each
-// cell begin, and at last the end of all ids.
+// By cell: the first id for shapes that start there, and at last the end of all ids. Each cell has ids for as many as
+// may start: not more than it has seeds left. So new ids follow from the order of cells and seeds, and cells need no
+// common counter.
 template <class Backend>
 std::vector<std::uint32_t> new_ids(const Seeds<Backend>& seeds, std::size_t shapes, int seeds_in_flight)
 {
@@ -104,6 +107,7 @@ std::vector<std::uint32_t> new_ids(const Seeds<Backend>& seeds, std::size_t shap
   return first;
 }
 
+// One pass. first_id: of new_ids(). The tables of planes and steps are copied, as they need room for all these ids.
 template <class Backend>
 void grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
                 const Growth_options& options, const std::vector<std::uint32_t>& first_id)
@@ -127,6 +131,7 @@ void grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Se
   const Cell_tables tables = {points.cells_view(), border.range.data(), border.point.data(), border.proposal.data(),
                               seeds.seed.data(),   seed_count.data(),   cursor.data()};
   const Grow_cells<Backend> body = {cloud, view, points.labels(), options, tables, first.data()};
+  // Large cells need a larger queue, which does not fit into the fast memory of a device.
   if(options.cell_size <= small_cell)
     backend.template for_each_cell<Growth_scratch<small_cell>>(cells, body);
   else
@@ -134,16 +139,16 @@ void grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Se
   cursor.copy_back();
 }
 
-// Whether a cell has many untried candidates: as many as the smallest shape has points, or more than a share of
-// its points.
+// Whether a cell has many untried seeds: as many as the smallest shape has points, or more than a share of its points.
+// Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
 struct Find_untried_cells {
   Labels_view labels;
   Cells_view cells;
-  const std::uint32_t* seed;
-  const std::uint32_t* seed_count;
+  const std::uint32_t* seed;       // by position
+  const std::uint32_t* seed_count; // by cell, as are these
   const std::uint32_t* seed_cursor;
-  std::uint32_t smallest_shape;
-  std::uint8_t* is_found;
+  std::uint32_t smallest_shape; // points
+  std::uint8_t* is_found;       // by cell
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, std::uint32_t& untried, std::uint32_t c) const
@@ -159,6 +164,7 @@ struct Find_untried_cells {
   }
 };
 
+// Counts these cells, with one test for each seed from the cursors on. Changes nothing.
 template <class Backend>
 std::size_t count_untried_cells(Labeled_cloud<Backend>& points, const Seeds<Backend>& seeds,
                                 std::int64_t minimum_region_size)

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A pass of growth, and what it changes in the table of shapes.
+// A pass of growth, and what it changes in the table of shapes: ids, moments, boxes, ages. No plane is fitted here, but
+// those of take_local_planes(). This is the only place where ids change.
 
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_GROW_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_GROW_SHAPES_H
@@ -17,6 +18,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Replaces old ids by new ones in the labels. No label has an id that is out of use.
 struct Take_ids {
   const std::uint32_t* new_id; // by old id
   std::uint32_t* label;
@@ -28,7 +30,8 @@ struct Take_ids {
   }
 };
 
-// The shapes of a table with few live ones get new ids, in the same order; new_id is filled by old id.
+// The shapes of a table with few live ones get new ids, in the same order; new_id is filled by old id. As ties are
+// broken by id, keeping the order keeps all results.
 template <class Backend>
 void renumber_live_shapes(Backend& backend, Shape_table<Backend>& shapes, std::vector<std::uint32_t>& new_id)
 {
@@ -39,8 +42,9 @@ void renumber_live_shapes(Backend& backend, Shape_table<Backend>& shapes, std::v
   std::iota(shapes.live.begin(), shapes.live.end(), 0u);
 }
 
-// The shapes are those that were live, and those of the deltas behind them. Those that have begun get the ids behind the
-// others, in the labels and the deltas; where most ids have gone out of use, all shapes get new ones, in the same order.
+// New shapes, which are those of the deltas from the old ids on, get consecutive ids behind the others. Labels, deltas
+// and tables follow. Where most ids are out of use, all shapes get new ones, in the same order. So the tables stay
+// proportional to the live shapes. Labels are rewritten only if some id is new.
 template <class Backend>
 void number_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids,
                    Host_buffer<Shape_delta>& deltas)
@@ -54,6 +58,7 @@ void number_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   else
     backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) { new_id[shapes.live[l]] = shapes.live[l]; });
   const std::size_t kept = shapes.size();
+  // Each shape that started has a delta: its core. Deltas ascend, so those of new shapes are the last ones.
   const Shape_delta* const begun =
     std::partition_point(deltas.begin(), deltas.end(), [&](const Shape_delta& delta) { return delta.id < old_ids; });
   const std::size_t first_begun = std::size_t(begun - deltas.begin()), next = kept + deltas.size() - first_begun;
@@ -76,13 +81,15 @@ void number_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   shapes.is_restarted.assign(next, 0);
 }
 
-// The breadth-first rounds of a shape in its next pass.
+// The breadth-first steps of a shape in its next pass, from its age in passes. Doubling lets planes mature before they
+// spread over noise. The age of a live shape is at least 1.
 inline std::uint16_t next_rounds(int age)
 {
   return std::uint16_t(age < tuning::growth::doubling_passes ? 1 << age : tuning::growth::maximum_rounds);
 }
 
-// Adds what the shapes have gained, and prepares them for the next pass.
+// Adds the points of the pass to moments and boxes, and prepares all live shapes for the next pass. A delta belongs to
+// one shape, so threads write different ones.
 template <class Backend>
 void apply_deltas(Backend& backend, Shape_table<Backend>& shapes, const Host_buffer<Shape_delta>& deltas)
 {
@@ -102,7 +109,7 @@ void apply_deltas(Backend& backend, Shape_table<Backend>& shapes, const Host_buf
   }));
 }
 
-// Returns the number of points that the shapes have gained.
+// One pass, from proposals to lists of the cells. Returns the number of points that were free before.
 template <class Backend>
 std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
                         const Growth_options& options)
@@ -117,7 +124,8 @@ std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   return shapes.assigned - before;
 }
 
-// So that shapes that have just begun can go on growing before they have relations. They are on the frontier as a whole.
+// Between two passes of a round: shapes that started in the last one take their local planes. So they can go on before
+// they have relations. They are on the frontier as a whole, so they need no restart.
 template <class Backend>
 void take_local_planes(Backend& backend, Shape_table<Backend>& shapes)
 {

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Counters of one cell in fast memory, in front of a table of all cells. They change nothing but these counts.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_COUNT_SCRATCH_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_COUNT_SCRATCH_H
@@ -10,13 +12,15 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Numbers of points of a cell, by shape or whatever they are counted by. A key whose
-// slot another one has is counted in the table of all at once.
+// Numbers of points of a cell, by key: a shape or a query. The slot of a key is key % slots. The first key that reaches
+// a slot owns it; other keys of that slot are counted in the table of all cells. Which key owns a slot
+// depends on the order of the lanes. The sums do not, since they are sums of integers.
 struct Count_scratch {
   static constexpr std::uint32_t slots = 64;
   std::uint32_t key[slots];
   std::uint32_t count[slots];
 
+  // By all lanes, before the first add() of a cell.
   template <class Block>
   CGAL_TANDEM_HD void clear(Block& block)
   {
@@ -26,6 +30,7 @@ struct Count_scratch {
     });
   }
 
+  // Counts one point, by one lane. total: by key, shared by all cells.
   template <class Backend, class Block>
   CGAL_TANDEM_HD void add(Block& block, std::uint32_t k, std::uint32_t* total)
   {
@@ -37,6 +42,7 @@ struct Count_scratch {
       Backend::atomic_add(total[k], 1u);
   }
 
+  // By all lanes, after the last add(): one atomic addition for each key of the cell, not for each point.
   template <class Backend, class Block>
   CGAL_TANDEM_HD void flush(Block& block, std::uint32_t* total)
   {

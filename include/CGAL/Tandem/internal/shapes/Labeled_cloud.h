@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cloud with its cells and labels: what passes over the points read and write.
+// The cloud with its cells and labels: what passes over the points read and write. Points are numbered by their
+// position in the sorted cloud. A cell is a range of these positions.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LABELED_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LABELED_CLOUD_H
@@ -13,13 +14,14 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The shapes that may have points in a cell, in any order; too many to be listed if `size`
-// exceeds the capacity.
+// The shapes that may have points in a cell, in any order, maybe twice. There are too many to be listed if `size`
+// exceeds the capacity. A listed shape may have lost its points; a shape with points is never missing.
 struct Cell_shapes {
   static constexpr std::uint32_t capacity = 64;
   std::uint32_t size;
   std::uint32_t shape[capacity];
 
+  // By all lanes. Where it is false, a pass over the selected shapes can leave out the cell.
   template <class Block, class Predicate>
   CGAL_TANDEM_HD bool may_have(Block& block, Predicate is_selected) const
   {
@@ -27,7 +29,7 @@ struct Cell_shapes {
   }
 };
 
-// A point that is asked whether it fits a plane.
+// A point that is tested against planes of its shape. A copy, so that repeated tests read consecutive memory.
 struct Sample {
   Grid_point point;
   std::uint32_t shape;
@@ -41,18 +43,20 @@ struct Cells_view {
   CGAL_TANDEM_HD const Range& operator[](std::uint32_t c) const { return range[c]; }
 };
 
-// The points with a neighbor in another cell, cell by cell.
+// The points with a neighbor in another cell, ascending, so cell by cell. Only they can be reached by shapes of other
+// cells. `proposal` is new in each pass of growth; the others never change.
 template <class Backend>
 struct Border {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
-  Buffer<Range> range; // by cell, in these two
+  Buffer<Range> range; // by cell: its entries in the next two
   Buffer<std::uint32_t> point;
   Buffer<std::uint32_t> proposal; // the shape that the point joins next, or no_index
 };
 
-// Tables of the size of the cloud, or of its cells. They belong to the back end.
+// Tables of the size of the cloud, or of its cells, in the memory of the back end. Labels and states take 5 bytes a
+// point, samples 20 while they are in use. The passes change lists, proposals, labels, states and samples only.
 template <class Backend>
 struct Labeled_cloud {
   template <class T>
@@ -71,7 +75,7 @@ struct Labeled_cloud {
   Border<Backend> border;
   Buffer<std::uint32_t> label;
   Buffer<std::uint8_t> state;
-  Buffer<Sample> sample; // of a Misfit_counter; what it holds between two of them is of no use
+  Buffer<Sample> sample; // of a Misfit_counter; between two of them its contents are undefined
 };
 
 } // namespace internal

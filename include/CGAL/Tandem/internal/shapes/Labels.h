@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Labels and states of the points.
+// Labels and states of the points, and which bit means what.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LABELS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LABELS_H
@@ -12,22 +12,27 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A label below first_mark is the shape of the point. The other values mean that
-// the point is free, now or for good.
+// A label below first_mark is the shape of the point, so ids are below 2^31. Otherwise the point is free. While a cell
+// grows, first_mark + s is the claim of shape s. Claims are below the two constants, so the smallest value belongs to
+// the smallest id.
 constexpr std::uint32_t first_mark = 0x80000000u;
 constexpr std::uint32_t free_label = 0xffffffffu;
-constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but detached too often to be grown over again
+constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot take it; label propagation can
 
-// Bits of the state of a point.
+// Bits of the state of a point. At any time at most one lane changes those of a point, so there are no races.
 constexpr std::uint8_t frontier_bit = 1;    // its neighbors are still to be visited
 constexpr std::uint8_t failed_seed_bit = 2; // a shape that started here has failed
-constexpr std::uint8_t detached_bit = 4;
-constexpr std::uint8_t interior_bit = 8; // all of its neighbors have had its label
+constexpr std::uint8_t detached_bit = 4;    // it has been detached once; the second time locks it
+// All of its neighbors had its label, so passes over contacts leave it out. Neighbors may lose that label later. The
+// loop accepts this error; the end game clears the bit of all points.
+constexpr std::uint8_t interior_bit = 8;
 
+// By position in the sorted cloud.
 struct Labels_view {
   std::uint32_t* label;
   std::uint8_t* state;
 
+  // Whether a shape may still start at the point. Labels of other shapes and locked points exclude it.
   CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const
   {
     return label[i] == free_label && !(state[i] & failed_seed_bit);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums of the points that shapes gain or lose: gathered per cell in a small table,
-// added to the shapes at its end. Integer sums, so the order does not matter.
+// Sums of the points that shapes win or lose in a pass. They are gathered for each cell in a small table, and added to
+// the shapes at its end. All sums are of integers, so neither order nor number of threads matters.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_MOMENT_TABLE_H
@@ -14,8 +14,9 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A shape's moments and bounds while many threads add to them. Of a 128-bit
-// product the words are added one by one, with the carry.
+// A shape's moments and bounds while many threads add to them, in grid steps. There is no atomic addition of 128 bits,
+// so the words of a product are added one by one. An overflow of the low word is seen by exactly one thread, which adds
+// the carry. So the words are right when all threads are done, but not before.
 struct Shared_moments {
   std::int64_t count = 0;
   std::int64_t sum[3] = {0, 0, 0};
@@ -52,13 +53,15 @@ CGAL_TANDEM_HD void atomic_add(Shared_moments& target, const Moments& m, const B
   }
 }
 
-// The sum of points that come one after the other and are of one shape.
+// The sum of consecutive points of one shape. Neighbors on the curve mostly share their shape, so a lane adds to the
+// table once for many points.
 struct Shape_run {
   std::uint32_t shape = no_index;
   Cell_moments moments;
   Box box;
 
-  // base: any point of the cell.
+  // base: any point of the cell, the same for all runs. sign: 1 for a point that comes, -1 for one that goes. The box
+  // grows with both: it bounds what has changed.
   CGAL_TANDEM_HD void add(const Grid_point& p, const Grid_point& base, int sign)
   {
     moments.add(std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z, sign);
@@ -66,7 +69,8 @@ struct Shape_run {
   }
 };
 
-// The sums of all shapes, as a cell adds to them: its moments are relative to one of its points.
+// The sums of all shapes, as a cell adds to them. Its moments are relative to one of its points: there the products fit
+// 64 bits (see cell_extent_bits). They are shifted to the origin of the grid once for each shape and cell.
 struct Cell_sums {
   const Grid_point& base;
   Shared_moments* sum; // by shape
@@ -78,7 +82,8 @@ struct Cell_sums {
   }
 };
 
-// Open addressing with a bounded probe: what finds no place goes to the shape at once.
+// The sums of a cell by shape, with open addressing and at most eight probes. What finds no slot goes to the shape at
+// once. Which shapes have slots depends on the lanes; the sums do not.
 struct Moment_table {
   static constexpr std::uint32_t slots = 64;
 
@@ -96,7 +101,8 @@ struct Moment_table {
     });
   }
 
-  // The slot of shape s, or `slots` when there is none left nearby.
+  // The slot of shape s, or `slots` if eight others are taken. A slot never changes its owner, so all lanes find the
+  // same slot for a shape.
   template <class Block>
   CGAL_TANDEM_HD std::uint32_t claim(Block& block, std::uint32_t s)
   {
@@ -109,6 +115,7 @@ struct Moment_table {
     return slots;
   }
 
+  // By one lane.
   template <class Backend, class Block>
   CGAL_TANDEM_HD void add(Block& block, const Shape_run& run, const Cell_sums& target)
   {
@@ -121,6 +128,7 @@ struct Moment_table {
     block.add_box(box[slot], run.box);
   }
 
+  // A single point, by one lane.
   template <class Backend, class Block>
   CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, int sign, const Cell_sums& target)
   {
@@ -130,6 +138,7 @@ struct Moment_table {
     add<Backend>(block, run, target);
   }
 
+  // By all lanes, after the last add(). Only here do cells share memory, with atomic additions.
   template <class Backend, class Block>
   CGAL_TANDEM_HD void flush(Block& block, const Cell_sums& target)
   {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters of a detection in the units of the grid.
+// The parameters of a detection in the units of the grid. make_options.h computes them; they stay as they are, but for
+// seeds_in_flight.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
@@ -13,23 +14,27 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// See the manual, "Growth".
 struct Growth_options {
-  Tolerance tolerance;
-  int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin
+  Tolerance tolerance;     // epsilon and alpha
+  int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin; rises after young rounds
   int seed_tries;          // candidates that may fail in one pass
   std::uint32_t core_size; // fewest points that a shape begins with
   std::size_t cell_size;   // most points of a cell
 };
 
-// Points of a cell, at most: the queue of a small one fits into fast memory.
+// Points of a cell, at most. The queue has two bytes a point, so that of a small cell fits into fast memory. The
+// largest cell is what 16 bits can address.
 constexpr std::uint32_t small_cell = 8192;
 constexpr std::uint32_t largest_cell = 65536;
 
+// The final test of a point, in the caller's coordinates. See the manual, "Exact Check".
 struct Exact_bounds {
   double maximum_distance;
   double cosine; // of maximum_angle, raised by what a normal may lose when it is rounded to float
 
-  // True only if every order of evaluation in double finds the point within epsilon.
+  // True only if every order of evaluation in double finds the point within epsilon. The margin is relative to the sum
+  // of the terms, which bounds the error of rounding.
   bool is_near(const Coefficients& c, const Vector& p) const
   {
     const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
@@ -38,13 +43,14 @@ struct Exact_bounds {
     return std::fma(size, tuning::exactness::evaluation_margin, std::fabs(e)) <= maximum_distance;
   }
 
+  // n: of unit length. The sign of a normal is ignored.
   bool is_aligned(const Coefficients& c, const Vector& n) const
   {
     return std::fabs(dot({c[0], c[1], c[2]}, n)) >= cosine;
   }
 };
 
-// Lengths are grid steps. See the manual, "Parameters", and Tuning.h.
+// Lengths are grid steps, sizes are numbers of points. See the manual, "Choosing Parameters", and Tuning.h.
 struct Options {
   Growth_options growth;
   Regularity_options regularity;

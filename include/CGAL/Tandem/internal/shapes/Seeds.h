@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where shapes begin: the most planar points of a cell first, then those nearest
-// to its center (section 3 of the paper). Of equally planar points, those that are
-// so within tighter bounds come first: they lie away from edges and steps, where
-// normals lean and a plane would bridge two surfaces.
+// Where shapes start: the most planar points of a cell first, then those nearest to its center (section 3 of the
+// paper). Of equally planar points, those that are so within tighter bounds come first. They lie away from edges and
+// steps, where normals lean and a plane would bridge two surfaces. Computed once, before the first round.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
@@ -18,6 +17,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The plane through a point with its own normal. The point must have one.
 CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
 {
   const Int_vector m = decode_normal(p.normal);
@@ -29,6 +29,7 @@ struct Planarity {
   int close = 0;   // ... that do so within tighter bounds
 };
 
+// Both numbers are in [0, k]. A point without a normal has none of either.
 CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance,
                                           const Tolerance& tight)
 {
@@ -48,7 +49,8 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
   return p;
 }
 
-// The candidates of a cell are seed[cell.first] ... seed[cell.first + count[c] - 1]; those before cursor[c] are used up.
+// The candidates of a cell are seed[cell.first] ... seed[cell.first + count[c] - 1]; those before cursor[c] are used
+// up. Candidates stay in their order; growth only moves the cursors. `count` and `cursor` are by cell, on the host.
 template <class Backend>
 struct Seeds {
   typename Backend::template Buffer<std::uint32_t> seed;
@@ -56,6 +58,7 @@ struct Seeds {
   std::vector<std::uint32_t> cursor;
 };
 
+// Above all keys of seeds, so these points are sorted to the end of their cell.
 constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
 
 struct Seed_bounds {
@@ -63,12 +66,13 @@ struct Seed_bounds {
   std::size_t cell_size; // most points of a cell
 };
 
+// Of the points of a cell. Its middle is the center by which seeds are ordered.
 struct Box_scratch {
   Box box;
 };
 
-// The keys of a cell rise with falling planarity, then with the distance to the
-// center, then with the position.
+// Writes the key of each point, by position. The keys of a cell rise with falling planarity, then with the distance to
+// the center, then with the position. So they are unique, and every way of sorting gives the same order.
 struct Rate_seeds {
   Cloud_view cloud;
   const Range* cells;
@@ -88,6 +92,8 @@ struct Rate_seeds {
   }
 
 private:
+  // From the highest bit: 7 bits for each planarity, as k <= 64; 34 for the squared distance in units of 2^16; 16 for
+  // the place in the cell.
   CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
   {
     const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);
@@ -103,6 +109,7 @@ private:
   }
 };
 
+// Turns the sorted keys of a cell into positions, and counts its seeds.
 struct Take_seeds {
   const Range* cells;
   const std::uint64_t* key; // sorted
@@ -122,6 +129,7 @@ struct Take_seeds {
   }
 };
 
+// The seeds of all cells. The keys take 8 bytes a point meanwhile.
 template <class Backend>
 Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bounds)
 {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A shape: its points by their moments, its planes, and its history.
+// A shape: its points by their moments, its planes, and its history. All lengths are grid steps. The points themselves
+// are found by their labels only.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_H
@@ -14,15 +15,16 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What the points of a shape said when they were asked last: the share of them that
-// fits the local plane, but not the candidate.
+// The last count of misfits of a shape: the share of its points that fits the local plane, but not the candidate. Kept,
+// so that nearly the same planes are not counted again.
 struct Misfit_record {
   Regular_plane local = {}, candidate = {};
   std::int64_t points = 0;
   double misfit_share = 0;
 };
 
-// Points, with the plane that fits them best.
+// Points, with the plane that fits them best. The moments are exact, so the fit is the same for any order of the
+// points.
 struct Fitted_moments {
   Moments moments;
   Scatter scatter;          // of moments, with ...
@@ -30,7 +32,7 @@ struct Fitted_moments {
   Regular_plane local = {}; // the local plane again
 };
 
-// The best plane of the points.
+// Makes all that follows from the moments.
 inline void refit(Fitted_moments& m)
 {
   m.scatter = make_scatter(m.moments);
@@ -38,6 +40,8 @@ inline void refit(Fitted_moments& m)
   m.local = plane_through(m.fit.normal, m.scatter.centroid);
 }
 
+// The moments are right between two passes; what is fitted to them is older while is_dirty is set. `plane`
+// follows the relations, `local` only the points. The box is a bound: it does not shrink when points are detached.
 struct Shape : Fitted_moments {
   Box box;
   Regular_plane plane = {};     // local or regular
@@ -51,11 +55,12 @@ struct Shape : Fitted_moments {
   std::int64_t regular_count = 0; // points when its relations were found; 0 if it has none yet
   int entry = 0;                  // its place in the relations, if it has some
   Misfit_record last_misfits;
-  bool is_active = false; // it has gained points in the last pass
+  bool is_active = false; // the last pass of growth has added points
   bool is_changed = true; // its points or its plane have changed since its links were collected
   bool is_dirty = true;   // its points have changed since it was fitted
 };
 
+// A fit costs an eigenvalue problem, and most shapes do not change in late rounds.
 inline void refit_if_dirty(Shape& shape)
 {
   if(shape.is_dirty)

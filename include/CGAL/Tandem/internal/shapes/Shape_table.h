@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table of shapes. Tables of the size of the shapes belong to the host, which gives functors access to them.
+// The table of shapes. Tables of the size of the shapes belong to the host; functors have access to them during a pass.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H
@@ -18,29 +18,33 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// An id is a place in these tables, and the label of the points of that shape. Ids out of use keep their places until
+// grow_shapes() renumbers all shapes.
 template <class Backend>
 struct Shape_table {
+  // Ids, in use or not.
   std::size_t size() const { return shape.size(); }
   Shape& operator[](std::size_t id) { return shape[id]; }
   const Shape& operator[](std::size_t id) const { return shape[id]; }
 
-  // The shape has lost its points. What else it holds is of no use.
+  // The shape has lost its points. Its other values are undefined from now on; the caller removes it from `live`.
   void clear(std::uint32_t id)
   {
     shape[id].moments = Moments();
     is_restarted[id] = 0;
   }
 
-  Growing_table<Shape> shape; // by id, which changes in grow_shapes() only; those not in `live` hold nothing
+  Growing_table<Shape> shape; // by id, which changes in grow_shapes() only; those not in `live` are empty
   Ids live;                   // ascending
-  std::vector<Plane> plane;   // these three: the points' view of the shapes; the next two are made in each pass
-  std::vector<std::uint16_t> rounds;
-  std::vector<std::uint8_t> is_restarted;
+  // The next three are by id, and are what growth reads of a shape.
+  std::vector<Plane> plane;                                // rounded, for the tests of points
+  std::vector<std::uint16_t> rounds;                       // breadth-first steps of the next pass
+  std::vector<std::uint8_t> is_restarted;                  // grows again from all of its points in the next pass
   typename Backend::template Buffer<Shared_moments> delta; // of each shape, zero between passes
   std::size_t assigned = 0;                                // points that have a shape
 };
 
-// Which shape each shape becomes: itself, another one, or free_label.
+// By id: which shape each shape becomes. This is itself, another one, or free_label for a shape that is dissolved.
 using Targets = std::vector<std::uint32_t>;
 
 inline Targets identity_targets(std::size_t shapes)
@@ -50,7 +54,8 @@ inline Targets identity_targets(std::size_t shapes)
   return target;
 }
 
-// The live shapes with is_chosen(shape, id), which is evaluated once for each, for many at a time.
+// The live shapes with is_chosen(shape, id), ascending. It is evaluated once for each, by several threads, so it may
+// change that shape.
 template <class Backend, class Predicate>
 Ids chosen_shapes(Backend& backend, const Shape_table<Backend>& shapes, Predicate is_chosen)
 {
@@ -60,6 +65,7 @@ Ids chosen_shapes(Backend& backend, const Shape_table<Backend>& shapes, Predicat
     .chosen;
 }
 
+// Afterwards `live` lists the shapes with points only. No label changes.
 template <class Backend>
 void drop_empty_shapes(Backend& backend, Shape_table<Backend>& shapes)
 {

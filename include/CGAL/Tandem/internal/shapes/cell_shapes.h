@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which shapes have points in which cell. Most passes between two growth passes are
-// about some of the shapes, so they leave out the cells without points of those.
+// Which shapes have points in which cell. Most passes between two passes of growth are about few shapes. They
+// leave out the cells without points of those. Changes the lists of the cells, nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_CELL_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_CELL_SHAPES_H
@@ -13,15 +13,17 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// A hash set of shapes with linear probing; twice the capacity of a list keeps probes short.
 struct List_scratch {
   static constexpr std::uint32_t slots = 2 * Cell_shapes::capacity;
   std::uint32_t shape[slots];
 };
 
+// Makes the list of a cell from the labels of its points. Lanes append in any order: only membership is read.
 struct List_shapes {
   const Range* cells;
-  const std::uint32_t* label;
-  Cell_shapes* list;
+  const std::uint32_t* label; // by position
+  Cell_shapes* list;          // by cell
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, List_scratch& scratch, std::uint32_t c) const
@@ -41,7 +43,8 @@ struct List_shapes {
   }
 
 private:
-  // Where the table is full, every shape counts as new: the list has overflown by then.
+  // True for exactly one lane of each shape: the exchange succeeds once. Where the set is full, every shape counts as
+  // new, as the list has overflown by then.
   template <class Block>
   CGAL_TANDEM_HD static bool is_new(Block& block, List_scratch& scratch, std::uint32_t s)
   {
@@ -62,7 +65,8 @@ void list_shapes(Labeled_cloud<Backend>& points)
     points.number_of_cells(), List_shapes{points.cells.data(), points.label.data(), points.cell_shapes.data()});
 }
 
-// Gives the shapes of a list their new labels; those with a mark leave it. `labels` has room for a list.
+// Replaces the shapes of a list by their targets; those with a mark leave it. Merged shapes may be listed twice. A list
+// that has overflown stays so: it stands for all shapes. `labels`, shared by the lanes, has room for a list.
 template <class Block>
 CGAL_TANDEM_HD void relabel_list(Block& block, Cell_shapes& list, const std::uint32_t* target, std::uint32_t* labels)
 {
@@ -77,6 +81,7 @@ CGAL_TANDEM_HD void relabel_list(Block& block, Cell_shapes& list, const std::uin
   });
 }
 
+// For cells without labeled points.
 struct Clear_lists {
   Cell_shapes* lists;
 

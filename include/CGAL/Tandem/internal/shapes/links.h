@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which shapes touch: the neighbor relations between their points.
+// Which shapes touch: the edges of the neighbor graph between their points. Sets the interior bits of points and clears
+// is_changed of shapes, nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
@@ -18,11 +19,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A pair of shapes and the number of neighbor relations between their points.
+// A pair of shapes and the number of edges of the neighbor graph between their points.
 struct Link {
   std::uint64_t pair; // smaller id << 32 | larger id
   std::uint32_t count;
-  std::uint32_t gap = 0; // without it there were bytes that nobody writes
+  std::uint32_t gap = 0; // fills the padding, so that all bytes are defined where links are copied
 
   std::uint32_t first() const { return std::uint32_t(pair >> 32); }
   std::uint32_t second() const { return std::uint32_t(pair); }
@@ -30,18 +31,23 @@ struct Link {
 
 using Link_list = Unset_vector<Link>;
 
-// Where cells append in any order. Goes on counting when it is full.
+// Where cells append in any order. When it is full, it still counts, which gives the capacity of the next attempt.
 struct Link_sink {
   Link* link;
   std::uint32_t* size;
   std::uint32_t capacity;
 };
 
+// The links of a cell: one slot for each of 256 hashes. A pair whose slot belongs to another one is appended at once,
+// so a pair may come several times. The sums join these, so results do not depend on it.
 struct Link_scratch {
   static constexpr std::uint32_t slots = 256;
   Link link[slots];
 };
 
+// Counts the edges from points of selected shapes to points of other shapes, cell by cell. An edge is directed, from a
+// point to one of its k neighbors. So a pair of selected shapes has its edges of both directions. Labels do not
+// change meanwhile, and a cell writes states of its own points only.
 template <class Backend>
 struct Collect_links {
   Cloud_view cloud;
@@ -72,6 +78,7 @@ private:
       sink.link[place] = link;
   }
 
+  // The point i, by one lane. Multiplicative hashing: ids of touching shapes are often close to each other.
   template <class Block>
   CGAL_TANDEM_HD void visit(Block& block, Link_scratch& scratch, std::uint32_t i) const
   {
@@ -95,11 +102,11 @@ private:
   }
 };
 
-// All touching shapes, or only those of which one has changed since they were last asked for.
+// All touching shapes, or only those of which one has changed since its links were last collected.
 enum class Links { all, changed };
 
-// The sums of n links in the memory of the back end, of ids below `ids`, where a pair has several: those of at least
-// `minimum` relations, by falling number of relations, then by ids.
+// The sums of n links in the memory of the back end, where a pair may come several times. Kept are pairs with at least
+// `minimum` edges, by falling number of edges, then by ids. This order is total, so that of the input has no influence.
 template <class Backend>
 Link_list sum_links_on_host(Backend& backend, const Link* source, std::size_t n, std::uint32_t minimum)
 {
@@ -123,6 +130,7 @@ Link_list sum_links_on_host(Backend& backend, const Link* source, std::size_t n,
   return sorted;
 }
 
+// The same, or what the back end has in its place. ids: more than the largest id.
 template <class Backend>
 Link_list sum_links(Backend& backend, const Link* source, std::size_t n, std::size_t ids, std::uint32_t minimum)
 {
@@ -134,9 +142,10 @@ Link_list sum_links(Backend& backend, const Link* source, std::size_t n, std::si
   }
 }
 
-// The links between live shapes with at least the fewest relations of shapes that touch, by falling number of relations,
-// then by ids. While a device looks at the points, the host does `meanwhile`, which changes neither labels, nor which
-// shapes are live or changed.
+// The links between live shapes with enough edges to touch, by falling number of edges, then by ids. While a device
+// counts edges, the host does `meanwhile`. That changes neither labels nor which shapes are live or changed. If the
+// links do not fit, the cells are counted again with room for them. Interior points found by then have no links, so
+// none is lost.
 template <class Backend, class Work = Nothing>
 Link_list collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Links which,
                         Work meanwhile = Work())

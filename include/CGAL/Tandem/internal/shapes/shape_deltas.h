@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What shapes gain or lose in a pass over the points. The sums belong to the back
-// end and are zero between two passes; the host gets those that are not.
+// What a pass over the points adds to shapes, or takes from them. The sums are in the memory of the back end and zero
+// between two passes. The host gets those that are not, so a pass over few shapes copies little.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_DELTAS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_DELTAS_H
@@ -14,22 +14,25 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The change of one shape: counts and sums may be negative, the box is around all points that came or went.
 struct Shape_delta {
   std::uint32_t id;
-  std::uint32_t gap = 0; // without it there were bytes that nobody writes
+  std::uint32_t gap = 0; // fills the padding, so that all bytes are defined where deltas are copied
   Shared_moments sums;
 };
 
+// Only for new memory: Take_sums restores the zeros.
 struct Clear_sums {
   Shared_moments* sums;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const { sums[i] = Shared_moments(); }
 };
 
-// Takes the sums of the shapes that a pass has met.
+// Takes the sums of the shapes that a pass has changed, and makes them zero again.
 struct Take_sums {
-  Shared_moments* sums;
+  Shared_moments* sums; // by id
 
+  // The box is not empty, also where as many points came as went.
   CGAL_TANDEM_HD bool has(std::uint32_t id) const { return sums[id].box.low[0] <= sums[id].box.high[0]; }
 
   CGAL_TANDEM_HD Shape_delta take(std::uint32_t id) const
@@ -40,8 +43,8 @@ struct Take_sums {
   }
 };
 
-// The sums of all shapes, zero, to be handed to the functors of a pass. A growth pass has more
-// ids than shapes.
+// The sums of all shapes, zero, for the functors of a pass. `ids` exceeds the number of shapes in a pass of growth,
+// which has ids for shapes that may start. Room for half as many more avoids new memory in each pass.
 template <class Backend>
 Shared_moments* start_deltas(Backend& backend, Shape_table<Backend>& shapes, std::size_t ids)
 {
@@ -52,7 +55,7 @@ Shared_moments* start_deltas(Backend& backend, Shape_table<Backend>& shapes, std
   return shapes.delta.data();
 }
 
-// After the pass: the sums of the shapes that it has met, by id.
+// After the pass: the sums of the shapes that it has changed, by rising id, whatever the order in which they came.
 template <class Backend>
 Host_buffer<Shape_delta> take_deltas(Backend& backend, Shape_table<Backend>& shapes, std::size_t ids)
 {

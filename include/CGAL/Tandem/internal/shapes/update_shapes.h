@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What follows from changed planes and merges: local fits, new labels, detached points, shapes that are put on the
-// frontier again.
+// frontier again. Changes the table of shapes, labels, states and lists of the cells. Which shapes merge, and which
+// planes they have, is decided elsewhere.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
@@ -21,13 +22,14 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Afterwards no live shape is dirty.
 template <class Backend>
 void refit_shapes(Backend& backend, Shape_table<Backend>& shapes)
 {
   backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) { refit_if_dirty(shapes[shapes.live[l]]); });
 }
 
-// Adds the shape of the id to another one.
+// Adds the shape of the id to another one. The union is fitted, linked and examined for layers anew.
 template <class Backend>
 void join_shape(Shape_table<Backend>& shapes, Shape& root, std::uint32_t id)
 {
@@ -40,8 +42,8 @@ void join_shape(Shape_table<Backend>& shapes, Shape& root, std::uint32_t id)
   shapes.clear(id);
 }
 
-// Adds the shapes to their targets, which are targets of themselves, and clears those without one. The points follow
-// in update_points().
+// Adds the shapes to their targets, which are targets of themselves, and clears those without one. Labels are out of
+// date until update_points(). Joins are sorted by target, so that one thread adds all shapes of a union.
 template <class Backend>
 void merge_shapes(Backend& backend, Shape_table<Backend>& shapes, const Targets& target)
 {
@@ -71,13 +73,15 @@ void merge_shapes(Backend& backend, Shape_table<Backend>& shapes, const Targets&
   });
 }
 
+// Losses of the shapes of a cell, and the labels of its list.
 struct Update_scratch {
   Moment_table table;
   std::uint32_t labels[Cell_shapes::capacity];
 };
 
-// Gives each point the label `target` of its shape. Where that is a mark the shape
-// is given up; where the shape is checked, points that do not fit are detached.
+// Gives each point the label `target` of its shape. Where that is a mark the shape is dissolved, and its points are no
+// seeds any more. Where the shape is checked, points that do not fit are detached; those for the second time are
+// locked. A lane reads and writes label and state of its own point only. So points may come in any order.
 template <class Backend>
 struct Update_points {
   Cloud_view cloud;
@@ -86,8 +90,8 @@ struct Update_points {
   Labels_view labels;
   const std::uint32_t* target; // these two by old label
   const std::uint8_t* is_checked;
-  const Plane* plane; // these two by new label
-  Shared_moments* loss;
+  const Plane* plane;   // these two by new label
+  Shared_moments* loss; // by new label: minus the detached points
   Tolerance tolerance;
 
   template <class Block>
@@ -121,7 +125,7 @@ struct Update_points {
   }
 };
 
-// The shapes whose points are checked against their planes, by old id.
+// The shapes whose points are tested against the planes of their targets, by old id.
 struct Point_check {
   std::vector<std::uint8_t> is_checked;
   Tolerance tolerance;
@@ -129,7 +133,8 @@ struct Point_check {
   bool is_any() const { return std::find(is_checked.begin(), is_checked.end(), 1) != is_checked.end(); }
 };
 
-// Relabels the points, and detaches those that do not fit the plane of a shape that is checked.
+// Relabels the points, and detaches those that do not fit the plane of a shape that is checked. Moments follow, boxes
+// do not shrink, and shapes without points leave the table.
 template <class Backend>
 void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets& target,
                    const Point_check& check)
@@ -178,8 +183,9 @@ void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, P
   merge_points(points, shapes, target);
 }
 
-// Hands the planes over to the points, checks the points of the shapes whose plane has moved or which are new unions,
-// and restarts shapes that have moved far.
+// Rounds the planes for the tests of points. Detaches the misfits of shapes that have moved or are new unions. Shapes
+// that have moved far grow again from all of their points, since other points may fit now. Motion is bounded over the
+// box of a shape. It is measured since the last check or restart, so small motions add up.
 template <class Backend>
 void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                   const Targets& target)
