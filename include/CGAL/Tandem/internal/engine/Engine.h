@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Algorithm 1 of the paper: detection and regularization in tandem.
+// Algorithm 1 of the paper: detection and regularization in tandem. Decides the order of the stages, the number of
+// passes of a round, and the end of the loop. The stages change the state; see the manual, "The Method, Stage by
+// Stage".
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_H
@@ -23,6 +25,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// One detection. The caller repeats iterate() until it is false, then calls finish(). The results of all back ends are
+// the same bits.
 template <class Backend>
 class Engine {
   static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
@@ -30,7 +34,7 @@ class Engine {
 public:
   using Upload = No_upload;
 
-  // The import has to stay.
+  // Prepares the first round. The import has to stay as long as the engine.
   Engine(Backend& backend, Import& in, const Parameters& parameters);
 
   static const char* name() { return Backend::name(); }
@@ -41,6 +45,7 @@ public:
   // The end game. Afterwards result() is final and keeps the guarantees.
   void finish();
 
+  // In [0, 1], rising with the rounds; their number is not known before.
   double progress() const { return is_finished_ ? 1 : 1 - 8. / (8 + state_.round); }
 
   // Between rounds: what has been found so far, not regularized to the end and not
@@ -56,7 +61,7 @@ private:
 
   const Import& in_;
   Tandem_state<Backend> state_;
-  Shape_relations relations_;
+  Shape_relations relations_; // of the last round, or of the end game
   Stage_times times_;
   Engine_result final_;
   std::size_t maximum_large_ = 0; // points of large shapes, in the best round so far
@@ -72,9 +77,10 @@ Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& paramete
   prepare(state_, in, parameters, times_);
 }
 
-// One pass; after the first rounds more of them as long as many cells are untried, and in slow rounds as long as any is:
-// patches that are too small for a shape must not keep the faces behind them waiting, nor make the table of shapes
-// large in each round.
+// Passes of growth; returns the number of points that got a shape. Young rounds have one pass: with more, faces are
+// lost under noise. Later rounds have further passes as long as many cells have untried seeds; slow rounds, as long as
+// any has. So patches too small for a shape do not delay the faces behind them. Nor do they enlarge the table of shapes
+// in each round. See the manual, "Growth" and "End of the Loop".
 template <class Backend>
 std::size_t Engine<Backend>::grow()
 {
@@ -95,7 +101,9 @@ std::size_t Engine<Backend>::grow()
   return gained;
 }
 
-// Further passes until so few cells are untried, or there were enough passes. Returns the points that were gained.
+// Further passes until at most so many cells have many untried seeds, or all passes are used. Returns the number of
+// points that got a shape. Between passes only shapes that have just started are fitted, to their local planes: fitting
+// all shapes finds fewer faces on noisy scenes.
 template <class Backend>
 std::size_t Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cells, int& passes,
                                                  std::size_t& untried_cells)
@@ -109,7 +117,9 @@ std::size_t Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cel
   return gained;
 }
 
-// The points that shapes which are large enough have gained; fragments come and go for ever.
+// How much the number of points in shapes of at least the minimum size exceeds the largest one before. Fragments are
+// not counted, as they come and go in every round. Not called in young rounds, so the first call counts all these
+// points.
 template <class Backend>
 std::size_t Engine<Backend>::growth_of_large_shapes()
 {
@@ -121,8 +131,8 @@ std::size_t Engine<Backend>::growth_of_large_shapes()
   return maximum_large_ - best_before;
 }
 
-// Shapes of more than one pass that stopped growing while they are small, whether or not they have met others to merge
-// with: the others, or new ones, take their points.
+// Dissolves shapes of more than one pass that stopped growing while they are small. Their points are free for other
+// shapes, but are no seeds any more.
 template <class Backend>
 void Engine<Backend>::drop_fragments()
 {
@@ -131,6 +141,8 @@ void Engine<Backend>::drop_fragments()
   });
 }
 
+// Whether another round may change something: points got a shape, seeds are left, or a shape restarts. Linear in the
+// numbers of cells and shapes.
 template <class Backend>
 bool Engine<Backend>::is_going_on(std::size_t gained) const
 {
@@ -143,6 +155,9 @@ bool Engine<Backend>::is_going_on(std::size_t gained) const
   return is_alive && !is_idle_ && state_.round < tuning::loop::maximum_rounds;
 }
 
+// The order matters. Small fragments go first, so that they need no links. Fragments merge before relations are found,
+// so that their unions have relations. Layers are split after that, since the new planes are tested, and before
+// coplanar shapes merge. Labels follow at once for merged fragments, and in apply_planes() for coplanar shapes.
 template <class Backend>
 bool Engine<Backend>::iterate()
 {
@@ -168,6 +183,7 @@ bool Engine<Backend>::iterate()
   return is_going_on(gained);
 }
 
+// An empty cloud has no relations, but an empty result.
 template <class Backend>
 void Engine<Backend>::finish()
 {
@@ -178,6 +194,7 @@ void Engine<Backend>::finish()
   is_finished_ = true;
 }
 
+// Large tables of the result are shared, so copies are cheap. A call between rounds does not change the state.
 template <class Backend>
 Engine_result Engine<Backend>::result()
 {

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Times of the stages, for the statistics. No result depends on them.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_STAGE_TIMER_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_STAGE_TIMER_H
@@ -10,7 +12,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Adds the seconds it lives to a stage.
+// Adds the seconds from its construction to stop() or its end to a stage. The caller waits for a device before, or its
+// work counts for the next stage.
 class Stage_timer {
 public:
   explicit Stage_timer(double& stage) : stage_(stage) {}
@@ -18,6 +21,7 @@ public:
   Stage_timer& operator=(const Stage_timer&) = delete;
   ~Stage_timer() { stop(); }
 
+  // A second call has no effect.
   void stop()
   {
     if(is_running_)

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters in the units of the grid.
+// The parameters in the units of the grid: lengths in steps, angles of points as squared cosines. Here the numbers of
+// Tuning.h become bounds of one cloud. Changes nothing.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
@@ -14,19 +15,21 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Distance in grid steps. The result is rounded to integers once, so that all tests of points are exact.
 inline Tolerance make_tolerance(double distance, double cosine)
 {
   return {std::int64_t(llrint(distance * normal_scale)), std::int64_t(llrint(cosine * cosine * 4294967296.0))};
 }
 
-// The largest error of an integer distance, in steps.
+// The largest error of an integer distance, in steps: of rounded points and planes, and of an origin far from zero,
+// whose offset is rounded in the caller's coordinates.
 inline double distance_margin(const Grid& grid)
 {
   const double size = std::fabs(grid.origin.x) + std::fabs(grid.origin.y) + std::fabs(grid.origin.z);
   return std::fma(size / grid.step, tuning::exactness::relative_margin, tuning::exactness::distance_margin);
 }
 
-// How shapes begin and grow.
+// How shapes start and grow. The size of a core is bounded by that of a cell, or nothing could start in small cells.
 inline Growth_options make_growth_options(const Parameters& p, const Tolerance& tolerance)
 {
   using namespace tuning::growth;
@@ -35,6 +38,8 @@ inline Growth_options make_growth_options(const Parameters& p, const Tolerance& 
   return {tolerance, young_seeds_in_flight, seed_tries, std::uint32_t(core_size), p.cell_size};
 }
 
+// `certain` is what an integer test accepts without doubt: tighter by all roundings of distance and angle. `exact` is
+// in the caller's units, hence not divided by the step.
 inline Options make_options(const Import& in, const Parameters& p)
 {
   Options o;

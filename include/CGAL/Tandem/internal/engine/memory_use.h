@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bytes a point, on the host and on a device: of the tables of the size of the cloud.
+// Bytes a point, on the host and on a device: of the tables of the size of the cloud. For the statistics, and for the
+// number of points that fit a device. Tables of shapes are not included.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_MEMORY_USE_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_MEMORY_USE_H
@@ -16,7 +17,8 @@ namespace internal {
 // The sorted cloud: point, place of the imported one, neighbors.
 inline std::size_t cloud_bytes_per_point(std::size_t k) { return sizeof(Grid_point) + (k + 1) * sizeof(std::uint32_t); }
 
-// When they are largest: in the estimation of normals, else in the end game. With the caller's coordinates and normals.
+// Where they are largest: in the estimation of normals, or in the end game if normals are given. The imported
+// coordinates and normals are included, the caller's range is not.
 inline std::size_t host_bytes_per_point(int k, const Import& in)
 {
   constexpr std::size_t labels = 2 * sizeof(std::uint32_t) + 1; // and seeds, states
@@ -26,7 +28,7 @@ inline std::size_t host_bytes_per_point(int k, const Import& in)
          (in.has_normals ? labels + end_game : neighborhoods);
 }
 
-// In the largest stage of a device.
+// In the largest stage of a device. Small cells cost more a point, as the tables of a cell do not depend on its points.
 inline std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
 {
   constexpr std::size_t cell = 3584;                // lists, links, sums of new shapes

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Before the first round: order, cells, neighbors, normals, and seeds.
+// Before the first round: order, cells, neighbors, normals, and seeds. Fills the whole state. See the manual, "Grid and
+// Units" and "Normals".
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_PREPARE_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_PREPARE_H
@@ -21,6 +22,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Also clears the states.
 struct Free_all {
   Labels_view labels;
 
@@ -31,7 +33,7 @@ struct Free_all {
   }
 };
 
-// No point has a shape.
+// Afterwards no point has a shape, and the lists of the cells are empty.
 template <class Backend>
 void clear_labels(Labeled_cloud<Backend>& points)
 {
@@ -42,6 +44,8 @@ void clear_labels(Labeled_cloud<Backend>& points)
   points.backend.for_each(points.cloud.size(), Free_all{points.labels()});
 }
 
+// The order is given by what each stage needs: neighbors the sorted points, normals the neighbors, seeds the normals.
+// The first three end with wait(), so that times are separate. An empty cloud has options only.
 template <class Backend>
 void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters, Stage_times& times)
 {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points on the grid, in the order of the curve, and the octree cells.
+// The points on the grid, in the order of the curve, and the octree cells. Fills the points, the order and the cells,
+// nothing else. See the manual, "Grid and Units".
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_SORT_POINTS_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_SORT_POINTS_H
@@ -16,6 +17,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The caller's points on the grid, in their order. A device may do it where it has the values already.
 template <class Backend>
 typename Backend::template Buffer<Grid_point> import_points(Backend& backend, Import& in)
 {
@@ -28,11 +30,12 @@ typename Backend::template Buffer<Grid_point> import_points(Backend& backend, Im
   }
 }
 
+// Moves the points to their places in the curve.
 template <class Table>
 struct Gather_sorted {
-  Table sorted;
-  const Grid_point* source;
-  std::uint32_t* order;
+  Table sorted;             // by position: the code, and the imported point
+  const Grid_point* source; // by imported point
+  std::uint32_t* order;     // by position, as is the next one
   Grid_point* point;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -42,6 +45,8 @@ struct Gather_sorted {
   }
 };
 
+// Ties of the curve are broken by the given values. So the order of the caller's range has no influence on shapes. Only
+// ties need the values on the host.
 template <class Backend>
 void sort_points(Backend& backend, Import& in, std::size_t cell_size, Sorted_cloud<Backend>& cloud,
                  typename Backend::template Buffer<Range>& cells)

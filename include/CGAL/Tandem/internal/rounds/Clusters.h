@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unions of touching shapes that one plane fits as well as their own planes, by their
-// moments alone.
+// Which fragments merge: unions of touching shapes that one plane fits as well as their own planes, by moments alone.
+// Works on the host and changes nothing but itself; merge_fragments.h tests the points and merges. See the manual,
+// "Merging by Joint Fit".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_CLUSTERS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_CLUSTERS_H
@@ -24,13 +25,13 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Unions of shapes with the moments of the whole. A small shape that tolerates the plane of
-// a large one joins it without a new fit: the plane of both together is not worse for it.
-// The large one is fitted again when it has grown by a quarter.
+// Unions of shapes with the moments of the whole. A small shape that tolerates the plane of a large one joins it
+// without a new fit. The large one is fitted again when it has grown by a quarter. Joint fits stay on the host also for
+// a device: each depends on those before it.
 template <class Backend>
 class Clusters {
 public:
-  // A step passes over all links that wait, and wakes threads: few of them are tried one by one.
+  // A step passes over all links that wait, and wakes threads. So this many or fewer are tried one by one.
   static constexpr std::size_t few_links = 256;
 
   Clusters(Backend& backend, const Shape_table<Backend>& shapes, const Joint_fit_criterion& test,
@@ -39,10 +40,10 @@ public:
       whole_(shapes.size(), no_index), merged_(shapes.live.size())
   {}
 
-  // As if link after link were tried: a link depends on those before it that have a cluster in
-  // common with it, so what depends on nothing else is tried at the same time. Many are refused, and hold up nobody as
-  // long as their shapes have not changed: that is found out ahead. Returns the number of steps in which many links
-  // were tried.
+  // The result is as if link after link were tried. A link depends on earlier ones with a cluster in common; links that
+  // depend on no other one are tried at the same time. Many links are rejected, and those change no cluster. Certain
+  // rejections are therefore found ahead, for shapes that are not in a union yet. Fitting all links ahead would fit
+  // each accepted one twice. Returns the number of parallel steps.
   std::uint32_t unite_along(const Link_list& links)
   {
     const bool is_ahead = links.size() > few_;
@@ -65,6 +66,7 @@ public:
             try_link(chained_[i]);
         };
         backend_.for_each_on_host(chains_.size(), try_chain, few_chains);
+        // Where most links wait for a few, as around a very large shape, steps cost more than they save.
         is_worth_it = end - head <= maximum_waiting * chained_.size();
       }
       for(const std::size_t end = (std::min)(head + window, pending.size()); head < end && !is_worth_it; ++head)
@@ -75,7 +77,7 @@ public:
     return steps;
   }
 
-  // After unite_along(), as what follows: whether others are in its cluster.
+  // The next three are valid after unite_along(). Whether other shapes are in the cluster of this one.
   bool is_merged(std::uint32_t id) const { return whole_[root(id)] != no_index; }
 
   std::uint32_t root(std::uint32_t id) const { return root_[id]; }
@@ -86,17 +88,20 @@ public:
   }
 
 private:
+  // A cluster of several shapes. Its moments are always those of all members; the fit may be of fewer.
   struct Whole : Fitted_moments {
     std::int64_t fitted_count; // points when it was fitted
   };
 
+  // A link that is not decided yet.
   struct Pair {
-    std::uint32_t a, b;
+    std::uint32_t a, b; // shapes, or roots of their clusters
     std::uint32_t next; // of its chain
     bool is_rejected;   // as long as both are what they were at first
   };
 
-  // Links of a step that are tried one after the other.
+  // Links of a step that are tried one after the other, in their order. No two chains have a cluster in common. So each
+  // is the work of one thread, and threads write different clusters.
   struct Chain {
     std::uint32_t part_of; // another chain, or itself
     std::uint32_t first, last;
@@ -110,18 +115,19 @@ private:
     std::uint32_t chain = 0;
   };
 
-  // A step ends when so many links are tried or wait: later ones mostly wait for them. The clusters of a few more are
-  // found ahead.
+  // A step ends when so many links are tried or wait: later ones mostly wait for them. Larger windows give fewer steps,
+  // but longer chains and repeated tests of links that wait. The clusters of a few more are found ahead, as some links
+  // are dropped.
   static constexpr std::size_t window = 1024, maximum_known = window * 5 / 4;
   static constexpr std::uint32_t maximum_joined = 16; // links of a chain that was two
-  static constexpr std::size_t few_chains = 8;        // are left to one thread
-  static constexpr std::size_t maximum_waiting = 16;  // for each link that is tried in a step
+  static constexpr std::size_t few_chains = 8;        // below this, one thread tries all chains
+  static constexpr std::size_t maximum_waiting = 16;  // for each link that is tried; with more, steps do not pay
 
-  // Moves links to chains without a cluster in common, and drops those within a cluster and those that are refused
-  // whatever else happens in this step. A link goes to the chain of its clusters. Where they have two these become one,
-  // or if that were long the link waits, and so do all later links of both chains. Looks at links from the head on, up
-  // to the end that it returns, until a window of them is tried or waits; what waits stays in [head, end), with a later
-  // head. The clusters of those before `known` are known.
+  // Moves links to chains without a cluster in common. Drops those within a cluster, and certain rejections whose
+  // clusters do not occur earlier in this step. A link goes to the chain of its clusters. If they have two chains,
+  // these become one; if that is too long, the link waits, and with it all later links of both chains. Visits links
+  // from the head on until a window of them is tried or waits, and returns where it ends. Those that wait stay before
+  // that end, in their order, with a later head. The clusters of links before `known` are known.
   std::size_t chain_links(std::uint32_t step, std::vector<Claim>& claims, Unset_vector<Pair>& pending,
                           std::size_t& head, std::size_t known)
   {
@@ -135,6 +141,7 @@ private:
       if(link.a == link.b)
         continue;
       Claim &a = claims[link.a], &b = claims[link.b];
+      // Nothing earlier in this step can change these clusters.
       if(a.step != step && b.step != step) {
         if(link.is_rejected)
           continue;
@@ -156,6 +163,7 @@ private:
         pending[kept++] = link;
         continue;
       }
+      // What is appended did not depend on the links before it, so the order of both stays right.
       if(&chain != &other) {
         chained_[chain.last].next = std::exchange(other.first, no_index);
         chain.last = other.last;
@@ -171,6 +179,7 @@ private:
     return end;
   }
 
+  // Chains that became part of another one are few, so paths are short.
   Chain& chain_of(const Claim& claim)
   {
     std::uint32_t c = claim.chain;
@@ -179,7 +188,8 @@ private:
     return chains_[c];
   }
 
-  // Mostly by all threads, before a step: the one that makes the chains would fetch each line that another has written.
+  // By all threads, for most links of a step. The thread that makes the chains would miss its cache for each link, as
+  // others have written these lines.
   void find_clusters(Pair& link) const
   {
     link.a = unions_.find_root(link.a);
@@ -187,11 +197,13 @@ private:
     link.is_rejected = is_rejected(link);
   }
 
+  // The rejection found ahead, if it is still certain: neither cluster has grown.
   bool is_rejected(const Pair& roots) const
   {
     return roots.is_rejected && whole_[roots.a] == no_index && whole_[roots.b] == no_index;
   }
 
+  // The clusters may have changed since the link came to its chain.
   void try_link(const Pair& link)
   {
     const Pair roots = {unions_.root(link.a), unions_.root(link.b), no_index, link.is_rejected};
@@ -199,7 +211,7 @@ private:
       try_to_unite(roots.a, roots.b);
   }
 
-  // The larger one, then the one with the smaller id, stays the root. Touches nothing but these two.
+  // The larger one, then the one with the smaller id, stays the root. Reads and writes these two clusters only.
   void try_to_unite(std::uint32_t a, std::uint32_t b)
   {
     if(size(a) < size(b) || (size(a) == size(b) && b < a))
@@ -226,6 +238,7 @@ private:
 
   std::int64_t size(std::uint32_t root) const { return whole(root).moments.count; }
 
+  // Entries of merged_ are taken in any order; nothing depends on it. A root takes at most one, so there is room.
   Whole& own_whole(std::uint32_t root)
   {
     if(whole_[root] == no_index) {
@@ -236,6 +249,7 @@ private:
     return merged_[whole_[root]];
   }
 
+  // Fits the members that joined without a fit.
   static void refresh(Whole& w)
   {
     if(w.fitted_count == w.moments.count)

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether one plane fits two shapes as well as their own planes, by their moments alone.
+// Decides whether one plane fits two shapes as well as their own planes, by their moments alone. Changes nothing. See
+// the manual, "Merging by Joint Fit". Lengths are grid steps.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_JOINT_FIT_CRITERION_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_JOINT_FIT_CRITERION_H
@@ -17,18 +18,19 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// How much the sum of squared distances grows when the shape gives up its local plane.
+// How much the sum of squared distances of a shape grows if this plane replaces its local one.
 inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
 {
   const double e = dot(plane.normal, scatter.centroid) - plane.offset;
   return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
 }
 
-// Of moments only: no point is looked at.
+// The cost does not depend on the number of points. No point is read.
 struct Joint_fit_criterion {
-  double squared_cosine;
-  double maximum_distance;
+  double squared_cosine;   // of alpha
+  double maximum_distance; // epsilon
 
+  // The normal of a shape of few points is too uncertain to keep it apart.
   bool are_aligned(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const double cosine = dot(a.fit.normal, b.fit.normal);
@@ -36,19 +38,22 @@ struct Joint_fit_criterion {
            cosine * cosine >= squared_cosine;
   }
 
+  // Whether the points of m are nearly as close to the plane as to their own.
   bool is_tolerable(const Fitted_moments& m, const Regular_plane& plane) const
   {
     return excess(m.scatter, m.fit, plane) <= maximum_excess(m);
   }
 
+  // Whether they pass the test; then `joint` has moments and plane of both.
   bool operator()(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
   {
     return !are_apart(a, b) && fit(a, b, joint);
   }
 
-  // Whether it is certain, at less cost, that fit() refuses them and that neither tolerates the plane of the other.
-  // Otherwise the sum of squared distances of all points to one plane, and so the smallest eigenvalue of their scatter
-  // matrix, would be at most `most`. The margins, relative to that and to the extent, are for rounding.
+  // Whether it is certain, at less cost, that fit() rejects them and that neither tolerates the plane of the other. If
+  // either tolerated it, one plane would have at most `maximum` as the sum of squared distances of all points. Then the
+  // smallest eigenvalue of their scatter matrix would be at most that, too. The margins, relative to that and to the
+  // extent, are for rounding.
   bool are_apart(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const Symmetric_matrix joint = joint_matrix(a.scatter, b.scatter);
@@ -56,6 +61,7 @@ struct Joint_fit_criterion {
     return has_eigenvalues_above(joint, std::fma(1e-8, joint.xx + joint.yy + joint.zz, 1.000001 * maximum));
   }
 
+  // Without the cheap test before.
   bool fit(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
   {
     joint.moments = a.moments;
@@ -65,7 +71,8 @@ struct Joint_fit_criterion {
   }
 
 private:
-  // How much the sum of squared distances may grow.
+  // How much the sum of squared distances may grow: the smaller of both bounds of the manual. The second one keeps a
+  // plane from bridging two narrow strips.
   double maximum_excess(const Fitted_moments& m) const
   {
     const double maximum = tuning::merging::tolerated_rms * maximum_distance;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How many points would no longer fit a plane.
+// Counts how many points of a shape would no longer fit, if a plane replaced the local one. Decides nothing. Changes
+// the samples of the cloud and last_misfits of the shapes. See the manual, "Verification and Rollback".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MISFIT_COUNTER_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MISFIT_COUNTER_H
@@ -21,11 +22,12 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Which points of a shape are counted: those whose position has no bit of the mask,
-// so all, every second one, every fourth one ...
+// Which points of a shape are counted: those whose position has no bit of its mask, so all, every second one, every
+// fourth one ... Positions follow the curve, so a sample is spread over the shape. This mask means: none.
 constexpr std::uint32_t no_sample = 0xffffffffu;
 
-// Copies the points that may be counted, those of a cell to one place.
+// Copies the points that may be counted, those of a cell to one range. Ranges and points come in any order, which does
+// not change the counts. Each cell is passed twice: its points have to be counted before its range is known.
 template <class Backend>
 struct Collect_samples {
   Cloud_view cloud;
@@ -65,11 +67,13 @@ private:
   CGAL_TANDEM_HD bool is_selected(std::uint32_t i) const { return label[i] < first_mark && (i & mask[label[i]]) == 0; }
 };
 
+// The local plane of a shape, and the candidate.
 struct Misfit_query {
   Plane before, after;
 };
 
-// Counts the samples that fit the first plane of their shape but not the second.
+// Counts the samples that fit the first plane of their shape but not the second. Points that fit neither are not due to
+// the candidate.
 template <class Backend>
 struct Count_misfits {
   Cells_view cells;
@@ -97,6 +101,7 @@ struct Count_misfits {
   }
 };
 
+// The largest mask that still selects about sample_size points; 0, which selects all, below twice as many.
 inline std::uint32_t sample_mask(const Shape& shape)
 {
   std::uint32_t mask = 0;
@@ -105,8 +110,8 @@ inline std::uint32_t sample_mask(const Shape& shape)
   return mask;
 }
 
-// Counts the points that would no longer fit. Planes that hardly move need no count, and what was counted last, for
-// hardly other planes, is remembered.
+// Planes that hardly move need no count, and the last count of nearly the same planes is used again. Samples are
+// collected once, since the same shapes are tested several times in a step.
 template <class Backend>
 class Misfit_counter {
 public:
@@ -119,7 +124,8 @@ public:
       collect_samples(ids);
   }
 
-  // The share of the points of each listed shape, once in the list, that fits its local plane, but not the candidate.
+  // For each listed shape, the share of its points that fits its local plane, but not the candidate. No shape is listed
+  // twice.
   Unset_vector<double> count(const Ids& ids, const Regular_planes& candidates)
   {
     Unset_vector<double> shares(ids.size());
@@ -136,6 +142,7 @@ public:
     if(selected == 0)
       return shares;
     const std::vector<std::uint32_t> misfits = count_samples(query);
+    // By all threads: each one writes to the cache lines of its own shapes.
     points_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
       if(std::exchange(query_of_[ids[i]], no_index) == no_index)
         return;
@@ -147,6 +154,7 @@ public:
   }
 
 private:
+  // Memory for all points, as the number of samples is not known before.
   void collect_samples(const Ids& ids)
   {
     Backend& backend = points_.backend;
@@ -162,6 +170,7 @@ private:
                                points_.sample.data(), counter.data(), range_.data()});
   }
 
+  // The misfits by query: one pass over the samples for all of them.
   std::vector<std::uint32_t> count_samples(const Unset_vector<Misfit_query>& query)
   {
     Backend& backend = points_.backend;
@@ -177,13 +186,14 @@ private:
     return misfits;
   }
 
+  // Whether the distances of all points to both planes are the same, up to a negligible part of epsilon.
   bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
   {
     const bool is_same = a.normal == b.normal && a.offset == b.offset;
     return is_same || bound_motion(shape.box, a, b) <= tuning::motion::negligible * options_.maximum_distance;
   }
 
-  // Whether the last count is of hardly other points and planes.
+  // Whether the last count is of nearly the same points and planes.
   bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
   {
     const Misfit_record& last = shape.last_misfits;

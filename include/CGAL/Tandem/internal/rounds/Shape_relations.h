@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The relations of the shapes, as they are kept from round to round.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_RELATIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_RELATIONS_H
@@ -10,14 +12,15 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The relations of some shapes: those of id[i] are the entries i.
+// The relations of some shapes: those of shape id[i] are the entries i. The ids are valid until the next pass of
+// growth, which may renumber the shapes. Shape::entry stays valid after it.
 struct Shape_relations {
   Ids id;
   Relations relations;
   std::int64_t points = 0; // of the shapes when the relations were found
 };
 
-// The entry has a plane, and a direction, that no other one has.
+// Afterwards the entry has a plane, and a direction, that no other one has. The former ones stay for the others.
 inline void set_own_plane(Relations& r, std::size_t entry, const Regular_plane& plane)
 {
   r.direction_of[entry] = int(r.directions.size());

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Union-find over ids: which shapes become one. Shapes and points are not changed here.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_UNIONS_H
@@ -16,12 +18,13 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A merge of shapes, by union-find over their ids. Who unites chooses the root: the
-// shape with most points, then the one with the smallest id.
+// The caller chooses the root: the shape with most points, then the one with the smallest id. So results do not depend
+// on the shape of the trees.
 class Unions {
 public:
   explicit Unions(std::size_t n = 0) { grow(n); }
 
+  // New ids are roots.
   void grow(std::size_t n)
   {
     const std::size_t before = parent_.size();
@@ -29,7 +32,8 @@ public:
     std::iota(parent_.begin() + std::ptrdiff_t(before), parent_.end(), std::uint32_t(before));
   }
 
-  // Writes only what becomes shorter: threads that ask for roots side by side have the same lines in their caches.
+  // Shortens the path. Writes only what changes: threads that find roots at the same time share cache lines. They must
+  // be of different clusters.
   std::uint32_t root(std::uint32_t i)
   {
     while(parent_[i] != parent_[parent_[i]])
@@ -37,7 +41,7 @@ public:
     return parent_[i];
   }
 
-  // Without making anything shorter: with the larger of two as the root no way is long.
+  // Without writing, so any number of threads may call it. With the larger of two as the root, no path is long.
   std::uint32_t find_root(std::uint32_t i) const
   {
     while(parent_[i] != i)

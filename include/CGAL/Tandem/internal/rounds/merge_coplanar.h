@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Touching shapes of one plane become one shape.
+// Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes and
+// points. See the manual, "Merging by Joint Fit", last paragraph.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_COPLANAR_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_COPLANAR_H
@@ -17,7 +18,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The targets of that merge. The shape with most points, then the one with the smallest id, is the root.
+// The targets of that merge. The shape with most points, then the one with the smallest id, is the root. Planes are
+// compared by their number in the relations, so equal ones are the same bits.
 template <class Backend>
 Targets coplanar_targets(Backend& backend, const Shape_table<Backend>& shapes, const Shape_relations& r,
                          const Link_list& links)
@@ -25,6 +27,7 @@ Targets coplanar_targets(Backend& backend, const Shape_table<Backend>& shapes, c
   std::vector<int> plane_of(shapes.size(), -1);
   for(std::size_t i = 0; i < r.id.size(); ++i)
     plane_of[r.id[i]] = r.relations.plane_of[i];
+  // All threads find the links within a plane. One thread makes the unions, in the order of the links.
   const auto itself = [](std::size_t i) { return std::uint32_t(i); };
   const Ids coplanar = part_on_host(backend, links.size(), itself, [&](std::uint32_t i) {
                          const int plane = plane_of[links[i].first()];

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Joint-fit merge: touching shapes that one plane fits as well as their own planes become one shape. Without it slanted
-// surfaces are cut into terraces.
+// surfaces are cut into terraces. Decided by moments in Clusters.h, then by counts of points here. Changes the table of
+// shapes, labels and links.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_FRAGMENTS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_FRAGMENTS_H
@@ -18,8 +19,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The targets of a joint-fit merge along the links. Of each union, shapes of which more than the given share of points
-// does not fit the joint plane are left out.
+// The targets of a joint-fit merge along the links. A shape is left out of its union if the share of its misfits
+// exceeds the given one. The largest of the others stays, of equal ones that with the smallest id.
 template <class Backend>
 Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                           const Link_list& links, double misfit_share)
@@ -54,7 +55,8 @@ Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
   return target;
 }
 
-// Joint-fit merge of all touching shapes; the links follow. Returns whether there was any.
+// Joint-fit merge of all touching shapes. Returns whether there was any. The links then have the new ids. A pair may
+// have several links, or become a pair of one shape with itself.
 template <class Backend>
 bool merge_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                      Link_list& links, double misfit_share)

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The regularity step of a round: the shapes that are large enough get the planes of their relations, the others keep
-// their local fits.
+// The regularity step of a round (section 4 of the paper): shapes that are large enough get the planes of their
+// relations, the others keep their local fits. Decides whether relations are kept or found anew, and who waits after a
+// rollback. Changes planes and history of the shapes, but no label: points follow in apply_planes().
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H
@@ -24,7 +25,8 @@ struct Regularity_step {
   bool is_last; // at the end: also small shapes take part, and those that wait after a rollback
 };
 
-// A shape that was rolled back tries again when it has grown, or after 2, 4, 8 ... rounds.
+// A shape that was rolled back takes part again when it has grown, or after 2, 4, 8 ... rounds. Otherwise each round
+// would test it in vain.
 inline void schedule_retry(Shape& shape, int round)
 {
   shape.rollbacks = (std::min)(shape.rollbacks + 1, tuning::verification::maximum_rollbacks);
@@ -32,7 +34,8 @@ inline void schedule_retry(Shape& shape, int round)
   shape.retry_count = shape.moments.count + shape.moments.count / tuning::verification::retry_growth_divisor;
 }
 
-// The verification of planes by the points: see Verified_planes.h.
+// The verification of planes by the points, as the regularity step calls it: see Verified_planes.h. That step numbers
+// shapes by entry, the counter by id.
 template <class Backend>
 class Point_verifier {
 public:
@@ -41,6 +44,7 @@ public:
     : backend_(points.backend), shapes_(shapes), ids_(ids), misfits_(points, shapes, options, ids)
   {}
 
+  // counts: of misfits, by place in `entries`, scaled from the sample to all points.
   void operator()(const std::vector<int>& entries, const Regular_planes& candidates, std::vector<std::int64_t>& counts)
   {
     Ids ids(entries.size());
@@ -64,8 +68,8 @@ private:
   Misfit_counter<Backend> misfits_;
 };
 
-// A shape without relations, or in the loop one that has changed much by itself, is not held by those found before. (In
-// the end game all of its points fit its plane.)
+// Whether a shape keeps its relations while they are not found anew. It does not if it has none, or if it has changed
+// much in the loop. In the end game all of its points fit its plane, so changes do not matter.
 inline bool is_held(const Shape& shape, bool is_last)
 {
   const std::int64_t before = shape.regular_count; // 0 if it has none
@@ -73,8 +77,9 @@ inline bool is_held(const Shape& shape, bool is_last)
                  : tuning::relations::points_per_held_change * std::abs(shape.moments.count - before) <= before;
 }
 
-// Whether shapes have gained, lost or exchanged so many points since that relations are to be found anew. Until then
-// they hold on: in the late rounds little changes. (With a period of more than one round they never do.)
+// Whether so many points came, went or changed their shape that relations are to be found anew. Until then they are
+// kept, since little changes in late rounds. With a period of more than one round regular_count is 0, so they never
+// are.
 template <class Backend>
 bool have_changed(Backend& backend, const Shape_table<Backend>& shapes, const Ids& ids, std::int64_t points_before,
                   bool is_last)
@@ -88,7 +93,8 @@ bool have_changed(Backend& backend, const Shape_table<Backend>& shapes, const Id
   return double(changed) > share * double(shapes.assigned);
 }
 
-// Shapes that are held keep the planes of their relations, the others stay at their local planes.
+// Shapes keep the planes of their relations, where is_held(); the others stay at their local planes. Needs no test of
+// points.
 template <class Backend>
 Shape_relations keep_relations(Shape_table<Backend>& shapes, const Ids& ids, const Shape_relations& before,
                                bool is_last)
@@ -112,7 +118,8 @@ Shape_relations keep_relations(Shape_table<Backend>& shapes, const Ids& ids, con
   return r;
 }
 
-// All shapes are at their local planes afterwards. Returns those that are large enough to have relations.
+// All shapes are at their local planes afterwards. Returns those that are large enough to have relations; smaller ones
+// lose theirs.
 template <class Backend>
 Ids reset_planes(Backend& backend, Shape_table<Backend>& shapes, std::int64_t minimum_size)
 {
@@ -125,7 +132,8 @@ Ids reset_planes(Backend& backend, Shape_table<Backend>& shapes, std::int64_t mi
   });
 }
 
-// Finds the relations of the listed shapes; without is_due only the planes through their centroids.
+// Finds the relations of the listed shapes; in rounds in which none are due, only the planes through their centroids.
+// Shapes that wait have entries, too, with planes of their own.
 template <class Backend>
 Shape_relations find_relations(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                                const Regularity_step& step, const Ids& ids)
@@ -158,7 +166,7 @@ Shape_relations find_relations(Labeled_cloud<Backend>& points, Shape_table<Backe
   return r;
 }
 
-// `before`: the relations of the last step.
+// The step. `before`: the relations of the last one.
 template <class Backend>
 Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                                   const Regularity_step& step, const Shape_relations& before)

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Layers a little more than epsilon apart can end as one shape: a plane in the
-// middle, or a slanted one that bridges two strips. All points are within epsilon,
-// but along the normal of the points themselves their distances have two peaks,
-// and few between; or the points' normals say that the plane is wrong. Such a shape
-// takes the higher peak, and detaches the other.
+// Layers a little more than epsilon apart can end as one shape. Its plane lies in the middle, or is slanted and bridges
+// two strips. All points are within epsilon. But along their mean normal the distances have two peaks, and few between;
+// or the mean normal leans too much. Such a shape takes the plane of the higher peak, which no other shape shares.
+// Labels do not change: apply_planes() detaches the points of the other layer. See the manual, "Layers".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_LAYERS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_LAYERS_H
@@ -18,9 +17,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Fewer histograms are left to one thread.
+// Fewer histograms are the work of one thread.
 constexpr std::size_t few_histograms = 16;
 
+// Fills the histograms of a cell. Distances are in 2^-28 grid steps and cover [-2, 2) epsilon; what is farther is
+// not counted. Additions are atomic, since many cells share a histogram.
 template <class Backend>
 struct Count_distances {
   Cloud_view cloud;
@@ -29,7 +30,7 @@ struct Count_distances {
   const std::uint32_t* histogram_of; // by shape, no_index if not examined
   const Plane* plane;                // by histogram
   std::uint32_t* histogram;          // tuning::layers::bins each
-  std::int64_t epsilon;
+  std::int64_t epsilon;              // in the same unit
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
@@ -50,7 +51,7 @@ struct Count_distances {
   }
 };
 
-// Histograms of the distances of the points to one plane for some shapes.
+// Histograms of the distances of points to a plane, for some shapes. The plane passes through the centroid.
 struct Distance_histograms {
   std::vector<std::uint32_t> of;    // by shape: its histogram, or no_index
   std::vector<Plane> plane;         // by histogram
@@ -70,8 +71,8 @@ void count_distances(Labeled_cloud<Backend>& points, std::int64_t epsilon, Dista
   counts.copy_back();
 }
 
-// Where the smoothed histogram has its highest peak, in epsilons; 0 unless that is
-// clearly higher than the middle, or the shape is known to be crooked.
+// Where the smoothed histogram has its highest peak, in epsilons; of equal peaks the first one. 0 unless it is clearly
+// higher than the middle, or the shape is known to be crooked. No bin has its center at 0, so 0 means no layer.
 inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
 {
   using namespace tuning::layers;
@@ -93,12 +94,14 @@ inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
   return is_crooked || peak_height.is_reached(highest, middle) ? (peak + 0.5) / bins_per_distance - 2 : 0;
 }
 
+// Whether the normals of the points lean to one side of this plane.
 struct Lean_query {
   std::uint32_t mask; // of the sample
   Plane plane;
 };
 
-// The sum of the normals of a sample of each shape, each turned to the side of the plane.
+// The sum of the normals of a sample of each shape. Each is turned to the side of the plane, since signs are arbitrary.
+// Components are below 2^15, so integers of 64 bits never overflow.
 template <class Backend>
 struct Sum_normals {
   Cloud_view cloud;
@@ -128,6 +131,7 @@ struct Sum_normals {
   }
 };
 
+// Three sums for each query, in the order of the queries.
 template <class Backend>
 std::vector<std::int64_t> sum_normals(Labeled_cloud<Backend>& points, const std::vector<std::uint32_t>& query_of,
                                       const std::vector<Lean_query>& query)
@@ -144,7 +148,8 @@ std::vector<std::int64_t> sum_normals(Labeled_cloud<Backend>& points, const std:
   return sum;
 }
 
-// The entries of shapes that are large enough, and have grown since they were examined last.
+// The entries of shapes that are large enough, and have grown by a tenth since they were examined last. So a shape is
+// examined a few times, not in each round.
 template <class Backend>
 std::vector<std::size_t> entries_to_examine(Backend& backend, const Shape_table<Backend>& shapes, const Ids& ids)
 {
@@ -161,7 +166,7 @@ std::vector<std::size_t> entries_to_examine(Backend& backend, const Shape_table<
   return entries;
 }
 
-// The mean normals of the points of these entries.
+// The mean normals of the points of these entries, which count as examined from now on.
 template <class Backend>
 std::vector<Vector> mean_normals(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Ids& ids,
                                  const std::vector<std::size_t>& entries)
@@ -190,6 +195,7 @@ struct Suspect {
   Regular_plane plane; // along the mean normal of its points
 };
 
+// Shapes whose mean normal leans, or whose distances are large. Only they get histograms.
 template <class Backend>
 std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Ids& ids,
                                        double epsilon)
@@ -213,7 +219,8 @@ std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, Shape_tab
   return suspects;
 }
 
-// Shapes of two layers leave their relations for the plane of one of them.
+// Shapes of two layers exchange their relations for the plane of one of them. After the regularity step, as its planes
+// are tested.
 template <class Backend>
 void split_layers(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                   Shape_relations& r)
