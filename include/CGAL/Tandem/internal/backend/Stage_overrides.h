@@ -15,7 +15,7 @@ namespace internal {
 // defined without reference to how it is computed, so all back ends have the same bits.
 struct No_stage_overrides {
   // Buffer<Grid_point> import_points(Backend&, Import&)
-  // The caller's points on the grid, in their order. Generic form: engine/prepare.h.
+  // The caller's points on the grid, in their order. Generic form: engine/sort_points.h.
   static constexpr bool imports_points = false;
 
   // void expect_cells(Backend&, const std::vector<Range>& cells)
