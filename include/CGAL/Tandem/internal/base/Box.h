@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bounding boxes on the grid. They are minima and maxima of integers: neither the order of points nor the number of
+// threads can change them.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_BOX_H
 #define CGAL_TANDEM_INTERNAL_BASE_BOX_H
@@ -12,7 +15,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Integer bounds of a set of points; grows only.
+// Bounds of a set of points, in grid steps; both corners belong to the box. It starts empty, with low > high, and can
+// only grow. When points are taken out of the set it stays a valid bound, though not the tightest one.
 struct Box {
   std::int32_t low[3] = {(std::numeric_limits<std::int32_t>::max)(), (std::numeric_limits<std::int32_t>::max)(),
                          (std::numeric_limits<std::int32_t>::max)()};
@@ -28,6 +32,7 @@ struct Box {
     }
   }
 
+  // An empty box changes nothing.
   CGAL_TANDEM_HD void add(const Box& b)
   {
     for(int a = 0; a < 3; ++a) {

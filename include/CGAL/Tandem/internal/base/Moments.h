@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Integer moments of a set of grid points and the least-squares plane fit.
-// Sums are exact, so they do not depend on the order of the points, and points
-// can be taken out again.
+// Integer moments of a set of grid points, and the least-squares plane that follows from them.
+// Sums are exact: they do not depend on the order of the points, and points can be taken out again. Only the step from
+// moments to a scatter matrix rounds, in a fixed order.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_MOMENTS_H
 #define CGAL_TANDEM_INTERNAL_BASE_MOMENTS_H
@@ -14,8 +14,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// __extension__ keeps -Wpedantic silent about a type that is not standard.
 __extension__ typedef __int128 Int128;
 
+// Number, sum and products of points. Product has 64 bits within a cell, 128 bits in the whole grid. The other sums
+// always fit 64 bits: 2^31 points of coordinates up to 2^28.
 template <class Product>
 struct Moment_sums {
   std::int64_t count = 0;
@@ -32,7 +35,8 @@ struct Moment_sums {
   }
 };
 
-// Relative to a point of the same cell (see cell_extent_bits).
+// Of points of one cell, relative to one of them: see cell_extent_bits for why 64 bits suffice.
+// add() with sign -1 takes a point out, here and below.
 struct Cell_moments : Moment_sums<std::int64_t> {
   CGAL_TANDEM_HD void add(std::int64_t x, std::int64_t y, std::int64_t z, int sign = 1)
   {
@@ -49,7 +53,7 @@ struct Cell_moments : Moment_sums<std::int64_t> {
   }
 };
 
-// In grid coordinates: products of up to 2^56 times 2^31 points need 128 bits.
+// Of any points, in grid coordinates: products of up to 2^56 times 2^31 points need 128 bits.
 struct Moments : Moment_sums<Int128> {
   CGAL_TANDEM_HD void add(const Grid_point& p, int sign = 1)
   {
@@ -63,7 +67,8 @@ struct Moments : Moment_sums<Int128> {
   }
 };
 
-// The same sums about the origin of the grid instead of (ox, oy, oz).
+// The same sums about the origin of the grid instead of (ox, oy, oz). Then those of all cells of a shape can be
+// added. Exact: products of q = p + o are expanded as pp' + op' + po' + oo'.
 CGAL_TANDEM_HD inline Moments shifted(const Cell_moments& m, std::int64_t ox, std::int64_t oy, std::int64_t oz)
 {
   const std::int64_t o[3] = {ox, oy, oz};
@@ -78,20 +83,22 @@ CGAL_TANDEM_HD inline Moments shifted(const Cell_moments& m, std::int64_t ox, st
   return r;
 }
 
-// Centroid and scatter matrix sum (p - centroid)(p - centroid)' of count points.
+// Centroid (grid steps) and scatter matrix (steps^2), the sum of (p - centroid)(p - centroid)' over count points.
 struct Scatter {
   double count;
   Vector centroid;
   Symmetric_matrix matrix;
 };
 
+// Far from the origin, products are huge against the scatter. So they are moved to the rounded centroid as integers,
+// before anything becomes a double. Null moments give a null matrix.
 CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
 {
   Scatter s;
   s.count = double(m.count);
   const std::int64_t n = m.count > 0 ? m.count : 1;
   std::int64_t o[3]; // the centroid, rounded: sums about it are small and exact
-  double rest[3];    // what the rounding left, times count
+  double rest[3];    // centroid - o, times count; below count
   for(int i = 0; i < 3; ++i) {
     o[i] = m.sum[i] / n;
     rest[i] = double(m.sum[i] - o[i] * n);
@@ -108,7 +115,8 @@ CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
   return s;
 }
 
-// The scatter matrix of two sets of points together.
+// The scatter matrix of two disjoint sets of points together. It is the sum of both and n m / (n + m) dd', where
+// d is the difference of the centroids.
 CGAL_TANDEM_HD inline Symmetric_matrix joint_matrix(const Scatter& a, const Scatter& b)
 {
   const Vector d = b.centroid - a.centroid;
@@ -118,13 +126,14 @@ CGAL_TANDEM_HD inline Symmetric_matrix joint_matrix(const Scatter& a, const Scat
           std::fma(e.y, d.y, s.yy), std::fma(e.y, d.z, s.yz), std::fma(e.z, d.z, s.zz)};
 }
 
-// Least-squares plane of a set of points.
+// Least-squares plane of a set of points; it passes through their centroid.
 struct Fit {
-  Vector normal;   // unit
-  double smallest; // smallest eigenvalue of the scatter: the sum of squared distances
-  double largest;
+  Vector normal;   // unit; its sign is arbitrary
+  double smallest; // smallest eigenvalue of the scatter: the sum of squared distances, in steps^2
+  double largest;  // largest eigenvalue; divided by the count, the variance along the longest axis
 };
 
+// Eigenvalues that rounding has made negative count as 0.
 CGAL_TANDEM_HD inline Fit fit_plane(const Scatter& s)
 {
   const Eigen_system e = eigen_system(s.matrix);

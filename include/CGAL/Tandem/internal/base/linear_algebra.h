@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vectors and symmetric 3x3 matrices of double whose results are the same bits
-// with every compiler and device: only + - * / sqrt fma are used, all correctly
-// rounded, and every product that meets a sum is an explicit fma, so that
+// Vectors and symmetric 3x3 matrices of double, with the same bits from every compiler and on every device. Only
+// + - * / sqrt and fma are used, which round correctly. Every product that enters a sum is an explicit fma, so that
 // nothing is left for a compiler to contract.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_LINEAR_ALGEBRA_H
@@ -45,14 +44,15 @@ CGAL_TANDEM_HD inline Vector cross(const Vector& a, const Vector& b)
 
 CGAL_TANDEM_HD inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
-// The null vector stays null.
+// The null vector stays null: it stands for a direction that does not exist.
 CGAL_TANDEM_HD inline Vector unit(const Vector& a)
 {
   const double l = length(a);
   return l > 0 ? Vector{a.x / l, a.y / l, a.z / l} : a;
 }
 
-// Of two unit normals: what the engine and the result call orthogonal.
+// The one definition of orthogonal unit normals, in the engine and in the result.
+// See the manual, "Orthogonality: Stars and Frames".
 CGAL_TANDEM_HD inline bool are_orthogonal(const Vector& a, const Vector& b)
 {
   return std::fabs(dot(a, b)) <= tuning::relations::orthogonal_dot;
@@ -73,10 +73,11 @@ CGAL_TANDEM_HD inline Vector operator*(const Symmetric_matrix& m, const Vector& 
           std::fma(m.xz, v.x, std::fma(m.yz, v.y, m.zz * v.z))};
 }
 
-// v' M v
+// v' M v. For a scatter matrix and a unit v: the sum of squared distances to the plane of normal v.
 CGAL_TANDEM_HD inline double quadratic_form(const Symmetric_matrix& m, const Vector& v) { return dot(v, m * v); }
 
-// Whether all eigenvalues are larger, within rounding: m - value I is positive definite.
+// Whether all eigenvalues are larger, within rounding: m - value I is positive definite. All pivots of an elimination
+// are then positive. This costs a few divisions instead of an eigensystem.
 CGAL_TANDEM_HD inline bool has_eigenvalues_above(const Symmetric_matrix& m, double value)
 {
   const double p = m.xx - value;
@@ -90,13 +91,14 @@ CGAL_TANDEM_HD inline bool has_eigenvalues_above(const Symmetric_matrix& m, doub
 }
 
 struct Eigen_system {
-  double value[3]; // ascending
-  Vector vector[3];
+  double value[3];  // ascending
+  Vector vector[3]; // unit, vector[i] belongs to value[i]; signs are arbitrary
 };
 
 namespace jacobi {
 
-// Annihilates a[p][q] and applies the rotation to the columns of v.
+// Annihilates a[p][q] and applies the rotation to the columns of v. Of the two possible angles the smaller one is
+// taken, which makes the sweeps converge. An entry far below the rounding of its diagonal is set to 0 at once.
 CGAL_TANDEM_HD inline void rotate(double a[3][3], double v[3][3], int p, int q)
 {
   if(std::fabs(a[p][q]) <= 1e-20 * (std::fabs(a[p][p]) + std::fabs(a[q][q]))) {
@@ -124,7 +126,8 @@ CGAL_TANDEM_HD inline void rotate(double a[3][3], double v[3][3], int p, int q)
 
 } // namespace jacobi
 
-// Cyclic Jacobi: accurate also for null, isotropic and rank-one matrices.
+// Cyclic Jacobi: accurate also for null, isotropic and rank-one matrices. It converges quadratically, so 12 sweeps are
+// only a bound. The fixed order of rotations and exchanges makes vectors of equal values the same everywhere.
 CGAL_TANDEM_HD inline Eigen_system eigen_system(const Symmetric_matrix& m)
 {
   double a[3][3] = {{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
@@ -156,7 +159,8 @@ CGAL_TANDEM_HD inline Eigen_system eigen_system(const Symmetric_matrix& m)
   return e;
 }
 
-// The integer plane through `point` with the unit normal `n`.
+// The integer plane through `point` (grid steps) with the unit normal `n`. Its offset belongs to the rounded normal, so
+// it is most accurate near the point. At the far end of the grid, rounding may move it by about a step.
 CGAL_TANDEM_HD inline Plane make_plane(const Vector& n, const Vector& point)
 {
   Plane s;
@@ -167,7 +171,9 @@ CGAL_TANDEM_HD inline Plane make_plane(const Vector& n, const Vector& point)
   return s;
 }
 
-// Octahedral code of a direction; opposite directions decode to opposite vectors.
+// Octahedral code of a direction of any length: the octahedron |x| + |y| + |z| = 1, its lower half folded outward.
+// Opposite directions decode to opposite vectors, so tests that ignore the sign of a normal cannot depend on it.
+// Components are within +-32767, so no code equals no_normal. Vectors that are null or not finite become no_normal.
 CGAL_TANDEM_HD inline std::uint32_t encode_normal(const Vector& n)
 {
   const double sum = std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
@@ -191,8 +197,8 @@ CGAL_TANDEM_HD inline std::uint32_t encode_normal(const Vector& n)
   return std::uint32_t(std::uint16_t(std::int16_t(u))) | std::uint32_t(std::uint16_t(std::int16_t(v))) << 16;
 }
 
-// The vector that a packed normal stands for: of unit length, rounded to float,
-// so that it can be written to a file as it was used. Null if there is none.
+// The vector that a packed normal stands for, of unit length; null for no_normal. It is rounded to float, so that
+// files can hold exactly the normal that was used.
 inline Vector unpacked_normal(std::uint32_t code)
 {
   const Int_vector m = decode_normal(code);

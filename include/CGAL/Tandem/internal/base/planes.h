@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Planes in the coordinates of the grid and in those of the caller.
+// Planes in double: in the coordinates of the grid and in those of the caller. Decisions on points use the integer
+// Plane of types.h; these are what is fitted, compared and exported.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_PLANES_H
 #define CGAL_TANDEM_INTERNAL_BASE_PLANES_H
@@ -18,7 +19,7 @@ namespace internal {
 
 using Coefficients = std::array<double, 4>; // a x + b y + c z + d = 0, of unit normal
 
-// normal . g = offset
+// The points g with normal . g = offset, in grid steps. The normal is unit.
 struct Regular_plane {
   Vector normal;
   double offset;
@@ -26,10 +27,11 @@ struct Regular_plane {
 
 inline Regular_plane plane_through(const Vector& normal, const Vector& point) { return {normal, dot(normal, point)}; }
 
+// The integer plane for tests of points: through the foot of the perpendicular from the origin.
 inline Plane rounded(const Regular_plane& p) { return make_plane(p.normal, p.offset * p.normal); }
 
-// An upper bound, for all points of the box, on the change of the distance to the
-// plane when it moves from a to b.
+// Bounds, over all points of a box, the change of the distance when a plane moves from a to b. In steps. The
+// difference of both distances is linear, so its extremes are at two opposite corners. Signs of normals are ignored.
 inline double bound_motion(const Box& box, const Regular_plane& a, const Regular_plane& b)
 {
   const double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plain data of the engine: points on an integer grid, planes with integer
-// coefficients, and the predicate that decides everything, fits().
+// The plain data of the engine: points on an integer grid, and planes with integer coefficients. fits() is the test
+// that decides whether a point may belong to a plane. All of it is integer arithmetic without overflow, so that hosts
+// and devices decide alike. See the manual, "Grid and Units".
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TYPES_H
 #define CGAL_TANDEM_INTERNAL_BASE_TYPES_H
@@ -19,6 +20,7 @@
 #error "Tandem needs 128-bit integers: use g++ or clang on a 64-bit machine"
 #endif
 
+// Marks what runs on the host and on a device from the same source.
 #ifdef __CUDACC__
 #define CGAL_TANDEM_HD __host__ __device__
 #else
@@ -29,21 +31,22 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The length of the normal of an integer plane.
+// The length of the normal of an integer plane is 2^28. Signed distances are in units of 2^-28 steps for that reason.
 constexpr int normal_bits = 28;
 constexpr double normal_scale = double(std::int64_t(1) << normal_bits);
 
 // Coordinates stay within +-2^28, so that n.p + d fits int64 (28 + 28 + log2(3) + 1 < 63).
 
-// A cell is at most 2^23 steps wide and has at most 2^16 points: the products of two
-// cell-relative coordinates then sum to at most 2^62.
+// A cell is at most 2^23 steps wide and has at most 2^16 points. Products of two coordinates relative to a point of the
+// cell then sum to at most 2^62.
 constexpr int cell_extent_bits = 23;
 
+// No point, no item. Positions are below 2^31, so it is also larger than all of them in a minimum.
 constexpr std::uint32_t no_index = 0xffffffffu;
 
 struct Grid_point {
   std::int32_t x, y, z; // steps of the grid, relative to its origin
-  std::uint32_t normal; // octahedral, 2 x 16 bits; no_normal if there is none
+  std::uint32_t normal; // octahedral, 2 x 16 bits (see encode_normal()); no_normal if there is none
 };
 
 // Positions [first, last) in the sorted cloud.
@@ -52,12 +55,13 @@ struct Range {
   CGAL_TANDEM_HD std::uint32_t size() const { return last - first; }
 };
 
-// What is to be done where there is nothing to do.
+// A callback without effect.
 struct Nothing {
   void operator()() const {}
 };
 
-// The first i in [first, last) without f(i), or last. f holds up to some place, and not from there on.
+// The first i in [first, last) without f(i), or last, by bisection. f must hold up to some place, and not from there
+// on. std::partition_point needs iterators and does not run on a device.
 template <class F>
 CGAL_TANDEM_HD std::uint32_t partition_point(std::uint32_t first, std::uint32_t last, F f)
 {
@@ -75,10 +79,11 @@ struct Int_vector {
   std::int32_t x, y, z;
 };
 
+// Both components are -32768, which no direction has.
 constexpr std::uint32_t no_normal = 0x80008000u;
 
-// Octahedral normals: the vector has an L1 norm of 32767 and is not unit. The
-// code no_normal decodes to the null vector.
+// The direction of an octahedral code, as integers. It has an L1 norm of 32767 and is not unit: tests compare squared
+// cosines instead of normalizing. no_normal decodes to the null vector.
 CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
 {
   if(code == no_normal)
@@ -88,17 +93,17 @@ CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
   const std::int32_t au = u < 0 ? -u : u;
   const std::int32_t av = v < 0 ? -v : v;
   const std::int32_t w = 32767 - au - av;
-  const std::int32_t folded = w < 0 ? -w : 0; // no branch: which side it is cannot be predicted
+  const std::int32_t folded = w < 0 ? -w : 0; // compiles without a branch, which could not be predicted
   return {u < 0 ? u + folded : u - folded, v < 0 ? v + folded : v - folded, w};
 }
 
-// nx x + ny y + nz z + d = 0, with |(nx, ny, nz)| = 2^28 up to rounding.
+// nx x + ny y + nz z + d = 0, with |(nx, ny, nz)| = 2^28 up to rounding. The sign of the normal has no meaning.
 struct Plane {
   std::int32_t nx, ny, nz;
   std::int64_t d;
 };
 
-// distance: epsilon in grid steps times 2^28. squared_cosine: cos^2(alpha) times 2^32.
+// The bounds of fits(). distance: epsilon in grid steps times 2^28. squared_cosine: cos^2(alpha) times 2^32.
 struct Tolerance {
   std::int64_t distance;
   std::int64_t squared_cosine;
@@ -110,24 +115,26 @@ CGAL_TANDEM_HD inline std::int64_t signed_distance(const Plane& s, const Grid_po
   return std::int64_t(s.nx) * p.x + std::int64_t(s.ny) * p.y + std::int64_t(s.nz) * p.z + s.d;
 }
 
+// Whether the point is within the distance, of the same unit; both sides of the plane count alike.
 CGAL_TANDEM_HD inline bool is_near(const Plane& s, const Grid_point& p, std::int64_t distance)
 {
   const std::int64_t e = signed_distance(s, p);
   return (e < 0 ? -e : e) <= distance;
 }
 
-// The cosine of the angle between the normals, squared, as a fraction of numbers
-// below 2^62 and 2^30.
+// The squared cosine of the angle between two normals, times 2^32, as a fraction of numbers below 2^62 and 2^30.
+// A comparison with cos^2(alpha) needs no division, and its product stays below 2^62.
 struct Squared_cosine {
   std::int64_t squared_dot, squared_length;
 
+  // A null normal is never aligned, whatever the bound.
   CGAL_TANDEM_HD bool is_at_least(std::int64_t squared_cosine) const
   {
     return squared_dot > 0 && squared_dot >= squared_length * squared_cosine;
   }
 };
 
-// Of the normals of a plane and of a point.
+// The dot product of the normals of a plane and of a point: below 2^43.
 CGAL_TANDEM_HD inline std::int64_t normal_product(const Plane& s, const Int_vector& m)
 {
   return std::int64_t(s.nx) * m.x + std::int64_t(s.ny) * m.y + std::int64_t(s.nz) * m.z;
@@ -137,17 +144,18 @@ CGAL_TANDEM_HD inline Squared_cosine squared_cosine(const Plane& s, const Grid_p
 {
   const Int_vector m = decode_normal(p.normal);
   const std::int64_t product = normal_product(s, m);
-  const std::int64_t dot = (product < 0 ? -product : product) >> 12; // < 2^31
+  const std::int64_t dot = (product < 0 ? -product : product) >> 12; // < 2^31, so that its square fits
   const std::int64_t length2 = std::int64_t(m.x) * m.x + std::int64_t(m.y) * m.y + std::int64_t(m.z) * m.z;
   return {dot * dot, length2};
 }
 
-// Unoriented: |cos| between the normals against alpha, squared.
+// Whether the normals are within alpha of each other. Orientation is ignored.
 CGAL_TANDEM_HD inline bool is_aligned(const Plane& s, const Grid_point& p, std::int64_t minimum_squared_cosine)
 {
   return squared_cosine(s, p).is_at_least(minimum_squared_cosine);
 }
 
+// Whether a point fits a plane: the definition of the manual, in its first table of terms.
 CGAL_TANDEM_HD inline bool fits(const Plane& s, const Grid_point& p, const Tolerance& t)
 {
   return is_near(s, p, t.distance) && is_aligned(s, p, t.squared_cosine);

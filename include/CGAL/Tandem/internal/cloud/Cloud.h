@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The engine's view of a point cloud, and how its grid lies in the caller's space.
+// The sorted cloud with its neighbor graph, as all stages read it, and the position of its grid in space. After the
+// preparation no stage changes it.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
@@ -12,22 +13,23 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// caller = origin + step * grid. The step is a power of two, the origin a
-// multiple of it, so that moving a cloud by multiples of the step does not
-// change the grid coordinates.
+// Caller's coordinates = origin + step * grid coordinates. The step is a power of two, the origin a multiple of it. So
+// a translation of the cloud by multiples of the step does not change the grid coordinates.
 struct Grid {
   Vector origin = {0, 0, 0};
   double step = 1;
   bool is_coarse = false; // the step is larger than epsilon / 1024, because of the extent of the cloud
 };
 
-// Not -fma(...): g++ makes one instruction of it, and has the other zero than without that.
+// The plane in the caller's coordinates, with the same normal. It is 0. - fma(...) and not -fma(...): where g++ fuses
+// the negation, the sign of a zero would change.
 inline Coefficients to_caller(const Regular_plane& p, const Grid& grid)
 {
   return {p.normal.x, p.normal.y, p.normal.z, 0. - std::fma(grid.step, p.offset, dot(p.normal, grid.origin))};
 }
 
-// Points in the order of the curve. All arrays are parallel.
+// Points in the order of the curve, and the neighbor graph. Tables of points have the same index throughout the engine,
+// the position in this order. Rows of neighbors ascend by squared distance, then by position.
 struct Cloud_view {
   const Grid_point* point;
   const std::uint32_t* neighbor; // k consecutive entries a point: positions in this order, no_index if none
@@ -37,7 +39,7 @@ struct Cloud_view {
   CGAL_TANDEM_HD const std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::size_t(k); }
 };
 
-// The sorted cloud: owns what a Cloud_view shows.
+// Owns the tables of a Cloud_view, where the functors of the back end run: 20 + 4 k bytes a point.
 template <class Backend>
 struct Sorted_cloud {
   template <class T>
@@ -49,7 +51,7 @@ struct Sorted_cloud {
 
   Buffer<Grid_point> point;
   Buffer<std::uint32_t> neighbor;
-  Buffer<std::uint32_t> order; // the imported point of each one
+  Buffer<std::uint32_t> order; // position in the import of each point
   int k = 0;
 };
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the caller gave, and the grid it is put on. Plain data: all back ends see it.
+// The caller's valid points as read by import_cloud.h, and the choice of the grid they are rounded to. All of it is
+// plain data of the host, so back ends share it. A device replaces only the place where the values are kept.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
@@ -21,6 +22,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Bounds in the caller's coordinates. Like Box it starts empty and only grows.
 struct Coordinate_box {
   double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
   double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -42,7 +44,7 @@ struct Coordinate_box {
     }
   }
 
-  // Not of no points.
+  // The longest side; -infinity for an empty box.
   double extent() const { return (std::max)((std::max)(high[0] - low[0], high[1] - low[1]), high[2] - low[2]); }
 };
 
@@ -51,7 +53,8 @@ CGAL_TANDEM_HD inline double largest_component(const Vector& v)
   return std::fmax(std::fmax(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
 }
 
-// To unit length, also where the squares overflow or vanish.
+// To unit length, also where squares would overflow or vanish. Then it is divided by the largest component before. The
+// null vector gives NaN in that case; valid normals are never null.
 CGAL_TANDEM_HD inline Vector normalized(const Vector& v)
 {
   const double largest = largest_component(v);
@@ -60,37 +63,41 @@ CGAL_TANDEM_HD inline Vector normalized(const Vector& v)
   return unit(v);
 }
 
-// The caller's values, where an engine has taken them while they were read.
+// Coordinates and normals that were sent to a device while they were read. The tables of the import are not filled yet.
 class Uploaded_values {
 public:
   virtual ~Uploaded_values() = default;
-  // Fills the tables of the import, once.
+  // Fills the tables of the import. Further calls have no effect.
   virtual void bring() = 0;
 };
 
-// Of an engine that works where the caller's values are: nothing has to go anywhere.
+// The upload of an engine that runs on the host: values are read into the tables and stay there. Other engines supply
+// a class with the same functions.
 struct No_upload {
-  // What is read at a time, by one thread.
+  // A number of consecutive points that one thread reads.
   struct Piece {
     std::size_t size;
-    char* values = nullptr; // where to: coordinates, then normals; null: to the tables
+    char* values = nullptr; // destination of coordinates, then normals; null: the tables of the import
   };
 
-  // Of so many points; the memory of the tables has to stay.
+  // Called once, with the tables and the number of points. The memory of the tables must stay where it is.
   void start(Vector_table&, Vector_table&, std::size_t) {}
-  // Of at most so many points.
+  // The next piece of a thread: at most so many points.
   Piece begin(std::size_t maximum) { return {maximum}; }
-  // The piece holds the points from this one on.
+  // The piece has been read. The number is the position of its first point.
   void end(const Piece&, std::size_t) {}
+  // Called once, after all pieces. Null: the values are in the tables.
   std::shared_ptr<Uploaded_values> finish() { return nullptr; }
 };
 
+// The valid points of the caller's range, in its order. Tables of points are indexed by this order until the cloud is
+// sorted. Points with a value that is not finite, or with a null normal, are left out and counted.
 struct Import {
-  std::size_t count = 0;                     // valid points: those below, in the caller's order
-  Vector_table coordinates;                  // as the caller gave them
+  std::size_t count = 0;                     // of valid points
+  Vector_table coordinates;                  // of the valid points, as they were read
   Vector_table normals;                      // the same, of any length; empty if they are to be estimated
   std::vector<std::uint32_t> item;           // position in the caller's range; empty means identity
-  std::shared_ptr<Uploaded_values> uploaded; // then the values are in the tables only after bring_values()
+  std::shared_ptr<Uploaded_values> uploaded; // if set, the tables are filled only after bring_values()
   bool has_normals = false;
   Coordinate_box box;
 
@@ -107,22 +114,25 @@ struct Import {
   Vector normal(std::size_t i) const { return normalized(normals[i]); }
   std::size_t item_of(std::size_t i) const { return item.empty() ? i : item[i]; }
 
+  // Copies values from a device to the tables, if they are there.
   void bring_values() const
   {
     if(uploaded != nullptr)
       uploaded->bring();
   }
 
+  // The same, and frees the memory of the device.
   void drop_upload()
   {
     bring_values();
     uploaded.reset();
   }
 
-  // Of a point and its normal.
+  // Bytes of the values of a point and its normal.
   std::size_t value_bytes() const { return coordinates.vector_bytes() * (has_normals ? 2 : 1); }
 
-  // A total order of the points by what the caller gave.
+  // A total order by coordinates, then normals, for points that are equal on the grid. Their order in the caller's
+  // range matters only for exact duplicates, which are interchangeable.
   bool precedes(std::size_t i, std::size_t j) const
   {
     const auto values = [](const Vector& v) { return std::make_tuple(v.x, v.y, v.z); };
@@ -136,9 +146,8 @@ struct Import {
   }
 };
 
-// The origin is the middle of the box, counted in steps and rounded down, so that
-// it moves with a cloud that moves by multiples of the step. False if the cloud
-// does not fit into +- 2^28 steps.
+// The origin is the middle of the box, counted in steps and rounded down. So it moves with a cloud that moves by
+// multiples of the step. Returns false if the cloud does not fit into +-2^28 steps; 4 are kept for rounding.
 inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)
 {
   double origin[3];
@@ -155,7 +164,8 @@ inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)
   return true;
 }
 
-// epsilon has 1024 to 2047 steps; at least 16 where the extent asks for a coarser grid.
+// The grid of a cloud: epsilon has 1,024 to 2,047 steps, or less where the extent needs a coarser grid. Throws if it
+// had less than 16. See the manual, "Grid and Units".
 inline Grid make_grid(const Coordinate_box& box, double epsilon)
 {
   const double finest = std::ldexp(1.0, std::ilogb(epsilon) - tuning::grid::steps_per_distance_bits);
@@ -171,7 +181,8 @@ inline Grid make_grid(const Coordinate_box& box, double epsilon)
                          to_text(box.extent()) + ": allowed is an extent of up to 2^24 times maximum_distance");
 }
 
-// v rounded to the nearest integer, |v| < 2^31. Adding 1.5 x 2^52 leaves no place for fractions.
+// v rounded to the nearest integer, |v| < 2^31. Next to 1.5 * 2^52 doubles are integers, so the addition rounds. It
+// vectorizes, unlike llrint().
 CGAL_TANDEM_HD inline std::int32_t nearest_integer(double v)
 {
   const double magic = 6755399441055744.0;
@@ -179,14 +190,15 @@ CGAL_TANDEM_HD inline std::int32_t nearest_integer(double v)
   return std::int32_t(shifted - magic);
 }
 
-// The step is a power of two, so the product is exact and cells nothing to contract.
+// A point in steps of the grid. The step is a power of two, so the products are exact, and contraction to fma cannot
+// change a bit.
 CGAL_TANDEM_HD inline Grid_point to_grid(const Grid& grid, double inverse_step, const Vector& p, std::uint32_t normal)
 {
   return {nearest_integer((p.x - grid.origin.x) * inverse_step), nearest_integer((p.y - grid.origin.y) * inverse_step),
           nearest_integer((p.z - grid.origin.z) * inverse_step), normal};
 }
 
-// Fills in.grid and the corners of the box.
+// Fills in.grid and the corners of the box on the grid. Rounding is monotone, so all points lie between them.
 inline void choose_grid(Import& in, double epsilon)
 {
   if(in.size() == 0)
@@ -197,12 +209,13 @@ inline void choose_grid(Import& in, double epsilon)
   in.high = to_grid(in.grid, 1 / in.grid.step, {box.high[0], box.high[1], box.high[2]}, no_normal);
 }
 
-// Of the caller's points, to the grid that has been chosen.
+// Writes point[i], the imported point i on the grid that has been chosen, with its packed normal. Hosts and devices run
+// the same functor, so that their bits are the same.
 struct Place_on_grid {
   Grid grid;
   double inverse_step;
   Vectors_view coordinates;
-  Vectors_view normals; // of any length; may be none
+  Vectors_view normals; // of any length; without data where they are to be estimated
   Grid_point* point;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -217,7 +230,7 @@ inline Place_on_grid place_on_grid(const Import& in, Grid_point* point)
   return {in.grid, 1 / in.grid.step, in.coordinates.view(), in.normals.view(), point};
 }
 
-// Fills in.grid and in.point.
+// Fills in.grid and in.point, for callers that need the points of the host in their order.
 template <class Backend>
 void put_on_grid(Backend& backend, Import& in, double epsilon)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order of the cloud along a space-filling curve, and the octree cells, which
-// are ranges of that order.
+// The order of the cloud along the Hilbert curve, and the octree cells, which are ranges of that order. Only positions
+// are sorted here; engine/sort_points.h moves the points. Neither result depends on the order of the caller's points.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A cube of 2^21 steps of 2^shift around the cloud.
+// The root of the octree: a cube of 2^21 finest octants a side around the cloud. A finest octant is 2^shift steps wide.
+// Unsigned differences to the low corner cannot overflow: the cloud has at most 2^29 steps.
 struct Code_frame {
   std::int32_t low[3];
   int shift;
@@ -32,7 +33,8 @@ struct Code_frame {
                         std::uint32_t(p.z - low[2]) >> shift);
   }
 
-  // The order within one finest octant, which matters where far outliers make that large.
+  // The order within one finest octant, which matters where far outliers make it large. shift is at most 8, so the code
+  // has at most 24 bits.
   CGAL_TANDEM_HD std::uint64_t code_inside(const Grid_point& p) const
   {
     const std::uint32_t mask = (1u << shift) - 1;
@@ -41,7 +43,7 @@ struct Code_frame {
   }
 };
 
-// Around the points between two corners.
+// The smallest frame around all points between two corners.
 inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high)
 {
   Code_frame frame = {{low.x, low.y, low.z}, 0};
@@ -52,7 +54,7 @@ inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high)
   return frame;
 }
 
-// Around all points.
+// The smallest frame around the given points.
 inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
 {
   Box box;
@@ -62,6 +64,7 @@ inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
                : Code_frame{{0, 0, 0}, 0};
 }
 
+// Writes the code of each point as its key of the sort.
 template <class Table>
 struct Write_codes {
   const Grid_point* point;
@@ -71,6 +74,8 @@ struct Write_codes {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(i, frame.code(point[i]), std::uint32_t(i)); }
 };
 
+// Whether the key at position i of the sorted table equals one beside it. Sorts of back ends need not be stable, so the
+// order of equal keys is undefined up to here.
 template <class Table>
 struct Is_tied {
   Table order;
@@ -87,15 +92,16 @@ struct Tied_point {
   std::uint64_t code, code_inside;
   Grid_point point;
   std::uint32_t index;
-  std::uint32_t gap = 0; // without it there were bytes that nobody writes
+  std::uint32_t gap = 0; // instead of padding: copies between host and device have no undefined bytes
 };
 
+// Copies the point at place[i] of the sorted table to item i, for the sort of ties on the host.
 template <class Table>
 struct Gather_tied {
   Table order;
-  const Grid_point* point;
+  const Grid_point* point; // in the order before the sort
   Code_frame frame;
-  const std::uint32_t* place;
+  const std::uint32_t* place; // positions of the ties, ascending
   Tied_point* tied;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
@@ -105,6 +111,7 @@ struct Gather_tied {
   }
 };
 
+// Writes item i back to place[i]. Codes at these places are the same as before; only indices change.
 template <class Table>
 struct Scatter_tied {
   Table order;
@@ -114,18 +121,19 @@ struct Scatter_tied {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(place[i], tied[i].code, tied[i].index); }
 };
 
+// What orders points of equal code: position within the octant, then all that is known of them on the grid.
 inline auto key_within_code(const Tied_point& t)
 {
   return std::tie(t.code_inside, t.point.x, t.point.y, t.point.z, t.point.normal);
 }
 
-// The same on the grid.
+// Whether two points are the same on the grid, with their normals.
 inline bool are_equal_on_grid(const Tied_point& a, const Tied_point& b)
 {
   return a.code == b.code && key_within_code(a) == key_within_code(b);
 }
 
-// Sorts each stretch of neighbors that are alike.
+// Sorts each maximal stretch of consecutive items that are alike, one stretch on one thread.
 template <class Backend, class Alike, class Less>
 void sort_stretches(Backend& backend, std::vector<Tied_point>& tied, Alike are_alike, Less less)
 {
@@ -138,8 +146,9 @@ void sort_stretches(Backend& backend, std::vector<Tied_point>& tied, Alike are_a
   backend.for_each_on_host(start.size() - 1, [&](std::size_t s) { std::sort(at(s), at(s + 1), less); });
 }
 
-// Decides between points that are the same on the grid: precedes(i, j) is a total order of their positions that depends
-// on these only for exact duplicates. It is called on the host, if there are such points, and after prepare().
+// Orders points that are the same on the grid. precedes(i, j) is a total order of their indices, which depends on
+// these only for exact duplicates. It is called on the host, and after prepare(), which copies values from a device.
+// Neither is called where no two points are the same.
 template <class Precedes = std::less<std::uint32_t>, class Prepare = Nothing>
 struct Tie_order {
   Precedes precedes = Precedes();
@@ -152,7 +161,7 @@ Tie_order<Precedes, Prepare> make_tie_order(Precedes precedes, Prepare prepare)
   return {precedes, prepare};
 }
 
-// Sorts the points of each code by (code inside, coordinates, normal), then in the order of ties.
+// Sorts the points of each code by (code inside, coordinates, normal), then those that are still equal by `ties`.
 template <class Backend, class Ties>
 void sort_tied(Backend& backend, std::vector<Tied_point>& tied, const Ties& ties)
 {
@@ -166,8 +175,8 @@ void sort_tied(Backend& backend, std::vector<Tied_point>& tied, const Ties& ties
                  [&](const Tied_point& a, const Tied_point& b) { return ties.precedes(a.index, b.index); });
 }
 
-// Sorts positions of `point` along the curve. With a total order of ties the result does not depend on the order of the
-// points.
+// The indices of `point`, sorted by code. The back end sorts by the code only. The few ties go to the host and back.
+// With a total order of ties the result does not depend on the order of the points.
 template <class Backend, class Ties = Tie_order<>>
 typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
                                               const Code_frame& frame, const Ties& ties = Ties())
@@ -189,7 +198,8 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point
   return order;
 }
 
-// Where the eight octants of a range begin: in bound[9 i] ... bound[9 i + 8].
+// Writes where the eight octants of range i begin, and the end, to bound[9 i] ... bound[9 i + 8]. Each is found by
+// bisection, since codes ascend; no point is visited.
 template <class Table>
 struct Find_octants {
   Table order;
@@ -205,9 +215,9 @@ struct Find_octants {
   }
 };
 
-// The octree cells, ascending. The root octant is split until a cell has at most
-// cell_size points and is at most 2^23 steps wide; points of one finest octant are
-// cut in the order of the sort.
+// Computes the octree cells, as ascending ranges that cover the sorted cloud. The root octant is split until a cell has
+// at most cell_size points and is at most 2^23 steps wide. See cell_extent_bits for that bound. Points of one finest
+// octant are cut in the order of the sort; such an octant is never too wide.
 template <class Backend>
 class Cell_splitter {
 public:
@@ -226,7 +236,7 @@ public:
   }
 
 private:
-  // All octants of a level at once.
+  // Splits all open octants of the level above at once, so that a device has one launch a level.
   void split(int level, std::vector<Range>& open)
   {
     using Table = typename Backend::Sort_table::View;
@@ -243,6 +253,7 @@ private:
     open.swap(next);
   }
 
+  // An octant of the level becomes a cell, is split further, or is cut if it is a finest one.
   void take(const Range& r, int level, std::vector<Range>& open)
   {
     const bool is_narrow = curve_bits - level + shift_ <= cell_extent_bits;
@@ -262,6 +273,7 @@ private:
   std::vector<Range> cells_;
 };
 
+// The cells of a sorted cloud.
 template <class Backend>
 std::vector<Range> split_cells(Backend& backend, const typename Backend::Sort_table& order, const Code_frame& frame,
                                std::size_t cell_size)

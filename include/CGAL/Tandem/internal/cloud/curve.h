@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Hilbert curve through a cube of 2^21 positions an axis. Each octant of the
-// cube, and each octant of an octant, is one contiguous range of codes, so a
-// cloud in the order of the codes is also in the order of an octree.
+// The Hilbert curve through a cube of 2^21 positions an axis. Each octant of the cube, and each octant of an octant, is
+// one contiguous range of codes. So a cloud in the order of the codes is also in the order of an octree. Consecutive
+// positions are adjacent, unlike those of Morton codes, so ranges of points are compact.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CURVE_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CURVE_H
@@ -14,9 +14,10 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// A code has 3 * 21 = 63 bits.
 constexpr int curve_bits = 21;
 
-// Moves bit i of v < 2^21 to bit 3 i.
+// Moves bit i of v < 2^21 to bit 3 i, so that three coordinates can be interleaved.
 CGAL_TANDEM_HD inline std::uint64_t spread_bits(std::uint32_t v)
 {
   std::uint64_t s = v;
@@ -40,10 +41,9 @@ CGAL_TANDEM_HD inline std::uint32_t parity_above(std::uint32_t v)
   return v;
 }
 
-// Skilling's construction (2004): from the top level down, the lower bits are
-// taken into the frame of the octant they lie in, by a reflection and up to two
-// exchanges of axes. There are no branches and no tables, so loops over points
-// vectorize.
+// One level of Skilling's construction (2004), from the top level down. The lower bits are taken to the frame of
+// their octant: a reflection and up to two swaps of axes. There are no branches and no tables, so loops over
+// points vectorize.
 CGAL_TANDEM_HD inline void enter_octant(std::uint32_t& x, std::uint32_t& y, std::uint32_t& z, int bit)
 {
   const std::uint32_t below = (1u << bit) - 1;
@@ -58,7 +58,7 @@ CGAL_TANDEM_HD inline void enter_octant(std::uint32_t& x, std::uint32_t& y, std:
   z ^= xz;
 }
 
-// A Gray code gives the order of the octants.
+// The code from the transformed coordinates. Octants of a level follow each other in a Gray code, which is undone here.
 CGAL_TANDEM_HD inline std::uint64_t interleave_octants(std::uint32_t x, std::uint32_t y, std::uint32_t z)
 {
   y ^= x;
@@ -67,6 +67,7 @@ CGAL_TANDEM_HD inline std::uint64_t interleave_octants(std::uint32_t x, std::uin
   return spread_bits(x ^ flip) << 2 | spread_bits(y ^ flip) << 1 | spread_bits(z ^ flip);
 }
 
+// The position along the curve; all coordinates are below 2^21.
 CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t y, std::uint32_t z)
 {
   for(int bit = curve_bits - 1; bit > 0; --bit)
@@ -74,7 +75,7 @@ CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t 
   return interleave_octants(x, y, z);
 }
 
-// The same for eight points at once, at a third of the time. Destroys the coordinates.
+// The same for eight points at once, which vectorizes: a third of the time. The coordinates are overwritten.
 inline void hilbert_codes(std::uint32_t (&x)[8], std::uint32_t (&y)[8], std::uint32_t (&z)[8], std::uint64_t (&code)[8])
 {
   for(int bit = curve_bits - 1; bit > 0; --bit)

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The border on the way in: the caller's range is read once.
+// Reads the caller's range once, through its property maps and traits, into an Import. Invalid points are dropped and
+// counted here; all later stages rely on finite coordinates and normals that are not null. No other file of the
+// engine depends on types of the caller.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
@@ -22,11 +24,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Reads one item at a time through the maps of the traits.
+// Converts one item at a time, through the maps and functors of the traits, to three numbers.
 template <class Traits>
 class Item_reader {
 public:
-  // What keeps all that a coordinate has.
+  // float for float, as it takes half the memory; double for all other number types.
   using Value = typename std::conditional<std::is_same<typename Traits::FT, float>::value, float, double>::type;
 
   Item_reader(const Traits& traits, typename Traits::Point_map point_map, typename Traits::Normal_map normal_map)
@@ -57,6 +59,7 @@ private:
     out[2] = value(z_(g));
   }
 
+  // Exact numbers become the nearest doubles, or close to them: see CGAL::to_double().
   static Value value(const typename Traits::FT& x)
   {
     if constexpr(std::is_same<typename Traits::FT, Value>::value)
@@ -72,6 +75,7 @@ private:
   typename Traits::Normal_map normal_map_;
 };
 
+// Allocates the tables for `size` points. Positions of points are below 2^31: see no_index.
 template <class Value>
 void start_import(Import& in, std::size_t size, bool has_normals)
 {
@@ -85,16 +89,17 @@ void start_import(Import& in, std::size_t size, bool has_normals)
     in.normals.reset<Value>(size);
 }
 
-// Where values are.
+// Consecutive points in memory: three values a point, and as many of normals.
 template <class Value>
 struct Values {
   Value* point;
   Value* normal; // null: there are none
 
+  // The points from the i-th on.
   Values from(std::size_t i) const { return {point + 3 * i, normal != nullptr ? normal + 3 * i : nullptr}; }
 };
 
-// Reads the items [first, last).
+// Reads the items [first, last) to the beginning of `values`.
 template <class Traits, class Value>
 void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_range& points, std::size_t first,
                 std::size_t last, Values<Value> values)
@@ -107,7 +112,9 @@ void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_
   }
 }
 
-// These three have no branches, so that they run on wide instructions. All take n values, three of each point.
+// The next three functions take n values, three of each point. They have no branches, so that they vectorize.
+
+// Whether no value is infinite or NaN. The comparison is false for NaN.
 template <class Value>
 bool are_finite(const Value* v, std::size_t n)
 {
@@ -117,6 +124,7 @@ bool are_finite(const Value* v, std::size_t n)
   return is_other == 0;
 }
 
+// Whether a vector is null.
 template <class Value>
 bool has_null(const Value* v, std::size_t n)
 {
@@ -126,6 +134,7 @@ bool has_null(const Value* v, std::size_t n)
   return is_null != 0;
 }
 
+// The bounds of finite values. Element k of the tables belongs to axis k % 3.
 template <class Value>
 Coordinate_box box_around(const Value* v, std::size_t n)
 {
@@ -144,6 +153,7 @@ Coordinate_box box_around(const Value* v, std::size_t n)
     low[i % 3] = (std::min)(low[i % 3], v[i]);
     high[i % 3] = (std::max)(high[i % 3], v[i]);
   }
+  // Minima and maxima are the same in any order.
   Coordinate_box box;
   for(std::size_t k = 0; k < lanes; ++k) {
     box.low[k % 3] = (std::min)(box.low[k % 3], double(low[k]));
@@ -152,7 +162,7 @@ Coordinate_box box_around(const Value* v, std::size_t n)
   return box;
 }
 
-// Whether the points can be used, with their normals.
+// Whether all points are valid: finite coordinates, and finite normals that are not null.
 template <class Value>
 bool are_usable(const Values<Value>& values, std::size_t points)
 {
@@ -161,7 +171,7 @@ bool are_usable(const Values<Value>& values, std::size_t points)
          (values.normal == nullptr || (are_finite(values.normal, n) && !has_null(values.normal, n)));
 }
 
-// The box around those of the points that can be used. False if some cannot.
+// Adds the valid points to the box. Returns false if some are invalid. The points are tested one by one only then.
 template <class Value>
 bool inspect_points(const Values<Value>& values, std::size_t points, Coordinate_box& box)
 {
@@ -174,7 +184,8 @@ bool inspect_points(const Values<Value>& values, std::size_t points, Coordinate_
   return is_complete;
 }
 
-// Closes the gaps, and notes where the points that are left come from.
+// Moves valid points together, in their order, and records their positions in the caller's range. Invalid points are
+// counted by reason. It runs on one thread of the host.
 template <class Value>
 void drop_invalid(Import& in)
 {
@@ -196,8 +207,9 @@ void drop_invalid(Import& in)
   in.count = kept;
 }
 
-// The caller's range without the points that cannot be used: a coordinate is not finite, or the normal is
-// null or not finite. They are read to where an engine takes them from, if it does, else to the tables.
+// The valid points of the caller's range. They are read in parallel, in batches that are inspected while they are in
+// the cache. Each piece goes to the memory that `upload` supplies, else to the tables. Threads write different points
+// and one box a grain. is_complete is shared, but only ever set to false.
 template <class Traits, class Backend, class Upload = No_upload>
 Import read_points(Backend& backend, const typename Traits::Point_range& points, const Item_reader<Traits>& reader,
                    Upload upload = Upload())
@@ -207,12 +219,13 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   Import in;
   start_import<Value>(in, std::size_t(points.end() - points.begin()), Traits::has_normal_map);
   upload.start(in.coordinates, in.normals, in.count);
-  // Number types that compute lazily are not meant to be read by several threads.
+  // Number types that compute lazily are not safe to read from several threads: one piece, one thread.
   constexpr bool is_plain = std::is_floating_point<typename Traits::FT>::value;
   const std::size_t grain = is_plain ? 65536 : in.count + 1;
   std::vector<Coordinate_box> boxes((in.count + grain - 1) / grain);
   std::atomic<bool> is_complete(true);
   const Values<Value> tables = {in.coordinates.data<Value>(), in.normals.data<Value>()};
+  // The items [first, last), to the memory of `values`.
   const auto read = [&](std::size_t first, std::size_t last, const Values<Value>& values, Coordinate_box& box) {
     constexpr std::size_t batch = 512; // stays in the first cache
     for(std::size_t i = first; i < last; i += batch) {
@@ -224,6 +237,7 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   };
   backend.for_each_piece(in.count, grain, [&](std::size_t first, std::size_t last) {
     for(std::size_t i = first; i < last;) {
+      // An upload may have room for a part of the range only.
       const typename Upload::Piece piece = upload.begin(last - i);
       Values<Value> values = tables.from(i);
       if(piece.values != nullptr) {

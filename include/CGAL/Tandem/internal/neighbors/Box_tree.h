@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A tree of boxes over consecutive points of the sorted cloud. It has no
-// pointers: node m of level l covers the buckets [m 8^l, (m + 1) 8^l), and a bucket
-// is eight points.
+// A tree of boxes over consecutive points of the sorted cloud. A bucket is eight points. There are no pointers: node m
+// of level l covers the buckets [m 8^l, (m + 1) 8^l). Points along the curve are compact, so boxes are small without
+// any choice of splits. It is built once for the neighbor search on the host, in linear time, and not changed.
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_BOX_TREE_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_BOX_TREE_H
@@ -17,26 +17,30 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Eight points or boxes fill a Float8, so a bucket or the children of a node are tested at once.
 constexpr std::uint32_t bucket_bits = 3;
 constexpr std::uint32_t bucket_size = 1u << bucket_bits;
 constexpr std::uint32_t branch_bits = 3;
 constexpr std::uint32_t branching = 1u << branch_bits;
+// Enough for 2^32 points; level 0 are the buckets.
 constexpr int maximum_levels = 1 + (32 - bucket_bits + branch_bits - 1) / branch_bits;
 
-// The coordinates of eight points; the last bucket repeats its last point.
+// The coordinates of eight points, by axis for loads of Float8. The last bucket repeats its last point.
 struct Point_bucket {
   std::int32_t x[bucket_size], y[bucket_size], z[bucket_size];
 };
 
+// Corners in grid steps; both belong to the box. Unlike Box it is never empty.
 struct Node_box {
   std::int32_t low[3], high[3];
 };
 
-// The boxes of eight siblings; where there are fewer, the last one is repeated.
+// The boxes of eight siblings, by axis. Where there are fewer, the last one is repeated.
 struct Sibling_boxes {
   std::int32_t low[3][branching], high[3][branching];
 };
 
+// The smallest box around both.
 inline Node_box joined(const Node_box& a, const Node_box& b)
 {
   Node_box r;
@@ -47,7 +51,8 @@ inline Node_box joined(const Node_box& a, const Node_box& b)
   return r;
 }
 
-// Exact: the sides are at most 2^30 steps, the sum is below 2^62.
+// Between the nearest points of both boxes; 0 if they overlap. Exact: gaps are at most 2^30 steps, the sum is below
+// 2^62.
 inline std::uint64_t squared_distance(const Node_box& a, const Node_box& b)
 {
   std::uint64_t sum = 0;
@@ -58,6 +63,7 @@ inline std::uint64_t squared_distance(const Node_box& a, const Node_box& b)
   return sum;
 }
 
+// Exact for the same reason.
 inline std::uint64_t squared_diagonal(const Node_box& a)
 {
   std::uint64_t sum = 0;
@@ -68,7 +74,8 @@ inline std::uint64_t squared_diagonal(const Node_box& a)
   return sum;
 }
 
-// Rounded by a factor of at most 1 + 6u, u = 2^-24, however far apart the boxes are.
+// From a to each of the siblings, in float. Rounded by a factor of at most 1 + 6u, u = 2^-24, however far apart the
+// boxes are.
 inline Float8 squared_distance8(const Sibling_boxes& b, const Node_box& a)
 {
   Float8 gap[3];
@@ -80,9 +87,12 @@ inline Float8 squared_distance8(const Sibling_boxes& b, const Node_box& a)
   return squared_length8(gap[0], gap[1], gap[2]);
 }
 
+// Levels are stored one after the other, bottom up, in blocks of eight siblings. Memory: 12 bytes a point for the
+// buckets, 3.5 for the boxes.
 template <class Backend>
 class Box_tree {
 public:
+  // Items of a level are independent; a level needs only the one below it.
   Box_tree(Backend& backend, const Grid_point* point, std::uint32_t n) : size_(n)
   {
     std::size_t blocks = 0;
@@ -112,12 +122,13 @@ public:
   const Point_bucket* buckets() const { return bucket_.data(); }
   std::uint32_t points_in_bucket(std::uint32_t i) const { return (std::min)(bucket_size, size_ - i * bucket_size); }
 
-  // The index of the first point below a node.
+  // The position of the first point below a node.
   static std::uint32_t first_point(int level, std::uint32_t node)
   {
     return node << (bucket_bits + branch_bits * std::uint32_t(level));
   }
 
+  // The box of one node; searches mostly read eight at once.
   Node_box box(int level, std::uint32_t node) const
   {
     const Sibling_boxes& s = siblings(level, node / branching);
@@ -128,7 +139,7 @@ public:
 private:
   static std::uint32_t parents(std::uint32_t count) { return count / branching + (count % branching != 0); }
 
-  // box(i) for each of the siblings of `parent`.
+  // Stores box(i) for each of the siblings below `parent`.
   template <class Get_box>
   void fill_siblings(int level, std::uint32_t parent, Get_box box)
   {
@@ -148,6 +159,7 @@ private:
     fill_siblings(0, parent, [this, point](std::uint32_t i) { return fill_bucket(point, i); });
   }
 
+  // Copies the points of a bucket and returns its box.
   Node_box fill_bucket(const Grid_point* point, std::uint32_t i)
   {
     Point_bucket& bucket = bucket_[i];
@@ -164,6 +176,7 @@ private:
     return box;
   }
 
+  // Boxes of a level from those of the level below.
   void join_children(int level, std::uint32_t parent)
   {
     fill_siblings(level, parent, [this, level](std::uint32_t node) {
@@ -176,8 +189,8 @@ private:
 
   std::uint32_t size_;
   int levels_ = 0;
-  std::size_t begin_[maximum_levels];
-  std::uint32_t count_[maximum_levels];
+  std::size_t begin_[maximum_levels];   // first block of siblings, by level
+  std::uint32_t count_[maximum_levels]; // nodes, by level
   typename Backend::template Buffer<Point_bucket> bucket_;
   typename Backend::template Buffer<Sibling_boxes> siblings_;
 };

@@ -1,18 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The nearest points found so far of up to eight query points, the queries, side
-// by side. Distances are compared in float, with a margin, and where the margin
-// cannot tell which is smaller, in integers.
+// The nearest points found so far of up to eight query points, the queries, side by side. Distances are compared in
+// float, with a margin. Where they differ by less than the margin, integers decide. So the result is exact.
 //
-// Why no neighbor is lost, with u = 2^-24:
-// Lanes lie within 2^22 of the origin of the float coordinates, so theirs are
-// exact. A candidate's are exact within 2^24; beyond, they are off by a factor
-// 1 + u and the difference from the query is at least 3/4 of them. So differences
-// are exact up to 1 + 3u, and squared distances up to 1 + 12u. A key is that plus
-// one with its lowest 8 bits replaced: off by 1 + 14u + 2^-15. This is less than
-// a third of the margin of 1 + 2^-13, so keys a margin apart are in the right
-// order, and who is farther than the worst key and a margin is no neighbor.
+// Why no neighbor is lost, with u = 2^-24. Float coordinates are relative to the box of the queries, which is narrower
+// than 2^22. So those of queries are exact. Those of a candidate are exact within 2^24. Beyond, they are off by a
+// factor 1 + u, and differences from a query are at least 3/4 of them. So differences are exact up to 1 + 3u, and
+// squared distances up to 1 + 12u. A key is that plus one, with its lowest 8 bits replaced: off by 1 + 14u + 2^-15.
+// This is less than a third of the margin of 1 + 2^-13. So keys a margin apart are in the right order. A point farther
+// than the worst key and a margin is no neighbor.
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_BUCKET_NEIGHBORS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_BUCKET_NEIGHBORS_H
@@ -27,11 +24,15 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The largest k_neighbors; it bounds the tables of a search.
 constexpr int maximum_k = 64;
 
-// The widest bucket whose points may be queries of one search.
+// The widest bucket whose points may be queries of one search, in steps^2: see the bound of 2^22 above.
 constexpr std::uint64_t maximum_squared_width = std::uint64_t(1) << 44;
 
+// Keeps, for each query, the k + 2 smallest keys. The first belongs to the query itself. The last is that of the
+// nearest point that is no neighbor: it shows whether the k-th is certain. Records are all candidates that came within
+// reach of a query; a key holds the number of its record. In a Float8 of keys or records, element i belongs to query i.
 // K = 0: k is known at run time only.
 template <int K>
 class Bucket_neighbors {
@@ -40,7 +41,8 @@ public:
 
   int k() const { return K > 0 ? K : k_; }
 
-  // Points [first, last) of a bucket.
+  // Begins a search: the points [first, last) of a bucket are the queries. Their box must be narrower than 2^22,
+  // which is always true of one query.
   void start(std::uint32_t bucket, int first, int last)
   {
     own_ = bucket;
@@ -66,21 +68,23 @@ public:
     update_limit();
   }
 
-  // The points to search around.
+  // The box of the queries.
   const Node_box& box() const { return box_; }
 
-  // Points and boxes with a larger squared distance to the box are too far.
+  // The largest reach of a query. Points and boxes with a larger squared distance to the box are too far. Infinite in
+  // effect (2^100) until each query has k + 1 keys.
   float limit() const { return limit_; }
 
-  // Once there were too many candidates, integers decide as well: this ends the
-  // search among any number of points at the same distance.
+  // Once the records were full, boxes are tested in integers as well. This bounds the search among
+  // any number of points at the same distance. The margin of the keys would admit them all.
   bool is_reduced() const { return is_reduced_; }
   bool may_contain_neighbor(const Node_box& node, std::uint32_t first_index) const
   {
     return Candidate{squared_distance(box_, node), first_index} < worst_;
   }
 
-  // Compares the first `count` points of a bucket with all queries.
+  // Compares the first `count` points of a bucket with all queries, and records those within reach of one.
+  // Points too far from the box of the queries are skipped, eight at a time.
   void scan(std::uint32_t bucket, std::uint32_t count)
   {
     if(size_ + int(bucket_size) > capacity)
@@ -103,7 +107,8 @@ public:
     update_limit();
   }
 
-  // k indices a query.
+  // Writes the neighbors: k positions a query, ascending by (squared distance, position). Certain orders come from the
+  // keys, the others from a sort in integers.
   void write(std::uint32_t* out)
   {
     if(is_reduced_)
@@ -130,18 +135,21 @@ private:
     }
   };
 
+  // A key holds the number of its record in its lowest bits, so there are at most 256 records.
   static constexpr int tag_bits = 8;
   static constexpr int capacity = 1 << tag_bits;
   static constexpr std::uint32_t tag_mask = std::uint32_t(capacity) - 1;
   static constexpr int maximum = K > 0 ? K : maximum_k;
   static constexpr float margin = 1 + 0x1p-13f;
-  static constexpr float unknown = 0x1p100f;
+  static constexpr float unknown = 0x1p100f; // instead of keys not found yet; far above 3 * 2^58
 
   static Node_box box_of(const Point_bucket& p, int i) { return {{p.x[i], p.y[i], p.z[i]}, {p.x[i], p.y[i], p.z[i]}}; }
 
+  // By how much coordinates lie outside of [0, side].
   static Float8 outside(const Float8& c, float side) { return max8(max8(c - fill8(side), fill8(0) - c), fill8(0)); }
 
-  // Keys say which record they come from.
+  // Adds a record, and inserts its keys into the sorted keys of all queries without a branch. One is added to squared
+  // distances, because a tag would change a key near 0 by more than the margin.
   void record(const Float8& squared, std::uint32_t index)
   {
     const Float8 key = tagged8(squared + fill8(1), std::uint32_t(size_), tag_mask);
@@ -154,7 +162,7 @@ private:
     update_reach();
   }
 
-  // The query itself is the first of the k + 1 nearest.
+  // The squared distance that a neighbor of each query may have. The query itself is the first of the k + 1 nearest.
   void update_reach() { reach_ = best_[k()] * fill8(margin); }
 
   void update_limit()
@@ -164,8 +172,8 @@ private:
     limit_ = *std::max_element(reach, reach + 8);
   }
 
-  // Lanes with keys too close to each other to trust their order, unknown ones
-  // included.
+  // A mask of the queries with keys too close to each other to trust their order. Keys that were not found are among
+  // them: the cloud has fewer than k + 1 points then.
   unsigned ambiguous_queries() const
   {
     unsigned queries = 0;
@@ -174,6 +182,7 @@ private:
     return queries;
   }
 
+  // The numbers of the records are in the keys.
   void write_by_key(int query, std::uint32_t* out) const
   {
     for(int i = 0; i < k(); ++i) {
@@ -199,7 +208,7 @@ private:
       out[i] = i < n ? sorted[i].index : no_index;
   }
 
-  // The records that may be neighbors of the query, exactly.
+  // The records that may be neighbors of the query, with exact distances and without the query itself.
   int collect(int query, Candidate* found) const
   {
     float reach[8];
@@ -221,7 +230,8 @@ private:
     return {std::uint64_t(x * x + y * y + z * z), index};
   }
 
-  // Makes room: of the records, only the k nearest of each query are kept.
+  // Makes room when the records are full. For each query the exact k nearest are kept apart, and the records are
+  // emptied. From then on boxes are compared with the worst of them in integers.
   void reduce()
   {
     worst_ = {0, 0};
@@ -238,21 +248,21 @@ private:
     size_ = 0;
   }
 
-  const Point_bucket* bucket_;
+  const Point_bucket* bucket_; // of the tree
   int k_;
-  std::uint32_t own_ = 0;
-  int first_ = 0, last_ = 0;
-  Node_box box_;
+  std::uint32_t own_ = 0;    // the bucket of the queries
+  int first_ = 0, last_ = 0; // the queries in it
+  Node_box box_;             // of the queries; its low corner is the origin of float coordinates
   float side_[3];
   float limit_ = 0;
-  Float8 x_, y_, z_, reach_;
+  Float8 x_, y_, z_, reach_; // by query
   Float8 best_[maximum + 2]; // the smallest keys of each query, ascending
   int size_ = 0;
-  std::uint32_t index_[capacity];
-  float squared_[capacity][8];
+  std::uint32_t index_[capacity]; // by record
+  float squared_[capacity][8];    // by record and query
   bool is_reduced_ = false;
-  Candidate worst_;
-  Candidate reduced_[bucket_size][maximum];
+  Candidate worst_;                         // of the neighbors of all queries, after a reduction
+  Candidate reduced_[bucket_size][maximum]; // by query, ascending
 };
 
 } // namespace internal

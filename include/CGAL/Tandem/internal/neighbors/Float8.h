@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Eight floats side by side, for filters whose verdicts are confirmed in
-// integers. SSE2 is part of every x86-64; elsewhere plain loops do the same.
+// Eight floats side by side, for filters whose close cases are decided in integers: last bits do not matter. SSE2 is
+// part of every x86-64; elsewhere plain loops do the same.
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_FLOAT8_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_FLOAT8_H
@@ -20,6 +20,7 @@ namespace internal {
 
 #ifdef __SSE2__
 
+// Two registers of SSE2, so that no flag of the compiler is needed.
 struct Float8 {
   __m128 low, high;
 };
@@ -32,7 +33,8 @@ inline void store8(float* p, const Float8& a)
   _mm_storeu_ps(p + 4, a.high);
 }
 
-// float(p[i] - origin); the difference must fit int32.
+// float(p[i] - origin), exact below 2^24 and rounded above. The difference must fit int32: coordinates are within
+// +-2^28.
 inline Float8 difference8(const std::int32_t* p, std::int32_t origin)
 {
   const __m128i o = _mm_set1_epi32(origin);
@@ -56,13 +58,14 @@ inline Float8 operator*(const Float8& a, const Float8& b)
 inline Float8 min8(const Float8& a, const Float8& b) { return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)}; }
 inline Float8 max8(const Float8& a, const Float8& b) { return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)}; }
 
-// Bit i tells whether a[i] <= b[i].
+// Bit i of the result is a[i] <= b[i].
 inline unsigned less_equal8(const Float8& a, const Float8& b)
 {
   return unsigned(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low)) | _mm_movemask_ps(_mm_cmple_ps(a.high, b.high)) << 4);
 }
 
-// The lowest bits of each float become `tag`.
+// The lowest bits of each float become `tag`. Positive floats are ordered like their bits, so a small tag changes their
+// order only among nearly equal ones.
 inline Float8 tagged8(const Float8& a, std::uint32_t tag, std::uint32_t tag_mask)
 {
   const __m128 m = _mm_castsi128_ps(_mm_set1_epi32(int(tag_mask))), t = _mm_castsi128_ps(_mm_set1_epi32(int(tag)));
@@ -71,6 +74,7 @@ inline Float8 tagged8(const Float8& a, std::uint32_t tag, std::uint32_t tag_mask
 
 #else
 
+// Loops of constant length, which compilers vectorize for the machine.
 struct Float8 {
   float v[8];
 };
@@ -94,7 +98,7 @@ inline Float8 fill8(float f)
 }
 inline void store8(float* p, const Float8& a) { std::memcpy(p, a.v, sizeof a.v); }
 
-// float(p[i] - origin); the difference must fit int32.
+// See above; the functions below are the same as those of SSE2.
 inline Float8 difference8(const std::int32_t* p, std::int32_t origin)
 {
   return make8([&](int i) { return float(p[i] - origin); });
@@ -121,7 +125,6 @@ inline Float8 max8(const Float8& a, const Float8& b)
   return make8([&](int i) { return a.v[i] < b.v[i] ? b.v[i] : a.v[i]; });
 }
 
-// Bit i tells whether a[i] <= b[i].
 inline unsigned less_equal8(const Float8& a, const Float8& b)
 {
   unsigned mask = 0;
@@ -130,7 +133,7 @@ inline unsigned less_equal8(const Float8& a, const Float8& b)
   return mask;
 }
 
-// The lowest bits of each float become `tag`.
+// Bits are copied: a cast of pointers would be undefined.
 inline Float8 tagged8(const Float8& a, std::uint32_t tag, std::uint32_t tag_mask)
 {
   std::uint32_t bits[8];
@@ -144,6 +147,7 @@ inline Float8 tagged8(const Float8& a, std::uint32_t tag, std::uint32_t tag_mask
 
 #endif
 
+// A compiler may contract this to fma, which rounds less often. The error bounds of the users still hold.
 inline Float8 squared_length8(const Float8& x, const Float8& y, const Float8& z) { return x * x + y * y + z * z; }
 
 } // namespace internal

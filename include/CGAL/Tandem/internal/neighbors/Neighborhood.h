@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Mean and covariance of a neighborhood in float, and the plane through it.
+// Mean and covariance of a neighborhood in float, and the plane through it. Half the memory of double, since there is
+// one for each point while normals are estimated.
 //
-// Products are taken of two floats in double, where they are exact: sums of them
-// come out the same whether or not a compiler contracts them, without the price
-// of std::fma where the processor is not known to have it.
+// Products of two floats are computed in double, where they are exact. So sums of them are the same whether or not a
+// compiler contracts them. std::fma would be a slow call where the processor is not known to have it.
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H
@@ -32,6 +32,7 @@ CGAL_TANDEM_HD inline Float_vector operator-(const Float_vector& a, const Float_
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+// Has at most 48 bits, so the product itself never rounds.
 CGAL_TANDEM_HD inline double exact_product(float a, float b) { return double(a) * double(b); }
 
 CGAL_TANDEM_HD inline double exact_dot(const Float_vector& a, const Float_vector& b)
@@ -45,14 +46,15 @@ CGAL_TANDEM_HD inline Float_vector difference(const Grid_point& q, const Grid_po
   return {float(q.x - p.x), float(q.y - p.y), float(q.z - p.z)};
 }
 
-// In grid steps; the mean is relative to the point whose neighborhood it is.
+// Mean (grid steps) and covariance (steps^2). The mean is relative to the point whose neighborhood it is.
+// Floats suffice, since neighborhoods are small against the cloud.
 struct Neighborhood {
   Float_vector mean;
   float xx, xy, xz, yy, yz, zz;
 };
 
-// The union of equally weighted points and neighborhoods. The order of the calls
-// matters for the last bits.
+// The union of equally weighted points and neighborhoods. The order of the calls matters for the last bits. It is that
+// of the rows of neighbors, which is the same on all back ends.
 struct Neighborhood_sum {
   double x = 0, y = 0, z = 0;
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
@@ -72,6 +74,7 @@ struct Neighborhood_sum {
     ++size;
   }
 
+  // A neighborhood of another point, which lies at `offset` from this one.
   CGAL_TANDEM_HD void add(const Float_vector& offset, const Neighborhood& h)
   {
     add(offset + h.mean);
@@ -83,9 +86,8 @@ struct Neighborhood_sum {
     zz += h.zz;
   }
 
-  // Of at least one part. What float loses of the mean is 1e-7 of its length:
-  // it counts only where a point is a hundred times farther away than its
-  // neighbors are from each other.
+  // The neighborhood, of at least one part. Rounding to float costs 1e-7 of the length of the mean. This matters only
+  // for a point a hundred times farther away than its neighbors are from each other.
   CGAL_TANDEM_HD Neighborhood mean() const
   {
     const double weight = 1.0 / size;
@@ -101,8 +103,7 @@ struct Neighborhood_sum {
   }
 };
 
-// With second moments about the point itself instead of the mean: the plane of
-// that is the best one through the point.
+// The same with second moments about the point itself instead of the mean. Its plane is the best one through the point.
 CGAL_TANDEM_HD inline Neighborhood about_point(const Neighborhood& h)
 {
   const Float_vector& m = h.mean;
@@ -115,32 +116,35 @@ CGAL_TANDEM_HD inline Neighborhood about_point(const Neighborhood& h)
           float(h.zz + exact_product(m.z, m.z))};
 }
 
-// The two lower eigenvalues of the covariance, in steps^2: the variance across
-// the plane and the least one along it, which is 0 where there is no plane.
+// The two lower eigenvalues of the covariance, in steps^2. They are the variance across the plane and the least one
+// along it. middle is 0 where there is no plane.
 struct Thickness {
   float smallest, middle;
 };
 
 namespace covariance {
 
+// Symmetric 3x3.
 struct Matrix {
   float xx, xy, xz, yy, yz, zz;
 };
 
+// a b - c d, rounded twice at most: see exact_product().
 CGAL_TANDEM_HD inline float minor_of(float a, float b, float c, float d)
 {
   return float(exact_product(a, b) - exact_product(c, d));
 }
 
+// The adjugate. Its trace is a coefficient of the characteristic polynomial: the sum of products of two eigenvalues.
 CGAL_TANDEM_HD inline Matrix cofactors(const Matrix& m)
 {
   return {minor_of(m.yy, m.zz, m.yz, m.yz), minor_of(m.xz, m.yz, m.xy, m.zz), minor_of(m.xy, m.yz, m.xz, m.yy),
           minor_of(m.xx, m.zz, m.xz, m.xz), minor_of(m.xy, m.xz, m.xx, m.yz), minor_of(m.xx, m.yy, m.xy, m.xy)};
 }
 
-// The smallest root of r^3 - t r^2 + q r - d, all of whose roots are real and not
-// negative: the first terms of its series in d, then Newton, both from below. It
-// ends when what is missing is below 1e-5 of the distance to the next root.
+// The smallest root of r^3 - t r^2 + q r - d, the characteristic polynomial, whose roots are real and not negative.
+// Starts with the first terms of its series in d, then follows Newton's method. Both approach the root from below. It
+// ends when the rest is below 1e-5 of the distance to the next root.
 CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
 {
   if(!(q > 0) || !(d > 0))
@@ -163,6 +167,8 @@ CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
 
 } // namespace covariance
 
+// From the characteristic polynomial: the smallest root first, then the middle one from sum and product of the others.
+// That costs a fraction of an eigensystem, and there are up to five for each point.
 CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
 {
   // Below this the second direction is rounding: of the grid (1/12 step^2), or of floats.
@@ -183,8 +189,8 @@ CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
   return {r, middle > minimum_width && middle > minimum_ratio * t ? middle : 0};
 }
 
-// The direction of the smallest eigenvalue, not unit: the longest column of the
-// adjugate of the covariance less that eigenvalue.
+// The direction of the smallest eigenvalue, not unit. It is the longest column of the adjugate of the covariance less
+// that eigenvalue.
 CGAL_TANDEM_HD inline Float_vector plane_normal(const Neighborhood& h, float smallest)
 {
   const covariance::Matrix m = {float(double(h.xx) - smallest), h.xy, h.xz,

@@ -1,13 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Normals for clouds that have none. Two things spoil the plane through the
-// nearest neighbors of a point: noise, where they are too few, and edges, where
-// they lie on two faces. Against noise the neighborhood of a point grows, by
-// averaging with those of its neighbors, until the expected angular error is
-// small. Near edges a point takes over the plane of a neighbor that lies on one
-// face only. A point that is off its plane by more than the noise is clutter and
-// gets no smooth normal, but the rough one of a plane through it.
+// Normals for clouds that have none; nothing else of the cloud changes. Two things spoil the plane through the nearest
+// neighbors of a point. One is noise, where they are too few; the other is edges, where they lie on two faces. Against
+// noise the neighborhood of a point grows until the expected angular error is small: grow_neighborhoods.h. Near edges a
+// point takes over the plane of a neighbor that lies on one face only. A point that is off its plane by more than the
+// noise is clutter. It gets no smooth normal, but the rough one of a plane through it. See the manual, "Normals".
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H
@@ -21,19 +19,20 @@ namespace Tandem {
 namespace internal {
 namespace normals {
 
+// Each point starts with its own candidate: source[i] = i.
 struct Own {
   std::uint32_t* source;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const { source[i] = std::uint32_t(i); }
 };
 
-// From the center of the plane that point s has found to p.
+// The vector from the center of the plane of candidate s to p.
 CGAL_TANDEM_HD inline Float_vector from_center(const Workspace& w, std::uint32_t s, const Grid_point& p)
 {
   return difference(p, w.cloud.point[s]) - w.candidate[s].mean;
 }
 
-// The squared distance to the plane of a point at d from its center.
+// The squared distance to the plane (steps^2) of a point at d from its center.
 CGAL_TANDEM_HD inline float plane_distance2(const Candidate& c, const Float_vector& d)
 {
   const Int_vector v = decode_normal(c.normal);
@@ -42,12 +41,15 @@ CGAL_TANDEM_HD inline float plane_distance2(const Candidate& c, const Float_vect
   return float(exact_product(e, e) / exact_dot(n, n));
 }
 
-// A Jacobi pass: all read what the pass before has written.
+// The edge pass for point i. next[i] becomes the cheapest adoptable candidate of its neighbors, or stays its own. All
+// points read `source`, which the pass before has written, so their order does not matter. Of equal costs the
+// first in the row of neighbors counts.
 struct Adopt {
   Workspace w;
-  const std::uint32_t* source; // whose candidate a point has
+  const std::uint32_t* source; // by point: the point whose candidate it has
   std::uint32_t* next;
 
+  // Whether p is near the center of the candidate and near its plane, in its standard deviations.
   CGAL_TANDEM_HD bool is_adoptable(std::uint32_t s, const Grid_point& p) const
   {
     const Candidate& c = w.candidate[s];
@@ -79,13 +81,14 @@ struct Adopt {
   }
 };
 
+// Writes the normal of point i: that of its candidate, or a rough one for clutter.
 struct Finish {
   Workspace w;
   const std::uint32_t* source;
   Grid_point* point;
 
-  // Of the plane through the point itself: seen from clutter, a face beside it
-  // lies in the direction of its normal.
+  // That of a plane through the point itself and few neighbors. Those on a face beside it lie in the direction of the
+  // normal of the face. So the rough plane is across the face, and the point does not fit it.
   CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
   {
     const Neighborhood h = about_point(nearest_neighborhood(w, i, w.k < 6 ? 3 : w.k / 2));
@@ -93,8 +96,8 @@ struct Finish {
     return t.middle > 0 ? encoded_normal(h, t.smallest) : no_normal;
   }
 
-  // Clutter thickens its own neighborhood, so the noise is that which most of its
-  // neighbors see.
+  // Clutter thickens its own neighborhood. So its distance is compared with the thickness at its neighbors, and most of
+  // them decide.
   CGAL_TANDEM_HD bool is_clutter(std::uint32_t i, const Candidate& c) const
   {
     const float e2 = plane_distance2(c, from_center(w, source[i], w.cloud.point[i]));
@@ -117,10 +120,10 @@ struct Finish {
 
 } // namespace normals
 
-// Fills point[i].normal, unoriented, no_normal where all neighbors are equal or
-// collinear. `cloud` needs points and neighbors; `point` may be its own array.
-// epsilon_grid: the tolerance in grid steps; it says what counts as noise-free.
-// Temporary memory: 100 bytes a point.
+// Fills point[i].normal, unoriented; no_normal where all neighbors are equal or collinear. `cloud` needs points and
+// neighbors; `point` may be its own array, since coordinates are only read and normals only written. epsilon_grid is
+// epsilon in grid steps: shares of it define what is free of noise, and what is no clutter. Temporary memory: 100
+// bytes a point.
 template <class Backend>
 void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_grid)
 {

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exact k nearest neighbors. The answer is defined without reference to this
-// search, the k smallest (squared grid distance, index), so every back end may
-// have a search of its own.
+// Exact k nearest neighbors: the k smallest pairs of squared grid distance and position. This definition does not
+// depend on the search, so every back end may have its own. The one here is for hosts. Points of a bucket are searched
+// together, in the box tree, and buckets are independent. It writes the table of neighbors, nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H
@@ -15,13 +15,14 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Answers the points of one bucket together.
+// Searches for all points of one bucket together. They lie next to each other on the curve, so they have most
+// candidates in common. A thread reuses its search for one bucket after the other. K: see Bucket_neighbors.
 template <class Tree, int K>
 class Bucket_search {
 public:
   Bucket_search(const Tree& tree, int k) : tree_(tree), found_(tree.buckets(), k), wing_(std::uint32_t(k + 15) / 12) {}
 
-  // k indices for each point of the bucket.
+  // Writes k positions for each point of the bucket, point after point.
   void operator()(std::uint32_t bucket, std::uint32_t* out)
   {
     const int queries = int(tree_.points_in_bucket(bucket));
@@ -29,12 +30,13 @@ public:
     const std::uint64_t squared_width = squared_diagonal(tree_.box(0, bucket));
     if(squared_width < maximum_squared_width) {
       scan_window(bucket, 0, queries);
+      // While the box is at most four times as wide as the reach of its points, one search is cheapest.
       if(float(squared_width) <= 16 * found_.limit()) {
         search(out);
         return;
       }
     }
-    // An outlier is among the points: a search around all of them would find too much.
+    // An outlier is among the points. A search around all of them would find too many candidates.
     for(int query = 0; query < queries; ++query) {
       scan_window(bucket, query, query + 1);
       search(out + query * found_.k());
@@ -43,12 +45,12 @@ public:
 
 private:
   struct Node {
-    float squared; // the distance to the box of the queries
+    float squared; // squared distance to the box of the queries
     std::uint32_t index;
     int level;
   };
 
-  // The buckets before and after on the curve give a first bound.
+  // The buckets before and after on the curve give a first bound, without a descent in the tree.
   void scan_window(std::uint32_t bucket, int first, int last)
   {
     found_.start(bucket, first, last);
@@ -56,8 +58,8 @@ private:
       found_.scan(i, tree_.points_in_bucket(i));
   }
 
-  // Depth first, smallest indices first: of equally near points those are the neighbors. (Nearest
-  // first would gain nothing, as the window has been scanned already.)
+  // Depth first, smallest positions first: of equally near points those are the neighbors. Nearest first would not be
+  // faster, as the window has been scanned already.
   void search(std::uint32_t* out)
   {
     Node stack[maximum_levels * branching];
@@ -77,6 +79,7 @@ private:
     found_.write(out);
   }
 
+  // Whether no point below the node can be a neighbor of any query.
   bool is_too_far(const Node& n) const
   {
     return n.squared > found_.limit() ||
@@ -84,7 +87,7 @@ private:
             !found_.may_contain_neighbor(tree_.box(n.level, n.index), tree_.first_point(n.level, n.index)));
   }
 
-  // Sets `squared` and returns which of the children are near enough.
+  // A mask of the children that are near enough, with the squared distances of all. Repeated children are masked out.
   unsigned near_children(const Node& parent, float* squared) const
   {
     const std::uint32_t count = (std::min)(branching, tree_.count(parent.level - 1) - parent.index * branching);
@@ -93,7 +96,7 @@ private:
     return less_equal8(squared8, fill8(found_.limit())) & ((1u << count) - 1);
   }
 
-  // The first child comes to the top.
+  // The first child comes to the top, to be searched next. Returns the size of the stack.
   int push_children(const Node& parent, Node* stack, int size) const
   {
     float squared[8];
@@ -104,6 +107,7 @@ private:
     return size;
   }
 
+  // Buckets are scanned at once: the limit may fall from one to the next.
   void scan_children(const Node& parent)
   {
     float squared[8];
@@ -115,6 +119,7 @@ private:
     }
   }
 
+  // Skips the window, which has been scanned before.
   void scan(std::uint32_t bucket)
   {
     if(bucket < window_.first || bucket >= window_.last)
@@ -127,6 +132,7 @@ private:
   Range window_ = {0, 0};
 };
 
+// Fills the rows of neighbors of the buckets [first, last), for one thread. Rows of different buckets do not overlap.
 template <class Tree, int K>
 class Find_bucket_neighbors {
 public:
@@ -152,9 +158,9 @@ void find_bucket_neighbors(Backend& backend, const Box_tree<Backend>& tree, int 
   backend.for_each_piece(tree.count(0), grain, Find_bucket_neighbors<Box_tree<Backend>, K>(tree, k, out));
 }
 
-// The k smallest (squared distance, index j), j != i, of each point i of the
-// sorted cloud, ascending, in out[i k .. i k + k); no_index fills up where the
-// cloud has fewer than k + 1 points. 1 <= k <= maximum_k.
+// Writes the neighbors of each point i of the sorted cloud to the row out[i k], ... out[i k + k - 1]. They are the k
+// smallest pairs (squared distance, j) with j != i, ascending. no_index fills up where the cloud has fewer than k + 1
+// points. 1 <= k <= maximum_k.
 template <class Backend>
 void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
 {
@@ -164,7 +170,7 @@ void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, 
     Stage_overrides<Backend>::find_neighbors(backend, point, n, k, out);
   else {
     const Box_tree<Backend> tree(backend, point, n);
-    switch(k) { // common numbers are known to the compiler
+    switch(k) { // common numbers as constants: the compiler unrolls the insertion of keys
     case 8:
       return find_bucket_neighbors<Backend, 8>(backend, tree, k, out);
     case 12:

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plane that a point finds for itself: its neighborhood grows, by averaging
-// with those of its neighbors, until the expected angular error is small.
+// The best plane of each point from its own neighborhood. The neighborhood grows, by averaging with those of its
+// neighbors, until the expected angular error is small. Neither points nor neighbors change; the result is a table of
+// candidates. See the manual, "Normals".
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
@@ -20,25 +21,27 @@ using namespace tuning::normals;
 
 constexpr float no_plane = 1e30f; // instead of an error
 
-// The best plane that a point has found for itself.
+// The plane with the smallest cost among those of a point.
 struct Candidate {
   Float_vector mean;    // of its neighborhood, relative to the point
-  float smallest;       // variance across the plane, at least that of a flat one
-  float middle;         // least variance along it
-  float error2;         // expected squared angular error from noise, or no_plane
+  float smallest;       // variance across the plane, at least that of a flat one (steps^2)
+  float middle;         // least variance along it (steps^2)
+  float error2;         // expected squared angular error from noise (radians^2), or no_plane
   std::uint32_t normal; // octahedral
 };
 
+// The tables of an estimation, by point, and its bounds in grid steps. It is passed to functors by value.
 struct Workspace {
   Cloud_view cloud;
-  Neighborhood* current;
-  Neighborhood* next;
+  Neighborhood* current; // at the present scale, or where its growth ended
+  Neighborhood* next;    // at the next scale; undefined where growth has ended
   Candidate* candidate;
   int k;                  // neighbors in use
   float flat;             // variance of what is as good as flat
   float minimum_clutter2; // squared distance from the plane
 };
 
+// epsilon_grid: epsilon in grid steps. The tables of neighborhoods are set by the caller.
 inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_grid)
 {
   const float grid = 0.25f; // above the variance of rounding to the grid
@@ -54,6 +57,7 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
           float(exact_product(clutter, clutter))};
 }
 
+// The point itself and its k nearest neighbors.
 CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i, int k)
 {
   const Grid_point p = w.cloud.point[i];
@@ -65,7 +69,8 @@ CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std:
   return sum.mean();
 }
 
-// Joined with the neighborhoods of the farther half of the neighbors.
+// The neighborhood of i joined with those of the farther half of its neighbors, which overlap with it less. Reads
+// `current` only, so all points can be computed at the same time.
 CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::uint32_t i)
 {
   const Grid_point p = w.cloud.point[i];
@@ -77,8 +82,8 @@ CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::u
   return sum.mean();
 }
 
-// How many independent points a neighborhood is worth that has grown `scale` - 1
-// times; measured, (k + 1) (1 + 1.2 (scale - 1)).
+// The number of independent points of a neighborhood that has grown `scale` - 1 times. Its parts overlap, so it is less
+// than their sum. Measured: (k + 1) (1 + 1.2 (scale - 1)).
 CGAL_TANDEM_HD inline float effective_points(int k, int scale) { return float((k + 1) * (6 * scale - 1)) / 5.0f; }
 
 CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float smallest)
@@ -87,13 +92,15 @@ CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float 
   return encode_normal({n.x, n.y, n.z});
 }
 
+// What candidates are compared by: expected error from noise, and a penalty for being thick, as across an edge. Here
+// and below products are exact, so that no compiler can contract a sum differently.
 CGAL_TANDEM_HD inline float cost(const Candidate& c)
 {
   return float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));
 }
 
-// Keeps the plane of h if it is better than what point i has. `points` > 3: the
-// variance across a plane fitted to them has three degrees of freedom less.
+// Replaces the candidate of point i by the plane of h if that costs less. `points` > 3 is the number of independent
+// ones; a plane fitted to them takes three degrees of freedom from the variance across it.
 CGAL_TANDEM_HD inline void consider(const Workspace& w, std::uint32_t i, const Neighborhood& h, float points)
 {
   const Thickness t = thickness(h);
@@ -108,6 +115,7 @@ CGAL_TANDEM_HD inline void consider(const Workspace& w, std::uint32_t i, const N
   w.candidate[i] = c;
 }
 
+// Sets current[i] to the nearest neighbors, and the first candidate of point i.
 struct Start {
   Workspace w;
 
@@ -119,6 +127,7 @@ struct Start {
   }
 };
 
+// Writes next[i] where the error is too large. Points that have ended keep their `current` for their neighbors.
 struct Grow {
   Workspace w;
 
@@ -129,6 +138,8 @@ struct Grow {
   }
 };
 
+// Takes over what Grow has written: in a loop of its own, since neighbors read current[i] while they grow. At some
+// scales the plane is considered as well.
 struct Commit {
   Workspace w;
   int scale;
@@ -139,7 +150,7 @@ struct Commit {
       return;
     if(scale < last_scale)
       w.current[i] = w.next[i];
-    if((scale & (scale - 1)) == 0) // planes at each scale gain nothing
+    if((scale & (scale - 1)) == 0) // 2, 4, 8: measured, all scales are not better
       consider(w, std::uint32_t(i), w.next[i], effective_points(w.k, scale));
   }
 };

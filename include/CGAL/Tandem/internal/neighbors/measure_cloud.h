@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Spacing and noise of a cloud, from a sample of its octree cells. The sample
-// does not depend on the order of the points. Where the noise exceeds the spacing,
-// the nearest neighbors of a point form a ball instead of a disk and tell nothing
-// of the noise, so the sample is thinned until they reach farther.
+// Spacing and noise of a cloud, from a sample of its octree cells, to estimate parameters that are not set. The
+// sample does not depend on the order of the points. Where noise exceeds the spacing, the nearest neighbors of a point
+// form a ball instead of a disk. They do not show the noise, so the sample is thinned until they reach farther.
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
@@ -19,13 +18,15 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Of a cloud, these are quantiles over points, in units of the coordinates. Of a point, they are its own values.
 struct Cloud_measure {
   double spacing = 0;   // median, over the points, of the mean distance to the 6 nearest neighbors
   double noise = 0;     // upper quartile of the rms distance of 20 neighbors to their plane
   double thickness = 0; // lower quartile of the ratio of that distance to the half-width of the neighborhood
 };
 
-// About tuning::estimation::sampled_points points in whole cells, in the order of the curve.
+// About tuning::estimation::sampled_points points, in the order of the curve. Whole cells are taken at a constant
+// stride, since neighbors of a point must be in the sample as well.
 template <class Backend>
 std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
 {
@@ -47,7 +48,7 @@ inline double grid_distance(const Grid_point& a, const Grid_point& b)
   return std::sqrt(double(std::uint64_t(x * x) + std::uint64_t(y * y) + std::uint64_t(z * z)));
 }
 
-// Of one point, in steps of the grid.
+// The measure of point i, in grid steps, from its row of neighbors.
 inline Cloud_measure measure_neighborhood(const Grid_point* point, std::uint32_t i, const std::uint32_t* row)
 {
   Moments moments;
@@ -67,6 +68,7 @@ inline Cloud_measure measure_neighborhood(const Grid_point* point, std::uint32_t
           e.value[1] > 0 ? std::sqrt(smallest / e.value[1]) : 0};
 }
 
+// Reorders the values, in linear time.
 inline double quantile(std::vector<double>& values, double q)
 {
   const auto nth = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
@@ -74,6 +76,8 @@ inline double quantile(std::vector<double>& values, double q)
   return *nth;
 }
 
+// Quantiles over all points of a sample, in grid steps. A point of one cell may lack neighbors in cells that are not
+// sampled; these few hardly change medians and quartiles.
 template <class Backend>
 Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sample)
 {
@@ -93,7 +97,7 @@ Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sa
           quantile(thickness, thickness_quantile)};
 }
 
-// Every so manyth point, in the order of the curve.
+// Every fourth point, in the order of the curve, which doubles the spacing on a surface.
 inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
 {
   std::vector<Grid_point> thin;
@@ -102,13 +106,14 @@ inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
   return thin;
 }
 
-// In the units of the coordinates. Not of an empty cloud.
+// The measure of an import, in the units of its coordinates; zeros if all points are equal. It works on a grid of its
+// own, since epsilon is not known yet. The spacing is that of the cloud before it is thinned.
 template <class Backend>
 Cloud_measure measure_cloud(Backend& backend, const Import& in)
 {
   if(!(in.box.extent() > 0))
     return Cloud_measure();
-  const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), -16)); // 2^27 steps
+  const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), -16)); // up to 2^27 steps
   const double inverse_step = 1 / grid.step;
   Host_buffer<Grid_point> point(in.size());
   in.bring_values();

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coplanarity: parallel shapes of nearly equal offsets share a plane, if their
-// points agree. What they refuse is clustered again with half the radius, and
-// neighbors that are left are joined where none of their members objects.
+// Coplanarity: parallel shapes of nearly equal offsets share a plane, if verification accepts it (section 4.3 of the
+// paper). Rejected members are clustered again with half the radius. Neighboring classes that remain are joined if no
+// member rejects the common plane. Directions stay; only offsets and class numbers are written. See the manual,
+// "Coplanar Classes".
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_COPLANAR_CLASSES_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_COPLANAR_CLASSES_H
@@ -21,12 +22,13 @@ namespace internal {
 
 class Coplanar_classes {
 public:
-  // direction: what shapes share a direction, -1 if none.
+  // direction: by shape, the number of the direction that it shares; -1 if none.
   Coplanar_classes(const Shape_fits& shapes, const std::vector<int>& direction, const Regularity_options& options)
     : shapes(shapes), direction(direction), options(options)
   {}
 
-  // plane: the planes through the centroids, which become those of the classes.
+  // plane: by shape, that through its centroid; it gets the offset of its class. class_of: by shape; set for members of
+  // classes of two or more.
   template <class Verified>
   void fit(Verified& verified, Regular_planes& plane, std::vector<int>& class_of)
   {
@@ -38,6 +40,7 @@ public:
       pending = verify(verified, plane);
       radius *= tuning::coplanarity::radius_share;
     }
+    // Halved radii have split what may still share a plane, so neighbors are tried in pairs at last.
     add_singles(plane);
     const int steps = options.is_last ? tuning::coplanarity::final_joining_steps : tuning::coplanarity::joining_steps;
     for(int step = 0; step < steps; ++step)
@@ -51,18 +54,20 @@ public:
   }
 
 private:
-  // Fewer of them are left to one thread.
+  // Loops over fewer items run on one thread: more would cost more time than they save.
   static constexpr std::size_t few_directions = 8, few_classes = 32;
 
+  // Shapes of one direction that share a plane. A shape is in one class at most.
   struct Class {
-    std::vector<int> members; // by rising offset
-    int direction;            // that they share
-    double offset;
-    // The first members of the classes behind and before it that it was not joined with, or -1.
+    std::vector<int> members; // shapes, by rising offset when they were clustered
+    int direction;
+    double offset; // of the plane: the mean of the members
+    // The first members of the next and the previous class if joining with it was rejected, or -1. Pairs that have not
+    // changed are not tested again.
     int rejected_behind = -1, rejected_before = -1;
   };
 
-  // The shapes that share a direction, one direction after the other.
+  // The shapes that share a direction, one direction after the other, by a counting sort.
   std::vector<int> by_direction() const
   {
     const int directions = direction.empty() ? 0 : *std::max_element(direction.begin(), direction.end()) + 1;
@@ -78,7 +83,8 @@ private:
     return sorted;
   }
 
-  // pending is sorted by direction; single shapes need no class.
+  // Adds the clusters of `pending`, which is sorted by direction. Directions are independent, so they are clustered in
+  // parallel; classes are added in order. Offsets of all classes are computed again, since some have lost members.
   template <class Verified>
   void add_classes(const Verified& verified, const std::vector<int>& pending, const Regular_planes& plane,
                    double radius)
@@ -111,6 +117,7 @@ private:
     verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
   }
 
+  // Weighted by points, in the order of the members.
   double mean_offset(const Class& c, const Regular_planes& plane) const
   {
     Offset_index::Mean mean(plane[c.members.front()].offset);
@@ -119,7 +126,7 @@ private:
     return mean.value();
   }
 
-  // Whoever has no class becomes one.
+  // Shapes without a class become classes of one, which can be joined with others.
   void add_singles(const Regular_planes& plane)
   {
     std::vector<char> has_class(shapes.size(), 0);
@@ -131,11 +138,12 @@ private:
         classes.push_back({{int(i)}, direction[i], plane[i].offset});
   }
 
-  // Classes have shrunk where members were refused, and may lie side by side with what
-  // is left: pairs of them become one where no member objects.
+  // Classes that have lost members, and shapes without a class, may lie close to each other. Pairs within sigma become
+  // one if no member rejects the mean plane. A class is in one pair of a step at most, so that pairs are independent.
   template <class Verified>
   void join_neighbors(Verified& verified, const Regular_planes& plane)
   {
+    // A total order: classes of one direction are consecutive, and members are in one class only.
     auto is_before = [](const Class& a, const Class& b) {
       if(a.direction != b.direction)
         return a.direction < b.direction;
@@ -143,7 +151,7 @@ private:
     };
     if(!std::is_sorted(classes.begin(), classes.end(), is_before)) // a joint mostly stays where its parts were
       std::sort(classes.begin(), classes.end(), is_before);
-    std::vector<std::size_t> pairs; // the first of the two
+    std::vector<std::size_t> pairs; // the first class of each
     for(std::size_t c = 0; c + 1 < classes.size(); ++c) {
       const Class &a = classes[c], &b = classes[c + 1];
       if(a.direction != b.direction || b.offset - a.offset > options.maximum_offset)
@@ -154,6 +162,7 @@ private:
     }
     if(pairs.empty())
       return;
+    // Classes change only after all pairs are verified, in one call.
     std::vector<Class> joints(pairs.size());
     const auto join = [&](std::size_t p) {
       const Class &a = classes[pairs[p]], &b = classes[pairs[p] + 1];
@@ -180,7 +189,8 @@ private:
                   classes.end());
   }
 
-  // Which members their points do not let go to the planes of the classes, class by class.
+  // Verifies all members against the planes of their classes, in one call. The result has one entry a member, class by
+  // class.
   template <class Verified>
   static std::vector<char> test(Verified& verified, const std::vector<Class>& candidates_of,
                                 const Regular_planes& plane)
@@ -200,6 +210,7 @@ private:
     return verified.test(candidates, planes);
   }
 
+  // Takes rejected members out. Returns them and the last members of classes that have shrunk to one, by direction.
   template <class Verified>
   std::vector<int> verify(Verified& verified, const Regular_planes& plane)
   {
@@ -216,7 +227,7 @@ private:
       }
       rejected_member = end;
     }
-    for(const Class& c : classes) // what the others have left is free again
+    for(const Class& c : classes) // a single member may be clustered again
       if(c.members.size() == 1)
         rejected.push_back(c.members.front());
     classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Class& c) { return c.members.size() < 2; }),

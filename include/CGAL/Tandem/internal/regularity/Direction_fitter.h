@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Directions of the shapes: clusters of the Gauss map, tied by frames, verified.
-// What is refused starts again within a smaller angle.
+// Decides which shapes are parallel, and the direction of each group. Groups are clusters of the Gauss map, made
+// orthogonal by frames, and verified. Rejected shapes are clustered again within smaller angles, level by level. The
+// result is a list of groups; shapes are only read. See the manual, "Gauss Map Clustering" and "Verification and
+// Rollback".
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_FITTER_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_FITTER_H
@@ -15,6 +17,8 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// groups and is_dirty are indexed alike. Members are indices of shapes, ascending. A shape is in one group at most.
 template <class Verify>
 class Direction_fitter {
 public:
@@ -22,7 +26,7 @@ public:
     : shapes(shapes), options(options), verified(verified)
   {}
 
-  // Groups the given shapes; those refused at every level, or left over, are in no group.
+  // Groups the shapes `pending`. Those that were rejected at every level are in no group, unless leftovers are joined.
   void fit(std::vector<int> pending)
   {
     was_rejected.assign(shapes.size(), 0);
@@ -46,9 +50,10 @@ public:
       join_leftovers(pending);
   }
 
+  // The groups; all have directions, also those of one shape.
   const std::vector<Direction_group>& result() const { return groups; }
 
-  // Shapes that share no direction and keep their local fit, since the points refused something else.
+  // By shape: whether its points rejected a plane and it keeps its local fit now.
   std::vector<char> rolled_back() const
   {
     std::vector<char> result = was_rejected;
@@ -60,11 +65,11 @@ public:
   }
 
 private:
-  // Fewer of them are left to one thread.
+  // Loops over fewer groups run on one thread.
   static constexpr std::size_t few_groups = 16;
 
-  // Groups that lost members are fitted again and tied within the smaller angle. At the last level what was
-  // accepted stays as it is.
+  // Prepares a level: groups that have lost members are fitted again, and get the smaller angle for right angles. At
+  // the last level, without right angles, the other groups keep their directions.
   void freeze(double right_sine)
   {
     for(std::size_t g = 0; g < groups.size(); ++g) {
@@ -75,7 +80,8 @@ private:
     refit();
   }
 
-  // A refused shape joins a group that, without the other refused shapes, has come much closer to it.
+  // A rejected shape joins the cheapest group that has come much closer without the other rejected shapes. Equal costs:
+  // the first group. All decisions use the fits of before, so the order of shapes does not matter.
   void rejoin(std::vector<int>& pending, double sine)
   {
     std::vector<Vector> fitted;
@@ -100,6 +106,7 @@ private:
     pending.swap(rest);
   }
 
+  // Clusters `pending`; each cluster becomes a group, also of one shape.
   void add_groups(const std::vector<int>& pending, double parallel_sine, double right_sine)
   {
     std::vector<std::vector<int>> clusters;
@@ -123,8 +130,8 @@ private:
     }
   }
 
-  // Fits and ties the groups. Members that their moments refuse are taken out: before the ties, so that the
-  // rest is fitted without them, and after.
+  // Fits the groups and makes them orthogonal. Members whose moments reject the direction are taken out, before and
+  // after that step. Before it, the rest is fitted again without them. Returns the rejected shapes.
   std::vector<int> fit_and_tie()
   {
     std::vector<int> rejected;
@@ -141,7 +148,7 @@ private:
     return rejected;
   }
 
-  // The shapes that were refused at every level come as groups of one.
+  // Last step of a run: small groups join larger directions. Shapes rejected at every level take part as groups of one.
   void join_leftovers(const std::vector<int>& pending)
   {
     for(int i : pending) {
@@ -153,6 +160,7 @@ private:
       .join();
   }
 
+  // Fits the groups whose members have changed.
   void refit()
   {
     if(std::find(is_dirty.begin(), is_dirty.end(), char(1)) == is_dirty.end())
@@ -176,10 +184,11 @@ private:
       g.weight += shapes[i].scatter.count;
     }
     g.fit();
-    if(g.members.size() == 1) // keeps the bits of its own fit
+    if(g.members.size() == 1) // the bits of its own fit: rolled_back() compares them
       g.set_fit(canonical(shapes[g.members.front()].fit.normal));
   }
 
+  // Sets the directions of all groups, with right angles where they are enabled.
   void tie()
   {
     if(options.orthogonality) {
@@ -210,6 +219,7 @@ private:
     return m;
   }
 
+  // Counts misfits of all members in one call. Rejected members are taken out and returned.
   std::vector<int> verify()
   {
     const Members m = all_members();
@@ -222,7 +232,7 @@ private:
     return rejected;
   }
 
-  // is_rejected(shape, group)
+  // Takes out members with is_rejected(shape, group), which runs in parallel.
   template <class Predicate>
   void remove_rejected(Predicate is_rejected, std::vector<int>& rejected)
   {
@@ -232,7 +242,7 @@ private:
     remove_members(is_out, rejected);
   }
 
-  // is_out: of all members, group by group.
+  // Takes out members; is_out has one entry a member, group by group. Notes what each cost, for rejoin().
   void remove_members(const std::vector<char>& is_out, std::vector<int>& rejected)
   {
     auto out = is_out.begin();
@@ -255,6 +265,7 @@ private:
     drop_empty();
   }
 
+  // Keeps the order of groups.
   void drop_empty()
   {
     std::size_t kept = 0;
@@ -273,8 +284,8 @@ private:
   Verified_planes<Verify>& verified;
   std::vector<Direction_group> groups;
   std::vector<char> is_dirty;        // per group: its members changed
-  std::vector<char> was_rejected;    // per shape: by the points
-  std::vector<double> rejected_cost; // per shape: what the fit of the refused group added
+  std::vector<char> was_rejected;    // per shape: by its points, at any level
+  std::vector<double> rejected_cost; // per shape: what the fit of the rejected group added (steps^2)
 };
 
 } // namespace internal

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The last regularity step of a run: clusters of the Gauss map are found by density, so
-// that small groups of parallel shapes are left beside large ones whose direction
-// their points would accept. Each of their shapes joins the group that it costs least.
+// Leftover directions at the end of a run. Clusters of the Gauss map are found by density. So small groups remain
+// beside large ones, although verification would accept the direction of the large one. Each of their shapes joins the
+// group that costs it least. Groups are merged or removed here; no direction changes. See the manual, "Verification and
+// Rollback".
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_JOINER_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_JOINER_H
@@ -15,7 +16,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Verified: Verified_planes.
+// Verified: Verified_planes. Bounds are those of tuning::leftovers.
 template <class Verified>
 class Direction_joiner {
 public:
@@ -27,7 +28,7 @@ public:
       sine(sine), verified(verified), groups(groups)
   {}
 
-  // The groups keep their directions; those that were given up are gone.
+  // Each step plans with the groups of before, verifies all plans in one call, and carries them out.
   void join()
   {
     for(int step = 0; step < tuning::leftovers::steps; ++step) {
@@ -38,13 +39,14 @@ public:
   }
 
 private:
-  // Where the members of a group go.
+  // Dissolves a group. Its members may go to different ones.
   struct Plan {
     std::size_t from;
-    std::vector<std::size_t> to; // by member
+    std::vector<std::size_t> to; // the new group of each member
   };
 
-  // By weight; ties are broken by the first member.
+  // A total order of groups by number of points, then by the first member. Groups only join heavier ones, so there are
+  // no cycles.
   bool is_lighter(std::size_t a, std::size_t b) const
   {
     if(groups[a].weight != groups[b].weight)
@@ -52,7 +54,7 @@ private:
     return groups[a].members.front() < groups[b].members.front();
   }
 
-  // A group that is orthogonal to another one has a relation to lose.
+  // Whether a group is small and would lose no right angle. Linear in the number of groups, for small groups only.
   bool is_loose(const Direction_group& g) const
   {
     return g.members.size() <= tuning::leftovers::maximum_members &&
@@ -60,7 +62,8 @@ private:
                         [&](const Direction_group& h) { return are_orthogonal(g.direction, h.direction); });
   }
 
-  // The heavier group that costs a shape least, if that is little.
+  // The heavier group within the angle that costs a shape least, or groups.size() if all cost too much. The first one
+  // of equal costs.
   std::size_t cheapest(const Direction_index& index, std::size_t from, int shape) const
   {
     std::pair<double, std::size_t> best(squared_rms * shapes[shape].scatter.count, groups.size());
@@ -71,7 +74,7 @@ private:
     return best.second;
   }
 
-  // Of the groups whose members can all afford to go, the lightest first.
+  // Plans for the loose groups of which every member has found another group, the lightest first.
   std::vector<Plan> make_plans() const
   {
     std::vector<Vector> directions;
@@ -92,7 +95,8 @@ private:
     return plans;
   }
 
-  // The plans to which the points of all members agree.
+  // Removes the plans of which any member is rejected. The limit on misfits is larger than elsewhere. A shape that
+  // joins does not change the direction, and takes no other shape with it.
   void verify(std::vector<Plan>& plans)
   {
     std::vector<int> candidates;
@@ -114,6 +118,7 @@ private:
                 plans.end());
   }
 
+  // Mean number of points of a shape: the unit of the price of a direction.
   double mean_size() const
   {
     double points = 0, members = 0;
@@ -124,7 +129,8 @@ private:
     return points / (std::max)(members, 1.);
   }
 
-  // A group that another one has joined stays, and nobody joins one that has gone.
+  // In the order of the plans. A group that another one has joined stays, and no group joins a removed one. What is
+  // skipped is planned again in the next step.
   void carry_out(const std::vector<Plan>& plans)
   {
     std::vector<char> stays(groups.size(), 0), is_gone(groups.size(), 0);
@@ -144,6 +150,7 @@ private:
       groups.end());
   }
 
+  // Members stay ascending. The matrix is not needed any more, as directions are final.
   void move(int shape, Direction_group& to) const
   {
     to.members.insert(std::lower_bound(to.members.begin(), to.members.end(), shape), shape);

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Groups of parallel shapes, and the directions that they were given so far. A new
-// one is turned onto at most two of those before, so that it is never over-constrained.
+// Groups of parallel shapes, and the directions that are fixed so far. A new direction is made orthogonal to at most
+// two of those, so that it is never over-determined. Only Direction_group::direction is written. See the manual,
+// "Orthogonality: Stars and Frames", chains.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
@@ -16,10 +17,10 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Shapes that share one direction. They are tied to others only within the angle
-// whose sine is given, which is smaller for shapes that were refused before.
+// Shapes that share one direction, and the moments that decide on it. Right angles to other groups are considered
+// within the angle whose sine is given. It is smaller for shapes that were rejected before.
 struct Direction_group {
-  std::vector<int> members;
+  std::vector<int> members; // shapes, ascending; never empty between steps
   double sine;
   Symmetric_matrix matrix; // sum of the members' scatter
   double weight;           // points
@@ -28,15 +29,16 @@ struct Direction_group {
   Vector rounded;          // the same on the grid of the Gauss map
   double minimum;          // sum of squared distances of the fit
   Vector direction;        // the result
-  bool is_frozen;          // keeps its direction, others may be tied to it
+  bool is_frozen;          // keeps its direction, others may be made orthogonal to it
 
-  // From the matrix alone.
+  // The unconstrained fit, from the matrix alone.
   void fit()
   {
     eigen = eigen_system(matrix);
     set_fit(canonical(eigen.vector[0]));
   }
 
+  // Sets what follows from a fitted normal.
   void set_fit(const Vector& n)
   {
     fitted = n;
@@ -44,11 +46,12 @@ struct Direction_group {
     minimum = quadratic_form(matrix, n);
   }
 
-  // Sum of squared distances that a direction adds to the best one.
+  // By how much a direction exceeds the sum of squared distances of the fit (steps^2).
   double cost(const Vector& n) const { return quadratic_form(matrix, n) - minimum; }
 };
 
-// The least cost of turning the normal of a scatter orthogonal to x, to first order.
+// The least cost (steps^2) of making the normal of a scatter orthogonal to x, to first order in the rotation. Rotating
+// about an axis costs the gap of two eigenvalues times the squared angle.
 inline double cost_of_right_angle(const Eigen_system& e, const Vector& x)
 {
   const double gap1 = (std::max)(e.value[1] - e.value[0], 1e-300);
@@ -58,16 +61,17 @@ inline double cost_of_right_angle(const Eigen_system& e, const Vector& x)
   return ease > 0 ? d0 * d0 / ease : (d0 == 0 ? 0 : 1e300);
 }
 
+// Fixed directions in the order in which they were added. Two that are equal up to rounding become one, of the sum of
+// their weights.
 class Fixed_directions {
 public:
-  // squared_rms: what a constraint may add to the mean squared distance of the points.
+  // squared_rms: what a chain may add to the mean squared distance of the points (steps^2).
   explicit Fixed_directions(double squared_rms) : squared_rms(squared_rms) {}
 
-  // What is placed until the next call is not used for chaining: the directions of one star.
+  // Begins a star. Directions that are fixed until the next call are those of one star, and are not used for its chain.
   void begin_star() { known = fixed.size(); }
 
-  // The direction of a scatter (of a star) that is best by its own, orthogonal to one or two
-  // placed ones if that is cheap.
+  // The direction of a star. It is its own fit, or a fit orthogonal to one or two fixed directions if that is cheap.
   Vector chained(const Direction_group& star) const
   {
     const double allowed = squared_rms * star.weight;
@@ -82,7 +86,8 @@ public:
     return chain(star, fixed[p].direction, rounded_normal(n), both) ? both : n;
   }
 
-  // A direction orthogonal to p and to a placed one, if there is one that is cheap enough.
+  // Sets `result` to a direction orthogonal to p and to a fixed one, if one is cheap enough. Returns whether it did.
+  // Two that are nearly parallel determine no third one.
   bool chain(const Direction_group& group, const Vector& p, const Vector& rounded_fit, Vector& result) const
   {
     const double allowed = squared_rms * group.weight;
@@ -95,8 +100,8 @@ public:
     return q < known;
   }
 
-  // Gives a group its direction; one that equals a placed direction up to rounding
-  // becomes the same bits, if it stays orthogonal to its master.
+  // Sets the direction of a group. If it equals a fixed one up to rounding, it becomes the same bits. It must stay
+  // orthogonal to its master then; a null master means none. Groups of equal bits are parallel in the result.
   Vector fix(Direction_group& group, const Vector& n, const Vector& master)
   {
     group.direction = canonical(n);
@@ -114,6 +119,7 @@ public:
     return group.direction;
   }
 
+  // Adds the direction of a group as it is.
   void add(const Direction_group& group)
   {
     by_x.insert({group.direction.x, fixed.size()});
@@ -126,16 +132,16 @@ private:
     double sine, weight;
   };
 
-  // In [0, 1]; 0 means that it costs too much.
+  // The square of the unused share of what is allowed, in [0, 1]. 0: it costs too much.
   static double worth(double cost, double allowed)
   {
     const double left = cost < allowed ? 1 - cost / allowed : (cost <= 0 ? 1 : 0);
     return left * left;
   }
 
-  // The one of the known directions within the angle that is worth most. A cheap right angle to a large
-  // group is no coincidence, while some small group is found at any angle. (Of six clouds,
-  // the root of the weight left more right angles exact on each than the least cost.)
+  // Of the directions of earlier stars within the angle, the one that is worth most; `known` if none is. A cheap right
+  // angle to a large group is no coincidence, while some small group is found at any angle. Measured: the root of the
+  // weight keeps more right angles than the least cost. Linear in the number of directions, which is small.
   template <class Worth>
   std::size_t best_partner(const Vector& rounded_fit, double sine, Worth worth_of) const
   {
@@ -155,9 +161,9 @@ private:
   }
 
   double squared_rms;
-  std::size_t known = 0;
+  std::size_t known = 0; // directions of earlier stars
   std::vector<Fixed_direction> fixed;
-  std::multimap<double, std::size_t> by_x;
+  std::multimap<double, std::size_t> by_x; // finds equal directions by their first coordinate
 };
 
 } // namespace internal

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Orthogonality between groups of parallel shapes (section 4.2 of the paper).
-// Greedy stars: the heaviest group is a master, the groups nearly orthogonal to it
-// are its followers. A star is turned onto at most two directions of earlier stars,
-// its followers are fitted in the plane orthogonal to the master, in pairs where they
-// are nearly orthogonal to each other. What is tied is tied up to the last bit.
+// Orthogonality between groups of parallel shapes (section 4.2 of the paper). Stars are found greedily: the heaviest
+// group is a master, groups nearly orthogonal to it are its followers. A star is made orthogonal to at most two
+// directions of earlier stars. Its followers are fitted in the plane orthogonal to the master. Two of them that are
+// nearly orthogonal to each other are fitted as a frame. Only Direction_group::direction is written. Right angles are
+// exact up to the last bit: see the manual, "Orthogonality: Stars and Frames".
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_FRAMES_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_FRAMES_H
@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Followers in the plane orthogonal to n, ordered by a monotone function of their
-// angle in [0, 2) under which a right angle is 1.
+// Followers in the plane orthogonal to n, sorted by angle. The angle is replaced by a monotone function in [0, 2).
+// Opposite directions have the same value, and a right angle is 1. It needs no trigonometric function.
 class Follower_circle {
 public:
   Follower_circle(const Vector& n, const std::vector<Vector>& follower) : basis(n)
@@ -30,8 +30,8 @@ public:
     std::sort(sorted.begin(), sorted.end());
   }
 
-  // Calls f for followers by growing distance from the right angle to v, to each
-  // side until it returns true.
+  // Calls f for followers by growing distance from the right angle to v, to each side until it returns true. So a
+  // search usually ends after few followers.
   template <class Function>
   void near_right_angle(const Vector& v, Function f) const
   {
@@ -46,6 +46,7 @@ public:
   }
 
 private:
+  // The function of the angle: 0 along u of the basis, 1 along v.
   double place(const Vector& v) const
   {
     double c = dot(v, basis.u), s = dot(v, basis.v);
@@ -60,15 +61,17 @@ private:
   std::vector<std::pair<double, std::size_t>> sorted;
 };
 
+// Decisions follow the order of the groups by weight, so they do not depend on threads.
 class Frames {
 public:
-  // squared_rms: what a tie may add to the mean squared distance of the points.
-  // Chaining spends a quarter of it, since the star has been fitted already.
+  // squared_rms: what a right angle may add to the mean squared distance of the points (steps^2). Chains may use a
+  // quarter of it, since the star has been fitted already.
   Frames(std::vector<Direction_group>& groups, double squared_rms)
     : groups(groups), squared_rms(squared_rms), fixed(tuning::directions::chain_share * squared_rms)
   {}
 
-  // The loops run on the executor: see Mean_shift.
+  // Sets the directions of all groups. Frozen ones keep theirs, and stars may be chained to them. For the executor see
+  // Mean_shift.
   template <class Executor>
   void tie(const Executor& executor)
   {
@@ -83,7 +86,7 @@ public:
   }
 
 private:
-  // Fewer of them are left to one thread.
+  // Loops over fewer followers run on one thread.
   static constexpr std::size_t few_followers = 8;
 
   struct Star {
@@ -91,13 +94,15 @@ private:
     std::vector<int> followers; // by falling weight
   };
 
-  // What most groups are told apart by, side by side.
+  // What the quadratic loop of make_stars() reads of a group, in consecutive memory. Most pairs fail the test of the
+  // angle.
   struct Candidate {
     Vector rounded;
     double sine;
     int group;
   };
 
+  // Groups by falling number of points; ties are broken by the first member, which is in no other group.
   std::vector<int> by_weight() const
   {
     std::vector<int> order(groups.size());
@@ -110,7 +115,8 @@ private:
     return order;
   }
 
-  // A right angle that costs both sides too much would only be refused later.
+  // Whether a group is nearly orthogonal to the master, and at least one of them can bear the right angle. If it costs
+  // both too much, verification would reject it later.
   bool is_follower(const Candidate& master, const Candidate& follower) const
   {
     if(!(std::fabs(rounded_dot(master.rounded, follower.rounded)) < (std::min)(master.sine, follower.sine)))
@@ -120,6 +126,7 @@ private:
            cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
   }
 
+  // Each group is in one star. `rest` is sorted by falling weight and stays so.
   std::vector<Star> make_stars(std::vector<Candidate> rest) const
   {
     std::vector<Star> stars;
@@ -136,7 +143,7 @@ private:
     return stars;
   }
 
-  // The master and its followers turned onto it, fitted as one (equation 1 of the paper).
+  // The master and its followers turned by 90 degrees onto it, fitted as one (equation 1 of the paper).
   Direction_group joint_group(const Star& star) const
   {
     Direction_group joint = groups[star.master];
@@ -149,6 +156,8 @@ private:
     return joint;
   }
 
+  // Fixes the directions of a star: master, followers orthogonal to it, pairs of followers. Followers that are chained
+  // to an earlier star are determined already: is_fixed.
   template <class Executor>
   void place(const Star& star, const Executor& executor)
   {
@@ -170,7 +179,8 @@ private:
       fixed.fix(groups[star.followers[k]], follower[k], n);
   }
 
-  // Each follower takes the free follower closest to a right angle to it as partner.
+  // Each follower takes the free follower closest to a right angle as partner, in the order of weight. Both must be
+  // within the angle of each other, and not both fixed.
   void pair_followers(const Star& star, const Vector& n, std::vector<Vector>& follower,
                       std::vector<char>& is_fixed) const
   {
@@ -196,7 +206,8 @@ private:
     }
   }
 
-  // One frame for two followers, if both can afford it.
+  // Makes two followers orthogonal to each other if neither exceeds its bound. Free ones are fitted together; beside a
+  // fixed one, the other is determined. Returns whether it did.
   bool tie_pair(const Star& star, const Vector& n, std::pair<std::size_t, std::size_t> pair,
                 std::vector<Vector>& follower, const std::vector<char>& is_fixed) const
   {

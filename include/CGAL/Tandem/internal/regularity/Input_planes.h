@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Planes that were found elsewhere, with their points on the grid: what the
-// regularity step needs of them.
+// Planes that another method has found, with their points on the grid, as input of the regularity step. Computes fits,
+// counts of misfits, and an estimate of epsilon. It is for relate_planes() only; the detection has fits and counts of
+// its own. Nothing is changed here.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_INPUT_PLANES_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_INPUT_PLANES_H
@@ -16,7 +17,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Null where the normal is null or a coefficient is not finite.
+// With a unit normal. Null where the normal is null or a coefficient is not finite. Divided by the largest component
+// first, so that no square overflows.
 inline Coefficients normalized(const Coefficients& c)
 {
   const double largest = largest_component({c[0], c[1], c[2]});
@@ -27,13 +29,14 @@ inline Coefficients normalized(const Coefficients& c)
   return {n.x, n.y, n.z, c[3] / largest / length(scaled)};
 }
 
+// To a plane of unit normal, in the caller's coordinates.
 inline double signed_distance(const Coefficients& c, const Vector& p)
 {
   return std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
 }
 
-// 2.5 times the root mean square distance of the points to their planes. Integer
-// sums: the order of the points does not matter.
+// epsilon where the caller gives none: 2.5 times the root mean square distance of the points to their planes. Sums are
+// integers, so the order of the points does not matter. 0 if all points lie on their planes.
 inline double estimate_maximum_distance(const Import& in, const std::vector<int>& plane_of,
                                         const std::vector<Coefficients>& planes)
 {
@@ -57,9 +60,11 @@ inline double estimate_maximum_distance(const Import& in, const std::vector<int>
   return 2.5 * largest * std::sqrt(double(sum) / count) / 32768;
 }
 
+// The shapes are the planes, in the caller's order. It is the callback of regularize() that counts misfits. Its
+// executor is In_order: all runs on one thread.
 class Input_planes : public In_order {
 public:
-  // plane_of: of each imported point, -1 if it has none. The points are on the grid.
+  // plane_of: by imported point, -1 if it has none. The points must be on the grid: see put_on_grid().
   Input_planes(const Import& in, const std::vector<int>& plane_of, const std::vector<Coefficients>& planes,
                double epsilon)
     : first(planes.size() + 1, 0), tolerance(llrint(epsilon / in.grid.step * normal_scale))
@@ -71,10 +76,11 @@ public:
 
   const Shape_fits& fits() const { return fits_; }
 
-  // Planes without a unit normal or with points that determine no plane take part in nothing.
+  // By shape: planes without a normal, or with points that determine no plane, get no relations.
   const std::vector<char>& is_excluded() const { return is_excluded_; }
 
-  // The callback of the regularity step.
+  // Adds to counts[k] the points of shapes[k] within epsilon of its input plane, but not of candidates[k]. Normals of
+  // points play no part, as the input has none.
   void operator()(const std::vector<int>& shapes, const Regular_planes& candidates,
                   std::vector<std::int64_t>& counts) const
   {
@@ -87,6 +93,7 @@ public:
   }
 
 private:
+  // Sorts the points by plane, by counting, so that those of a plane are consecutive.
   void sort_points(const Import& in, const std::vector<int>& plane_of)
   {
     for(int s : plane_of)
@@ -100,12 +107,14 @@ private:
         point[next[plane_of[i]]++] = in.point[i];
   }
 
-  // The integer plane is most accurate near the point that it is made of.
+  // The integer plane of p. It is most accurate near the point that it is made of. This is the foot of the
+  // perpendicular from `near`.
   static Plane on_grid(const Regular_plane& p, const Vector& near)
   {
     return make_plane(p.normal, add_scaled(near, p.offset - dot(p.normal, near), p.normal));
   }
 
+  // Fits the points of plane s. Points on a line, of a second eigenvalue near 0, determine no plane.
   void add_plane(const Coefficients& c, const Grid& grid, std::size_t s)
   {
     Moments moments;
@@ -121,12 +130,12 @@ private:
                                : Plane{0, 0, 0, 0});
   }
 
-  std::vector<Grid_point> point; // by plane
-  std::vector<std::size_t> first;
+  std::vector<Grid_point> point;  // those of a plane together
+  std::vector<std::size_t> first; // of each plane in that table, and the end
   Shape_fits fits_;
   std::vector<char> is_excluded_;
-  std::vector<Plane> given;
-  std::int64_t tolerance;
+  std::vector<Plane> given; // input planes on the grid; null without a normal
+  std::int64_t tolerance;   // epsilon in 2^-28 steps
 };
 
 } // namespace internal

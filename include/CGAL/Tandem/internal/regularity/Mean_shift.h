@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Mean shift with a Gaussian kernel, for directions and for offsets. An index
-// type supplies the geometry:
-//   Index(positions, radius), near(position, f) calling f(i, squared distance)
-//   for all positions within the radius, Index::Mean with add() and value().
+// Mean shift with a Gaussian kernel, for directions and for offsets (section 4.1 of the paper). It computes modes and
+// changes nothing. An index type supplies the geometry:
+//   Index(positions, radius)
+//   near(position, f)          calls f(i, squared distance) for all positions within the radius, in a fixed order
+//   Index::Mean                a weighted mean, with add() and value()
 // Loops run on executor.for_each(n, f, few): f(i) for i in [0, n), on one thread if n < few.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_MEAN_SHIFT_H
@@ -31,7 +32,7 @@ inline double gaussian(double t)
   return e;
 }
 
-// Runs loops on the calling thread.
+// The executor that runs loops on the calling thread.
 struct In_order {
   template <class F>
   void for_each(std::size_t n, F f, std::size_t = 0) const
@@ -41,8 +42,9 @@ struct In_order {
   }
 };
 
-// Finds the modes of a weighted set: sigma is half the radius, and of two modes
-// within the radius of each other only the denser one counts.
+// Finds the modes of a weighted set. The standard deviation of the kernel is half the radius. Of two modes within the
+// radius of each other only the denser one counts. A sum is computed by one thread, in the order of the index, so
+// threads cannot change a bit. The arguments must outlive the search.
 template <class Index>
 class Mean_shift {
 public:
@@ -64,6 +66,7 @@ public:
     return without_weaker(found);
   }
 
+  // The sum of the weights within reach, by the kernel.
   double density(const Position& x) const
   {
     double sum = 0;
@@ -72,7 +75,7 @@ public:
   }
 
 private:
-  // Fewer of them are left to one thread.
+  // Loops over fewer items run on one thread.
   static constexpr std::size_t few_densities = 64, few_climbs = 8;
 
   struct Mode {
@@ -80,9 +83,11 @@ private:
     double density;
   };
 
+  // q: squared distance. The exponent q / (2 sigma^2) is 2 q / radius^2.
   double kernel(double q) const { return gaussian(2 * q / (radius * radius)); }
 
-  // Local maxima among the positions: every mode is reached from one of them.
+  // Local maxima of the density among the positions within sigma, as every mode is reached from one of them. Of equal
+  // densities the first position counts. There are far fewer than positions, so few ascents are needed.
   template <class Executor>
   std::vector<std::size_t> starts(const Executor& executor) const
   {
@@ -109,6 +114,7 @@ private:
     return result;
   }
 
+  // The ascent: the mean of what the kernel weighs, again and again, until it rests.
   Mode climb(std::size_t start) const
   {
     Position x = position[start];
@@ -125,6 +131,7 @@ private:
     return {x, density(x)};
   }
 
+  // The modes, by falling density, without those within the radius of a kept one.
   std::vector<Position> without_weaker(const std::vector<Mode>& sorted) const
   {
     std::vector<Position> all, kept;

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the moments and the points of the shapes say to the planes that the
-// regularity step proposes. Point-sized work is left to a callback
-//   verify(shapes, planes, counts): counts[k] = number of points of shapes[k]
-//   that fit its local plane, but not planes[k]
-// which is called a few times with all shapes that are in question. It also runs
-//   verify.for_each(n, f, few): f(i) for i in [0, n), in any order, maybe many at a time unless n < few.
+// Tests whether shapes accept the planes that the regularity step proposes, by their moments and by their points. See
+// the manual, "Verification and Rollback". Only the table of accepted planes changes. Counting points is left to a
+// callback, which is called a few times with all open cases:
+//   verify(shapes, planes, counts)  sets counts[k]: points of shapes[k] that fit its local plane, but not planes[k]
+//   verify.for_each(n, f, few)      f(i) for i in [0, n), in any order, in parallel unless n < few
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_VERIFIED_PLANES_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_VERIFIED_PLANES_H
@@ -18,12 +17,13 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The most points of a shape, as a share of it and at all, that may newly misfit.
+// The largest number of misfits that a shape accepts: a share of its points, and a number of points.
 struct Misfit_limit {
   double share, points;
 };
 
-// The shapes with the plane that their points accepted last: the local fit at first.
+// The shapes with the plane that each has accepted last, which is the local fit at first. A plane close to it needs no
+// test, so a shape is rarely counted twice. All lengths are grid steps, all costs steps^2.
 template <class Verify>
 class Verified_planes {
 public:
@@ -35,37 +35,40 @@ public:
              [&](std::size_t i) { accepted[i] = through_centroid(shapes[i], canonical(shapes[i].fit.normal)); });
   }
 
+  // The executor of the regularity step.
   template <class F>
   void for_each(std::size_t n, F f, std::size_t few = 256) const
   {
     verify.for_each(n, f, few);
   }
 
-  // Whether the direction adds too much to the distance of the points (from the moments alone).
+  // Whether a direction adds too much to the distances of the points. It takes moments only, so it costs no count.
   bool is_too_far(int shape, const Vector& n) const
   {
     const double allowed = tuning::verification::rms_share * maximum_distance;
     return added(shape, n) > allowed * allowed * shapes[shape].scatter.count;
   }
 
+  // What a plane of this normal through the centroid adds to the sum of squared distances of the local fit.
   double added(int shape, const Vector& n) const
   {
     const Shape_fit& s = shapes[shape];
     return quadratic_form(s.scatter.matrix, n) - quadratic_form(s.scatter.matrix, s.fit.normal);
   }
 
-  // Whether the plane is too far from the centroid.
+  // Whether the plane is too far from the centroid, at any angle.
   bool is_shifted_too_far(int shape, const Regular_plane& plane) const
   {
     return std::fabs(dot(plane.normal, shapes[shape].scatter.centroid) - plane.offset) >
            tuning::verification::rms_share * maximum_distance;
   }
 
-  // Asks the points, in one call. Returns for each candidate whether it was refused. No shape is there twice.
+  // Tests candidates[k] against planes[k], with one call of the callback. Entry k of the result: whether it rejects the
+  // plane. Accepted planes are stored. No shape may be there twice, since its accepted plane would be written twice.
   std::vector<char> test(const std::vector<int>& candidates, const Regular_planes& planes,
                          const Misfit_limit& limit = {tuning::verification::misfit_share, 1e300})
   {
-    enum : char { still, rejected, open };
+    enum : char { still, rejected, open }; // only open cases are counted
     std::vector<char> verdict(candidates.size());
     for_each(candidates.size(), [&](std::size_t k) {
       const int i = candidates[k];
@@ -100,7 +103,8 @@ public:
   }
 
 private:
-  // Bound on the motion of the plane against the accepted one within two standard deviations of the shape.
+  // A bound on the distance between the plane and the accepted one, within two standard deviations of the shape. They
+  // are taken along its longest axis.
   double motion(int shape, const Regular_plane& plane) const
   {
     const Scatter& s = shapes[shape].scatter;

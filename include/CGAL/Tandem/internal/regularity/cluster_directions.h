@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Gauss map of unoriented normals: distances are sines, so that opposite
-// normals coincide, and groups of normals are found by mean shift.
+// The Gauss map of unoriented normals, and its clusters (section 4.1 of the paper). Distances are sines, so that
+// opposite normals coincide. Groups of normals are found by mean shift; normals and shapes do not change. See the
+// manual, "Gauss Map Clustering".
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_DIRECTIONS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_DIRECTIONS_H
@@ -19,7 +20,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The one of n and -n whose last nonzero coordinate is positive; no negative zeros.
+// The one of n and -n whose last nonzero coordinate is positive. Adding 0 removes negative zeros, so that equal
+// directions have equal bits.
 inline Vector canonical(const Vector& n)
 {
   const bool is_opposite = n.z < 0 || (n.z == 0 && (n.y < 0 || (n.y == 0 && n.x < 0)));
@@ -29,8 +31,8 @@ inline Vector canonical(const Vector& n)
 
 inline bool operator==(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-// On a grid of 2^-24 (less than 4e-6 degrees) differences, squares and weighted
-// sums of normals are exact, so that they need no fma, which costs a call on plain x86-64.
+// A normal on a grid of 2^-24, which is less than 4e-6 degrees. Products of coordinates, of their differences and with
+// float weights are exact then. So contraction cannot change a sum, and no std::fma is needed: a call on plain x86-64.
 inline Vector rounded_normal(const Vector& n)
 {
   const double scale = double(1 << 24);
@@ -40,20 +42,20 @@ inline Vector rounded_normal(const Vector& n)
 
 inline double rounded_dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// Rounded unit normals in a dense grid of cubes. Those near the equator are entered
-// with both signs, so that a query looks at one place only.
+// Rounded unit normals in a dense grid of cubes, sorted by cube, for queries within a radius. Those near the equator
+// are entered with both signs, so that a query is for one sign only. Memory: at most 80 bytes a normal.
 class Direction_index {
 public:
   using Position = Vector;
 
-  // The weighted mean of rounded normals turned to the side of the first one.
+  // The weighted mean of rounded normals, with signs as seen from `side`. Calls of add() must have a fixed order.
   class Mean {
   public:
     explicit Mean(const Vector& side) : side(side) {}
 
     void add(const Vector& n, double weight)
     {
-      // the sign is certain, as n is near; 24 bits of weight make the products exact
+      // The sign is certain, as n is near; weights of 24 bits make the products exact.
       const double w = rounded_dot(side, n) < 0 ? -float(weight) : float(weight);
       sum.x += w * n.x;
       sum.y += w * n.y;
@@ -66,13 +68,14 @@ public:
     Vector side, sum = {0, 0, 0};
   };
 
+  // The squared sine of the angle of two unit vectors.
   static double squared_distance(const Vector& a, const Vector& b)
   {
     const Vector c = cross(a, b);
     return dot(c, c);
   }
 
-  // radius: the sine of the largest angle that a query reaches.
+  // radius: the sine of the largest angle that a query reaches. Linear in the number of normals.
   Direction_index(const std::vector<Vector>& normals, double radius)
     : chord(chord_of(radius)), squared_chord(chord * chord)
   {
@@ -88,6 +91,8 @@ public:
     sort_into_cubes(entries);
   }
 
+  // Calls f(i, squared sine) for the normals within the radius, in the order of the cubes, then of the input. Cubes are
+  // at least as wide as the radius, so those beside the query suffice.
   template <class Function>
   void near(const Vector& normal, Function f) const
   {
@@ -106,13 +111,13 @@ private:
     std::size_t index;
   };
 
-  // |a - b| of two unit vectors whose angle has this sine; a right angle reaches all of them.
+  // |a - b| of two unit vectors whose acute angle has this sine; that of a right angle reaches all of them.
   static double chord_of(double sine)
   {
     return sine < 1 ? sine * std::sqrt(2 / (1 + std::sqrt(std::fma(-sine, sine, 1.0)))) : std::sqrt(2.0);
   }
 
-  // As fine as the radius, but at most four cubes a normal.
+  // Cubes at least as wide as the radius, but not many more than four a normal.
   void choose_size(std::size_t n)
   {
     int maximum = 4;
@@ -155,21 +160,22 @@ private:
   std::vector<Entry> sorted;
 };
 
-// Normals and weights gathered in small cubes, so that the cost of the mean shift
-// depends on the number of different directions. Integer sums: the bins do not
-// depend on the order of the shapes.
+// Normals and weights gathered in small cubes. So the cost of the mean shift depends on the number of different
+// directions, not of shapes. Sums are integers: bins do not depend on the order of the shapes.
+// normal[b] is the mean direction of bin b, rounded; weight[b] the sum of weights.
 struct Direction_bins {
   std::vector<Vector> normal;
   std::vector<double> weight;
 };
 
+// Bins of the given width, sorted by cube. n log n for n normals.
 template <class Executor>
 Direction_bins make_direction_bins(const std::vector<Vector>& normals, const std::vector<double>& weights, double width,
                                    const Executor& executor)
 {
   using Item = std::array<std::int64_t, 4>; // weighted normal, weight
   const std::size_t n = normals.size();
-  // 21 bits for each coordinate: of a tolerance below a thousandth of a degree the bins are wider.
+  // 21 bits a coordinate: for tolerances below a thousandth of a degree, bins are wider.
   const double cubes = 1 / (std::max)(width, std::ldexp(1.0, -19));
   const double scale = double(1 << 26); // times at most 2^32 points fits int64
   std::vector<Item> items(n);
@@ -196,9 +202,9 @@ Direction_bins make_direction_bins(const std::vector<Vector>& normals, const std
   return bins;
 }
 
-// Groups of normals within the radius (a sine) of a mode, as lists of positions.
-// What no mode reaches is clustered again, and forms a group of its own at last. The
-// loops run on the executor: see Mean_shift.
+// Groups of normals within the radius (a sine) of a mode, as lists of positions in the input. A normal joins the
+// nearest mode; of equally near ones, the denser. Those that no mode reaches are clustered again, and stay alone at
+// last. Each position is in one group. For the executor see Mean_shift.
 template <class Executor>
 std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& normals, const std::vector<double>& weights,
                                                  double radius, const Executor& executor)
@@ -224,6 +230,7 @@ std::vector<std::vector<int>> cluster_directions(const std::vector<Vector>& norm
     executor.for_each(rest.size(), [&](std::size_t k) {
       index.near(n[k], [&](std::size_t m, double q) { nearest[k] = (std::min)(nearest[k], {q, m}); });
     });
+    // A squared sine is at most 1: larger means that no mode is near.
     std::vector<int> left;
     for(std::size_t k = 0; k < rest.size(); ++k)
       (nearest[k].first <= 1 ? groups[start + nearest[k].second] : left).push_back(rest[k]);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Offsets of parallel shapes along their direction, clustered on the line.
+// Offsets of parallel shapes along their direction (grid steps), clustered on the line by mean shift. See section 4.3
+// of the paper. Nothing is changed; Coplanar_classes.h verifies the clusters.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_OFFSETS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_OFFSETS_H
@@ -14,11 +15,13 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Sorted offsets; a query is a window.
+// Sorted offsets: a query is a window, found by bisection. It visits offsets in rising order, equal ones in that of the
+// input.
 class Offset_index {
 public:
   using Position = double;
 
+  // The weighted mean, as differences from a value nearby: offsets far from the origin lose no bits.
   class Mean {
   public:
     explicit Mean(double start) : start(start) {}
@@ -42,6 +45,7 @@ public:
     std::sort(sorted.begin(), sorted.end());
   }
 
+  // Calls f(i, squared distance) for the offsets within the radius.
   template <class Function>
   void near(double x, Function f) const
   {
@@ -55,12 +59,13 @@ private:
   std::vector<std::pair<double, std::size_t>> sorted;
 };
 
-// Classes of offsets within the radius of a mode, as lists of positions; every
-// position is in one of them.
+// Classes of offsets within the radius of a mode, as lists of positions in the input, by rising offset. Every position
+// is in one of them: at the nearest mode (of equally near ones, the denser), or alone.
 inline std::vector<std::vector<int>> cluster_offsets(const std::vector<double>& offsets,
                                                      const std::vector<double>& weights, double radius)
 {
-  // close offsets count as one, so that a wall of a thousand windows costs no more than ten shapes
+  // Close offsets are gathered in bins of a sixteenth of the radius. The cost of the mean shift then depends on the
+  // number of different offsets. A wall with a thousand windows has few.
   std::vector<std::pair<double, int>> order;
   for(std::size_t i = 0; i < offsets.size(); ++i)
     order.push_back({offsets[i], int(i)});

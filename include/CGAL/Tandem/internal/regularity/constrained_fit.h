@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Least-squares normals under constraints: orthogonal to a given direction, and
-// two at once that are orthogonal to it and to each other. Results are orthogonal
-// up to the last bit (|dot| <= 1e-15).
+// Least-squares normals under constraints. One is orthogonal to a given direction, or two are orthogonal to it and to
+// each other. Results are orthogonal up to the last bit (|dot| <= 1e-15). All are closed forms: no iteration.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_CONSTRAINED_FIT_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_CONSTRAINED_FIT_H
@@ -34,7 +33,8 @@ inline Vector orthogonal_to_both(const Vector& a, const Vector& b)
   return r;
 }
 
-// An orthonormal basis of the plane orthogonal to x.
+// An orthonormal basis of the plane orthogonal to the unit vector x. It begins with the axis farthest from x, where
+// rounding is smallest; the first of equal ones.
 struct Plane_basis {
   Vector u, v;
 
@@ -46,21 +46,24 @@ struct Plane_basis {
     v = unit(cross(x, u));
   }
 
+  // The vector of coordinates (c, s) in space.
   Vector lifted(double c, double s) const { return add_scaled(c * u, s, v); }
 };
 
-// [p q; q r]
+// The matrix [p q; q r].
 struct Symmetric_matrix_2 {
   double p, q, r;
 };
 
+// The quadratic form of m on the plane of the basis.
 inline Symmetric_matrix_2 restricted(const Symmetric_matrix& m, const Plane_basis& b)
 {
   const Vector mu = m * b.u, mv = m * b.v;
   return {dot(b.u, mu), dot(b.u, mv), dot(b.v, mv)};
 }
 
-// Eigenvector (not unit) of the smallest eigenvalue; false if any vector is one.
+// Eigenvector (not unit) of the smallest eigenvalue; false if any vector is one. Of two formulas, the one without
+// cancellation is used.
 inline bool smallest_eigenvector(const Symmetric_matrix_2& m, double& c, double& s)
 {
   const double delta = (m.p - m.r) * 0.5;
@@ -72,7 +75,7 @@ inline bool smallest_eigenvector(const Symmetric_matrix_2& m, double& c, double&
   return true;
 }
 
-// The best normal of the scatter m that is orthogonal to x; `now` decides where m does not.
+// The best normal of the scatter m that is orthogonal to x. If all are equally good, it is the one closest to `now`.
 inline Vector fit_orthogonal(const Symmetric_matrix& m, const Vector& x, const Vector& now)
 {
   const Plane_basis basis(x);
@@ -82,7 +85,8 @@ inline Vector fit_orthogonal(const Symmetric_matrix& m, const Vector& x, const V
   return made_orthogonal(basis.lifted(c, s), x);
 }
 
-// The best normal a of one scatter such that cross(x, a) is the normal of another one.
+// The normal a, orthogonal to x, such that a for one scatter and cross(x, a) for another are best together. The matrix
+// of the second is turned by 90 degrees in the plane and added.
 inline Vector fit_frame(const Symmetric_matrix& ma, const Symmetric_matrix& mb, const Vector& x, const Vector& now)
 {
   const Plane_basis basis(x);
@@ -93,7 +97,8 @@ inline Vector fit_frame(const Symmetric_matrix& ma, const Symmetric_matrix& mb, 
   return made_orthogonal(basis.lifted(c, s), x);
 }
 
-// R m R' with R the rotation by 90 degrees in the plane of `from` and `to` (nearly orthogonal).
+// R m R', where R rotates by 90 degrees in the plane of `from` and `to`. These are nearly orthogonal. Followers are
+// taken to the direction of their master in this way: equation 1 of the paper.
 inline Symmetric_matrix turned(const Symmetric_matrix& m, const Vector& from, const Vector& to)
 {
   const Vector a = unit(cross(from, to));

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The regularity step: shapes become parallel, orthogonal and coplanar where
-// their moments and their points allow it.
+// The regularity step: shapes become parallel, orthogonal and coplanar where verification accepts it (section 4 of the
+// paper). Directions are fixed first, then offsets. Input are moments and counts of misfits, the result is Relations.
+// Neither labels nor shapes change here; rounds/regularize_shapes.h applies the result.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H
@@ -17,7 +18,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Numbers the groups that share a direction alike: -1 for shapes without a group.
+// By shape, the number of its direction; -1 for shapes without a group. Groups whose directions have the same bits get
+// the same number, since frames can make them equal.
 inline std::vector<int> shared_directions(const std::vector<Direction_group>& groups, std::size_t n)
 {
   auto key = [](const Vector& v) { return std::make_tuple(v.x, v.y, v.z); };
@@ -36,8 +38,8 @@ inline std::vector<int> shared_directions(const std::vector<Direction_group>& gr
   return direction_of;
 }
 
-// Fills the tables in the order of the shapes. plane[i] is the plane of shape i,
-// direction[i] and coplanar[i] name what it shares (-1: nothing).
+// Fills r with directions and planes in the order of the first shape of each. plane[i] is the plane of shape i.
+// direction[i] and coplanar[i] are the numbers of what it shares, or -1: then it gets entries of its own.
 inline void number_relations(const Regular_planes& plane, const std::vector<int>& direction,
                              const std::vector<int>& coplanar, Relations& r)
 {
@@ -63,11 +65,13 @@ inline void number_relations(const Regular_planes& plane, const std::vector<int>
   }
 }
 
-// is_excluded: shapes that keep their local fit and take part in nothing.
+// is_excluded: by shape; those keep their local fits and get no relations. The same holds for shapes without points or
+// without a normal. Verify: the callback of Verified_planes.
 template <class Verify>
 Relations regularize(const Shape_fits& shapes, const std::vector<char>& is_excluded, const Regularity_options& options,
                      Verify& verify)
 {
+  // Normals are unit or null; 0.5 separates them whatever the rounding.
   std::vector<int> active;
   for(std::size_t i = 0; i < shapes.size(); ++i)
     if(!is_excluded[i] && shapes[i].scatter.count > 0 && dot(shapes[i].fit.normal, shapes[i].fit.normal) > 0.5)
