@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The memory of back ends whose functors run on the host: their tables are what the host has, so access to them copies
+// The memory of back ends whose functors run on the host. Their tables are what the host has, so access to them copies
 // nothing. Also compaction, which both of these back ends share.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H

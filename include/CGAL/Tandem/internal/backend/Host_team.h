@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  // The place of one thread: it begins with its own part of the items, and goes on with what is left of other parts.
+  // The place of one thread. It begins with its own part of the items, and goes on with what is left of other parts.
   // The counters lie in separate cache lines. With one common counter, threads would wait for its line longer than most
   // items take.
   struct Seat {

@@ -139,8 +139,8 @@ public:
   }
 
 private:
-  // f(i) for i in [0, n). Isolated: a thread that waits for the others must not take work of the caller's own loops,
-  // which might call this package again.
+  // f(i) for i in [0, n). Isolated: a thread that waits for the others must not take other work of the caller. That
+  // could call this package again.
   template <class F>
   static void run(std::size_t n, F f)
   {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The smallest models of Backend and Block, with every operation of concepts.h and nothing else: a test compiles the
-// engine with them. So no stage uses more than the concepts promise. They compute nothing: `if(false)` compiles what is
+// The smallest models of Backend and Block, with every operation of concepts.h and nothing else. A test compiles the
+// engine with them, so no stage uses more than the concepts promise. They compute nothing: `if(false)` compiles what is
 // passed to them, and does not run it.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_ARCHETYPES_H
@@ -108,7 +108,7 @@ struct Sort_table {
   std::size_t size() const { return 0; }
 };
 
-// What read_access() and its relatives return.
+// What the access functions of the back end return.
 template <class T>
 struct Access {
   T* data() const { return nullptr; }

@@ -89,8 +89,8 @@ struct Ties {
   Cloud_view cloud;
   const std::uint32_t* label;
 
-  // Calls unite(p, q) for the neighbor q of r, where p is r or the first neighbor of r with the label of q. Both are in
-  // the range; free points and points out of the range are skipped.
+  // Calls unite(p, q) for the neighbor q of r. p is r itself, or the first neighbor of r with the label of q. Both are
+  // in the range; free points and points out of the range are skipped.
   template <class Unite>
   CGAL_TANDEM_HD void operator()(std::uint32_t r, std::uint32_t q, const Range& range, Unite unite) const
   {

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The last step that decides on single points: each is tested against the final plane of its shape, in double, on the
-// caller's coordinates and normals. The test is filtered: integers accept all points that are not close to a bound.
-// Changes labels, nothing else. See the manual, "Exact Check".
+// The last step that decides on single points: each is tested against the final plane of its shape. The test is in
+// double, on the caller's coordinates and normals. It is filtered: integers accept all points that are not close to a
+// bound. Changes labels, nothing else. See the manual, "Exact Check".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H
 #define CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H

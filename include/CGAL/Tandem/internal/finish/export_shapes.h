@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the result of the engine to that of the caller: items of the range, groups of shapes, orthogonal pairs of
-// groups, and statistics. Changes no plane, and no label of a point.
+// From the result of the engine to that of the caller: items of the range, groups of shapes, pairs of groups,
+// statistics. Changes no plane, and no label of a point.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H

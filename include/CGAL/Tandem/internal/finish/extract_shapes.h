@@ -57,7 +57,7 @@ struct Free_dropped {
   }
 };
 
-// Item i is the i-th component of the result: its number goes to its root, where the points of the component find it.
+// Item i is the i-th component of the result. Its number goes to its root, where the points of the component find it.
 struct Number_roots {
   const Component* component; // in the order of the shapes
   std::uint32_t* number;      // by root
@@ -228,7 +228,7 @@ private:
     result.mean_distance = points > 0 ? double(distance[0]) / double(points) / distance_units : 0;
   }
 
-  // Moves the items of a buffer to a table of the host: without a copy where the buffer is memory of the host.
+  // Moves the items of a buffer to a table of the host, without a copy where the buffer is memory of the host.
   template <class T>
   Shared_table<T> on_host(Buffer<T>&& buffer)
   {

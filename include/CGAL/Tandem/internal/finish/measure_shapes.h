@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Statistics of the final shapes: the mean distance of points to their planes, and how many normals are opposite to
-// these. Computed on the grid by integer sums, so they are the same for every order of the points. Changes nothing
-// else.
+// Statistics of the final shapes: the mean distance of points, and how many normals are opposite to their planes.
+// Computed on the grid by integer sums, so they are the same for every order of the points. Changes nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Passes over assigned points while planes are fixed: points move to larger shapes that they fit, or all shapes are
+// Passes over assigned points while planes are fixed. Points move to larger shapes that they fit, or all shapes are
 // counted again. Changes labels and interior bits of points, and moments and boxes of shapes, nothing else. See the
 // manual, "Reassignment".
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Memory of the host for tables of the size of the cloud: arrays without initial values, arrays that copies share, and
+// Memory of the host for tables of the size of the cloud. Arrays without initial values, arrays that copies share, and
 // the table that is sorted by key.
 
 #ifndef CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H
