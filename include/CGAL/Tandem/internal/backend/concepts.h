@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The two concepts that the engine is written on: what a back end supplies, and what a body may use. Everything that the
-// engine calls is listed here, and archetypes.h has it and nothing else.
+// The two concepts that the engine is written on: what a back end supplies, and what a body may use. Everything that
+// the engine calls is listed here, and archetypes.h has it and nothing else.
 //
 // A *back end* owns memory and runs functors and bodies; it has no notion of planes. A functor is called with an item.
 // A *body* is a function template on a *block*: all lanes that work on one octree cell. Code outside of a call of the
