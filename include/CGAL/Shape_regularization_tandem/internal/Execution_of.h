@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which back end and which engine a concurrency tag stands for.
+// Which back end and which engine a concurrency tag selects. Decided at compile time; see the manual, "Back Ends and
+// Determinism".
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_OF_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_OF_H
@@ -18,7 +19,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The engines are defined in execution.h.
+// The engines are defined in execution.h, so that headers that only name them need not include the method.
 template <class Backend>
 class Engine;
 #ifdef CGAL_TANDEM_USE_CUDA
@@ -27,7 +28,8 @@ template <class Backend>
 class Cuda_or_host_engine;
 #endif
 
-// The back end that executes what a tag asks for.
+// The back end of the host that a tag selects, or a compile-time error that names the remedy. Cuda_tag gets here only
+// if the library is not linked.
 template <class Tag>
 struct Backend_of {
   static_assert(!std::is_same<Tag, Cuda_tag>::value,
@@ -42,13 +44,14 @@ struct Backend_of {
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
+// Parallel_if_available_tag is this tag or Sequential_tag, so it needs no entry.
 template <>
 struct Backend_of<CGAL::Parallel_tag> {
   using type = Tbb_backend;
 };
 #endif
 
-// Backend: what works at the border of the caller, on the host. Engine: the loop.
+// Backend reads the caller's range and writes the result, on the host. Engine runs the method.
 template <class Tag>
 struct Execution_of {
   using Backend = typename Backend_of<Tag>::type;
@@ -57,12 +60,14 @@ struct Execution_of {
 
 #ifdef CGAL_TANDEM_USE_CUDA
 
+// An exception where there is no device.
 template <>
 struct Execution_of<Cuda_tag> {
   using Backend = typename Backend_of<CGAL::Parallel_if_available_tag>::type;
   using Engine = Cuda_engine;
 };
 
+// The choice is at run time, when device and number of points are known.
 template <>
 struct Execution_of<Cuda_if_available_tag> {
   using Backend = typename Backend_of<CGAL::Parallel_if_available_tag>::type;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The guarantees, checked from the outputs alone: with its own arithmetic and its
-// own connected components.
+// Checks the guarantees of a result from the outputs alone, with its own arithmetic and its own connected components.
+// Changes nothing. The guarantees are those of the manual, "Guarantees".
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
@@ -18,6 +18,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Memory and time are those of a neighbor search, and of a few passes over the points.
 template <class GeomTraits>
 class Result_checker {
 public:
@@ -25,7 +26,8 @@ public:
 
   Result_checker(const Import& in, const Shapes& shapes) : in_(in), shapes_(shapes), data_(shapes.data()) {}
 
-  // The first check that fails says why; later ones rely on the earlier ones.
+  // Stops at the first check that fails, which sets violation(). Later checks rely on earlier ones: indices are valid
+  // then.
   template <class Backend>
   bool check(Backend& backend)
   {
@@ -36,16 +38,20 @@ public:
   const std::string& violation() const { return violation_; }
 
 private:
+  // Notes the violation; false, to be returned.
   bool fail(const std::string& what)
   {
     violation_ = what;
     return false;
   }
 
+  // A name with its index, for messages.
   static std::string at(const char* what, std::size_t index) { return std::string(what) + " " + to_text(index); }
 
+  // Corrupted tables may have any number.
   static bool is_index(int i, std::size_t size) { return i >= 0 && std::size_t(i) < size; }
 
+  // Sizes of the tables, and that groups of shapes exist: the indices of all later checks.
   bool check_tables()
   {
     const std::size_t n = data_.coefficients.size();
@@ -63,7 +69,7 @@ private:
     return true;
   }
 
-  // G1, and that points without position or normal are free.
+  // Partition: each point has a shape of the result or none. Points without position or normal have none.
   bool check_labels()
   {
     for(std::size_t i = 0; i < data_.shape_of.size(); ++i)
@@ -78,6 +84,7 @@ private:
     return true;
   }
 
+  // Unit normals up to rounding, and finite offsets: the distances below rely on both.
   bool check_planes()
   {
     for(std::size_t s = 0; s < data_.coefficients.size(); ++s) {
@@ -89,7 +96,8 @@ private:
     return true;
   }
 
-  // G3: the planes of a group have the same bits, as doubles and in the kernel.
+  // Exact relations: the planes of a group have the same bits, as doubles and in the kernel. Groups are numbered
+  // without gaps.
   bool check_groups()
   {
     const std::vector<int> direction = representatives(data_.parallel_group);
@@ -110,12 +118,15 @@ private:
     return true;
   }
 
+  // Compares bits, not values: 0 and -0 differ.
   bool has_same_bits(std::size_t s, std::size_t t, int coefficients) const
   {
     return std::memcmp(data_.coefficients[s].data(), data_.coefficients[t].data(),
                        std::size_t(coefficients) * sizeof(double)) == 0;
   }
 
+  // Exact relations: the dot product of each orthogonal pair of groups, in plain double arithmetic. Pairs are sorted
+  // and name groups that exist.
   bool check_orthogonality()
   {
     const std::vector<int> first = representatives(data_.parallel_group);
@@ -133,7 +144,8 @@ private:
     return true;
   }
 
-  // G2
+  // Fidelity: distance and angle of each point of a shape, on the caller's values. The added terms bound the rounding
+  // of this evaluation.
   bool check_points()
   {
     const double cosine = std::cos(data_.parameters.maximum_angle * (3.14159265358979323846 / 180));
@@ -151,6 +163,7 @@ private:
                     at("shape", std::size_t(data_.shape_of[item])));
       const Vector n = in_.has_normals ? in_.normal(i) : unpacked_normal(data_.normal[item]);
       const double aligned = std::fabs(c[0] * n.x + c[1] * n.y + c[2] * n.z);
+      // With a maximum_angle of nearly 90 degrees, a normal within the plane must still fail.
       if(!(aligned >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
         return fail(at("too oblique is the normal of point", item) + ": the cosine is " + to_text(aligned) +
                     " with that of " + at("shape", std::size_t(data_.shape_of[item])));
@@ -158,7 +171,7 @@ private:
     return true;
   }
 
-  // G4
+  // Size: no shape is below the minimum.
   bool check_sizes()
   {
     for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s)
@@ -167,6 +180,7 @@ private:
     return true;
   }
 
+  // Counts and ratios of the statistics, counted again from the tables.
   bool check_statistics()
   {
     const Statistics& t = data_.statistics;
@@ -195,7 +209,8 @@ private:
     return true;
   }
 
-  // G5: two points of a shape are adjacent if one is a neighbor of the other, or both are of some point.
+  // Connectivity: each shape is one component. Two points are adjacent if one is a neighbor of the other, or both are
+  // neighbors of one point. Neighbors are searched again, on points that are sorted as in the engine.
   template <class Backend>
   bool check_connectivity(Backend& backend)
   {
@@ -203,6 +218,7 @@ private:
     if(n == 0)
       return true;
     const std::size_t k = data_.parameters.k_neighbors;
+    // In the order of the engine, because positions break ties between neighbors at equal distance.
     const auto order =
       sort_along_curve(backend, in_.point.data(), n, make_code_frame(in_.point.data(), n),
                        make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in_.precedes(i, j); }, Nothing()));
@@ -223,6 +239,7 @@ private:
     return check_one_component(label, parent);
   }
 
+  // Union-find by one thread, with halved paths.
   static std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i)
   {
     while(parent[i] != i)
@@ -230,7 +247,7 @@ private:
     return i;
   }
 
-  // Of the point and its neighbors, those of equal shape are connected.
+  // The point and its neighbors: those of one shape are connected, all pairs of them.
   static void unite_around(std::size_t i, const std::uint32_t* row, std::size_t k,
                            const std::vector<std::int32_t>& label, std::vector<std::uint32_t>& parent)
   {
@@ -245,6 +262,7 @@ private:
     }
   }
 
+  // All points of a shape have the root of its first one.
   bool check_one_component(const std::vector<std::int32_t>& label, std::vector<std::uint32_t>& parent)
   {
     std::vector<std::uint32_t> component(data_.coefficients.size(), no_index);
@@ -260,10 +278,11 @@ private:
     return true;
   }
 
+  // The points as they were imported, and the result in two forms: planes of the kernel, and plain tables.
   const Import& in_;
   const Shapes& shapes_;
   const Shapes_data& data_;
-  std::string violation_;
+  std::string violation_; // empty as long as every check has passed
 };
 
 } // namespace internal

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The engines that execute the method: see Execution_of.h.
+// The engines that Execution_of.h names, and the one that chooses between device and host at run time.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_H
@@ -21,21 +21,25 @@ namespace internal {
 
 #ifdef CGAL_TANDEM_USE_CUDA
 
-// On the device if that can do it, else on the host.
+// Computes on the device if that is possible, else on the host. Decided once, in the constructor; both give the same
+// result. Failures of the device after that are exceptions.
 template <class Backend>
 class Cuda_or_host_engine {
 public:
+  // An upload starts before the choice: the range is read first.
   using Upload = Cuda_engine::Upload;
 
   Cuda_or_host_engine(Backend& backend, Import& in, const Parameters& parameters)
     : device_(engine_on_device(in, parameters))
   {
     if(device_ == nullptr) {
+      // The host needs the values in the tables of the import.
       in.drop_upload();
       host_ = std::make_unique<Engine<Backend>>(backend, in, parameters);
     }
   }
 
+  // Each call goes to the one engine that exists.
   const char* name() const { return device_ ? device_->name() : host_->name(); }
   bool iterate() { return device_ ? device_->iterate() : host_->iterate(); }
   void finish() { device_ ? device_->finish() : host_->finish(); }

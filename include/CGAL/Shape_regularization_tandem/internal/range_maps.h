@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The property maps of a range: those of the named parameters, otherwise those
-// that the range brings along.
+// The property maps and traits for a range: maps of the named parameters if given, otherwise those that the range has.
+// Reads nothing of the points itself.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H
@@ -24,7 +24,7 @@ class Point_set_3;
 namespace Tandem {
 namespace internal {
 
-// A plain range: its values are the points, and there are no normals.
+// The maps that a range has by itself. A plain range has its values as points, and no normals.
 template <class PointRange>
 struct Own_maps {
   using Value = typename std::iterator_traits<typename PointRange::const_iterator>::value_type;
@@ -37,7 +37,8 @@ struct Own_maps {
   static bool has_normals(const PointRange&) { return false; }
 };
 
-// A point set knows only at run time whether it has normals.
+// Whether a point set has normals is known at run time only. So `may_have_normals` is for the compiler, has_normals()
+// for the call.
 template <class Point, class Vector>
 struct Own_maps<CGAL::Point_set_3<Point, Vector>> {
   using Point_set = CGAL::Point_set_3<Point, Vector>;
@@ -50,8 +51,8 @@ struct Own_maps<CGAL::Point_set_3<Point, Vector>> {
   static bool has_normals(const Point_set& points) { return points.has_normal_map(); }
 };
 
-// The traits for a range and named parameters. Where use_own_normals is false,
-// only a normal map of the named parameters counts.
+// The traits for a range and named parameters. Where use_own_normals is false, only a normal map of the named
+// parameters counts. The kernel is that of the points, unless one is given.
 template <class ConcurrencyTag, class PointRange, class NP, bool use_own_normals>
 struct Traits_for {
   using Own = Own_maps<PointRange>;
@@ -73,6 +74,7 @@ Map map_or_default(const Own_map& map)
     return Map();
 }
 
+// The map of the named parameters, else that of the range.
 template <class Traits, class NP>
 typename Traits::Point_map point_map_of(const typename Traits::Point_range& points, const NP& np)
 {
@@ -82,6 +84,7 @@ typename Traits::Point_map point_map_of(const typename Traits::Point_range& poin
     return map_or_default<typename Traits::Point_map>(Own_maps<typename Traits::Point_range>::point_map(points));
 }
 
+// The same for normals; CGAL::Default where the traits have none.
 template <class Traits, class NP>
 typename Traits::Normal_map normal_map_of(const typename Traits::Point_range& points, const NP& np)
 {
@@ -93,14 +96,15 @@ typename Traits::Normal_map normal_map_of(const typename Traits::Point_range& po
     return CGAL::Default();
 }
 
-// Reads the items of the range through its maps.
+// Reads the items of the range through its maps: see cloud/import_cloud.h.
 template <class Traits, class NP>
 Item_reader<Traits> reader_of(const typename Traits::Point_range& points, const NP& np, const Traits& traits)
 {
   return Item_reader<Traits>(traits, point_map_of<Traits>(points, np), normal_map_of<Traits>(points, np));
 }
 
-// f(traits) with the traits that fit the range as it is at run time.
+// Calls f(traits) with the traits that fit the range as it is at run time. f is compiled twice for a point set: with
+// and without its normals.
 template <class ConcurrencyTag, class PointRange, class NP, class F>
 auto with_traits(const PointRange& points, const NP& np, F f)
 {

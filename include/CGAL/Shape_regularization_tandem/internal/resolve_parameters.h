@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From named parameters to the struct Parameters. What is 0 in the end is to be
-// estimated.
+// From named parameters to the struct Parameters. Values of the struct come first, named ones replace them. A length or
+// size that is 0 in the end is estimated later.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESOLVE_PARAMETERS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESOLVE_PARAMETERS_H
@@ -16,6 +16,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Any number type that converts to double.
 template <class Tag, class NP>
 void read_real(const NP& np, double& value)
 {
@@ -23,7 +24,7 @@ void read_real(const NP& np, double& value)
     value = CGAL::to_double(parameter<Tag>(np, 0));
 }
 
-// A negative number must not wrap around, and 0 would be taken for "to be estimated".
+// Throws for a value out of the range. A negative one must not wrap around, and 0 would mean "to be estimated".
 template <class Tag, class NP>
 void read_count(const NP& np, const Count_range& range, std::size_t& value)
 {
@@ -35,6 +36,7 @@ void read_count(const NP& np, const Count_range& range, std::size_t& value)
   }
 }
 
+// Leaves the value as it is if the parameter is not given.
 template <class Tag, class NP>
 void read_switch(const NP& np, bool& value)
 {
@@ -42,7 +44,8 @@ void read_switch(const NP& np, bool& value)
     value = parameter<Tag>(np, true);
 }
 
-// Lengths are checked here, since 0 would be taken for "to be estimated" later.
+// Lengths are checked here if they are given or set, since 0 would mean "to be estimated" later. The lower bound is
+// that of Parameters.h.
 template <class NP>
 Parameters read_parameters(const NP& np)
 {
@@ -62,7 +65,7 @@ Parameters read_parameters(const NP& np)
   return p;
 }
 
-// Whether maximum_offset follows maximum_distance.
+// Whether the caller gave maximum_offset; otherwise it follows maximum_distance.
 template <class NP>
 bool has_own_offset(const NP& np)
 {

@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The memory of back ends whose functors run on the host. Their tables are what the host has, so access to them copies
+// nothing. Also compaction, which both of these back ends share.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
@@ -14,7 +17,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A table of the host as the functors of a back end see it: here, the same memory.
+// Access of functors to a table of the host: here, the same memory.
 template <class T>
 class Host_access {
 public:
@@ -22,49 +25,48 @@ public:
 
   T* data() const { return data_; }
 
-  // Afterwards the table has what the functors wrote.
+  // Afterwards the host has what the functors wrote. Here it has it already.
   void copy_back() {}
 
 private:
   T* data_;
 };
 
-// The part of the concept Backend that is about memory, for back ends whose
-// functors run on the host.
+// The operations that concepts.h lists under "Backend, memory".
 class Host_memory {
 public:
-  // Whether the next engine takes over the memory of large tables of the host.
+  // Whether freed tables of the host are kept for the next engine. Only beside a device: see Kept_pages.h.
   static constexpr bool keeps_pages = false;
 
   template <class T>
   using Buffer = Host_buffer<T>;
   using Sort_table = Host_sort_table;
 
-  // To read; the table must stay as it is while the loan lives.
+  // The table must stay as it is while the access exists.
   template <class T, class Allocator>
   Host_access<const T> read_access(const std::vector<T, Allocator>& table)
   {
     return Host_access<const T>(table.data());
   }
 
-  // To read and write, until copy_back() of the loan.
+  // The host must not use the table before copy_back().
   template <class T>
   Host_access<T> read_write_access(std::vector<T>& table)
   {
     return Host_access<T>(table.data());
   }
 
-  // The same, if the functors write it before they read it.
+  // The same, where functors write each entry before they read it: nothing has to be copied to them.
   template <class T>
   Host_access<T> write_access(std::vector<T>& table)
   {
     return Host_access<T>(table.data());
   }
 
-  // Until all that has been asked for is done.
+  // Waits for all work that was started. Here nothing is pending.
   void wait() {}
 
-  // n items from a buffer to the host, and back.
+  // n items from a buffer to the host; from_host() copies them back.
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
   {
@@ -78,7 +80,8 @@ public:
   }
 
 protected:
-  // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece().
+  // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece(). Counts in pieces, then writes each
+  // piece at its place. is_kept is evaluated twice, so it has no side effects.
   template <class Backend, class F>
   static Host_buffer<std::uint32_t> compact_on(Backend& backend, std::size_t n, F is_kept)
   {
@@ -101,7 +104,8 @@ protected:
     return result;
   }
 
-  // f.take(i) of the i in [0, n) with f.has(i), ascending, on a back end with for_each_piece().
+  // f.take(i) of the i in [0, n) with f.has(i), ascending. All has() come before any take(), which may change what
+  // has() reads.
   template <class T, class Backend, class F>
   static Host_buffer<T> collect_on(Backend& backend, std::size_t n, F f)
   {

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Threads that stay awake between the loops of one thread, the leader. Beside a device most loops are over shapes and
-// take some ten microseconds, and to wake the threads of oneTBB takes 15 to 60.
+// Threads that stay awake between the loops of one thread, the leader. Beside a device, a call has some thousand short
+// loops over shapes. Waking the threads of oneTBB for each of them takes longer than the loop. Results do not depend on
+// which thread takes which item.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_TEAM_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_TEAM_H
@@ -22,14 +23,15 @@ namespace internal {
 
 class Host_team {
 public:
-  // For so many threads, the leader among them. Not all of them have to come.
+  // For so many threads, the leader among them. Loops are complete also if fewer threads join.
   explicit Host_team(std::size_t seats)
     : number_of_seats_((std::max)(seats, std::size_t(1))), seat_(new Seat[number_of_seats_])
   {}
   Host_team(const Host_team&) = delete;
   Host_team& operator=(const Host_team&) = delete;
 
-  // As long as it lives, the thread that has made it leads the team (null: none).
+  // As long as it exists, the thread that made it leads the team (null: none). Back ends look up the team of the
+  // calling thread.
   class Leadership {
   public:
     explicit Leadership(Host_team* team) : before_(std::exchange(led(), team)) {}
@@ -44,9 +46,9 @@ public:
   // The team of the calling thread, if it leads one and is in none of its loops; else null.
   static Host_team* of_leader() { return led(); }
 
-  // What other threads do, from any time on: they take part in the loops until the team is dissolved. One says that it
-  // is busy, then looks at the loop again; the leader closes the loop, then looks who is busy: in a sequentially
-  // consistent order one of them sees the other.
+  // Called by the other threads: they take part in the loops, from any time on, until the team is dissolved. A thread
+  // sets is_busy, then reads loop_ again; the leader closes the loop, then reads is_busy of all. These accesses are
+  // sequentially consistent. So either the thread skips a closed loop, or the leader waits for the thread.
   void help() noexcept
   {
     const std::size_t mine = next_seat_.fetch_add(1, std::memory_order_relaxed);
@@ -67,10 +69,11 @@ public:
     }
   }
 
+  // Returns at once; threads leave help() when they notice.
   void dissolve() { is_dissolved_.store(true, std::memory_order_relaxed); }
 
-  // By the leader: calls f(i) for i in [0, n), in any order, many at a time. Throws what one of them has thrown;
-  // others may be left out then.
+  // Called by the leader: f(i) for i in [0, n), in any order, many at a time. If an f throws, one of the exceptions is
+  // thrown again, and items may be left out. Loops within f do not use the team.
   template <class F>
   void run(std::size_t n, F f)
   {
@@ -91,6 +94,8 @@ public:
       std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
+  // Sorts up to sixteen runs, then merges pairs of them. The last merges have few threads, which is enough for tables
+  // of shapes.
   template <class Iterator, class Less>
   void sort(Iterator first, Iterator last, Less less)
   {
@@ -105,8 +110,9 @@ public:
   }
 
 private:
-  // Of a thread, which begins with its own part of the items and goes on with what others have left of theirs. In
-  // cache lines of its own: threads that count in one place wait for each other, longer than most items take.
+  // The place of one thread. It begins with its own part of the items, and goes on with what is left of other parts.
+  // The counters lie in separate cache lines. With one common counter, threads would wait for its line longer than most
+  // items take.
   struct Seat {
     alignas(64) std::atomic<std::uint64_t> taken{0}; // loop << 32 | items of the part
     alignas(64) std::atomic<bool> is_busy{false};
@@ -118,8 +124,8 @@ private:
     return team;
   }
 
-  // Threads may share a core: who waits in `pause` takes less of it away from the leader. Now and then others are
-  // let go first, where there are more threads than cores.
+  // Beside threads that wait in `pause`, a serial computation of the leader is slowed less than with `yield`. At every
+  // 64th time the thread yields, for machines with more threads than cores.
   static void wait_a_little(std::size_t waits)
   {
 #if defined(__x86_64__) || defined(__i386__)
@@ -130,9 +136,9 @@ private:
     std::this_thread::yield();
   }
 
-  // Those who had come when the loop was opened have a part each. The leader goes through all parts, as somebody may
-  // sleep, and so does who comes later. The others look only after those 1, 2, 4 ... seats further, so that each part
-  // has several who help out and few threads meet in one line.
+  // The threads that had joined when the loop was opened have a part each. The leader visits all parts, since a thread
+  // may be suspended; so do threads that joined later. The others visit only parts 1, 2, 4 ... seats further. So each
+  // part has several helpers, and few threads contend for one cache line.
   void take_items(std::size_t mine, std::uint64_t loop) noexcept
   {
     const bool takes_all = mine == 0 || mine >= parts_;
@@ -145,6 +151,8 @@ private:
     }
   }
 
+  // Takes items of one part, one at a time, by compare and exchange. The number of the loop in the counter makes
+  // counters of earlier loops count as 0, so they need no reset.
   void take_items_of(std::atomic<std::uint64_t>& taken, std::uint64_t loop, std::size_t first,
                      std::size_t last) noexcept
   {
@@ -166,8 +174,9 @@ private:
     }
   }
 
-  // The number of the loop is odd while it is open. To open it publishes the loop, and the leader sees what others
-  // have written when they are not busy any more. Who waits looks at this line, the leader writes to the next one first.
+  // The number of the loop, odd while it is open. Opening it with release order publishes the members below. The
+  // writes of other threads are visible to the leader when their is_busy is false. Waiting threads read this line only,
+  // so the leader can fill the next ones undisturbed.
   alignas(64) std::atomic<std::uint64_t> loop_{0};
   std::atomic<bool> is_dissolved_{false};
   alignas(64) std::atomic<bool> has_failed_{false};

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sequential model of Backend: the one to read first.
+// The sequential model of Backend: one thread of the host, no synchronization. The one to read first, since its
+// comments define each operation for all back ends.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SEQUENTIAL_BACKEND_H
@@ -30,13 +31,14 @@ public:
       f(i);
   }
 
-  // The same, where f uses what only the host has. Fewer items than `few` are not worth a second thread.
+  // The same on the host, where f uses what only the host has. Fewer items than `few` are not worth a second thread.
   template <class F>
   void for_each_on_host(std::size_t n, F f, std::size_t = 256)
   {
     for_each(n, f);
   }
 
+  // By `less`; the order of equal items is not defined.
   template <class Iterator, class Less>
   void sort_on_host(Iterator first, Iterator last, Less less)
   {
@@ -51,8 +53,8 @@ public:
       f(first, (std::min)(first + grain, n));
   }
 
-  // body(block, scratch, c) for c in [0, cells), in any order. A Scratch serves
-  // one body at a time and holds garbage at its start.
+  // body(block, scratch, c) for c in [0, cells), in any order. A Scratch serves one body at a time and has no defined
+  // contents at its start.
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
@@ -62,7 +64,7 @@ public:
       body(block, *scratch, std::uint32_t(c));
   }
 
-  // Ascending by key; the order of equal keys is not defined.
+  // Ascending by key; the order of equal keys is not defined, so callers use unique keys or break ties themselves.
   void sort(Sort_table& table)
   {
     using Entry = Sort_table::Entry;
@@ -71,7 +73,7 @@ public:
       [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
-  // The i in [0, n) with is_kept(i), ascending. is_kept may be asked twice.
+  // The i in [0, n) with is_kept(i), ascending. is_kept may be evaluated twice for an item.
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
@@ -93,8 +95,8 @@ public:
       std::sort(key + range[c].first, key + range[c].last);
   }
 
-  // target += value, from functors that run at the same time; returns the old
-  // target. Integers only.
+  // target += value, from functors that run at the same time; returns the old target. Integers only: sums of floats
+  // would depend on the order.
   template <class T>
   static T atomic_add(T& target, T value)
   {
@@ -103,7 +105,7 @@ public:
     return old;
   }
 
-  // Returns the old target, too.
+  // target = min(target, value); returns the old target. The final target does not depend on the order of the calls.
   template <class T>
   static T atomic_min(T& target, T value)
   {
@@ -113,6 +115,7 @@ public:
     return old;
   }
 
+  // target = max(target, value).
   template <class T>
   static void atomic_max(T& target, T value)
   {
@@ -120,6 +123,7 @@ public:
       target = value;
   }
 
+  // The target, which other functors may change at the same time.
   template <class T>
   static T atomic_load(const T& target)
   {

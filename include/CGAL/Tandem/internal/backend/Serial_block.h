@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The model of Block with a single lane: what back ends of the host run a body with.
+// The model of Block with a single lane, for back ends of the host. Its comments define each operation for all blocks;
+// order and races are then those that a body has to allow.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_SERIAL_BLOCK_H
@@ -14,10 +15,10 @@ namespace Tandem {
 namespace internal {
 
 struct Serial_block {
-  // As many items are worth trying before it is known whether they are needed. Results do not depend on it.
+  // So many items are worth trying before it is known whether they are needed. Results do not depend on it.
   static constexpr std::uint32_t lookahead = 1;
 
-  // f(i) for i in [0, n), then all lanes have seen all writes.
+  // f(i) for i in [0, n). Afterwards all lanes see all writes.
   template <class F>
   void for_each(std::uint32_t n, F f)
   {
@@ -25,15 +26,16 @@ struct Serial_block {
       f(i);
   }
 
-  // f(s, q) for each source s in [0, n) and each entry q of its row of k
-  // neighbors; row(s) is the address of the row, or null to skip the source.
+  // f(s, q) for each source s in [0, n) and each entry q of its row of k neighbors. row(s) is the address of the row,
+  // or null to skip the source.
   template <class Row, class F>
   void for_each_neighbor(std::uint32_t n, int k, Row row, F f)
   {
+    // Rows are visited in an order that the processor cannot predict, so they are fetched some sources ahead.
     constexpr std::uint32_t ahead = 4;
     for(std::uint32_t s = 0; s < n; ++s) {
       if(s + ahead < n)
-        __builtin_prefetch(row(s + ahead)); // rows are visited in no order that the processor could guess
+        __builtin_prefetch(row(s + ahead));
       const std::uint32_t* neighbors = row(s);
       for(int j = 0; neighbors != nullptr && j < k; ++j)
         f(s, neighbors[j]);
@@ -81,7 +83,7 @@ struct Serial_block {
     f();
   }
 
-  // What other lanes may change at the same time.
+  // A value that other lanes may change at the same time.
   std::uint32_t load(const std::uint32_t& target) { return target; }
 
   // target = min(target, value); returns the old target.
@@ -93,9 +95,11 @@ struct Serial_block {
     return old;
   }
 
+  // target += value.
   void add(std::uint32_t& target, std::uint32_t value) { target += value; }
 
-  // A position of its own for each caller. The order of positions is arbitrary.
+  // A position of its own for each caller, from `size`, which counts them. The order of positions is arbitrary, so it
+  // must not reach a result.
   std::uint32_t append(std::uint32_t& size) { return size++; }
 
   // If target == expected, target = value; returns the old target.
@@ -107,8 +111,9 @@ struct Serial_block {
     return old;
   }
 
-  // Counts `value` in a slot that belongs to the first value that came, or to none
-  // while its value is ~0. False if the slot belongs to another value.
+  // Counts `value` in a slot that belongs to the first value that came; a slot of value ~0 belongs to none. False if
+  // the slot belongs to another value. Which value is first depends on the lanes, so both cases must lead to the same
+  // result.
   bool count_pair(std::uint64_t& slot, std::uint32_t& count, std::uint64_t value)
   {
     if(slot == ~std::uint64_t(0))
@@ -119,8 +124,8 @@ struct Serial_block {
     return true;
   }
 
-  // As for_each(), where f(i, sum) adds to the Sum that its lane has for itself; then add(sum)
-  // of each lane, once.
+  // As for_each(), where f(i, sum) adds to a Sum of its lane; then add(sum) once for each lane. Lanes differ in number,
+  // so only sums of integers and bounds are the same for all blocks.
   template <class Sum, class F, class Add>
   void accumulate(std::uint32_t n, F f, Add add)
   {

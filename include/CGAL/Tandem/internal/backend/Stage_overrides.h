@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stages that a back end may execute in a way of its own. All others are the same source for every back end.
+// The stages that a back end may replace. All others have the same source for every back end.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_STAGE_OVERRIDES_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_STAGE_OVERRIDES_H
@@ -10,16 +10,16 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A specialization of Stage_overrides inherits from this, sets the flags of the stages that it replaces, and has a
-// static function for each: with the name, the parameters and the result that are given here. What a stage returns is
-// defined without reference to how it is computed, so all back ends have the same bits.
+// A specialization of Stage_overrides inherits from this and sets the flags of the stages that it replaces. For each it
+// has a static function, with the name, parameters and result that are given here. What a stage returns is defined
+// without reference to how it is computed, so all back ends return the same bits.
 struct No_stage_overrides {
   // Buffer<Grid_point> import_points(Backend&, Import&)
   // The caller's points on the grid, in their order. Generic form: engine/sort_points.h.
   static constexpr bool imports_points = false;
 
   // void expect_cells(Backend&, const std::vector<Range>& cells)
-  // Most loops will be over these cells. A hint: the generic form does nothing.
+  // Most loops will be over these cells. Only a hint for the order of cells: the generic form does nothing.
   static constexpr bool expects_cells = false;
 
   // void find_neighbors(Backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)

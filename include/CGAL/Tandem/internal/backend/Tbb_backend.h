@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parallel model of Backend: the bodies of the sequential one, many at a time.
-// It runs in the caller's task arena, so a tbb::global_control or an arena of the
-// caller limits its threads.
+// The parallel model of Backend: the same bodies as the sequential one, many at a time. It runs in the caller's task
+// arena, so a tbb::global_control or an arena of the caller limits its threads. Operations are defined in
+// Sequential_backend.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
@@ -29,6 +29,7 @@ class Tbb_backend : public Host_memory {
 public:
   static const char* name() { return "parallel"; }
 
+  // Pieces are large enough that taking one costs little beside its items.
   template <class F>
   void for_each(std::size_t n, F f)
   {
@@ -38,6 +39,8 @@ public:
     });
   }
 
+  // Items take longer here, since most are shapes, so pieces are smaller. Fewer than `few` items are one piece, hence
+  // one thread.
   template <class F>
   void for_each_on_host(std::size_t n, F f, std::size_t few = 256)
   {
@@ -48,6 +51,7 @@ public:
     });
   }
 
+  // The leader of a team sorts with its team: see Host_team.h.
   template <class Iterator, class Less>
   void sort_on_host(Iterator first, Iterator last, Less less)
   {
@@ -63,6 +67,7 @@ public:
     run((n + grain - 1) / grain, [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
   }
 
+  // A scratch for each thread: cells of one thread use it one after the other.
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
@@ -96,6 +101,7 @@ public:
     run(ranges, [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
   }
 
+  // Relaxed order suffices: functors of a loop do not synchronize, and the end of the loop does.
   template <class T>
   static T atomic_add(T& target, T value)
   {
@@ -133,7 +139,8 @@ public:
   }
 
 private:
-  // A thread that waits for the others takes no work of the caller's own loops meanwhile.
+  // f(i) for i in [0, n). Isolated: a thread that waits for the others must not take other work of the caller. That
+  // could call this package again.
   template <class F>
   static void run(std::size_t n, F f)
   {

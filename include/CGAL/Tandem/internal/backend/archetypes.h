@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The least that models of Backend and Block have to be, with every operation of concepts.h and nothing else: the engine
-// compiles with them. They compute nothing: `if(false)` compiles what is passed to them, and does not run it.
+// The smallest models of Backend and Block, with every operation of concepts.h and nothing else. A test compiles the
+// engine with them, so no stage uses more than the concepts promise. They compute nothing: `if(false)` compiles what is
+// passed to them, and does not run it.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_ARCHETYPES_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_ARCHETYPES_H
@@ -16,6 +17,7 @@ namespace internal {
 
 namespace archetypes {
 
+// Arguments and results have exactly the types that the concept lists; there is no default constructor and no copy.
 struct Block {
   static constexpr std::uint32_t lookahead = 1;
 
@@ -77,6 +79,7 @@ struct Block {
   void add_box(Box&, const Box&) {}
 };
 
+// Can be moved, not copied, like memory of a device.
 template <class T>
 struct Buffer {
   Buffer() = default;
@@ -105,12 +108,14 @@ struct Sort_table {
   std::size_t size() const { return 0; }
 };
 
+// What the access functions of the back end return.
 template <class T>
 struct Access {
   T* data() const { return nullptr; }
   void copy_back() {}
 };
 
+// Has no for_each_piece(), since that is for back ends of the host only.
 struct Backend {
   template <class T>
   using Buffer = archetypes::Buffer<T>;

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The two concepts that the engine is written on: what a back end supplies, and what a body may use. Everything that the
-// engine calls is listed here, and archetypes.h has it and nothing else.
+// The two concepts that the engine is written on: what a back end supplies, and what a body may use. Everything that
+// the engine calls is listed here, and archetypes.h has it and nothing else.
 //
-// A *back end* owns memory and runs functors and bodies; it knows nothing of planes. A functor is called with an item. A
-// *body* is a function template on a *block*: all lanes that work on one octree cell. Code outside of a call of the block
-// is uniform: all lanes do the same. Only the functors within are per item, and their items may run in any order and at
-// the same time. So no result depends on the number of lanes, threads or devices.
+// A *back end* owns memory and runs functors and bodies; it has no notion of planes. A functor is called with an item.
+// A *body* is a function template on a *block*: all lanes that work on one octree cell. Code outside of a call of the
+// block is uniform: all lanes do the same. Only the functors within are per item, and their items may run in any order
+// and at the same time. So no result depends on the number of lanes, threads or devices.
 //
 // Sequential_backend.h and Serial_block.h are the models to read first.
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums and lists of what many threads of the host look at, in the same order with any number of them.
+// Sums and lists over tables of the host, by many threads. Pieces and their order depend on the number of items only,
+// so results are the same for any number of threads.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_LOOPS_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_LOOPS_H
@@ -18,10 +19,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// A constant, not the number of threads: see above.
 constexpr std::size_t pieces_on_host = 64;
 
 // f(p, first, last) for the pieces [first, last) of [0, n), which are numbered from 0. Few items are left to one
-// thread.
+// thread. Pieces may be empty.
 template <class Backend, class F>
 void for_each_piece_on_host(Backend& backend, std::size_t n, F f)
 {
@@ -31,7 +33,7 @@ void for_each_piece_on_host(Backend& backend, std::size_t n, F f)
     n < few ? pieces_on_host + 1 : 1);
 }
 
-// The sum of value(i) for i in [0, n), asked once of each.
+// The sum of value(i) for i in [0, n), evaluated once for each i, at the same time for many.
 template <class Backend, class F>
 std::int64_t sum_on_host(Backend& backend, std::size_t n, F value)
 {
@@ -45,11 +47,13 @@ std::int64_t sum_on_host(Backend& backend, std::size_t n, F value)
   return std::accumulate(sums.begin(), sums.end(), std::int64_t(0));
 }
 
+// A list in two parts, each in the former order.
 struct Parted_ids {
-  Ids chosen, others; // in the order that they had
+  Ids chosen, others;
 };
 
-// Parts the list id(i), i in [0, n). is_chosen(id) is asked once of each.
+// Parts the list id(i), i in [0, n). is_chosen(id) is evaluated once for each, at the same time for many, so it may
+// change the item of its id only. Pieces are parted first, then copied to their places.
 template <class Backend, class Id, class Predicate>
 Parted_ids part_on_host(Backend& backend, std::size_t n, Id id, Predicate is_chosen)
 {
@@ -58,7 +62,7 @@ Parted_ids part_on_host(Backend& backend, std::size_t n, Id id, Predicate is_cho
   before[0] = 0;
   for_each_piece_on_host(backend, n, [&](std::size_t p, std::size_t first, std::size_t last) {
     std::size_t front = first, back = last;
-    for(std::size_t i = first; i < last; ++i) { // without a branch that nobody can predict
+    for(std::size_t i = first; i < last; ++i) { // without a branch, which would be mispredicted often
       const std::uint32_t next = id(i);
       const bool is_in = is_chosen(next);
       parted[front] = parted[back - 1] = next;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The whole loop, compiled for the device.
+// The whole method, instantiated for Cuda_backend and compiled by nvcc: all kernels come from here. Defines what
+// interface/cuda_api.h declares.
 
 #pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
 
@@ -14,13 +15,16 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The engine with its back end. The caller's thread, and its current device, may differ from call to call.
 struct Cuda_engine::Implementation {
   Implementation(Import& in, const Parameters& parameters) : device(current_device()), engine(backend, in, parameters)
   {
+    // Another thread, with another stream, may call iterate() next.
     synchronize();
   }
 
-  // Another thread may go on: the device has done all that f asks of it, also when f throws.
+  // Calls f on the device of the engine, with a team. Waits for all work that f has queued, also when f throws. So
+  // another thread, with another stream, may call next.
   template <class F>
   void on_device(F f)
   {
@@ -29,11 +33,13 @@ struct Cuda_engine::Implementation {
       with_host_team(f);
       synchronize();
     } catch(...) {
+      // The exception of f counts, not an error of this wait.
       static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
       throw;
     }
   }
 
+  // The engine refers to the back end, so it is constructed after it.
   int device;
   Cuda_backend backend;
   Engine<Cuda_backend> engine;
@@ -41,7 +47,8 @@ struct Cuda_engine::Implementation {
 
 namespace {
 
-// This file is compiled for processors that fuse products and sums in one instruction.
+// The library is compiled with FMA by default: see the manual, "Back Ends and Determinism". On x86-64 processors
+// without it, it would end with an illegal instruction.
 bool has_fused_multiply_add()
 {
 #ifdef __FMA__
@@ -51,7 +58,8 @@ bool has_fused_multiply_add()
 #endif
 }
 
-// Why the current device cannot be used; empty if it can.
+// Why the current device cannot be used; empty if it can. Errors of the runtime are cleared, so that callers do not
+// find them later.
 std::string missing_for_cuda()
 {
   if(!has_fused_multiply_add())
@@ -79,6 +87,7 @@ std::string missing_for_cuda()
   return missing;
 }
 
+// For Cuda_tag; Cuda_if_available_tag catches the exception and computes on the host.
 void require_device()
 {
   const std::string missing = missing_for_cuda();
@@ -86,7 +95,8 @@ void require_device()
     throw std::runtime_error("Cuda_tag: no CUDA device: " + missing + "; use Cuda_if_available_tag, or another tag");
 }
 
-// Whether the current device has memory for the points. An upload that takes it is given up.
+// Whether the current device has memory for the tables of the points. If not, an upload returns its values to the host
+// first: they take memory of the device as well.
 bool fits_on_device(Import& in, const Parameters& parameters)
 {
   const auto fits = [&] { return in.size() <= cuda_capacity(parameters, in.has_normals); };
@@ -99,6 +109,7 @@ bool fits_on_device(Import& in, const Parameters& parameters)
   return fits();
 }
 
+// Checked before the first round, so that a cloud that is too large fails early, and with a number.
 void require_memory(Import& in, const Parameters& parameters)
 {
   if(!fits_on_device(in, parameters))
@@ -109,15 +120,18 @@ void require_memory(Import& in, const Parameters& parameters)
 
 } // namespace
 
+// Parameters are not known yet when the range is read, so the default ones are assumed for the memory. An upload that
+// takes too much is dropped later.
 void Cuda_upload::start(Vector_table& coordinates, Vector_table& normals, std::size_t n)
 try {
   const bool has_normals = normals.bytes() != nullptr;
   if(n > 0 && is_cuda_available() && n <= cuda_capacity(Parameters(), has_normals))
     values_ = std::make_shared<Values_on_device>(coordinates, normals, n);
-} catch(const std::runtime_error&) { // the engine will say what is wrong with the device
+} catch(const std::runtime_error&) { // the engine reports what is wrong with the device
   static_cast<void>(cudaGetLastError());
 }
 
+// Without a device the piece has a null pointer, and the import fills its tables.
 Cuda_upload::Piece Cuda_upload::begin(std::size_t maximum)
 {
   return values_ != nullptr ? values_->begin(maximum) : Piece{maximum};
@@ -129,6 +143,7 @@ void Cuda_upload::end(const Piece& piece, std::size_t first)
     values_->end(piece, first);
 }
 
+// Waits for the copies. Null if nothing was uploaded.
 std::shared_ptr<Uploaded_values> Cuda_upload::finish()
 {
   if(values_ != nullptr)
@@ -136,6 +151,7 @@ std::shared_ptr<Uploaded_values> Cuda_upload::finish()
   return std::move(values_);
 }
 
+// The preparation has many loops of the host, too, so it has a team.
 Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
 {
   require_device();
@@ -145,6 +161,7 @@ Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
   in.normals.keep_pages();
 }
 
+// Buffers are freed on the device that they belong to.
 Cuda_engine::~Cuda_engine()
 {
   if(implementation_ == nullptr)
@@ -167,6 +184,7 @@ void Cuda_engine::finish()
 
 double Cuda_engine::progress() const { return implementation_->engine.progress(); }
 
+// All tables of a result are memory of the host.
 Engine_result Cuda_engine::result()
 {
   Engine_result result;
@@ -195,6 +213,8 @@ void release_cuda_memory()
   Memory_pools::trim();
 }
 
+// Free memory of the device counts, and unused memory of the pool. Tables of cells and shapes have a fixed share; those
+// of points have bytes a point: see memory_use.h.
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals)
 {
   std::size_t free = 0, total = 0;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the engine hands over. Plain data: all back ends see it.
+// What an engine returns: shapes, labels of the points, points of the shapes, and times. Plain data without a type of a
+// back end, so that both compilers accept it. Nothing is computed here.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_ENGINE_RESULT_H
 #define CGAL_TANDEM_INTERNAL_FINISH_ENGINE_RESULT_H
@@ -18,20 +19,25 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// A connected component of the points of one plane. Directions and planes are numbered from 0, in the order in which
+// shapes have them first. The shapes of a plane group have the same four coefficients, bit for bit.
 struct Engine_shape {
-  Coefficients plane; // common to the shapes of a plane group; its normal to those of a direction
+  Coefficients plane; // in the caller's units; its normal is that of all shapes of the direction
   int direction;      // parallel group
   int plane_group;    // coplanar group
   std::size_t size;   // points
   bool is_flipped;    // most of the given normals of its points are opposite to the plane
 };
 
-// The points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1].
+// The imported points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1].
+// So `first` has one entry more than there are shapes.
 struct Point_groups {
   std::vector<std::size_t> first;
   Shared_table<std::uint32_t> position;
 };
 
+// Tables of points are indexed by imported points: the valid items of the caller's range, in its order. Shapes and
+// tables are the same for every back end and number of threads.
 struct Engine_result {
   std::vector<Engine_shape> shapes;    // by falling number of points
   Shared_table<std::int32_t> shape_of; // per imported point, -1 = none

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Planes through clutter: their points have many neighbors off the plane.
+// Which shapes are planes through clutter: many neighbors of their points lie off the plane. Counts and decides only;
+// extract_shapes.h frees the points. See the manual, "Clutter Filter".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_CLUTTER_H
 #define CGAL_TANDEM_INTERNAL_FINISH_CLUTTER_H
@@ -14,27 +15,33 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Edges of the neighbor graph that start at the points of one shape. At most 2^31 points have 64 each, so the sums need
+// 64 bits.
 struct Neighbor_counts {
-  std::uint64_t all = 0;  // neighbors of the points of a shape, but those of other crisp shapes
+  std::uint64_t all = 0;  // ends of the edges, without those in other crisp shapes
   std::uint64_t near = 0; // ... within epsilon of its plane, whatever their shape
   std::uint64_t own = 0;  // ... that belong to it
 };
 
+// The counts of one cell, by id of the shape modulo `slots`. The first shape that claims a slot keeps it for this cell.
+// 32 bits suffice, since a cell has at most 2^16 points of 64 neighbors.
 struct Neighbor_scratch {
   static constexpr std::uint32_t slots = 64;
   std::uint32_t shape[slots];
-  std::uint32_t all[slots], near[slots], own[slots]; // of a cell: at most 2^16 points of 64 neighbors
+  std::uint32_t all[slots], near[slots], own[slots];
 };
 
+// For each cell, counts the neighbors of its labeled points by the shape of the point. Reads labels and planes, and
+// writes only `counts`. These are integer sums, so the order of cells and points does not matter.
 template <class Backend>
 struct Count_neighbors {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* label;
   const Plane* plane;           // by shape, as are these
-  const std::uint8_t* is_crisp; // its points are close to its plane, unlike those of planes through clutter
+  const std::uint8_t* is_crisp; // its rms distance is small, unlike that of planes through clutter
   Neighbor_counts* counts;
-  std::int64_t distance;
+  std::int64_t distance; // epsilon, in 2^-28 grid steps
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Neighbor_scratch& scratch, std::uint32_t c) const
@@ -52,6 +59,7 @@ struct Count_neighbors {
   }
 
 private:
+  // Directly to the sums of all cells: at the end of a cell, and for a shape whose slot another shape has.
   CGAL_TANDEM_HD void add(std::uint32_t s, std::uint32_t all, std::uint32_t near, std::uint32_t own) const
   {
     Backend::atomic_add(counts[s].all, std::uint64_t(all));
@@ -70,7 +78,8 @@ private:
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t other = label[row[j]];
       const bool is_own = other == s;
-      const bool is_neutral = !is_own && other < first_mark && is_crisp[other]; // the other side of a thin plate, say
+      // A neighbor in another crisp shape is not counted: it may lie on the other side of a thin plate.
+      const bool is_neutral = !is_own && other < first_mark && is_crisp[other];
       all += !is_neutral;
       own += is_own;
       near += is_own || (!is_neutral && is_near(plane[s], cloud.point[row[j]], distance));
@@ -85,7 +94,8 @@ private:
   }
 };
 
-// rms: of the distances to the plane, in epsilons.
+// A face has a high share of neighbors near its plane. Noisy shapes, and those with few neighbors of their own, need a
+// higher one. rms: of the distances to the plane, in epsilons.
 inline bool is_clutter(const Neighbor_counts& c, double rms)
 {
   using namespace tuning::clutter;

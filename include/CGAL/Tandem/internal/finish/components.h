@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connected components of the points of each shape in the 2-hop neighbor graph: two
-// points are adjacent if one is a neighbor of the other, or both are neighbors of
-// one point.
+// Connected components of the points of each shape: which pieces of a plane become separate shapes. Two points are
+// adjacent if one is a neighbor of the other, or both are neighbors of one point. Reads labels and neighbors and writes
+// one table of roots. See the manual, "Components".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The entries of a union-find that all threads share, and those that a cell has in its scratch.
+// The entries of a union-find in the memory of the back end, which all cells change at the same time.
 template <class Backend>
 struct Shared_parents {
   std::uint32_t* parent;
@@ -28,6 +28,7 @@ struct Shared_parents {
   }
 };
 
+// The same in the scratch of one cell, which only the lanes of its block change. Indices are relative to the cell.
 template <class Block>
 struct Cell_parents {
   Block& block;
@@ -41,13 +42,14 @@ struct Cell_parents {
   }
 };
 
-// Union-find over points. A root is the smallest position of its component, so
-// the result does not depend on the order of the unions; threads may race for an
-// entry, and then the loser goes on from what it finds there.
+// Union-find over points, without locks. An entry never exceeds its index and only ever falls, so there are no cycles.
+// A root is the smallest position of its component, whatever the order of the unions. Where threads race for a root,
+// one succeeds, and the others go on from the value that they find.
 template <class Parents>
 struct Union_find {
   Parents parents;
 
+  // The root of i at some time during the call. It may have got a parent when the call returns.
   CGAL_TANDEM_HD std::uint32_t root(std::uint32_t i) const
   {
     for(;;) {
@@ -56,16 +58,18 @@ struct Union_find {
         return i;
       const std::uint32_t above = parents.load(up);
       if(above != up)
-        parents.lower(i, above); // halves the path; entries only ever fall
+        parents.lower(i, above); // halves the path
       i = up;
     }
   }
 
+  // Attaches the larger root to the smaller one. set() fails if the larger one is no root any more; then both are
+  // searched again.
   CGAL_TANDEM_HD void unite(std::uint32_t a, std::uint32_t b) const
   {
     a = parents.load(a);
     b = parents.load(b);
-    while(a != b) { // next to always they have one parent already
+    while(a != b) { // nearly all pairs have the same parent already
       a = root(a);
       b = root(b);
       if(a < b) {
@@ -79,13 +83,14 @@ struct Union_find {
   }
 };
 
-// What each point ties together: itself and its neighbors, those with the same label.
+// The edges of the graph whose components are searched, row by row of the neighbor graph. The points of a row with one
+// label are adjacent in pairs. A star around the first of them connects the same points with fewer edges.
 struct Ties {
   Cloud_view cloud;
   const std::uint32_t* label;
 
-  // unite(p, q) for the neighbor q of r, where p is the point of the row that stands for all with
-  // its label. Both are in the range.
+  // Calls unite(p, q) for the neighbor q of r. p is r itself, or the first neighbor of r with the label of q. Both are
+  // in the range; free points and points out of the range are skipped.
   template <class Unite>
   CGAL_TANDEM_HD void operator()(std::uint32_t r, std::uint32_t q, const Range& range, Unite unite) const
   {
@@ -100,13 +105,15 @@ struct Ties {
   }
 };
 
+// One entry for each point of a cell. Its size is that of the largest cell, in two variants: see small_cell.
 template <std::uint32_t CellSize>
 struct Union_scratch {
   std::uint32_t parent[CellSize]; // relative to the cell
 };
 
-// The components within each cell, in fast memory: most ties are there, and the few large
-// components have as many roots as cells, so that threads do not meet at one of them.
+// The components within each cell, in fast memory: most edges are there. Large components then have as many roots as
+// cells, so few threads contend for one of them. Writes component[i] of the points of the cell, as a position in the
+// cloud.
 struct Unite_in_cell {
   Ties ties;
   const Range* cells;
@@ -128,14 +135,16 @@ struct Unite_in_cell {
   }
 };
 
+// Pairs of roots that a cell has met already, by their hash. The counts are required by count_pair() and not used.
 struct Pair_scratch {
   static constexpr std::uint32_t slots = 256;
   std::uint64_t pair[slots];
   std::uint32_t count[slots];
 };
 
-// What the points with a neighbor in another cell tie together. Next to all of them tie the
-// same few pairs of roots, each of which is united once.
+// Adds the edges that lead out of a cell: those in the rows of points with a neighbor in another cell. Most of them
+// join the same few pairs of roots, so each noted pair is united once, at the end. Pairs that find no slot are united
+// at once.
 template <class Backend>
 struct Unite_at_border {
   Ties ties;
@@ -169,6 +178,7 @@ struct Unite_at_border {
 private:
   static constexpr std::uint64_t none = ~std::uint64_t(0);
 
+  // False if the slot holds another pair. The factor is 2^64 over the golden ratio: its upper bits spread well.
   template <class Block>
   CGAL_TANDEM_HD static bool is_noted(Block& block, Pair_scratch& scratch, std::uint64_t pair)
   {
@@ -177,6 +187,8 @@ private:
   }
 };
 
+// Makes component[i] the root of i. Other items shorten their paths at the same time; no root changes any more, so all
+// read the same one.
 template <class Backend>
 struct Find_root {
   std::uint32_t* component;
@@ -192,8 +204,8 @@ struct Find_root {
   }
 };
 
-// component[i] is the smallest position of the component of point i. Free points
-// are components of their own.
+// component[i] becomes the smallest position of the component of point i; free points are components of their own.
+// label: of any kind, by point, with marks for free points. Takes nearly linear time.
 template <class Backend>
 void find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, const std::uint32_t* label,
                      std::uint32_t* component)
@@ -206,6 +218,7 @@ void find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, cons
     backend.template for_each_cell<Union_scratch<small_cell>>(cells, inside);
   else
     backend.template for_each_cell<Union_scratch<largest_cell>>(cells, inside);
+  // The unions of the cells are complete here, so that roots from all cells can be joined.
   const Border<Backend>& border = points.border;
   backend.template for_each_cell<Pair_scratch>(
     cells, Unite_at_border<Backend>{ties, border.range.data(), border.point.data(), component});

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// After the last round: fragments are consolidated, the relations are found once more over what is left, and free points
-// are labeled.
+// The stages between the last round and the extraction of the result. Fragments are merged or dropped, relations are
+// found once more, free points are labeled, and points go to larger shapes. Changes labels, states, shapes and planes.
+// Planes are final at its end. See the manual, "End Game".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 #define CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
@@ -21,6 +22,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// By id: 1 for live shapes of less than `size` points, 0 for all other entries.
 template <class Backend>
 std::vector<std::uint8_t> shapes_below(Backend& backend, const Shape_table<Backend>& shapes, std::int64_t size)
 {
@@ -30,9 +32,11 @@ std::vector<std::uint8_t> shapes_below(Backend& backend, const Shape_table<Backe
   return is_below;
 }
 
+// The table that selects every shape.
 inline std::vector<std::uint8_t> all_shapes(std::size_t shapes) { return std::vector<std::uint8_t>(shapes, 1); }
 
-// Hands the planes over to the points, and checks the points of some shapes against them.
+// Rounds the planes of all live shapes for the tests of points. Then points of the checked shapes that do not fit
+// become free, and the moments of these shapes follow.
 template <class Backend>
 void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Point_check& check)
 {
@@ -44,12 +48,14 @@ void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
   update_points(points, shapes, identity_targets(shapes.size()), check);
 }
 
+// Dissolves the shapes of less than `minimum_size` points; their points are free again.
 template <class Backend>
 void drop_small(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::int64_t minimum_size)
 {
   drop_shapes(points, shapes, [&](const Shape& shape, std::uint32_t) { return shape.moments.count < minimum_size; });
 }
 
+// Fits all shapes whose points have changed. Fragments take their local planes, as after a rollback.
 template <class Backend>
 void refit_fragments(Backend& backend, Shape_table<Backend>& shapes, const std::vector<std::uint8_t>& is_fragment)
 {
@@ -60,7 +66,9 @@ void refit_fragments(Backend& backend, Shape_table<Backend>& shapes, const std::
   });
 }
 
-// Fragments that touch become one shape where one plane fits them.
+// Merges linked fragments by joint fit: see merge_fragments.h. Larger shapes take no part here; they take points of
+// fragments in the reassignment that follows. More misfits are tolerated than in the loop, because fragments that stay
+// small are dropped.
 template <class Backend>
 void join_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                     const std::vector<std::uint8_t>& is_fragment)
@@ -74,7 +82,9 @@ void join_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
   points.sample.reset(0); // others need the memory
 }
 
-// Fragments below the minimum size are not lost at once: they may be parts of one shape, or of their neighbors.
+// Fragments are not dropped at once: they may be parts of one face, or of a larger neighbor. There are two rounds,
+// because with one of them, faces behind many patches are lost. A round that changes little is the last one. Moments
+// are summed again at its end.
 template <class Backend>
 void consolidate(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
@@ -97,8 +107,9 @@ void consolidate(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   }
 }
 
-// A last regularity step over all shapes, which have just been counted; returns the relations, by shape. `before`:
-// those of the last such step.
+// One regularization of all shapes, with labels and shapes that follow from it. The moments have to be those of the
+// points before, and are afterwards. Returns the relations, by shape; `before` has those of the last such step, which
+// are kept where little has changed.
 template <class Backend>
 Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                                    int round, const Shape_relations& before)
@@ -117,6 +128,8 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   return relations;
 }
 
+// Points go to the largest shape that they fit: see Choose_largest. Planes stay, since nothing is fitted afterwards.
+// Only shapes well above the minimum size lose points; those that fall below it all the same are dropped.
 template <class Backend>
 void reassign_to_larger(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
@@ -133,7 +146,8 @@ void reassign_to_larger(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   drop_small(points, shapes, options.minimum_region_size);
 }
 
-// The loop takes a point for interior once all of its neighbors have had its label; some have lost it since.
+// An interior point is skipped, since all of its neighbors have had its label. Neighbors may have lost it since, so the
+// bit is cleared before the stages that rely on it.
 struct Clear_interior {
   std::uint8_t* state;
 
@@ -146,7 +160,9 @@ void clear_interior(Labeled_cloud<Backend>& points)
   points.backend.for_each(points.cloud.size(), Clear_interior{points.state.data()});
 }
 
-// Planes are final afterwards. round: of the loop.
+// Returns the relations of the live shapes; `round` is the number of rounds of the loop. Two final regularizations
+// follow the consolidation: the first one frees and labels points that change the fits of the second. With one of them,
+// faces behind many patches are lost.
 template <class Backend>
 Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                          int round)

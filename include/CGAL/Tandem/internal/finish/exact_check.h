@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The last step that decides on single points: each one is checked against the
-// final plane of its shape, in double and in the caller's coordinates. It is
-// filtered: the integer test decides all but the points close to a bound.
+// The last step that decides on single points: each is tested against the final plane of its shape. The test is in
+// double, on the caller's coordinates and normals. It is filtered: integers accept all points that are not close to a
+// bound. Changes labels, nothing else. See the manual, "Exact Check".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H
 #define CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H
@@ -16,18 +16,19 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The caller's points and normals, if there are any.
+// The caller's values, in the order of the imported points.
 struct Caller_view {
   Vectors_view coordinates;
-  Vectors_view normals; // of any length
+  Vectors_view normals; // of any length; null where they were estimated
 };
 
-// The integer test with its margins leaves open whether the point is within the bounds.
+// Whether the filter fails for a labeled point. The reduced bounds cover the rounding of the point, of its normal and
+// of the plane. So a point that fits within them passes the exact test, too.
 struct Is_uncertain {
   const Grid_point* point;
   const std::uint32_t* label;
   const Plane* plane; // by shape
-  Tolerance certain;  // the bounds of the engine, less all rounding
+  Tolerance certain;  // epsilon and alpha, less all rounding: see tuning::exactness
 
   CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
   {
@@ -35,10 +36,12 @@ struct Is_uncertain {
   }
 };
 
+// What the host needs of a point to test it. The normal is the packed one, for clouds with estimated normals.
 struct Uncertain_point {
   std::uint32_t shape, origin, normal; // origin: the imported point
 };
 
+// Item i is the i-th uncertain point, at position place[i] of the sorted cloud.
 struct Gather_uncertain {
   const Grid_point* point;
   const std::uint32_t* label;
@@ -52,6 +55,7 @@ struct Gather_uncertain {
   }
 };
 
+// Points that fail lose their label, and no plane is fitted afterwards.
 struct Lock_rejected {
   const std::uint32_t* place;
   const std::uint8_t* is_rejected;
@@ -64,7 +68,7 @@ struct Lock_rejected {
   }
 };
 
-// The test itself, on the host, where the caller's coordinates are.
+// The test itself. It runs on the host, because the caller's coordinates and normals are there.
 struct Check_exactly {
   Caller_view caller;
   const Coefficients* plane; // by shape
@@ -72,13 +76,15 @@ struct Check_exactly {
 
   bool is_within(const Uncertain_point& u) const
   {
+    // An estimated normal is what the result reports for the point: its packed value.
     const Vector normal =
       caller.normals.data != nullptr ? normalized(caller.normals[u.origin]) : unpacked_normal(u.normal);
     return bounds.is_near(plane[u.shape], caller.coordinates[u.origin]) && bounds.is_aligned(plane[u.shape], normal);
   }
 };
 
-// The points that are checked, with labels of their own.
+// The points that are tested, in the order of the sorted cloud. The labels are those of the extraction, so a test
+// between two rounds changes no label of the loop.
 struct Points_to_check {
   const Grid_point* point;
   const std::uint32_t* origin; // the imported points
@@ -86,7 +92,8 @@ struct Points_to_check {
   std::size_t size;
 };
 
-// Frees the points that are not within the bounds of their shape. plane, certain: see Is_uncertain.
+// Takes the label of each point that is not within the bounds of its shape. Few points are uncertain, so little goes to
+// the host and back. plane, certain: see Is_uncertain.
 template <class Backend>
 void check_exactly(Backend& backend, const Points_to_check& points, const Plane* plane, const Tolerance& certain,
                    const Check_exactly& check)

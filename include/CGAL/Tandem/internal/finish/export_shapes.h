@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The border on the way out: the result of the engine in terms of the caller's
-// range, with the relations between the shapes and the statistics. Nothing here
-// changes a plane or a label.
+// From the result of the engine to that of the caller: items of the range, groups of shapes, pairs of groups,
+// statistics. Changes no plane, and no label of a point.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
@@ -21,7 +20,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What Planar_shapes_3 is made of. Tests corrupt it.
+// What Planar_shapes_3 is made of. Tests corrupt it to see whether Result_checker finds each violation.
 struct Shapes_data {
   std::vector<Coefficients> coefficients;             // of each shape
   std::vector<int> parallel_group;                    // of each shape
@@ -35,7 +34,8 @@ struct Shapes_data {
   Point_groups points; // of the shapes, until Planar_shapes_3 takes them
 };
 
-// The first shape of each group.
+// The first shape of each group, by group. -1 stands for a number that no shape has: only corrupted data have such
+// groups.
 inline std::vector<int> representatives(const std::vector<int>& group)
 {
   std::vector<int> first;
@@ -48,6 +48,8 @@ inline std::vector<int> representatives(const std::vector<int>& group)
   return first;
 }
 
+// All pairs of directions that are orthogonal up to rounding, whether or not a star or frame made them so. Takes
+// quadratic time in the number of directions.
 inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data& data)
 {
   std::vector<Coefficients> direction;
@@ -57,7 +59,8 @@ inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data
   for(std::size_t g = 0; g < direction.size(); ++g)
     for(std::size_t h = g + 1; h < direction.size(); ++h) {
       const Coefficients &a = direction[g], &b = direction[h];
-      if(std::fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > 1e-14) // nearly all pairs, and fma is slow
+      if(std::fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >
+         1e-14) // decides nearly all pairs; without FMA in the processor, fma() is slow
         continue;
       if(are_orthogonal({a[0], a[1], a[2]}, {b[0], b[1], b[2]}))
         pairs.emplace_back(int(g), int(h));
@@ -65,10 +68,9 @@ inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data
   return pairs;
 }
 
-// Degrees of freedom of the directions. A direction costs 2, less one for each
-// direction it is orthogonal to and that has been counted before. The next one
-// counted is always the most constrained, then the one with most relations, then
-// the first: a star is counted from its center, a frame costs 3.
+// Degrees of freedom of the directions. A direction costs 2, less one for each orthogonal direction that was counted
+// before it. Counting starts at the direction with most relations, and goes on with the most constrained one that it
+// has reached. So a star is counted from its master, and a frame costs 3.
 inline std::size_t direction_freedom(std::size_t directions, const std::vector<std::pair<int, int>>& orthogonal)
 {
   std::vector<std::vector<int>> related(directions);
@@ -105,6 +107,7 @@ inline std::size_t direction_freedom(std::size_t directions, const std::vector<s
   return freedom;
 }
 
+// Complexity is the share of the degrees of freedom that is left: each unrelated shape would have 3 of its own.
 inline void measure_relations(Shapes_data& data)
 {
   Statistics& statistics = data.statistics;
@@ -119,7 +122,8 @@ inline void measure_relations(Shapes_data& data)
                             : 0;
 }
 
-// From the imported points to the items of the caller's range.
+// From imported points to items of the caller's range; items that were not imported get `missing`. Where all items were
+// imported the table is shared, not copied.
 template <class T>
 Shared_table<T> by_item(const Import& in, const Shared_table<T>& values, T missing)
 {
@@ -132,7 +136,8 @@ Shared_table<T> by_item(const Import& in, const Shared_table<T>& values, T missi
   return result;
 }
 
-// The same for points as such, whose order stays.
+// The same for a list of imported points: each becomes its item. Items ascend with imported points, so lists stay
+// sorted.
 inline Shared_table<std::uint32_t> to_items(const Import& in, const Shared_table<std::uint32_t>& points)
 {
   if(in.item.empty())
@@ -142,6 +147,7 @@ inline Shared_table<std::uint32_t> to_items(const Import& in, const Shared_table
   return result;
 }
 
+// What is known before a shape is found.
 inline Shapes_data start_export(const Import& in, const Parameters& parameters)
 {
   Shapes_data data;
@@ -155,7 +161,8 @@ inline Shapes_data start_export(const Import& in, const Parameters& parameters)
   return data;
 }
 
-// Of an empty result, too.
+// The result of an empty cloud is valid, too: no shapes, and shares of 0. The mean distance is in epsilons in the
+// engine, and in the caller's units here.
 inline Shapes_data export_shapes(const Import& in, const Parameters& parameters, const Engine_result& result)
 {
   Shapes_data data = start_export(in, parameters);

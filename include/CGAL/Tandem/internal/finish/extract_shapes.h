@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From labels to the result: the exact check, planes through clutter, connected
-// components, and the canonical order of the shapes.
+// From labels and relations to the result: exact check, clutter filter, connected components, and the final order of
+// the shapes. Works on labels of its own, so it may run between two rounds: labels, states and shapes of the loop stay.
+// Labels are entries of the relations here: entry i is the shape relations.id[i].
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_EXTRACT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_EXTRACT_SHAPES_H
@@ -30,8 +31,8 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
   return planes;
 }
 
-// The entry of the relations that each point belongs to. Shapes without an entry are
-// too small to be part of a result.
+// From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their points are
+// free.
 struct Take_entries {
   const std::uint32_t* source;
   const std::uint32_t* entry_of; // by shape
@@ -44,6 +45,7 @@ struct Take_entries {
   }
 };
 
+// Points of dropped shapes are free.
 struct Free_dropped {
   const std::uint8_t* is_dropped; // by label
   std::uint32_t* label;
@@ -55,6 +57,7 @@ struct Free_dropped {
   }
 };
 
+// Item i is the i-th component of the result. Its number goes to its root, where the points of the component find it.
 struct Number_roots {
   const Component* component; // in the order of the shapes
   std::uint32_t* number;      // by root
@@ -62,7 +65,8 @@ struct Number_roots {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { number[component[i].root] = std::uint32_t(i); }
 };
 
-// In the order of the imported points.
+// From the sorted cloud to the order of the imported points. A root that no component of the result has is numbered
+// no_index, hence -1.
 struct Write_shapes {
   const std::uint32_t* component;
   const std::uint32_t* number;
@@ -72,6 +76,7 @@ struct Write_shapes {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { shape_of[order[i]] = std::int32_t(number[component[i]]); }
 };
 
+// Estimated normals, in the order of the imported points.
 struct Write_normals {
   const Grid_point* point;
   const std::uint32_t* order;
@@ -80,6 +85,7 @@ struct Write_normals {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { normal[order[i]] = point[i].normal; }
 };
 
+// One extraction: the steps in the order of extract(), with the tables that they share.
 template <class Backend>
 class Shape_extractor {
   template <class T>
@@ -105,6 +111,7 @@ public:
   }
 
 private:
+  // Fills label_; from here on no step reads the labels of the loop.
   void take_entries()
   {
     std::vector<std::uint32_t> entry_of(shapes_.size(), no_index);
@@ -114,6 +121,8 @@ private:
     backend_.for_each(label_.size(), Take_entries{points_.label.data(), entries.data(), label_.data()});
   }
 
+  // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
+  // coplanar class get the same bits in both.
   void check_points()
   {
     const Relations& relations = relations_.relations;
@@ -128,7 +137,8 @@ private:
                   options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
   }
 
-  // Of the distances of the points to the plane of an entry, in epsilons.
+  // Of the distances of the points to the regular plane of an entry, in epsilons. From the moments of the shape: its
+  // local fit, and what its regular plane adds to it.
   double rms(std::size_t entry) const
   {
     const Shape& shape = shapes_[relations_.id[entry]];
@@ -136,6 +146,7 @@ private:
     return std::sqrt((std::max)(squares, 0.) / (std::max)(shape.scatter.count, 1.)) / options_.maximum_distance;
   }
 
+  // Shapes are judged before they are split into components, so a small component counts with all of its shape.
   void drop_clutter()
   {
     std::vector<Neighbor_counts> counts(plane_.size());
@@ -156,6 +167,8 @@ private:
     backend_.for_each(label_.size(), Free_dropped{dropped.data(), label_.data()});
   }
 
+  // Components of the remaining labels become shapes: by falling number of points, ties by position of the root.
+  // Buffers of the size of the cloud are released before the points are grouped, which needs memory itself.
   void name_shapes(Engine_result& result)
   {
     const std::size_t n = label_.size();
@@ -176,7 +189,8 @@ private:
     take_points(backend_, std::move(shape_of), components.size(), result);
   }
 
-  // Directions and planes in the order in which the shapes have them first.
+  // Directions and planes are numbered in the order in which the shapes have them first. So numbers do not depend on
+  // how the relations were found, and none is unused.
   void number_groups(const std::vector<Component>& components, Engine_result& result) const
   {
     const Relations& relations = relations_.relations;
@@ -191,6 +205,8 @@ private:
     }
   }
 
+  // Counts the opposite normals of each shape, and sums distances. Only given normals have a side: estimated ones are
+  // not oriented.
   void measure_shapes(const std::uint32_t* component, const std::uint32_t* number, Engine_result& result)
   {
     std::vector<std::uint32_t> opposed(result.shapes.size(), 0);
@@ -212,7 +228,7 @@ private:
     result.mean_distance = points > 0 ? double(distance[0]) / double(points) / distance_units : 0;
   }
 
-  // The items of a buffer, which is given up.
+  // Moves the items of a buffer to a table of the host, without a copy where the buffer is memory of the host.
   template <class T>
   Shared_table<T> on_host(Buffer<T>&& buffer)
   {

@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The list of points of each shape, from the shape of each point. A back end may replace the sort: the lists are
+// defined by their contents.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
@@ -17,8 +20,9 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The points of each shape, for n labels in the memory of the host. A counting sort in a few large pieces. Labels
-// outside of the shapes are left out.
+// For n labels in memory of the host; labels outside of [0, shapes) are left out. A stable counting sort in a few large
+// pieces, so that points ascend in each shape. A piece has at least as many points as there are shapes: all counts
+// together need at most n entries.
 template <class Backend>
 Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes)
 {
@@ -33,6 +37,7 @@ Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::s
           f(own[std::size_t(shape_of[i])], i);
     });
   };
+  // First the points of each shape in each piece; the sums then become the places where a piece begins to write.
   for_each_point([](std::size_t& count, std::size_t) { ++count; });
   Point_groups groups;
   std::size_t next = 0;
@@ -48,7 +53,8 @@ Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::s
   return groups;
 }
 
-// The shapes of the points, and the points of the shapes, as they leave the back end; the buffer is given up.
+// Shapes of points and points of shapes move to the result. The buffer is consumed: its memory becomes the table of the
+// result where it can.
 template <class Backend>
 void take_points(Backend& backend, typename Backend::template Buffer<std::int32_t>&& shape_of, std::size_t shapes,
                  Engine_result& result)

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The components that become shapes.
+// Which components become shapes: those with at least the minimum number of points. Also their order in the result.
+// Reads labels and components, changes nothing.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
@@ -16,6 +17,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Sets every entry to one value.
 struct Fill {
   std::uint32_t* target;
   std::uint32_t value;
@@ -23,7 +25,8 @@ struct Fill {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = value; }
 };
 
-// The number of points of each component of labeled points, at its root.
+// Adds the labeled points of each cell to their components: size[r] for the root r. Counts are gathered in the cell
+// first, because all points of a face have the same root. Integer sums, so the order does not matter.
 template <class Backend>
 struct Count_components {
   const Range* cells;
@@ -44,6 +47,7 @@ struct Count_components {
   }
 };
 
+// The roots of the components that are large enough. A free point is a root of its own, and excluded by its label.
 struct Is_large_root {
   const std::uint32_t* label;
   const std::uint32_t* component;
@@ -56,10 +60,12 @@ struct Is_large_root {
   }
 };
 
+// A component of the result: position of its root, entry of the relations, number of points.
 struct Component {
   std::uint32_t root, entry, size;
 };
 
+// Packs what the host needs of each large component, so that one copy is enough.
 struct Gather_components {
   const std::uint32_t* root;
   const std::uint32_t* label;
@@ -69,7 +75,7 @@ struct Gather_components {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
 };
 
-// The components that are large enough, by falling size, then by position.
+// By falling number of points, then by position of the root: a total order, since roots differ.
 template <class Backend>
 std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
                                         const std::uint32_t* label, const std::uint32_t* component)

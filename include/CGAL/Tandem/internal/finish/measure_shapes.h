@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far the points are from the planes of their shapes, and how many normals are
-// opposite to these: on the grid, by integer sums.
+// Statistics of the final shapes: the mean distance of points, and how many normals are opposite to their planes.
+// Computed on the grid by integer sums, so they are the same for every order of the points. Changes nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
@@ -15,14 +15,18 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Distances are summed in units of epsilon / 2^15, so that those of a cell fit 32 bits.
+// Distances are summed in units of epsilon / 2^15. A point adds at most 2^15, and a cell has at most 2^16 points, so a
+// cell's sum fits 32 bits.
 constexpr std::uint32_t distance_units = 1u << 15;
 
+// The sums of one cell, before they are added to those of all cells.
 struct Measure_scratch {
   Count_scratch opposed;
   std::uint32_t distance;
 };
 
+// For each cell, measures its points that belong to a shape of the result. opposed[s] counts the normals of shape s
+// that are opposite to its plane.
 template <class Backend>
 struct Measure_points {
   const Grid_point* point;
@@ -31,7 +35,7 @@ struct Measure_points {
   const Plane* plane;             // by label
   const std::uint32_t* component; // of each point
   const std::uint32_t* number;    // of the shape, by component; no_index if there is none
-  std::int64_t epsilon;           // as the signed distance
+  std::int64_t epsilon;           // in 2^-28 grid steps, as signed distances
   std::uint32_t* opposed;         // by shape
   std::uint64_t* distance;        // one sum for all points
 
@@ -54,6 +58,8 @@ struct Measure_points {
   }
 
 private:
+  // Rounded to the nearest unit. A point that only the exact check accepted may be a little farther than epsilon on the
+  // grid, and counts as epsilon.
   CGAL_TANDEM_HD std::uint32_t distance_of(std::uint32_t i) const
   {
     const std::int64_t e = signed_distance(plane[label[i]], point[i]);

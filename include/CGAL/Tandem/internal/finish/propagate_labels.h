@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A pass of the end game, while planes are fixed: shapes absorb the free points around them.
+// Label propagation: free points join shapes around them that they fit, in rounds, while planes are fixed. Changes
+// labels of free points and clears their interior bits, nothing else; the caller counts again. See the manual, "Label
+// Propagation".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
@@ -19,27 +21,29 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// A proposal is distance << 32 | shape: the smallest one wins, and ties go to the smaller number of a shape.
 constexpr std::uint64_t no_proposal = ~std::uint64_t(0);
 
-// The free points that got offers, each once: round by round, in any order in each. Those of a round are
-// [end[0], end[1]), and the next ones follow, up to end[2].
+// The free points with a proposal, each once, round by round; within a round in any order. The ones of a round are
+// [end[0], end[1]), those of the next follow up to end[2]. So `end` of round r is the table's entry r.
 struct Proposed_points {
   std::uint32_t* point;
   std::uint32_t* end;
 };
 
-// Offers of shapes to free points, from both ends of a neighbor relation. The
-// smallest (distance, shape) wins.
+// The first round: proposals along every edge of the neighbor graph, from both of its ends. Each goes to a free end
+// that fits the plane of the other end's shape. Only minima and sets are written, so neither order nor races matter.
+// Labels do not change meanwhile.
 template <class Backend>
 struct Propose_label {
   Cloud_view cloud;
   const std::uint32_t* label;
   const std::uint8_t* state;
   const Plane* plane;
-  std::uint64_t* proposal;
+  std::uint64_t* proposal; // by point
   Tolerance tolerance;
-  std::uint32_t* proposed; // those of all rounds ...
-  std::uint32_t* end;      // ... which end here
+  std::uint32_t* proposed; // the points of all rounds, in Proposed_points ...
+  std::uint32_t* end;      // ... and where those of the round that is being filled end
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
@@ -61,7 +65,7 @@ struct Propose_label {
     }
   }
 
-  // Of the shape s to a neighbor of one of its points, if that is free.
+  // Proposes the shape s to a neighbor q of one of its points, if q is free.
   CGAL_TANDEM_HD void to(std::uint32_t q, std::uint32_t s) const
   {
     if(label[q] >= first_mark)
@@ -69,23 +73,25 @@ struct Propose_label {
   }
 
 private:
+  // The item that makes the first proposal to a point appends the point to the list of the round.
   CGAL_TANDEM_HD void make(std::uint32_t s, std::uint32_t i) const
   {
     if(!fits(plane[s], cloud.point[i], tolerance))
       return;
     const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
-    const std::uint64_t distance = std::uint64_t(e < 0 ? -e : e) >> 16; // 2^-12 steps; < 2^32 while epsilon < 2^19
+    const std::uint64_t distance = std::uint64_t(e < 0 ? -e : e) >> 16; // 2^-12 steps: < 2^24, as epsilon < 2^11 steps
     if(Backend::atomic_min(proposal[i], distance << 32 | s) == no_proposal)
       proposed[Backend::atomic_add(*end, 1u)] = i;
   }
 };
 
-// Later rounds: only the points that were absorbed in the last one have news.
+// Later rounds: new proposals can come only from points that were labeled in the round before. `items` lanes share
+// their rows, because the host does not know how many there are.
 template <class Backend>
 struct Propose_again {
   Propose_label<Backend> proposal;
-  Proposed_points absorbed;
-  std::size_t items; // that this is called with
+  Proposed_points absorbed; // the points that the last round labeled
+  std::size_t items;        // number of items of the loop
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
@@ -98,17 +104,20 @@ struct Propose_again {
   }
 };
 
+// No point has a proposal.
 struct Clear_proposals {
   std::uint64_t* proposal;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const { proposal[i] = no_proposal; }
 };
 
+// Each point of a round takes the shape of its best proposal. Points are listed once, so no two items write the same
+// one. The list of the next round begins empty, where this one ends.
 struct Accept_proposals {
   Labels_view labels;
   std::uint64_t* proposal;
   Proposed_points proposed;
-  std::size_t items; // that this is called with
+  std::size_t items; // number of items of the loop, each with every items-th point
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
@@ -124,20 +133,21 @@ struct Accept_proposals {
   }
 };
 
-// Rounds in which free points accept offers, and then pass on those of the shapes that they have joined.
+// The functors of each round, for any back end. A round accepts the proposals to free points; these points propose
+// their new shapes in turn. All of them must be accepted before the first one proposes.
 template <class Backend>
 struct Label_propagation {
-  Propose_label<Backend> proposal; // the first one, which has been made
+  Propose_label<Backend> proposal; // of the first round, which has been executed
   Labels_view labels;
   Proposed_points proposed;
-  std::size_t few;
+  std::size_t few; // a round that labels at most so many points is the last one
 
   CGAL_TANDEM_HD Accept_proposals accept(std::size_t round, std::size_t items) const
   {
     return {labels, proposal.proposal, of_round(round), items};
   }
 
-  // After accept(): whether next to no point has joined a shape.
+  // After accept() of the round.
   CGAL_TANDEM_HD bool is_last(std::size_t round) const { return proposed.end[round + 1] - proposed.end[round] <= few; }
 
   CGAL_TANDEM_HD Propose_again<Backend> propose_again(std::size_t round, std::size_t items) const
@@ -151,7 +161,7 @@ private:
   CGAL_TANDEM_HD Proposed_points of_round(std::size_t round) const { return {proposed.point, proposed.end + round}; }
 };
 
-// On a back end whose functors write memory of the host.
+// For back ends whose functors write memory of the host: the loop reads `end` between two steps.
 template <class Backend>
 void propagate_labels_on_host(Backend& backend, std::size_t maximum_rounds, const Label_propagation<Backend>& rounds)
 {
@@ -165,7 +175,8 @@ void propagate_labels_on_host(Backend& backend, std::size_t maximum_rounds, cons
   }
 }
 
-// Free points join the shapes that they fit, until next to none does. plane: by shape.
+// Labels free points until a round labels hardly any, or after a number of rounds. Proposals that are still open then
+// are dropped. plane: by shape, as rounded for the tests of points.
 template <class Backend>
 void propagate_labels(Labeled_cloud<Backend>& points, const std::vector<Plane>& plane, const Tolerance& tolerance)
 {
@@ -174,7 +185,7 @@ void propagate_labels(Labeled_cloud<Backend>& points, const std::vector<Plane>& 
   const std::size_t n = points.cloud.size(), few = n / tuning::end_game::points_per_late_point;
   typename Backend::template Buffer<std::uint64_t> proposal(n);
   typename Backend::template Buffer<std::uint32_t> proposed(n);
-  std::vector<std::uint32_t> end(maximum_rounds + 2, 0); // the host does not look at it again
+  std::vector<std::uint32_t> end(maximum_rounds + 2, 0); // not copied back: the host does not need it
   const auto planes = backend.read_access(plane);
   const auto ends = backend.read_write_access(end);
   backend.for_each(n, Clear_proposals{proposal.data()});

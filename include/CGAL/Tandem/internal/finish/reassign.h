@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Passes of the end game, while planes are fixed: assigned points go to larger neighbors, and all are counted anew.
+// Passes over assigned points while planes are fixed. Points move to larger shapes that they fit, or all shapes are
+// counted again. Changes labels and interior bits of points, and moments and boxes of shapes, nothing else. See the
+// manual, "Reassignment".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
 #define CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
@@ -16,10 +18,10 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A point of a shape that may give points away goes to the largest shape among its
-// neighbors' that it fits, but not to a plane that is farther than the nearest one by
-// more than a quarter of epsilon: layers side by side do not eat each other. Points
-// whose neighbors all have their label become interior on the way, if asked for.
+// For each point of a shape that may lose points: the largest shape among those of its neighbors that it fits. A plane
+// may be farther than the nearest one by a quarter of epsilon at most, so that adjacent layers stay apart. Ties go to
+// the smaller id. Labels are only read, so the order of points does not matter. If `marks_interior`, a point whose
+// neighbors all have its label becomes interior.
 struct Choose_largest {
   Cloud_view cloud;
   const std::uint32_t* label;
@@ -28,7 +30,7 @@ struct Choose_largest {
   const std::int64_t* size; // by shape, as are these
   const std::uint8_t* may_lose;
   const std::uint8_t* may_gain;
-  std::uint32_t* chosen;
+  std::uint32_t* chosen; // by point: its next label
   Tolerance tolerance;
   bool marks_interior = false;
 
@@ -47,6 +49,7 @@ struct Choose_largest {
       all_same = all_same && t == s;
       if(t >= first_mark || t == best || !may_gain[t] || !may_lose[s])
         continue;
+      // The own shape is left also for a smaller one, where it is farther than is allowed.
       const bool is_larger =
         size[t] > size[best] || (size[t] == size[best] && t < best) || distance(best, i) > farthest;
       if(is_larger && distance(t, i) <= farthest && fits(plane[t], cloud.point[i], tolerance))
@@ -57,12 +60,14 @@ struct Choose_largest {
   }
 
 private:
+  // To the plane of shape s, in 2^-28 grid steps.
   CGAL_TANDEM_HD std::int64_t distance(std::uint32_t s, std::size_t i) const
   {
     const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
     return e < 0 ? -e : e;
   }
 
+  // To the nearest plane of the own shape s and of those that may take the point.
   CGAL_TANDEM_HD std::int64_t minimum_distance(std::size_t i, std::uint32_t s) const
   {
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
@@ -78,14 +83,15 @@ private:
   }
 };
 
-// Sums what the shapes lose and gain by it.
+// For each cell: writes the chosen labels, and sums what each shape loses and what it gets. A point changes its cell's
+// table only where its label changes. Integer sums, so the order does not matter.
 template <class Backend>
 struct Take_chosen {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* chosen;
   Labels_view labels;
-  Shared_moments* change;
+  Shared_moments* change; // by shape, lost points with sign -1
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
@@ -107,14 +113,14 @@ struct Take_chosen {
   }
 };
 
-// Which shapes take part in a reassignment, by id.
+// Which shapes take part, by id: those that may lose points, and those that may get them.
 struct Reassignment {
   std::vector<std::uint8_t> may_lose, may_gain;
   bool marks_interior;
 };
 
-// One Jacobi round of reassignment. Keeps the moments of the shapes right, if they are; their boxes only grow, and they
-// may become empty. False if nothing has changed.
+// One round, computed from the labels of the round before (Jacobi). Moments stay right if they were; boxes may be too
+// large, because a lost point does not shrink them. Shapes may become empty. Returns whether any label has changed.
 template <class Backend>
 bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance,
               const Reassignment& which)
@@ -144,6 +150,8 @@ bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, cons
   return changes.size() > 0;
 }
 
+// For each cell: the moments and boxes of the shapes of its points. Successive points often have the same label, so
+// each lane sums a run of them before it looks up a slot.
 template <class Backend>
 struct Sum_moments {
   Cloud_view cloud;
@@ -177,7 +185,8 @@ struct Sum_moments {
   }
 };
 
-// Moments and bounds of all shapes, anew from the labels.
+// Sums moments and boxes of all shapes again from the labels, and drops empty shapes. Needed where labels have changed
+// without their deltas, and to shrink boxes.
 template <class Backend>
 void recount(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A table of the host that grows at its end, for the shapes. It owns its memory, and a device never reads it.
 
 #ifndef CGAL_TANDEM_INTERNAL_MEMORY_GROWING_TABLE_H
 #define CGAL_TANDEM_INTERNAL_MEMORY_GROWING_TABLE_H
@@ -17,8 +19,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Plain items of the host, to which more are added at the end. There is room for a few times
-// as many: new pages that nobody has touched take no memory, and items that stay need no copy.
+// Plain items, indexed from 0. New memory has room for a few times as many items, so most calls of resize() copy
+// nothing. Untouched pages of it take no physical memory.
 template <class T>
 class Growing_table {
   static_assert(std::is_trivially_copyable<T>::value, "plain items");
@@ -28,7 +30,7 @@ public:
   T& operator[](std::size_t i) { return items_[i]; }
   const T& operator[](std::size_t i) const { return items_[i]; }
 
-  // What is new is T().
+  // Keeps the items; new ones are T(). References to items hold only until the next call.
   template <class Backend>
   void resize(Backend& backend, std::size_t size)
   {
@@ -39,7 +41,7 @@ public:
     size_ = size;
   }
 
-  // The listed items become the only ones, in that order.
+  // Keeps the listed items only, in the order of the list: item i is the former item kept[i]. The room stays the same.
   template <class Backend>
   void keep(Backend& backend, const Ids& kept)
   {
@@ -48,9 +50,10 @@ public:
   }
 
 private:
-  static constexpr std::size_t room = 4;
+  static constexpr std::size_t room = 4; // times the size that is needed
 
-  // To new memory for at least `size` items: the item old(i) to place i.
+  // Moves to new memory for at least `size` items: place i gets the former item old(i). Copies instead of moving in
+  // place, because all threads copy at the same time.
   template <class Backend, class F>
   void move(Backend& backend, std::size_t size, std::size_t moved, F old)
   {
@@ -61,8 +64,8 @@ private:
     items_ = std::move(items);
   }
 
-  Host_buffer<T> items_;
-  std::size_t size_ = 0;
+  Host_buffer<T> items_; // of the size of the room
+  std::size_t size_ = 0; // items in use
 };
 
 } // namespace internal

@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Memory of the host for tables of the size of the cloud. Arrays without initial values, arrays that copies share, and
+// the table that is sorted by key.
 
 #ifndef CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H
 #define CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H
@@ -17,8 +20,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// An array that is not initialized: each of its pages is first touched by the
-// thread that fills it.
+// An array of plain items without initial values. So each page is first touched by the thread that fills it, and lies
+// in that thread's part of the memory. Cannot be copied, only moved.
 template <class T>
 class Host_buffer {
   static_assert(std::is_trivially_destructible<T>::value, "buffers hold plain data");
@@ -27,7 +30,7 @@ public:
   Host_buffer() = default;
   explicit Host_buffer(std::size_t size) { reset(size); }
 
-  // Discards the contents.
+  // Discards the contents. Takes a kept block if one has the right size, else memory of the system.
   void reset(std::size_t size)
   {
     release();
@@ -43,9 +46,10 @@ public:
     size_ = size;
   }
 
-  // The memory will not be freed, but kept for the next buffer of this size.
+  // At its end the memory goes to Kept_pages instead of the system, for the next buffer of about this size.
   void keep_pages() { data_.get_deleter().is_kept = true; }
 
+  // The buffer is empty afterwards.
   void release()
   {
     data_.reset();
@@ -64,6 +68,7 @@ public:
   const T* end() const { return data_.get() + size_; }
 
 private:
+  // The bytes are those of the block, which may be larger than the array.
   struct Free {
     std::size_t bytes = 0;
     bool is_kept = false;
@@ -81,7 +86,7 @@ private:
   std::size_t size_ = 0;
 };
 
-// A table that does not change any more. Copies share it, so that they take no time.
+// A table that does not change any more. Copies share the items, so a result is copied in constant time.
 template <class T>
 class Shared_table {
 public:
@@ -103,7 +108,8 @@ private:
   std::shared_ptr<const Host_buffer<T>> table_;
 };
 
-// Keys with the index that each belongs to, as a back end sorts them.
+// Keys with the index that each belongs to, in the layout that sorts on the host need: both beside each other. Functors
+// use the view only, because a device has two separate arrays.
 class Host_sort_table {
 public:
   struct Entry {
@@ -111,6 +117,7 @@ public:
     std::uint32_t index;
   };
 
+  // Functors copy the view and write entries through it, each entry from one functor.
   struct View {
     Entry* entry;
 

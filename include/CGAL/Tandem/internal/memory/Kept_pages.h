@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Memory of the host for large tables. What users of a device ask for is kept for the
-// next time: there, the first touch of new pages takes longer than all else on the host.
+// Memory of the host for large tables. Beside a device, freed tables are kept for the next call. There, the first touch
+// of new pages would take longer than all other work of the host.
 
 #ifndef CGAL_TANDEM_INTERNAL_MEMORY_KEPT_PAGES_H
 #define CGAL_TANDEM_INTERNAL_MEMORY_KEPT_PAGES_H
@@ -22,8 +22,9 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Asks for large pages where the system has them: the first touch of small ones takes
-// longer than most passes over the points.
+// Requests large pages where the system has them: the first touch of small ones takes longer than most passes over the
+// points. Smaller blocks would waste much of a large page, and are aligned to a cache line only. Null if there is no
+// memory.
 inline void* allocate_pages(std::size_t bytes)
 {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
@@ -39,14 +40,17 @@ inline void* allocate_pages(std::size_t bytes)
   return std::aligned_alloc(line, (bytes + line - 1) / line * line);
 }
 
+// Freed blocks of the whole process, for any thread. Their number and sum are bounded; release_memory() frees them.
 class Kept_pages {
 public:
+  // A block that std::free() accepts, with its full size.
   struct Block {
     void* memory = nullptr;
     std::size_t bytes = 0;
   };
 
-  // Of that size, or up to a quarter more; null if there are none.
+  // The smallest block of at least that size and at most a quarter more; null if there is none. The bound keeps large
+  // blocks for large tables.
   static Block take(std::size_t bytes)
   {
     std::lock_guard<std::mutex> lock(mutex());
@@ -58,7 +62,8 @@ public:
     return best != nullptr ? std::exchange(*best, Block()) : Block();
   }
 
-  // Instead of std::free(); that of the oldest blocks where there is no room for more.
+  // Called instead of std::free(). Where the bound on the number or on the sum is exceeded, the oldest blocks are
+  // freed.
   static void give(void* memory, std::size_t bytes) noexcept
   {
     if(bytes > maximum_bytes)
@@ -77,6 +82,7 @@ public:
     }
   }
 
+  // Frees all blocks that are kept; tables in use stay.
   static void release() noexcept
   {
     std::lock_guard<std::mutex> lock(mutex());
@@ -85,11 +91,12 @@ public:
   }
 
 private:
-  // The latest first.
+  // The latest first. Empty entries have a null pointer.
   using Blocks = std::array<Block, 8>;
 
   static constexpr std::size_t maximum_bytes = std::size_t(8) << 30; // of all blocks
 
+  // Buffers of several threads may end at the same time. Not destroyed either, for the same reason as the blocks.
   static std::mutex& mutex()
   {
     static std::mutex& m = *new std::mutex;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The caller's coordinates and normals: three numbers a point, floats where those of
-// the caller are, which takes half the memory and half the way to a device.
+// The caller's coordinates and normals: three numbers a point. They are floats where the caller's are, which halves the
+// memory and the copy to a device. Conversion to double is exact, so results do not depend on the type.
 
 #ifndef CGAL_TANDEM_INTERNAL_MEMORY_VECTOR_TABLE_H
 #define CGAL_TANDEM_INTERNAL_MEMORY_VECTOR_TABLE_H
@@ -17,6 +17,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Read access for functors of any back end; entry i belongs to imported point i.
 struct Vectors_view {
   const void* data; // null: there are none
   bool is_float;
@@ -32,6 +33,7 @@ private:
   }
 };
 
+// Owns the numbers, of one of the two types at a time.
 class Vector_table {
 public:
   // T is float or double. Discards the contents.
@@ -43,6 +45,7 @@ public:
     values<T>().reset(3 * size);
   }
 
+  // To be filled after reset<T>(): x, y and z of each vector in turn.
   template <class T>
   T* data()
   {
@@ -56,7 +59,7 @@ public:
     return {doubles_.data(), false};
   }
 
-  // Null if there are none.
+  // The numbers as bytes, for copies to a device; null if there are none.
   char* bytes()
   {
     return is_float() ? reinterpret_cast<char*>(floats_.data()) : reinterpret_cast<char*>(doubles_.data());
@@ -65,7 +68,7 @@ public:
   Vector operator[](std::size_t i) const { return view()[i]; }
   std::size_t vector_bytes() const { return 3 * (is_float() ? sizeof(float) : sizeof(double)); }
 
-  // To a place before that.
+  // Copies a vector to an earlier place: the import closes the gaps that invalid points have left.
   void move(std::size_t from, std::size_t to)
   {
     if(is_float())
@@ -74,7 +77,7 @@ public:
       std::copy_n(doubles_.data() + 3 * from, 3, doubles_.data() + 3 * to);
   }
 
-  // See Host_buffer.
+  // See Host_buffer. The memory of whichever type is in use is kept.
   void keep_pages()
   {
     floats_.keep_pages();
@@ -82,6 +85,7 @@ public:
   }
 
 private:
+  // Also false for an empty table, whose view has a null pointer either way.
   bool is_float() const { return floats_.size() > 0; }
 
   template <class T>
@@ -93,7 +97,8 @@ private:
       return doubles_;
   }
 
-  Host_buffer<float> floats_; // one of them is empty
+  // At least one of them is empty.
+  Host_buffer<float> floats_;
   Host_buffer<double> doubles_;
 };
 

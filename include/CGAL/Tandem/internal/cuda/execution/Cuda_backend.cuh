@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The model of Backend on a CUDA device: the current one of the calling thread.
+// The model of Backend on a CUDA device: the current one of the calling thread. Loops of functors are kernels in the
+// order of the thread's stream, and return before they end. Loops on the host run on Host_side. Operations are defined
+// in Sequential_backend.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
@@ -25,6 +27,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// f.has() as a predicate for CUB.
 template <class F>
 struct Has_item {
   F f;
@@ -32,8 +35,8 @@ struct Has_item {
   __device__ bool operator()(std::uint32_t i) const { return f.has(i); }
 };
 
-// The items that were found, with their number in the place before them. All places that are copied are written:
-// those behind the items are T().
+// Item i of the first *size that were found goes to place 1 + i; place 0 holds their number. So one copy brings both to
+// the host. Other places that are copied become T(), so that no uninitialized bytes are copied.
 template <class T, class F>
 struct Take_items {
   F f;
@@ -55,16 +58,20 @@ struct Take_items {
   }
 };
 
+// Used by one thread at a time. Functors are copied to the device with a launch, so they hold pointers to its memory
+// only. Memory is released in the order of the stream: buffers may end while kernels that use them still run.
 class Cuda_backend {
 public:
   template <class T>
   using Buffer = Device_buffer<T>;
   using Sort_table = Device_sort_table;
 
+  // Beside a device the first touch of new pages is what takes longest on the host.
   static constexpr bool keeps_pages = true;
 
   static const char* name() { return "cuda"; }
 
+  // Tables that the host has changed have to be on the device before the launch: flush().
   template <class F>
   void for_each(std::size_t n, F f)
   {
@@ -76,6 +83,7 @@ public:
     CGAL_TANDEM_CUDA_LAUNCHED();
   }
 
+  // Loops over tables of the host; functors on the device may run meanwhile.
   template <class F>
   void for_each_on_host(std::size_t n, F f, std::size_t few = 256)
   {
@@ -88,6 +96,7 @@ public:
     host_.sort_on_host(first, last, less);
   }
 
+  // Scratch in shared memory if it fits there, else in memory of the pool for a bounded number of blocks.
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
@@ -106,8 +115,9 @@ public:
     CGAL_TANDEM_CUDA_LAUNCHED();
   }
 
-  // In loops over as many cells, be they these or others, those in the places of the largest of these begin first: a
-  // loop ends with its slowest block. (Not where blocks take turns.)
+  // The order for loops over as many cells as these, whether they are these or others: largest cells first. A loop ends
+  // with its slowest block, so the largest should not begin last. Loops where blocks take turns do not use it. Results
+  // do not depend on it.
   void expect_cells(const std::vector<Range>& cells)
   {
     std::vector<std::uint64_t> order(cells.size()); // ~size << 32 | cell
@@ -120,6 +130,8 @@ public:
 
   void sort(Sort_table& table) { table.sort(); }
 
+  // Runs, then passes that double their width; keys change between two buffers. Starts in the buffer from which the
+  // last pass ends in `key`.
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t largest)
   {
     if(ranges == 0)
@@ -140,6 +152,7 @@ public:
     }
   }
 
+  // Waits, because the host needs the size of the result. The copy to a buffer of that size frees the large one.
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
@@ -155,16 +168,17 @@ public:
     return result;
   }
 
-  // With one copy and one wait, unless there are many more items than there were of late, or more than pinned memory
-  // has room for.
+  // Most calls have one copy and one wait: as many places are copied as were needed of late. A second copy follows if
+  // more items were found, or more than pinned memory holds.
   template <class T, class F>
   Host_buffer<T> collect(std::size_t n, F f)
   {
+    // The number of items has to fit into the place of one item.
     static_assert(sizeof(T) >= sizeof(std::int64_t) && std::is_trivially_copyable<T>::value, "plain data");
     constexpr std::size_t few = (std::size_t(128) << 10) / sizeof(T), maximum = Pinned_block::bytes / sizeof(T) - 1;
     if(n == 0)
       return {};
-    const std::size_t copied = (std::min)({n, maximum, (std::max)(few, likely_items_)}); // at once, found or not
+    const std::size_t copied = (std::min)({n, maximum, (std::max)(few, likely_items_)}); // at once, used or not
     Buffer<std::uint32_t> found(n);
     Buffer<std::int64_t> counter(1);
     Buffer<T> buffer(1 + n);
@@ -182,6 +196,7 @@ public:
     return items;
   }
 
+  // Accesses are copies on the device: see Device_access.cuh.
   template <class T, class Allocator>
   Device_read_access<T> read_access(const std::vector<T, Allocator>& table)
   {
@@ -202,6 +217,7 @@ public:
 
   void wait() { synchronize(); }
 
+  // to_host() waits for the items. After from_host() the source may be changed.
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
   {
@@ -214,6 +230,7 @@ public:
     copy_to_device(source, n, target);
   }
 
+  // Atomics work on memory of the device and on shared memory. Their order is relaxed, as in Tbb_backend.
   template <class T>
   __device__ static T atomic_add(T& target, T value)
   {
@@ -232,6 +249,7 @@ public:
     device_max(target, value);
   }
 
+  // Volatile: the compiler must read memory again, since other lanes may have written it.
   template <class T>
   __device__ static T atomic_load(const T& target)
   {
@@ -246,13 +264,15 @@ public:
 
 private:
   Host_side host_;
-  std::size_t likely_items_ = 0; // of the next collect()
-  Buffer<std::uint32_t> order_;  // of the cells that are expected
+  std::size_t likely_items_ = 0; // how many the next collect() may find
+  Buffer<std::uint32_t> order_;  // cells by falling size: see expect_cells()
 
-  static constexpr std::size_t shared_bytes = 47 << 10; // what a block has on all devices, less its own
+  // What a block has on all devices without a further setting, less the shared variables of Cuda_block.
+  static constexpr std::size_t shared_bytes = 47 << 10;
+  // Bounds the memory of scratches that do not fit there.
   static constexpr std::size_t blocks_in_turns = 512;
 
-  // The i in [0, n) with is_kept(i), ascending, and how many.
+  // The i in [0, n) with is_kept(i), ascending, and their number. Both stay on the device, so this does not wait.
   template <class F>
   static void select(std::size_t n, F is_kept, std::uint32_t* kept, std::int64_t* size)
   {

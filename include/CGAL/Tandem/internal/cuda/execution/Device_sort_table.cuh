@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The table of keys and indices that Cuda_backend sorts: see Host_sort_table. Two separate arrays, as a radix sort on
+// the device reads them.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_DEVICE_SORT_TABLE_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_DEVICE_SORT_TABLE_CUH
@@ -10,7 +13,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The model of Host_sort_table on the device.
+// Entry i is (key, index). Functors write entries through the view, and read them after sort().
 class Device_sort_table {
 public:
   struct View {
@@ -29,9 +32,12 @@ public:
 
   explicit Device_sort_table(std::size_t size) : key_(size), index_(size) {}
 
+  // A view of a constant table may be written, as the one of Host_sort_table.
   View view() const { return {const_cast<std::uint64_t*>(key_.data()), const_cast<std::uint32_t*>(index_.data())}; }
   std::size_t size() const { return key_.size(); }
 
+  // Ascending by key. Needs as much memory again while it runs. Bit 63 of all keys is 0: codes of the curve have 63
+  // bits.
   void sort()
   {
     Device_buffer<std::uint64_t> other_key(size());
@@ -39,6 +45,7 @@ public:
     cub::DoubleBuffer<std::uint64_t> keys(key_.data(), other_key.data());
     cub::DoubleBuffer<std::uint32_t> indices(index_.data(), other_index.data());
     sort_pairs(keys, indices, size(), 63);
+    // CUB leaves each result in one of the two arrays, depending on the number of passes.
     if(keys.Current() == other_key.data())
       key_.swap(other_key);
     if(indices.Current() == other_index.data())

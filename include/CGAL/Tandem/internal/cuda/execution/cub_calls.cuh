@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Calls of CUB: temporary memory is of the pool, and work is in the order of the stream of the thread.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUB_CALLS_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUB_CALLS_CUH
@@ -15,7 +17,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Algorithms of CUB are called twice: how much memory they need, then with it.
+// call(memory, bytes) runs twice. With a null pointer it only computes how many bytes it needs. One byte more is
+// allocated, since a null pointer would mean the same in the second call.
 template <class Call>
 void with_cub_memory(Call call)
 {
@@ -25,7 +28,8 @@ void with_cub_memory(Call call)
   CGAL_TANDEM_CUDA(call(memory.data(), bytes));
 }
 
-// So many bits hold the numbers up to this one.
+// The number of bits that hold all numbers up to this one; at least 1. A radix sort takes time for each bit of its
+// keys.
 inline int bits_of(std::size_t largest)
 {
   int bits = 1;
@@ -34,7 +38,8 @@ inline int bits_of(std::size_t largest)
   return bits;
 }
 
-// Stable, by the lower bits of the keys; what is current afterwards is sorted.
+// Sorts pairs by the lower `bits` of their keys, with ties in their former order. The buffers that are current
+// afterwards are sorted; the alternate ones have no defined contents.
 template <class Key>
 void sort_pairs(cub::DoubleBuffer<Key>& keys, cub::DoubleBuffer<std::uint32_t>& values, std::size_t n, int bits)
 {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The kernels: they run the functors and bodies of the engine.
+// The kernels of loops: they run the functors and bodies of the engine. Each functor or body makes a kernel of its own.
+// What it computes does not depend on the numbers of lanes and blocks.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_KERNELS_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_KERNELS_CUH
@@ -12,9 +13,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Lanes of a block, for items and for cells. For cells, this number measured fastest.
 constexpr unsigned item_lanes = 256;
 constexpr unsigned cell_lanes = 512;
 
+// f(i) for i in [0, n). There may be fewer lanes than items, so a lane takes every stride-th item.
 template <class F>
 __global__ void __launch_bounds__(item_lanes) run_items(std::size_t n, const F f)
 {
@@ -23,25 +26,28 @@ __global__ void __launch_bounds__(item_lanes) run_items(std::size_t n, const F f
     f(i);
 }
 
-// So many blocks run on a multiprocessor at once, if their scratch leaves room: bodies wait for
-// memory most of the time, which is worse than the few registers that they have to give up.
+// So many blocks run on a multiprocessor at once, if their scratch leaves room; the compiler uses fewer registers for
+// that. Bodies wait for memory most of the time, so more blocks are worth it. Growth profits most, since it waits for
+// rows of neighbors and for labels.
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ == 750
 constexpr unsigned cell_blocks = 2; // it holds 1024 threads, all others 1536 and more
 #else
 constexpr unsigned cell_blocks = 3;
 #endif
 
-// One block for each cell, its scratch in shared memory. In an order, or if that is null as they are numbered.
+// One block for each cell, with its scratch in shared memory. Block b has cell order[b], or cell b if there is no
+// order. Blocks begin about in the order of their numbers, so `order` decides which cells are early.
 template <class Scratch, class Body>
 __global__ void __launch_bounds__(cell_lanes, cell_blocks) run_cells(const std::uint32_t* order, const Body body)
 {
+  // One type for all bodies: a declaration of shared memory cannot depend on a template parameter.
   extern __shared__ __align__(16) unsigned char memory[];
   Cuda_block<cell_lanes> block;
   body(block, *reinterpret_cast<Scratch*>(memory), order != nullptr ? order[blockIdx.x] : blockIdx.x);
 }
 
-// A few blocks take turns with the cells: each has a scratch in global memory,
-// because it is too large for the shared one.
+// For scratches that are too large for shared memory: each block has one in global memory. There are fewer blocks than
+// cells, to bound that memory, so a block works on one cell after the other.
 template <class Scratch, class Body>
 __global__ void __launch_bounds__(cell_lanes) run_cells_in_turns(std::uint32_t cells, const Body body, Scratch* scratch)
 {

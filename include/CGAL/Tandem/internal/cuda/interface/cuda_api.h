@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The border to the CUDA back end: plain data, seen by both compilers. What is
-// declared here is in the library tandem_cuda.
+// The interface of the library tandem_cuda: plain data and functions that the host compiler and nvcc both accept.
+// Defined in tandem_cuda.cu and compiled once, so programs of users need no nvcc.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H
 #define CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H
@@ -20,17 +20,19 @@ namespace internal {
 class Pinned_pair;
 class Values_on_device;
 
-// Sends the caller's values to the current device while they are read. Where there is no device or no memory, they are
-// read to the tables, and the engine sends them itself. A device that fails later is an exception, whatever the tag:
-// then the values are nowhere else.
+// Sends the caller's values to the current device while the range is read. Without a device, or memory on it, values go
+// to the tables of the import, and the engine sends them later. A device that fails in between is an exception for
+// every tag: the values are nowhere else.
 class Cuda_upload {
 public:
+  // The same as of No_upload, with the pinned memory that `values` belongs to.
   struct Piece {
     std::size_t size;
     char* values = nullptr;
     Pinned_pair* pair = nullptr;
   };
 
+  // The operations are those of No_upload. Several threads may fill pieces at the same time.
   void start(Vector_table& coordinates, Vector_table& normals, std::size_t n);
   Piece begin(std::size_t maximum);
   void end(const Piece& piece, std::size_t first);
@@ -40,18 +42,17 @@ private:
   std::shared_ptr<Values_on_device> values_;
 };
 
-// Engine<Cuda_backend> on the device that is current when it is made. It may be used
-// by one thread at a time, whatever the current device of that is.
+// Engine<Cuda_backend> on the device that is current when it is constructed. Different threads may use it one after the
+// other, whatever their current device is.
 class Cuda_engine {
 public:
   using Upload = Cuda_upload;
 
-  // The memory of the caller's values will be kept for the next import.
-  // Throws std::runtime_error without a device and for failures of it, std::length_error
-  // if the device has not enough memory.
+  // Throws std::runtime_error without a device and for failures of it, std::length_error if its memory is too small.
+  // The memory of the caller's values is kept for the next import.
   Cuda_engine(Import& in, const Parameters& parameters);
 
-  // What the engines of the host are made of; that of the host has nothing to do.
+  // The constructor that engines of the host have; their back end has no work here.
   template <class Backend>
   Cuda_engine(Backend&, Import& in, const Parameters& parameters) : Cuda_engine(in, parameters)
   {}
@@ -74,7 +75,9 @@ private:
 
 // Whether the current device can run the kernels of the library.
 bool is_cuda_available();
+// One line: the device, or why there is none.
 std::string cuda_device_report();
+// Frees memory of host and devices that calls have kept; memory in use stays.
 void release_cuda_memory();
 
 // The number of points for which the current device has memory now.

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The boxes over the sorted cloud on a device: a bucket is eight points, a node has
-// 32 children, so that a warp compares all of them at once. 3.1 bytes a point.
+// The tree of boxes over the sorted cloud on a device. A bucket has eight successive points; a node has 32 children, so
+// that a warp compares all of them at once. Needs 3.1 bytes a point. Bounds only prune the search, so other trees would
+// give the same neighbors.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_BOX_LEVELS_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_BOX_LEVELS_CUH
@@ -20,12 +21,14 @@ constexpr std::uint32_t bucket_points = 8;
 constexpr std::uint32_t buckets_in_packet = warp_size / bucket_points;
 constexpr int maximum_box_levels = 6; // 8 x 32^6 > 2^32
 
+// Integer bounds, in grid steps.
 struct Device_box {
   std::int32_t low[3], high[3];
 };
 
-// Level 0 has the buckets, the last one at most 32 nodes. The boxes of 32 siblings
-// lie together: low x of all, low y of all, ..., high z of all.
+// Level 0 has the buckets, the last one at most 32 nodes; the root above it is not stored. Node i has the children 32 i
+// ... 32 i + 31 of the level below. The boxes of 32 siblings lie together: low x of all, low y of all, ..., high z of
+// all. So a warp loads them in six wide reads.
 struct Box_levels {
   static constexpr std::uint32_t group_words = 6 * warp_size;
 
@@ -33,6 +36,7 @@ struct Box_levels {
   std::uint32_t count[maximum_box_levels];
   int levels;
 
+  // The number of groups of 32 that so many nodes need.
   static std::uint32_t parents(std::uint32_t count) { return count / warp_size + (count % warp_size != 0); }
 
   // Fills in `count` and `levels`; returns how many words the boxes take.
@@ -47,6 +51,7 @@ struct Box_levels {
     return words;
   }
 
+  // Divides memory of as many words among the levels.
   void place(std::int32_t* memory)
   {
     for(int level = 0; level < levels; ++level) {
@@ -56,6 +61,7 @@ struct Box_levels {
   }
 
 #ifdef __CUDACC__
+  // A node may be any of the last group, also one beyond `count`: its box is that of the last node.
   __device__ Device_box load(int level, std::uint32_t node) const
   {
     const std::int32_t* b = box[level] + std::size_t(node / warp_size) * group_words + node % warp_size;
@@ -75,8 +81,8 @@ struct Box_levels {
 
 #ifdef __CUDACC__
 
-// A thread for each bucket, of whole groups; where there is no bucket, the box of the
-// last point.
+// Level 0: a lane for each bucket. Places beyond the last bucket get the box of that bucket, so that whole groups have
+// valid boxes.
 static __global__ void fill_bucket_boxes(const int4* point, std::uint32_t n, Box_levels tree)
 {
   const std::uint32_t bucket = blockIdx.x * blockDim.x + threadIdx.x;
@@ -92,7 +98,7 @@ static __global__ void fill_bucket_boxes(const int4* point, std::uint32_t n, Box
   tree.store(0, bucket, {{low.x, low.y, low.z}, {high.x, high.y, high.z}});
 }
 
-// A warp for each node of `level`, of whole groups.
+// The next levels: a warp for each node, with a lane for each child. As above, places beyond the last node are filled.
 static __global__ void join_boxes(Box_levels tree, int level)
 {
   const std::uint32_t node = (blockIdx.x * blockDim.x + threadIdx.x) / warp_size, lane = threadIdx.x % warp_size;

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// find_neighbors() of the engine on a CUDA device: the same rows, by a search
-// of its own. Most points are answered 32 at a time; those that cannot, one by one.
+// The search for the k nearest neighbors on a CUDA device. The order of neighbors is total, so rows are those of
+// find_neighbors() of the engine: see the manual, "Grid and Units". Most points are searched 32 at a time, the
+// remaining ones one by one. Nothing here waits.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_CUDA_NEIGHBORS_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_CUDA_NEIGHBORS_CUH
@@ -15,8 +16,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-constexpr int largest_packet_k = 20;
-constexpr int largest_cuda_k = 64;
+constexpr int largest_packet_k = 20; // the largest K of find_packet_neighbors()
+constexpr int largest_cuda_k = 64;   // two entries a lane
 constexpr unsigned neighbor_lanes = 128;
 
 // The rows of k neighbors of n points; pointers to memory of the current device that are aligned to 16 bytes.
@@ -27,6 +28,7 @@ struct Neighbor_rows {
   std::uint32_t* neighbor;
 };
 
+// Divides the scratch: counters, deferred packets, deferred queries, boxes.
 inline Neighbor_task make_neighbor_task(const Neighbor_rows& rows, void* scratch)
 {
   Neighbor_task task;
@@ -42,7 +44,7 @@ inline Neighbor_task make_neighbor_task(const Neighbor_rows& rows, void* scratch
   return task;
 }
 
-// 3.9 bytes a point.
+// The sum of these tables: 3.9 bytes a point.
 inline std::size_t neighbor_scratch_bytes(std::uint32_t n)
 {
   const std::size_t packets = n / warp_size + (n % warp_size != 0);
@@ -51,6 +53,7 @@ inline std::size_t neighbor_scratch_bytes(std::uint32_t n)
          tree.shape(n) * sizeof(std::int32_t);
 }
 
+// From the buckets up: a level needs the boxes of the one below.
 inline void build_box_levels(const Neighbor_task& task, cudaStream_t stream)
 {
   const auto blocks = [&](int level, std::size_t lanes_per_node) {
@@ -65,7 +68,7 @@ inline void build_box_levels(const Neighbor_task& task, cudaStream_t stream)
   }
 }
 
-// Rows of k <= K are the beginning of rows of K.
+// Rows of k <= K are the beginnings of rows of K, so few kernels serve all k.
 inline void search_packets(const Neighbor_task& task, cudaStream_t stream)
 {
   constexpr unsigned lanes = packets_in_block * warp_size;
@@ -81,11 +84,11 @@ inline void search_packets(const Neighbor_task& task, cudaStream_t stream)
   CGAL_TANDEM_CUDA_LAUNCHED();
 }
 
-// How many queries are left over, only the device knows: as many warps as fit take
-// them from the list.
+// Only the device knows how many queries were deferred. So the number of warps is fixed, and they take queries from the
+// list. `all`: all points, because k is too large for packets.
 inline void search_single(const Neighbor_task& task, bool all, cudaStream_t stream)
 {
-  constexpr int maximum_blocks = 12; // a processor
+  constexpr int maximum_blocks = 12; // on a multiprocessor
   int device = 0, processors = 0;
   CGAL_TANDEM_CUDA(cudaGetDevice(&device));
   CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device));
@@ -98,7 +101,7 @@ inline void search_single(const Neighbor_task& task, bool all, cudaStream_t stre
 }
 
 // As find_neighbors() of the engine, for 1 <= k <= 64. `scratch` has neighbor_scratch_bytes(n) bytes, aligned as the
-// rows. Does not wait for the stream.
+// rows. Returns before the search has ended.
 inline void find_neighbors_cuda(const Neighbor_rows& rows, void* scratch, cudaStream_t stream)
 {
   static_assert(sizeof(Grid_point) == sizeof(int4), "points are read as int4");

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A warp answers 32 consecutive points of the sorted cloud, each lane one of them.
-// The warp walks the tree together and takes four buckets at a time into shared
-// memory, where all lanes compare them with their query, in float. Where that cannot
-// tell, integers decide: the order in a row by resolve_order(), and if more
-// candidates are in question than a lane has kept, by the search for a single query.
+// A warp searches for the neighbors of 32 successive points of the sorted cloud, one for each lane. It walks the tree
+// together and loads four buckets at a time, which all lanes compare with their queries, in float. Where float cannot
+// decide, integers do: resolve_order() for the order in a row. Where a lane has more candidates in question than it
+// keeps, its query is deferred.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_PACKET_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_PACKET_CUH
@@ -18,21 +17,23 @@ namespace Tandem {
 namespace internal {
 
 constexpr unsigned packets_in_block = 2;
-constexpr unsigned blocks_in_processor = 16; // 64 registers a lane
-constexpr int maximum_steps = 512;           // groups and buckets that a packet looks at
-constexpr int packet_stack = 192;            // 31 for each level, and one
+constexpr unsigned blocks_in_processor = 16; // leaves 64 registers a lane
+constexpr int maximum_steps = 512;           // nodes and buckets that a packet visits before it is deferred
+constexpr int packet_stack = 192;            // 31 entries for each level, and one
 
+// Shared memory of one warp: of the search, then of the rows that it writes.
 template <int K>
 union Packet_memory {
   struct {
     Candidate_memory candidates;
     float4 center_and_x[warp_size]; // Centered_box, of the buckets of a group
     float2 yz[warp_size];
-    uint2 stack[packet_stack];
+    uint2 stack[packet_stack]; // node with its level, squared distance as bits
   } search;
   std::uint32_t row[warp_size][K + 1];
 };
 
+// The search of one packet, for rows of K. All members are called by the whole warp.
 template <int K>
 class Neighbor_packet {
 public:
@@ -40,6 +41,8 @@ public:
     : task_(task), memory_(memory), packet_(packet), lane_(threadIdx.x % warp_size), found_(memory.search.candidates)
   {}
 
+  // Writes the rows of the lanes that are certain, and defers the others. Incomplete and wide packets are deferred as a
+  // whole.
   __device__ __forceinline__ void run()
   {
     const std::uint32_t live = min(task_.n - packet_ * warp_size, warp_size);
@@ -56,7 +59,7 @@ public:
   }
 
 private:
-  // False if the packet is too wide.
+  // False if the queries are too far apart for float.
   __device__ __forceinline__ bool start()
   {
     const int4 q = task_.point[packet_ * warp_size + lane_];
@@ -67,12 +70,12 @@ private:
     return true;
   }
 
-  // Lanes that would make the others look at too much: with a radius more than four
-  // times as large as theirs (by the mean logarithm), or one so small that it drowns
-  // in the slack of the tests. Returns whether there are no others.
+  // Drops lanes that would make the others visit too much: with a radius more than four times theirs, by the mean
+  // logarithm. Also lanes with a radius so small that it vanishes in the slack of the tests. Returns whether no others
+  // are left.
   __device__ __forceinline__ bool drop_outliers()
   {
-    constexpr int log_bits = 16; // left out, so that the sum fits
+    constexpr int log_bits = 16; // lower bits are cut off, so that the sum of 32 fits
     const std::uint32_t log2 = __float_as_uint(found_.limit()) >> log_bits;
     const std::uint32_t mean = warp_sum(log2) / warp_size;
     const bool is_outlier =
@@ -83,9 +86,10 @@ private:
     return __ballot_sync(all_lanes, is_outlier) == all_lanes;
   }
 
+  // No lane needs a point beyond its limit. Bits of floats that are not negative compare like the floats.
   __device__ __forceinline__ void update_reach() { reach_ = warp_max(__float_as_uint(fmaxf(found_.limit(), 0))); }
 
-  // The own group first, for a good limit; then down from the root.
+  // The own group first, for good limits; then down from the root, without that group.
   __device__ __forceinline__ void search()
   {
     const std::uint32_t own = packet_ / (warp_size / buckets_in_packet);
@@ -116,6 +120,8 @@ private:
     }
   }
 
+  // Pushes the children within reach, in the order of the curve. search() tests them again when they are popped, since
+  // limits have fallen.
   __device__ __forceinline__ int push_children(int level, std::uint32_t node, int size, std::uint32_t own)
   {
     ++steps_;
@@ -130,7 +136,8 @@ private:
     return size + __popc(near);
   }
 
-  // The buckets of a group, nearest first.
+  // The buckets of a group, nearest first: limits fall, so far ones need no scan. Four that are near for any lane are
+  // scanned at once.
   __device__ __forceinline__ void visit_buckets(std::uint32_t group)
   {
     const std::uint32_t bucket = group * warp_size + lane_;
@@ -159,6 +166,7 @@ private:
     }
   }
 
+  // Puts the box of each lane's bucket where all lanes can read it.
   __device__ __forceinline__ void stage(const Centered_box& b)
   {
     __syncwarp();
@@ -167,6 +175,7 @@ private:
     __syncwarp();
   }
 
+  // The search of the packet has failed: too many steps or candidates.
   __device__ __forceinline__ bool is_dropped() const { return steps_ > maximum_steps || found_.is_full(); }
 
   __device__ __forceinline__ void finish_search()
@@ -176,7 +185,7 @@ private:
     found_.finish();
   }
 
-  // Compares the picked buckets with all queries.
+  // Compares the points of the picked buckets with all queries.
   __device__ __forceinline__ void scan()
   {
     const std::uint32_t bucket = __shfl_sync(all_lanes, pick_, int(lane_ / bucket_points));
@@ -188,7 +197,8 @@ private:
     update_reach();
   }
 
-  // The memory of the search is reused for the rows.
+  // The rows go to shared memory first, so that global memory is written in wide parts. The memory of the search is
+  // reused for them, after all indices have been read.
   __device__ __forceinline__ void write(bool is_answered)
   {
     __syncwarp();
@@ -210,7 +220,8 @@ private:
       write_beginning_of_rows();
   }
 
-  // Insertion sort of the entries whose keys are too close to those before them.
+  // Insertion sort by exact distances of the entries whose keys are too close to those before them. Covers the entry
+  // behind the last one, which a tie may bring into the row.
   __device__ __forceinline__ void resolve_order(std::uint32_t* row) const
   {
     std::uint32_t unsure = found_.uncertain_order();
@@ -226,8 +237,8 @@ private:
     }
   }
 
-  // Four entries at a time. Rows of dropped lanes are written as well; the search
-  // for single queries runs later.
+  // Four entries at a time. Rows of deferred lanes are written as well, with arbitrary entries; the search for single
+  // queries runs later.
   __device__ __forceinline__ void write_whole_rows() const
   {
     static_assert(K % 4 == 0, "rows of whole uint4");
@@ -239,6 +250,7 @@ private:
     }
   }
 
+  // For k < K.
   __device__ __forceinline__ void write_beginning_of_rows() const
   {
     std::uint32_t* out = task_.row(packet_ * warp_size);
@@ -252,7 +264,7 @@ private:
   std::uint32_t packet_, lane_;
   Packet_frame frame_;
   Packet_candidates<K> found_;
-  std::uint32_t reach_; // the largest limit of a lane, as bits
+  std::uint32_t reach_; // the largest limit of all lanes, as bits
   int steps_ = 0;
   std::uint32_t pick_ = 0; // lane i: the i-th bucket to be scanned
   int picked_ = 0;

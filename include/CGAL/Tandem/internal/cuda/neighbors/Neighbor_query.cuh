@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A warp answers a single query, in integers throughout: for points that have
-// nothing in common with those beside them in the cloud (outliers, heaps of equal
-// points), for ties, and for large k. The lanes hold the list, lane i its entries
-// i and 32 + i.
+// A warp searches for the neighbors of a single query, in integers throughout. This serves points far from those beside
+// them in the cloud, heaps of equal points, ties, and large k. The lanes hold the list: lane i has its entries i and 32
+// + i. Visits nodes depth-first, nearest first, and prunes by the exact order.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_QUERY_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_QUERY_CUH
@@ -15,26 +14,29 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-constexpr int maximum_insertions = 8; // more are merged
+constexpr int maximum_insertions = 8; // more candidates at a time are merged
 
+// The stack of one warp, in shared memory.
 struct Query_memory {
   static constexpr int stack_size = 192; // 31 for each level, and one
   Exact_distance near[stack_size];       // the box, its first point
   std::uint32_t node[stack_size];        // and the level in the upper bits
 };
 
-// Words: 1 for k <= 32, 2 for k <= 64.
+// Words: entries of the list in a lane, 1 for k <= 32, 2 for k <= 64.
 template <int Words>
 class Neighbor_query {
 public:
   __device__ Neighbor_query(const Neighbor_task& task, Query_memory& memory, std::uint32_t query)
     : task_(task), memory_(memory), query_(query), lane_(threadIdx.x % warp_size), q_(task.point[query])
   {
+    // Entries without a point are farther than all points; rows of small clouds end with them.
     worst_ = {~std::uint64_t(0), no_index};
     for(Exact_distance& d : list_)
       d = worst_;
   }
 
+  // The 32 buckets around the query first, for a good bound; then down from the root, without these.
   __device__ void run()
   {
     const std::uint32_t own = query_ / (bucket_points * warp_size);
@@ -56,6 +58,8 @@ public:
   }
 
 private:
+  // A lower bound for the points of a node: squared distance to its box, and position of its first point. So a box at
+  // the distance of the k-th neighbor counts only if its points may come before that.
   __device__ Exact_distance distance_to(int level, std::uint32_t node) const
   {
     if(node >= task_.tree.count[level])
@@ -67,13 +71,13 @@ private:
     return {std::uint64_t(x * x + y * y + z * z), node << (3 + 5 * level)};
   }
 
-  // What decides only the order of visits: a float, the lane in its lowest bits.
+  // Decides only the order of visits, so a float is enough; its lowest bits hold the lane.
   __device__ std::uint32_t rough_key(const Exact_distance& d) const
   {
     return (__float_as_uint(float(d.squared)) & ~(warp_size - 1)) | lane_;
   }
 
-  // The nearest comes to the top.
+  // Pushes the children of a node that may have neighbors, the nearest one last. Returns the size of the stack.
   __device__ int push_children(int level, std::uint32_t node, int size, std::uint32_t own)
   {
     const std::uint32_t child = node * warp_size + lane_;
@@ -93,7 +97,7 @@ private:
     return size + int(count);
   }
 
-  // Four buckets at a time, nearest first.
+  // Scans the buckets of a group, four at a time, nearest first, until all remaining ones are too far.
   __device__ void visit_buckets(std::uint32_t group)
   {
     const Exact_distance d = distance_to(0, group * warp_size + lane_);
@@ -112,6 +116,7 @@ private:
     }
   }
 
+  // Compares one point of each lane with the query.
   __device__ void scan(std::uint32_t index, bool is_point)
   {
     Exact_distance d = {~std::uint64_t(0), no_index};
@@ -124,8 +129,8 @@ private:
       insert(shuffled(d, __ffs(int(near)) - 1));
   }
 
-  // The 32 smallest of the list and of one more for each lane: with that in
-  // descending order, the smaller ones of each pair are a bitonic sequence.
+  // The 32 smallest of the list and of one more for each lane. With the latter in descending order, the smaller ones of
+  // each pair are a bitonic sequence, which is then sorted.
   __device__ void merge(Exact_distance d)
   {
     for(unsigned size = 2; size <= warp_size; size *= 2)
@@ -138,7 +143,7 @@ private:
     worst_ = shuffled(list_[0], task_.k - 1);
   }
 
-  // The smaller one goes to the lower lane, or to the upper one.
+  // A step of a bitonic sort between two lanes: the smaller one goes to the lower lane, or to the upper one.
   __device__ void order(Exact_distance& d, unsigned stride, bool is_descending) const
   {
     const Exact_distance other = {__shfl_xor_sync(all_lanes, d.squared, int(stride)),
@@ -148,6 +153,7 @@ private:
       d = other;
   }
 
+  // One candidate that all lanes have: entries behind its place move up by one lane, the last one to the next word.
   __device__ void insert(const Exact_distance& x)
   {
     if(!(x < worst_))
@@ -167,6 +173,7 @@ private:
     worst_ = shuffled(list_[Words - 1], (task_.k - 1) % int(warp_size));
   }
 
+  // The value that lane `from` has.
   __device__ static Exact_distance shuffled(const Exact_distance& d, int from)
   {
     return {__shfl_sync(all_lanes, d.squared, from), __shfl_sync(all_lanes, d.index, from)};
@@ -188,7 +195,8 @@ private:
   Exact_distance worst_;       // the k-th
 };
 
-// Those that the packets have left over, or all.
+// The deferred queries, or all. A job is a query of the list, or four lanes of a deferred packet; a warp takes one
+// after the other. So warps with fast queries take more.
 template <int Words>
 __global__ void __launch_bounds__(128) find_single_neighbors(const __grid_constant__ Neighbor_task task, bool all)
 {

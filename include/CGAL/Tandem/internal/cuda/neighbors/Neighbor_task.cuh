@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the kernels of the neighbor search share.
+// What the kernels of the neighbor search share: cloud, rows, tree, and the queries that one kernel defers to the next.
+// Also the exact order of neighbors.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_TASK_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_NEIGHBOR_TASK_CUH
@@ -12,16 +13,18 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Lanes of a packet that are to be answered one by one.
+// Queries of a packet that are searched one by one: bit i is point 32 packet + i.
 struct Deferred_lanes {
   std::uint32_t packet, lanes;
 };
 
+// Zero before the search. Atomics decide only which warp has which query, so rows do not depend on their order.
 struct Neighbor_counters {
-  unsigned long long queries, packets; // deferred ones
-  unsigned long long jobs;             // that are taken
+  unsigned long long queries, packets; // deferred ones; `queries` counts also those without room
+  unsigned long long jobs;             // that warps have taken
 };
 
+// Passed to kernels by value. Pointers are to memory of the device; rows have k entries each.
 struct Neighbor_task {
   const int4* point; // Grid_point
   std::uint32_t n;
@@ -32,12 +35,16 @@ struct Neighbor_task {
   std::uint32_t* query; // deferred ones, as long as there is room
   Deferred_lanes* deferred;
 
+  // Packets of 32 successive points, the last one perhaps incomplete. Few queries are deferred, so the list of single
+  // ones has room for an eighth of them.
   CGAL_TANDEM_HD std::uint32_t packets() const { return n / warp_size + (n % warp_size != 0); }
   CGAL_TANDEM_HD std::uint32_t maximum_queries() const { return packets() * 4; }
 
   __device__ std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::uint32_t(k); }
 
-  // By the whole warp.
+  // Called by the whole warp: defers the given lanes of a packet. As single queries while the list has room for all of
+  // them, since their work is then spread over more warps. Else as one entry for the packet; places of the list that it
+  // leaves unused get no_index.
   __device__ void defer(std::uint32_t packet, std::uint32_t lanes) const
   {
     if(lanes == 0)
@@ -56,7 +63,7 @@ struct Neighbor_task {
   }
 };
 
-// The order that defines the answer.
+// The order that defines the neighbors: squared distance, then position in the sorted cloud. It is total.
 struct Exact_distance {
   std::uint64_t squared;
   std::uint32_t index;
@@ -67,6 +74,7 @@ struct Exact_distance {
   }
 };
 
+// Differences of coordinates are at most 2^29, so the sum is below 2^60.
 __device__ inline std::uint64_t squared_distance(const int4& p, const int4& q)
 {
   const std::int64_t x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;

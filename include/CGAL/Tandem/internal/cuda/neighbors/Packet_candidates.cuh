@@ -1,16 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the lanes of a packet have found so far: each lane the smallest keys of its
-// own query, in registers, of points that come in batches of 32.
+// What the lanes of a packet have found so far. Each lane has the smallest keys of its own query in registers; points
+// come in batches of 32.
 //
-// Why no neighbor is lost, with u = 2^-24. The coordinates of the lanes are below
-// 2^22, so exact; those of a candidate are exact below 2^24 and beyond off by
-// 1 + u, where the difference is at least 3/4 of them. So squared distances are off
-// by at most 1 + 12u. A key is a squared distance in units that are chosen so that
-// all that matter are below 2^22, hence off by 3.5 units: keys that differ by
-// key_margin are in the right order, and who is farther than the K-th key and
-// limit_margin is no neighbor.
+// Why no neighbor is lost, with u = 2^-24. The coordinates of the lanes are below 2^22, so they are exact. Those of a
+// candidate are exact below 2^24. Beyond, they are off by a factor of 1 + u, where the difference is at least 3/4 of
+// them. So squared distances are off by a factor of at most 1 + 12u. A key is a squared distance in units in which all
+// that matter are below 2^22, hence off by 3.5 units. Keys that differ by key_margin are in the right order. A point
+// beyond the K-th key and limit_margin is no neighbor.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_PACKET_CANDIDATES_CUH
@@ -22,18 +20,25 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-constexpr int maximum_batches = 32; // with a candidate
-constexpr int maximum_pending = 4;  // of them, with candidates that are not in the lists yet
-constexpr int tag_bits = 10;        // of a key: the batch and the place in it
+// Batches with a candidate; a packet that needs more is searched in another way.
+constexpr int maximum_batches = 32;
+// Batches among them whose candidates are not in the lists yet.
+constexpr int maximum_pending = 4;
+// The lower bits of a key: batch and place in it, of 32 each.
+constexpr int tag_bits = 10;
+// The margins of the argument above; the second one is in units of a key without its tag.
 constexpr std::uint32_t key_margin = 9u << tag_bits;
 constexpr std::uint32_t limit_margin = 12;
 
+// Shared memory of one warp. Points of pending batches are kept until their candidates are in the lists.
 struct Candidate_memory {
-  float4 point[maximum_pending * warp_size];       // relative; in w the square
-  std::uint32_t near[maximum_pending * warp_size]; // of a batch, for each lane: its candidates
-  std::uint32_t bucket[maximum_batches * buckets_in_packet];
+  float4 point[maximum_pending * warp_size];                 // relative; in w the square
+  std::uint32_t near[maximum_pending * warp_size];           // of a batch, for each lane: its candidates
+  std::uint32_t bucket[maximum_batches * buckets_in_packet]; // of each batch, for the indices of its points
 };
 
+// The candidates of one packet for rows of K neighbors. All members are called by the whole warp. List and limits are
+// those of a lane, batches those of the warp.
 template <int K>
 class Packet_candidates {
 public:
@@ -41,7 +46,7 @@ public:
     : memory_(memory), lane_(threadIdx.x % warp_size)
   {}
 
-  // The queries are the first batch.
+  // The queries are the first batch: four buckets from first_bucket on. They give each lane a first limit.
   __device__ __forceinline__ void start(const float4& query, std::uint32_t first_bucket)
   {
     const float4 p = stage(0, query, true);
@@ -54,18 +59,20 @@ public:
     sort_own_points();
   }
 
-  // Nothing farther is a neighbor of this lane.
+  // A squared distance: points beyond it are no neighbors of this lane. It only falls.
   __device__ __forceinline__ float limit() const { return limit_; }
 
-  // This lane wants no more.
+  // This lane takes no further candidates; its row is left to the search for single queries.
   __device__ __forceinline__ void drop()
   {
     is_dropped_ = true;
     update_limit();
   }
 
+  // There were more batches than tags; the lists have lost candidates.
   __device__ __forceinline__ bool is_full() const { return batches_ > maximum_batches; }
 
+  // Whether a box may have a neighbor of this lane.
   __device__ __forceinline__ bool is_near(const float4& center_and_x, const float2& yz) const
   {
     const float x = fmaxf(fabsf(fmaf(0.5f, minus_2x_, center_and_x.x)) - center_and_x.w, 0);
@@ -74,8 +81,9 @@ public:
     return fmaf(x, x, fmaf(y, y, z * z)) <= limit_;
   }
 
-  // Compares one point of each lane with all queries. `bucket`: lane i has the i-th
-  // bucket of the batch.
+  // Compares one point of each lane with all queries. `bucket`: lane i has the i-th bucket of the batch. A batch
+  // without a candidate takes no tag. Candidates are inserted when enough lanes have some, or when no further batch can
+  // be pending.
   __device__ __forceinline__ void add_batch(const float4& point, bool is_point, std::uint32_t bucket)
   {
     const int slot = batches_ - first_pending_;
@@ -96,9 +104,11 @@ public:
     insert_pending(batches_ - first_pending_ < maximum_pending ? minimum_active : 1);
   }
 
+  // Inserts all candidates that are still pending.
   __device__ __forceinline__ void finish() { insert_pending(1); }
 
-  // Whether nothing that is not in the list can be one of the K nearest.
+  // Whether every point outside of the list is farther than the K nearest, by the margins. Else integers have to
+  // decide.
   __device__ __forceinline__ bool is_certain() const
   {
     return !is_dropped_ && key_[list_size - 1] - key_[K - 1] >= key_margin;
@@ -114,18 +124,20 @@ public:
     return bits;
   }
 
+  // The position in the sorted cloud of entry i, from its tag.
   __device__ __forceinline__ std::uint32_t index(int i) const
   {
     return memory_.bucket[key_[i] % (1u << tag_bits) / bucket_points] * bucket_points + key_[i] % bucket_points;
   }
 
 private:
-  static constexpr int list_size = K + 2;      // K and a tie, and the next to tell that there is no other
-  static constexpr int minimum_active = 4;     // lanes for which candidates are inserted
+  static constexpr int list_size = K + 2;      // K, a tie, and one more that shows whether there are others
+  static constexpr int minimum_active = 4;     // lanes with candidates, below which insertion waits
   static constexpr float half_range = 0x1p21f; // of a key without its tag
   static constexpr float slack = 0x1p-20f;     // 16u, see near_points()
 
-  // Puts one point of each lane where all lanes can read them.
+  // Puts one point of each lane where all lanes can read it. The square is made smaller by the slack, so that no test
+  // misses a candidate.
   __device__ __forceinline__ float4 stage(int slot, float4 p, bool is_point)
   {
     p.w = is_point ? fmaf(p.x, p.x, fmaf(p.y, p.y, p.z * p.z)) * (1 - slack) : far_away;
@@ -135,6 +147,7 @@ private:
     return p;
   }
 
+  // From the query of this lane to a staged point.
   __device__ __forceinline__ float squared_distance_to(int j) const
   {
     const float4& p = memory_.point[j];
@@ -142,12 +155,14 @@ private:
     return fmaf(dx, dx, fmaf(dy, dy, dz * dz));
   }
 
-  // 2^23 makes an integer of it, rounded, in the low bits.
+  // Adding 2^23 rounds to an integer, which is then in the low bits of the float.
   __device__ __forceinline__ std::uint32_t make_key(float squared, std::uint32_t tag) const
   {
     return __float_as_uint(fmaf(squared, scale_, 0x1p23f)) << tag_bits | tag;
   }
 
+  // The other queries of the packet are the first list. Their bound fixes the unit of the keys, which then have 21 bits
+  // up to it. Farther ones are clamped to 1.5 times the bound: they stay behind all that matter.
   __device__ __forceinline__ void sort_own_points()
   {
     float squared[warp_size];
@@ -169,8 +184,8 @@ private:
     update_limit();
   }
 
-  // So many of the packet's buckets that they have K points beside the query lie
-  // within this squared distance.
+  // A squared distance within which the packet's own buckets have K points besides the query. For each bucket the
+  // farthest point counts, and as many buckets as K points need are taken, nearest first.
   __device__ __forceinline__ static float bound_by_own_buckets(const float (&squared)[warp_size])
   {
     static_assert(buckets_in_packet == 4 && K + 1 <= int(warp_size), "see below");
@@ -191,6 +206,7 @@ private:
                          : fmaxf(b, d);
   }
 
+  // After changes of the list: the distance of the K-th key and the margin.
   __device__ __forceinline__ void update_limit()
   {
     limit_ = is_dropped_ ? -far_away : float((key_[K - 1] >> tag_bits) + limit_margin) * unscale_;
@@ -211,8 +227,8 @@ private:
     return near;
   }
 
-  // Two candidates for each lane at a time, of whichever batch, while at least
-  // `active` lanes have any: the others wait until more do.
+  // Two candidates for each lane at a time, of whichever batch, while at least `active` lanes have any. The remaining
+  // ones wait until more lanes have some.
   __device__ __forceinline__ void insert_pending(int active)
   {
     while(__popc(__ballot_sync(all_lanes, (near_ | pending_) != 0)) >= active) {
@@ -239,7 +255,8 @@ private:
     return key;
   }
 
-  // a <= b.
+  // Inserts two keys, a <= b, at once; those that fall off the end are lost. No branches, and all indices are
+  // constants, so the list stays in registers.
   __device__ __forceinline__ void insert(std::uint32_t a, std::uint32_t b)
   {
 #pragma unroll

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Batcher's odd-even merge sort of an array in registers. What nobody reads of
-// the result, the compiler buckets out.
+// Batcher's odd-even merge sort of an array in registers: all indices are constants of the compilation. The compiler
+// removes the comparisons of results that are not used.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_SORTING_NETWORK_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_NEIGHBORS_SORTING_NETWORK_CUH
@@ -13,6 +13,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Puts the smaller of two numbers first.
 __device__ __forceinline__ void order(std::uint32_t& a, std::uint32_t& b)
 {
   const std::uint32_t smaller = min(a, b);
@@ -20,7 +21,7 @@ __device__ __forceinline__ void order(std::uint32_t& a, std::uint32_t& b)
   a = smaller;
 }
 
-// Merges the sorted halves of every `Step`th of a[First .. First + Size).
+// Merges the sorted halves of every Step-th entry of a[First .. First + Size).
 template <int First, int Size, int Step, int N>
 __device__ __forceinline__ void merge_odd_even(std::uint32_t (&a)[N])
 {
@@ -35,7 +36,7 @@ __device__ __forceinline__ void merge_odd_even(std::uint32_t (&a)[N])
   }
 }
 
-// Size: a power of two.
+// Sorts a[First .. First + Size); Size is a power of two.
 template <int First, int Size, int N>
 __device__ __forceinline__ void sort_odd_even(std::uint32_t (&a)[N])
 {

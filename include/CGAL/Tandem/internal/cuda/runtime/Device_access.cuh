@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Access of functors to tables of the host: copies on the device, as the access functions of Cuda_backend make them.
+// The host gets changes only by copy_back().
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_ACCESS_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_ACCESS_CUH
@@ -12,8 +15,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A table of the host on the device: in the arena, or if it is too large for that in
-// memory of its own.
+// The copy of one table: in the arena if it is small, else in memory of its own. The copy exists as long as this
+// object.
 template <class T>
 class Table_on_device {
 public:
@@ -40,6 +43,7 @@ public:
 
   T* data() const { return piece_.host != nullptr ? reinterpret_cast<T*>(piece_.device) : const_cast<T*>(own_.data()); }
 
+  // Copies the items back to a table of the same size, and waits for them.
   void fetch(T* table)
   {
     if(piece_.host == nullptr)
@@ -57,7 +61,7 @@ private:
   Device_buffer<T> own_;
 };
 
-// To read.
+// To read. The table may change after the construction: its items have been copied.
 template <class T>
 class Device_read_access {
 public:
@@ -69,7 +73,7 @@ private:
   Table_on_device<T> table_;
 };
 
-// To write, or to read and write; the host has the changes after copy_back().
+// To write, or to read and write: then `is_read` is true. The host has the changes after copy_back().
 template <class T>
 class Device_write_access {
 public:

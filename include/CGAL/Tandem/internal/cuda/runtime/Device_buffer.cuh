@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Memory of the device, from a pool that stays warm between calls. All work of a
-// host thread is on the stream of that thread, so threads do not wait for each other.
+// Memory of the device, from a pool that keeps freed memory between calls. Allocations, kernels and copies of a host
+// thread are in the order of its stream, so threads do not wait for each other.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH
@@ -20,9 +20,10 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The stream per thread of the runtime is as fast as own streams, and needs no management.
 inline cudaStream_t stream_of_thread() { return cudaStreamPerThread; }
 
-// The pools of the devices, made when they are used first.
+// A pool for each device, made at its first use. Not the default pools: their settings belong to the caller.
 class Memory_pools {
 public:
   static cudaMemPool_t of_device(int device)
@@ -32,20 +33,21 @@ public:
     return found != pools().end() ? found->second : pools()[device] = make(device);
   }
 
-  // Gives back what is not in use.
+  // Returns unused memory to the devices. The lock is not held meanwhile, since this waits for all work of the devices.
   static void trim()
   {
     std::unique_lock<std::mutex> lock(mutex());
     const std::map<int, cudaMemPool_t> all = pools();
-    lock.unlock(); // others may ask for memory meanwhile
+    lock.unlock();
     for(const auto& pool : all) {
       const Device_guard guard(pool.first);
-      CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // what has been freed is free then
+      CGAL_TANDEM_CUDA(cudaDeviceSynchronize()); // frees that are queued take effect
       CGAL_TANDEM_CUDA(cudaMemPoolTrimTo(pool.second, 0));
     }
   }
 
 private:
+  // The pool keeps all freed memory for later calls; release_memory() returns it.
   static cudaMemPool_t make(int device)
   {
     cudaMemPoolProps properties = {};
@@ -60,7 +62,7 @@ private:
     return pool;
   }
 
-  // Not destroyed at the end of the program, when somebody may still use them.
+  // Not destroyed at the end of the program: destructors of static objects may still free memory.
   static std::mutex& mutex()
   {
     static std::mutex& m = *new std::mutex;
@@ -74,8 +76,9 @@ private:
   }
 };
 
-// An array on the device that is not initialized. The interface of Host_buffer,
-// but for the access to single items.
+// An array of plain items on the device, without initial values. It has the interface of Host_buffer without access to
+// single items. Belongs to the stream of the thread that makes it: another thread may use it only after the first one
+// has waited.
 template <class T>
 class Device_buffer {
   static_assert(std::is_trivially_destructible<T>::value, "buffers hold plain data");
@@ -100,6 +103,7 @@ public:
     allocate(size);
   }
 
+  // In the order of the stream: kernels that were launched before may still use the memory.
   void release()
   {
     if(data_ != nullptr)
@@ -121,7 +125,8 @@ public:
 private:
   void allocate(std::size_t size)
   {
-    // The pool joins what has been freed to larger memory only when the stream has come to where it was freed.
+    // The pool joins freed blocks only after the stream has come to where they were freed. So waiting before large
+    // requests saves memory, which the largest clouds need.
     constexpr std::size_t large = std::size_t(256) << 20;
     const std::size_t bytes = size * sizeof(T);
     void* memory = nullptr;

@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The current device of a thread: the runtime has one for each thread, and work goes to it. Changes the current device
+// only while a guard exists.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_GUARD_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_GUARD_CUH
@@ -21,7 +24,8 @@ inline int current_device()
   return device;
 }
 
-// Whether anybody has used the device. Before CUDA 12 it does not matter: there cudaSetDevice() makes no context.
+// Whether the process has a context on the device. Since CUDA 12, cudaSetDevice() makes one; before, it does not, so
+// true is harmless.
 inline bool has_context(int device)
 {
   int is_active = 1;
@@ -44,9 +48,9 @@ inline bool has_context(int device)
   return is_active != 0;
 }
 
-// Makes a device the current one of the thread for a while. A thread that has chosen none, as those of oneTBB, looks
-// like one of device 0, where cudaSetDevice() would make a context of some hundred megabytes: where nobody has used
-// that device, the thread keeps the other one.
+// Makes a device the current one of the thread for a while. A thread that has chosen none, such as those of oneTBB, has
+// device 0. To set that again would make a context there, which takes memory of the device. So a thread keeps the other
+// device if there is no context on its former one.
 class Device_guard {
 public:
   explicit Device_guard(int device) : Device_guard(device, std::nothrow)
@@ -54,7 +58,7 @@ public:
     check_cuda(error_, "cudaSetDevice(device)", __FILE__, __LINE__);
   }
 
-  // For destructors: the device may be gone.
+  // For destructors, which must not throw where the device has failed.
   Device_guard(int device, const std::nothrow_t&) : error_(cudaGetDevice(&before_))
   {
     is_other_ = error_ == cudaSuccess && device != before_;

@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The back end that works on memory of the host beside a device. It has loops over tables of shapes, and copies of
+// large tables. With oneTBB it has a team of threads that stay awake during a round.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_HOST_SIDE_H
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_HOST_SIDE_H
@@ -17,14 +20,15 @@ namespace Tandem {
 namespace internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
-// What works on the tables of the host beside a device.
 using Host_side = Tbb_backend;
 
-// Calls work(). The threads of the caller's task arena that are free wait for its loops meanwhile, and do nothing
-// else: for a second detection at the same time there are those that come free later.
+// Calls work(). Meanwhile the free threads of the caller's task arena wait for its loops, and take no other tasks. For
+// a second detection at the same time, the threads that become free later remain. Isolated, so that this thread takes
+// no task of the caller when it waits for the members.
 template <class F>
 void with_host_team(F work)
 {
+  // Dissolves the team at the end, also if work() throws, and waits until all threads have left it.
   class Members {
   public:
     explicit Members(Host_team& team) : team_(team) {}
@@ -54,6 +58,7 @@ void with_host_team(F work)
   });
 }
 #else
+// Without oneTBB there is one thread, and no team.
 using Host_side = Sequential_backend;
 
 template <class F>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Large tables travel through small pieces of pinned memory, which the threads of the host, several with
-// oneTBB, fill or empty while others are copied.
+// Copies of large tables through small pieces of pinned memory. Pageable memory would be copied by one thread of the
+// driver. Here, threads of the host fill or empty pieces while other pieces are copied.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_PINNED_COPIES_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_PINNED_COPIES_CUH
@@ -24,12 +24,12 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A stream for copies and an event for each of its two pieces.
+// A stream for copies, with an event for each of the two pieces of a pair.
 struct Copy_stream {
   cudaStream_t stream = nullptr;
   cudaEvent_t copied[2] = {};
 
-  // On the current device; cells nothing behind when it throws.
+  // On the current device. Destroys what it has made when it throws.
   void make()
   try {
     CGAL_TANDEM_CUDA(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
@@ -50,8 +50,8 @@ struct Copy_stream {
   }
 };
 
-// Of each device, kept for the next who needs one: threads that make them at the same time wait for each other, longer
-// than for a copy.
+// Streams of each device, kept for the next pair. Threads that create streams at the same time wait for each other,
+// longer than a copy takes.
 class Copy_streams {
 public:
   static Kept_items<Copy_stream>& of_device(int device)
@@ -60,7 +60,7 @@ public:
     return all()[device];
   }
 
-  // Destroys what no thread uses.
+  // Destroys the streams that no thread uses.
   static void release()
   {
     std::lock_guard<std::mutex> lock(mutex());
@@ -86,10 +86,11 @@ private:
   }
 };
 
-// More do not copy faster.
+// More threads do not copy faster.
 constexpr std::size_t maximum_copying_threads = 16;
 
-// Two pieces for one thread, on the current device: one is filled while the other one is copied.
+// Two pieces for one thread, on the current device: one is filled while the other one is copied. Other sizes of pieces,
+// and a small first piece, measured no faster.
 class Pinned_pair {
 public:
   static constexpr std::size_t bytes = Pinned_block::bytes / 2;
@@ -100,6 +101,7 @@ public:
       copies_.make();
   }
 
+  // Waits for its copies, since the memory goes to the next pair.
   ~Pinned_pair()
   {
     static_cast<void>(cudaStreamSynchronize(copies_.stream));
@@ -110,7 +112,7 @@ public:
   Pinned_pair(const Pinned_pair&) = delete;
   Pinned_pair& operator=(const Pinned_pair&) = delete;
 
-  // The memory of the next piece, when its last copies have ended.
+  // The memory of the other piece, after its last copies have ended.
   char* next()
   {
     piece_ = 1 - piece_;
@@ -118,10 +120,10 @@ public:
     return block_.data() + piece_ * bytes;
   }
 
-  // Of the copies.
+  // The copies of both pieces belong here.
   cudaStream_t stream() const { return copies_.stream; }
 
-  // All that is to be copied from the piece has been asked for.
+  // After the last copy from the current piece has been queued.
   void end_piece() { CGAL_TANDEM_CUDA(cudaEventRecord(copies_.copied[piece_], copies_.stream)); }
 
 private:
@@ -131,18 +133,19 @@ private:
   std::size_t piece_ = 0;
 };
 
-// A table of the device that goes to the host.
+// A table of the device and its place on the host.
 struct Copy_to_host {
   const void* source;
   void* target;
   std::size_t bytes;
 };
 
-// On the threads of the host, which go on until nothing is left, so that one of them may do all of the work; throws
-// what one of them has thrown. What has written the tables has ended; the stream of the thread is not waited for.
+// Copies tables to the host, by the threads of the host. Each takes pieces until none is left, so one thread alone
+// would copy all. The kernels that wrote the tables must have ended: these copies do not wait for the stream of the
+// thread. Throws an exception that one of the threads has thrown.
 inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
 {
-  constexpr std::size_t maximum = Pinned_pair::bytes / 2; // a piece is copied twice, one after the other
+  constexpr std::size_t maximum = Pinned_pair::bytes / 2; // small, since its two copies follow each other
   std::vector<Copy_to_host> pieces;
   for(const Copy_to_host& table : tables)
     for(std::size_t first = 0; first < table.bytes; first += maximum)

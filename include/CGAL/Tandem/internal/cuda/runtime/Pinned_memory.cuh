@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pinned memory of the host, which copies from and to a device need to be fast. It
-// is slow to get.
+// Pinned memory of the host, which fast copies from and to a device need. To allocate it is slow, so blocks are kept.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_PINNED_MEMORY_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_PINNED_MEMORY_CUH
@@ -18,11 +17,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What is slow to make, kept for the next that needs it.
+// Items that are slow to make, kept for the next thread that needs one.
 template <class T>
 class Kept_items {
 public:
-  // False if there is none.
+  // False if none is kept.
   bool take(T& item)
   {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -33,7 +32,7 @@ public:
     return true;
   }
 
-  // False if there is no memory for it.
+  // False if there is no memory to keep it; the caller then destroys the item.
   bool give(T item) noexcept
   try {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -43,6 +42,7 @@ public:
     return false;
   }
 
+  // Drops the items without destroying them.
   void clear()
   {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -54,7 +54,7 @@ private:
   std::vector<T> items_;
 };
 
-// One block, from those that are kept.
+// One block of a fixed size, from those that are kept. All devices may use it (portable).
 class Pinned_block {
 public:
   static constexpr std::size_t bytes = std::size_t(4) << 20;
@@ -79,7 +79,7 @@ public:
 
   char* data() { return memory_; }
 
-  // Gives back what no thread uses.
+  // Frees the blocks that no thread uses.
   static void release()
   {
     for(char* memory; kept().take(memory);)

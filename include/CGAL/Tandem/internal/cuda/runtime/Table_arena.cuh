@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the small tables of the host lie while functors use them: pinned memory, and
-// the same places in memory of the device. All tables that were put there since the
-// last launch travel in one copy.
+// Memory for small tables of the host while functors use them: pinned memory, and the same places on the device. All
+// tables that were placed since the last launch are copied at once. They are copied rather than read in pinned memory,
+// where each block would fetch them again over the bus.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_TABLE_ARENA_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_TABLE_ARENA_CUH
@@ -14,6 +14,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Invariants: [0, sent_) of the pinned memory is on the device or on its way, and [sent_, used_) has been filled since.
+// Places are used again only when no table is in use. An arena belongs to one thread and one device.
 class Table_arena {
 public:
   static constexpr std::size_t bytes = Pinned_block::bytes;
@@ -23,7 +25,7 @@ public:
     char* device = nullptr;
   };
 
-  // That of the current device.
+  // The arena of this thread for its current device.
   static Table_arena& of_thread()
   {
     thread_local std::map<int, Table_arena> arenas;
@@ -42,7 +44,8 @@ public:
   Table_arena(const Table_arena&) = delete;
   Table_arena& operator=(const Table_arena&) = delete;
 
-  // To be returned by give_back().
+  // A place for so many bytes, until give_back(); null pointers if there is no room. Rounded up to 256 bytes, as the
+  // runtime aligns its own memory.
   Piece take(std::size_t size)
   {
     prepare();
@@ -55,9 +58,10 @@ public:
     return piece;
   }
 
+  // Only counts: places are freed all at once.
   void give_back() { --pieces_; }
 
-  // Before functors run: what has been filled goes to the device.
+  // Copies the tables that were filled since the last flush. Has to precede every launch.
   void flush()
   {
     if(sent_ == used_)
@@ -68,17 +72,19 @@ public:
     is_sending_ = true;
   }
 
-  // What functors wrote is there on the host, too.
+  // Copies a table back to its place in pinned memory, and waits. Flushes first, because there may have been no launch
+  // since the table was filled.
   void fetch(const Piece& piece, std::size_t size)
   {
-    flush(); // there may have been nothing to run
+    flush();
     CGAL_TANDEM_CUDA(cudaMemcpyAsync(piece.host, piece.device, size, cudaMemcpyDeviceToHost, stream_of_thread()));
     synchronize();
     is_sending_ = false;
   }
 
 private:
-  // Starts anew when no table is in use and the last copy has ended.
+  // Starts at the beginning again if no table is in use. Waits for the last copy first, whose source would be
+  // overwritten. Not before half of the room is used, so that this is rare.
   void prepare()
   {
     if(pieces_ > 0 || used_ < bytes / 2)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Copies between host and device on the stream of the thread.
+// Copies between host and device in the order of the stream of the thread.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH
@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Small tables go through the pinned memory of the thread: what is copied from it
-// must stay until the stream has come that far.
+// Pinned memory of the thread for copies of small tables. The source of a copy has to stay until the stream has come
+// that far. So places are used again only after a synchronization.
 class Staging {
 public:
   static Staging& of_thread()
@@ -31,10 +31,10 @@ public:
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
 
-  // After a failure there may be copies under way.
+  // After an exception, copies may still be running.
   ~Staging() { static_cast<void>(cudaStreamSynchronize(stream_of_thread())); }
 
-  // Waits where there is no room. At most Pinned_block::bytes.
+  // So many bytes, at most Pinned_block::bytes. Waits for the stream if the block is full.
   char* take(std::size_t bytes)
   {
     if(block_ == nullptr)
@@ -46,6 +46,7 @@ public:
     return memory;
   }
 
+  // Waits for the stream. All copies have ended then, so all of the block is free again.
   void synchronize()
   {
     CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
@@ -57,7 +58,7 @@ private:
   std::size_t used_ = 0;
 };
 
-// As memcpy, by all threads.
+// As memcpy, by all threads of the host side; a table of one piece by one thread.
 inline void copy_on_host(void* target, const void* source, std::size_t bytes)
 {
   constexpr std::size_t grain = std::size_t(16) << 10;
@@ -66,10 +67,11 @@ inline void copy_on_host(void* target, const void* source, std::size_t bytes)
   });
 }
 
-// Everything that this thread has asked for is done.
+// Waits until all work that this thread has queued is done.
 inline void synchronize() { Staging::of_thread().synchronize(); }
 
-// The source may be changed afterwards.
+// The source may be changed afterwards. Small tables are copied to pinned memory first, and this does not wait. Large
+// tables are copied from where they are, and this waits.
 template <class T>
 void copy_to_device(const T* source, std::size_t n, T* target)
 {
@@ -87,7 +89,7 @@ void copy_to_device(const T* source, std::size_t n, T* target)
     synchronize();
 }
 
-// Waits for the items, which stay until the next copy of this thread. At most Pinned_block::bytes.
+// Waits for n items, at most Pinned_block::bytes. They remain valid until the next copy of this thread.
 template <class T>
 const T* look_at(const T* source, std::size_t n)
 {
@@ -97,7 +99,7 @@ const T* look_at(const T* source, std::size_t n)
   return reinterpret_cast<const T*>(memory);
 }
 
-// Waits for the items.
+// Waits for the items. Large tables are copied by several threads, after the stream has come to an end.
 template <class T>
 void copy_to_host(const T* source, std::size_t n, T* target)
 {

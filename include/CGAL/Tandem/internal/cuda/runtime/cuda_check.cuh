@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Failures of the CUDA runtime become exceptions with expression, file and line.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH
@@ -13,11 +15,12 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Throws std::runtime_error unless the error is cudaSuccess.
 inline void check_cuda(cudaError_t error, const char* expression, const char* file, int line)
 {
   if(error == cudaSuccess)
     return;
-  static_cast<void>(cudaGetLastError()); // so that it is not reported again
+  static_cast<void>(cudaGetLastError()); // later calls must not report it again
   throw std::runtime_error(std::string("CUDA: ") + cudaGetErrorString(error) + " (" + cudaGetErrorName(error) +
                            ") in " + expression + ", " + file + ":" + std::to_string(line));
 }
@@ -26,10 +29,10 @@ inline void check_cuda(cudaError_t error, const char* expression, const char* fi
 } // namespace Tandem
 } // namespace CGAL
 
-// Turns a failure of the runtime into an exception.
+// For every call of the runtime that returns an error.
 #define CGAL_TANDEM_CUDA(expression) ::CGAL::Tandem::internal::check_cuda(expression, #expression, __FILE__, __LINE__)
 
-// After a launch.
+// After a launch, which returns nothing. Finds failures of the launch, not of the kernel.
 #define CGAL_TANDEM_CUDA_LAUNCHED() CGAL_TANDEM_CUDA(cudaGetLastError())
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH

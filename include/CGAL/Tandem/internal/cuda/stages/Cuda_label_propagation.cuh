@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All rounds of a label propagation in one kernel, which takes less time than to launch one for each step: see
-// propagate_labels.h.
+// All rounds of a label propagation in one kernel: launches and waits between the steps would take longer. The functors
+// are those of propagate_labels.h, so labels are the same as on the host.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_LABEL_PROPAGATION_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_LABEL_PROPAGATION_CUH
@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// All blocks run at the same time: they wait for each other after each step.
+// A cooperative launch: all blocks run at the same time, and wait for each other after each step. A barrier also makes
+// the writes of a step visible to all blocks. All lanes leave in the same round, since they read the same numbers.
 template <class Rounds>
 __global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_rounds, const Rounds rounds)
 {
@@ -28,19 +29,22 @@ __global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_roun
   for(std::size_t round = 0; round < maximum_rounds; ++round) {
     rounds.accept(round, items)(i);
     grid.sync();
-    if(rounds.is_last(round)) // for all of them
+    if(rounds.is_last(round))
       return;
     rounds.propose_again(round, items)(i);
     grid.sync();
   }
 }
 
-// Few points join a shape in a round, and the more blocks there are the longer they wait for each other.
+// Few blocks for many points: grid barriers get slower with more blocks, and few points change in a round.
 constexpr std::size_t points_of_lane = 64;
 
+// Launches the kernel and does not wait. The grid must fit on the device as a whole, else the barrier would never be
+// passed.
 inline void propagate_labels_cuda(std::size_t maximum_rounds, Label_propagation<Cuda_backend> rounds)
 {
   const auto kernel = run_steps<Label_propagation<Cuda_backend>>;
+  // As many blocks as are useful, but at most those that run at the same time.
   int multiprocessors = 0, blocks = 0; // on each of them at the same time
   CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
   CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));

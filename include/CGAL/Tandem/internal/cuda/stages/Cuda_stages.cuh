@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stages that the device executes in ways of its own: see Stage_overrides.h.
+// The stages that the device replaces, with the signatures that Stage_overrides.h defines. Each returns the same bits
+// as the generic form.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_STAGES_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_STAGES_CUH
@@ -19,6 +20,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// Import and grouping differ for their copies, neighbors and links for speed, propagation for its waits. The cells are
+// used to start large ones first.
 template <>
 struct Stage_overrides<Cuda_backend> : No_stage_overrides {
   static constexpr bool imports_points = true, expects_cells = true, finds_neighbors = true, sums_links = true,
@@ -31,6 +34,7 @@ struct Stage_overrides<Cuda_backend> : No_stage_overrides {
 
   static void expect_cells(Cuda_backend& backend, const std::vector<Range>& cells) { backend.expect_cells(cells); }
 
+  // Rows and scratch are memory of the device; the search has not ended when this returns.
   static void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
   {
     Device_buffer<unsigned char> scratch(neighbor_scratch_bytes(n));

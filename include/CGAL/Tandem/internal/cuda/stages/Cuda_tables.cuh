@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tables of the size of the cloud at both ends, as the device makes them. Both are
-// defined without reference to it.
+// The tables of the size of the cloud at both ends. These are points on the grid, from the caller's values, and lists
+// of points, from the shapes of the points. They are defined by their contents, so the device may compute them in its
+// own way.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_TABLES_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_TABLES_CUH
@@ -24,21 +25,22 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The caller's values, as they are. Threads may send them a piece at a time.
+// The caller's values on the device, in their type and order. Threads send pieces of them in any order, while the range
+// is read. The tables of the import stay empty until bring(), but their memory has to exist.
 class Values_on_device : public Uploaded_values {
 public:
   using Piece = Cuda_upload::Piece;
 
-  // The memory of the tables has to stay.
+  // Makes all pairs of pieces at once, so that missing memory shows before values are read. The stream of the thread is
+  // waited for, since other streams use the memory.
   Values_on_device(Vector_table& coordinates, Vector_table& normals, std::size_t n)
     : device_(current_device()), size_(n),
       vector_bytes_(coordinates.vector_bytes()), table_{coordinates.bytes(), normals.bytes()},
       value_{Device_buffer<char>(n * vector_bytes_), Device_buffer<char>(normals.bytes() ? n * vector_bytes_ : 0)}
   {
-    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread())); // the streams of the pairs use the memory
+    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
     const std::size_t threads = (std::max)(std::size_t(1), std::size_t(std::thread::hardware_concurrency()));
-    for(std::size_t i = 0; i < (std::min)({threads, maximum_copying_threads, n / maximum_points() + 1});
-        ++i) // or fail now
+    for(std::size_t i = 0; i < (std::min)({threads, maximum_copying_threads, n / maximum_points() + 1}); ++i)
       free_.give(make_pair());
   }
 
@@ -55,7 +57,7 @@ public:
   const char* normals() const { return value_[1].data(); } // null if there are none
   bool are_in_tables() const { return are_in_tables_; }
 
-  // As those of Cuda_upload.
+  // begin() and end() of a piece: those of Cuda_upload.
   Piece begin(std::size_t maximum)
   {
     const Device_guard guard(device_);
@@ -76,7 +78,7 @@ public:
     free_.give(piece.pair);
   }
 
-  // From the tables, all points.
+  // Where the values were read to the tables: sends them all, by several threads.
   void send_tables()
   {
     are_in_tables_ = true;
@@ -90,13 +92,14 @@ public:
     close();
   }
 
-  // All has been sent.
+  // All values have been sent; waits until they have arrived.
   void close()
   {
     free_.clear();
     pairs_.clear(); // waits for what they copy
   }
 
+  // Copies the values back to the tables of the import, once.
   void bring() override
   {
     if(are_in_tables_)
@@ -108,11 +111,13 @@ public:
   }
 
 private:
-  // Of a piece.
+  // Points of a piece: their coordinates, then their normals, fill it.
   std::size_t maximum_points() const { return Pinned_pair::bytes / (number_of_tables() * vector_bytes_); }
 
+  // Coordinates, and normals if they are given.
   std::size_t number_of_tables() const { return table_[1] != nullptr ? 2 : 1; }
 
+  // More pairs are made if more threads read than were expected.
   Pinned_pair* make_pair()
   {
     auto pair = std::make_unique<Pinned_pair>();
@@ -123,20 +128,24 @@ private:
 
   const int device_;
   const std::size_t size_, vector_bytes_;
-  char* const table_[2]; // coordinates and normals, on the host
+  // Coordinates and normals, on the host and on the device.
+  char* const table_[2];
   Device_buffer<char> value_[2];
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Pinned_pair>> pairs_; // end before the memory to which they copy
+  std::vector<std::unique_ptr<Pinned_pair>> pairs_; // destroyed before the memory to which they copy
   Kept_items<Pinned_pair*> free_;
   bool are_in_tables_ = false;
 };
 
+// Rounds the values to the grid on the device. Values that were read to the tables are sent first, and freed here.
+// Uploaded ones stay until the search for neighbors has started. They return to the host while it runs, because the
+// exact check needs them and the search leaves the bus idle.
 inline Device_buffer<Grid_point> import_points_cuda(Cuda_backend& backend, Import& in)
 {
   const auto values_of = [&]() -> const Values_on_device& { // no other back end uploads
     return static_cast<const Values_on_device&>(*in.uploaded);
   };
-  if(in.uploaded != nullptr && values_of().device() != current_device()) // the caller's callback has changed it
+  if(in.uploaded != nullptr && values_of().device() != current_device()) // a callback has changed it
     in.drop_upload();
   Device_buffer<Grid_point> point(in.size());
   if(in.uploaded == nullptr) {
@@ -149,11 +158,12 @@ inline Device_buffer<Grid_point> import_points_cuda(Cuda_backend& backend, Impor
   place.coordinates.data = values.coordinates();
   place.normals.data = values.normals();
   backend.for_each(in.size(), place);
-  if(values.are_in_tables()) // else they come back while the neighbors are searched
+  if(values.are_in_tables()) // else prepare() drops the upload during the search
     in.drop_upload();
   return point;
 }
 
+// Keys for the sort of points by shape. Points without a shape come last, since -1 has the largest bits.
 struct Write_pairs {
   const std::int32_t* shape_of;
   std::uint32_t* key;
@@ -161,11 +171,12 @@ struct Write_pairs {
 
   __device__ void operator()(std::size_t i) const
   {
-    key[i] = std::uint32_t(shape_of[i]); // the bits of -1 are the largest
+    key[i] = std::uint32_t(shape_of[i]);
     position[i] = std::uint32_t(i);
   }
 };
 
+// Where the points of each shape begin; item `shapes` is where those of the last one end.
 struct Find_first {
   const std::uint32_t* key;
   std::uint32_t size;
@@ -177,7 +188,8 @@ struct Find_first {
   }
 };
 
-// By a stable sort.
+// By a stable sort, so points ascend within each shape. bits_of(shapes) bits are enough: the lowest bits of -1 are
+// larger than every number of a shape. Copies the lists and the labels to the host, by several threads.
 inline void group_points_cuda(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
                               Engine_result& result)
 {
@@ -196,6 +208,7 @@ inline void group_points_cuda(Cuda_backend& backend, Device_buffer<std::int32_t>
   Host_buffer<std::int32_t> table(n);
   grouped.keep_pages();
   table.keep_pages();
+  // The pinned copies have streams of their own, so the sort has to end first.
   synchronize();
   empty_pinned_pieces({{position.Current(), grouped.data(), grouped.size() * sizeof(std::uint32_t)},
                        {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
