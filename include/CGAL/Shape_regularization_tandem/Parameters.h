@@ -66,7 +66,7 @@ std::string to_text(const T& value)
 }
 
 template <class T>
-[[noreturn]] void refuse(const char* name, const T& value, const std::string& range)
+[[noreturn]] void throw_out_of_range(const char* name, const T& value, const std::string& range)
 {
   throw std::invalid_argument(std::string(name) + " is " + to_text(value) + ", allowed is " + range);
 }
@@ -75,9 +75,9 @@ template <class T>
 inline void check_length(const char* name, double value, double smallest)
 {
   if(!(value >= smallest) || value > 1e270)
-    refuse(name, value,
-           smallest > 0 ? "(0, infinity), and [1e-270, 1e270] in practice"
-                        : "[0, infinity), and at most 1e270 in practice");
+    throw_out_of_range(name, value,
+                       smallest > 0 ? "(0, infinity), and [1e-270, 1e270] in practice"
+                                    : "[0, infinity), and at most 1e270 in practice");
 }
 
 constexpr std::size_t maximum_number_of_points = std::size_t(1) << 31;
@@ -101,7 +101,7 @@ inline std::string to_text(const Count_range& range)
 inline void check_count(const Count_range& range, std::size_t value)
 {
   if(value < range.smallest || value > range.largest)
-    refuse(range.name, value, to_text(range));
+    throw_out_of_range(range.name, value, to_text(range));
 }
 
 } // namespace internal
@@ -116,9 +116,9 @@ inline void check_parameters(const Parameters& p)
 {
   internal::check_length("maximum_distance", p.maximum_distance, 1e-270);
   if(!(p.maximum_angle > 0 && p.maximum_angle < 90))
-    internal::refuse("maximum_angle", p.maximum_angle, "(0, 90) degrees");
+    internal::throw_out_of_range("maximum_angle", p.maximum_angle, "(0, 90) degrees");
   if(!(p.angle_tolerance >= 0 && p.angle_tolerance < 45))
-    internal::refuse("angle_tolerance", p.angle_tolerance, "[0, 45) degrees");
+    internal::throw_out_of_range("angle_tolerance", p.angle_tolerance, "[0, 45) degrees");
   internal::check_length("maximum_offset", p.maximum_offset, 0);
   internal::check_count(internal::minimum_region_size_range, p.minimum_region_size);
   internal::check_count(internal::k_neighbors_range, p.k_neighbors);

@@ -22,7 +22,7 @@ namespace internal {
 inline Regularity_options check_plane_options(const Parameters& p, bool has_distance)
 {
   if(!(p.maximum_angle >= 0 && p.maximum_angle < 45))
-    refuse("maximum_angle", p.maximum_angle, "[0, 45) degrees");
+    throw_out_of_range("maximum_angle", p.maximum_angle, "[0, 45) degrees");
   check_length("maximum_offset", p.maximum_offset, 0);
   if(has_distance)
     check_length("maximum_distance", p.maximum_distance, 1e-270);
@@ -43,7 +43,7 @@ std::vector<int> read_plane_indices(const Import& in, const IndexMap& index_map,
   for(std::size_t i = 0; i < in.size(); ++i) {
     plane_of[i] = int(get(index_map, in.item_of(i)));
     if(plane_of[i] >= 0 && std::size_t(plane_of[i]) >= planes)
-      refuse("plane_index_map", plane_of[i], "-1 or an index of a plane, below " + to_text(planes));
+      throw_out_of_range("plane_index_map", plane_of[i], "-1 or an index of a plane, below " + to_text(planes));
   }
   return plane_of;
 }

@@ -6,7 +6,7 @@
 // search for data races.
 
 #undef NDEBUG
-#define CGAL_TANDEM_SOILS_MEMORY // see Unset_vector.h
+#define CGAL_TANDEM_POISONS_MEMORY // see Unset_vector.h
 
 #include "testing/Thread_backend.h"
 #include "testing/scenes.h"

@@ -29,7 +29,7 @@ public:
                   size * vector_bytes);
   }
 
-  void bring() override
+  void download() override
   {
     for(int t = 0; t < 2; ++t)
       std::copy(values[t].begin(), values[t].end(), table[t]);

@@ -6,7 +6,7 @@
 //   test_shuffled_engine [SEED]   or only that random case, to try it again
 
 #undef NDEBUG
-#define CGAL_TANDEM_SOILS_MEMORY // see Unset_vector.h
+#define CGAL_TANDEM_POISONS_MEMORY // see Unset_vector.h
 
 #include "testing/Shuffled_block.h"
 #include "testing/patches_cloud.h"

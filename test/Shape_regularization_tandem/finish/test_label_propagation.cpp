@@ -172,11 +172,11 @@ private:
   {
     const std::uint32_t n = f_.cloud.size;
     std::vector<std::int64_t> size;
-    std::vector<std::uint8_t> may_lose, may_gain, state(n, 0);
+    std::vector<std::uint8_t> may_lose, may_receive, state(n, 0);
     for(std::size_t s = 0; s < f_.plane.size(); ++s) {
       size.push_back(std::int64_t(s * 7 % 10));
       may_lose.push_back(s % 3 != 0);
-      may_gain.push_back(s % 4 != 0);
+      may_receive.push_back(s % 4 != 0);
     }
     std::vector<std::uint32_t> chosen(n), expected = f_.label;
     for(std::uint32_t i = 0; i < n; ++i) {
@@ -186,7 +186,7 @@ private:
       std::set<std::uint32_t> shapes = {own};
       f_.for_each_neighbor(i, [&](std::uint32_t q) {
         const std::uint32_t t = f_.label[q];
-        if(t < first_mark && may_gain[t] && f_.fits(t, i))
+        if(t < first_mark && may_receive[t] && f_.fits(t, i))
           shapes.insert(t);
       });
       std::int64_t least = f_.distance(own, i);
@@ -199,7 +199,7 @@ private:
       expected[i] = choice.begin()->second;
     }
     backend_.for_each(n, Choose_largest{f_.cloud, f_.label.data(), state.data(), f_.plane.data(), size.data(),
-                                        may_lose.data(), may_gain.data(), chosen.data(), f_.tolerance});
+                                        may_lose.data(), may_receive.data(), chosen.data(), f_.tolerance});
     check_lists(chosen, expected, name_ + ": reassignment");
   }
 
@@ -208,18 +208,18 @@ private:
   {
     const std::uint32_t shapes = std::uint32_t(f_.plane.size());
     std::vector<std::uint32_t> label = f_.label, chosen = label;
-    std::vector<std::uint8_t> state(label.size(), interior_bit | failed_seed_bit), expected_state = state;
+    std::vector<std::uint8_t> state(label.size(), interior_bit | tried_seed_bit), expected_state = state;
     std::vector<Shared_moments> change(shapes), expected(shapes);
     for(std::uint32_t i = 0; i < f_.cloud.size; i += 3)
       if(label[i] < first_mark && shapes > 1) {
         chosen[i] = (label[i] + 1) % shapes;
-        expected_state[i] = failed_seed_bit;
+        expected_state[i] = tried_seed_bit;
         add_point(expected[label[i]], f_.point[i], -1);
         add_point(expected[chosen[i]], f_.point[i], 1);
       }
     backend_.template for_each_cell<Moment_table>(
       f_.cells.size(),
-      Take_chosen<Backend>{f_.cloud, f_.cells.data(), chosen.data(), {label.data(), state.data()}, change.data()});
+      Apply_chosen<Backend>{f_.cloud, f_.cells.data(), chosen.data(), {label.data(), state.data()}, change.data()});
     check_lists(label, chosen, name_ + ": labels that were chosen");
     check_lists(state, expected_state, name_ + ": states of points that change");
     check_moments(change, expected, name_ + ": points that change");

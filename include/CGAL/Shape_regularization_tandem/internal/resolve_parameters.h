@@ -31,7 +31,7 @@ void read_count(const NP& np, const Count_range& range, std::size_t& value)
   if constexpr(Is_given<Tag, NP>::value) {
     const auto given = parameter<Tag>(np, 0);
     if(!(given >= decltype(given)(1)) || double(given) > double(range.largest))
-      refuse(range.name, given, to_text(range));
+      throw_out_of_range(range.name, given, to_text(range));
     value = std::size_t(given);
   }
 }

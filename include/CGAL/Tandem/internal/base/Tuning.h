@@ -57,6 +57,8 @@ constexpr int minimum_distance_bits = -22;
 // Minimum size of a shape: points, and per square root of the points of the cloud. Larger: details are lost.
 constexpr std::size_t minimum_region_size = 20;
 constexpr double region_size_per_root = .3;
+// For planes that were found elsewhere: epsilon in units of the rms distance of their points.
+constexpr double distance_per_rms = 2.5;
 // Neighbors whose plane gives the noise of a point, and whose distance gives the spacing.
 constexpr int noise_neighbors = 20;
 constexpr int spacing_neighbors = 6;
@@ -87,8 +89,16 @@ constexpr int last_scale = 8;
 constexpr float good_error2 = 0.00274f;
 // ... and at which no other plane is looked for: (1 degree)^2. Larger: blended normals stay at edges.
 constexpr float excellent_error2 = 0.000305f;
+// Independent points that a neighborhood is worth more each time it has grown, in units of its first ones (measured).
+constexpr Share independent_growth = {6, 5};
 // Thinner than this share of epsilon is as good as flat.
 constexpr float noiseless_share = 0.02f;
+// Neighborhoods that are narrower, in squared grid steps or relative to their width, determine no plane: what they are
+// narrower by is rounding.
+constexpr float minimum_width2 = 0.25f;
+constexpr float minimum_width_ratio2 = 1e-6f;
+// The rough normal of clutter is that of half of the neighbors, at least so many.
+constexpr int minimum_rough_neighbors = 3;
 // The weight of being thick, whatever the number of points, against the error from noise, which their number makes
 // small. Smaller: a large neighborhood across an edge counts as precise.
 constexpr float thickness_weight = 0.04f;
@@ -170,7 +180,7 @@ constexpr double restart = 0.1;
 namespace merging {
 
 // Fewest neighbor relations between two shapes that touch. More: thin contacts are missed.
-constexpr std::uint32_t minimum_relations = 2;
+constexpr std::uint32_t minimum_edges = 2;
 // Below this many points the normal of a shape says little, and alpha does not separate it from others.
 constexpr std::int64_t reliable_normal_size = 30;
 // How much worse, in epsilons (rms), the joint plane may be than the local one. Larger: bends are bridged.
@@ -234,8 +244,8 @@ namespace clustering {
 
 // Standard deviation in radii. The paper's 1 merges directions up to 2 beta apart, measured.
 constexpr double sigma = 0.5;
-// The kernel ends at three standard deviations.
-constexpr double reach = 1.5;
+// Standard deviations at which the kernel ends. More: slower.
+constexpr double kernel_deviations = 3;
 // Steps of an ascent, and the squared motion at which it ends, in squared radii.
 constexpr int maximum_steps = 16;
 constexpr double squared_rest = 1e-4;

@@ -68,7 +68,7 @@ class Uploaded_values {
 public:
   virtual ~Uploaded_values() = default;
   // Fills the tables of the import. Further calls have no effect.
-  virtual void bring() = 0;
+  virtual void download() = 0;
 };
 
 // The upload of an engine that runs on the host: values are read into the tables and stay there. Other engines supply
@@ -97,7 +97,7 @@ struct Import {
   Vector_table coordinates;                  // of the valid points, as they were read
   Vector_table normals;                      // the same, of any length; empty if they are to be estimated
   std::vector<std::uint32_t> item;           // position in the caller's range; empty means identity
-  std::shared_ptr<Uploaded_values> uploaded; // if set, the tables are filled only after bring_values()
+  std::shared_ptr<Uploaded_values> uploaded; // if set, the tables are filled only after download_values()
   bool has_normals = false;
   Coordinate_box box;
 
@@ -115,16 +115,16 @@ struct Import {
   std::size_t item_of(std::size_t i) const { return item.empty() ? i : item[i]; }
 
   // Copies values from a device to the tables, if they are there.
-  void bring_values() const
+  void download_values() const
   {
     if(uploaded != nullptr)
-      uploaded->bring();
+      uploaded->download();
   }
 
   // The same, and frees the memory of the device.
   void drop_upload()
   {
-    bring_values();
+    download_values();
     uploaded.reset();
   }
 

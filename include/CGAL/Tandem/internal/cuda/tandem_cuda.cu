@@ -78,7 +78,7 @@ std::string missing_for_cuda()
   else if(error != cudaSuccess)
     missing = cudaGetErrorString(error);
   else if(devices == 0)
-    missing = "the driver names none";
+    missing = "there is none";
   else if(has_pools == 0)
     missing = "the device has no memory pools";
   else if(cudaFuncGetAttributes(&attributes, reinterpret_cast<const void*>(&run_items<Clear_interior>)) != cudaSuccess)

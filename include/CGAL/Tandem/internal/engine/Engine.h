@@ -57,7 +57,7 @@ private:
   std::size_t sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, std::size_t& untried_cells);
   std::size_t growth_of_large_shapes();
   void drop_fragments();
-  bool is_going_on(std::size_t gained) const;
+  bool is_going_on(std::size_t new_points) const;
 
   const Import& in_;
   Tandem_state<Backend> state_;
@@ -87,18 +87,18 @@ std::size_t Engine<Backend>::grow()
   const bool is_young = state_.round < tuning::loop::young_rounds;
   if(!is_young)
     state_.options.growth.seeds_in_flight = tuning::growth::maximum_seeds_in_flight;
-  std::size_t gained = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
+  std::size_t new_points = grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
   if(is_young)
-    return gained;
+    return new_points;
   int passes = 1;
   std::size_t untried_cells = count_untried_cells(state_.points, state_.seeds, state_.options.minimum_region_size);
-  gained +=
+  new_points +=
     sweep_untried_cells(state_.points.number_of_cells() / tuning::loop::cells_per_untried_cell, passes, untried_cells);
   const bool is_slow = growth_of_large_shapes() <= state_.points.cloud.size() / tuning::loop::points_per_slow_point;
   if(is_slow)
-    gained += sweep_untried_cells(0, passes, untried_cells);
+    new_points += sweep_untried_cells(0, passes, untried_cells);
   is_idle_ = is_slow && untried_cells == 0;
-  return gained;
+  return new_points;
 }
 
 // Further passes until at most so many cells have many untried seeds, or all passes are used. Returns the number of
@@ -108,13 +108,13 @@ template <class Backend>
 std::size_t Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cells, int& passes,
                                                  std::size_t& untried_cells)
 {
-  std::size_t gained = 0;
+  std::size_t new_points = 0;
   for(; untried_cells > maximum_untried_cells && passes < tuning::loop::maximum_passes; ++passes) {
     take_local_planes(state_.points.backend, state_.shapes);
-    gained += grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
+    new_points += grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
     untried_cells = count_untried_cells(state_.points, state_.seeds, state_.options.minimum_region_size);
   }
-  return gained;
+  return new_points;
 }
 
 // How much the number of points in shapes of at least the minimum size exceeds the largest one before. Fragments are
@@ -144,10 +144,10 @@ void Engine<Backend>::drop_fragments()
 // Whether another round may change something: points got a shape, seeds are left, or a shape restarts. Linear in the
 // numbers of cells and shapes.
 template <class Backend>
-bool Engine<Backend>::is_going_on(std::size_t gained) const
+bool Engine<Backend>::is_going_on(std::size_t new_points) const
 {
   const Seeds<Backend>& seeds = state_.seeds;
-  bool is_alive = gained > 0;
+  bool is_alive = new_points > 0;
   for(std::size_t c = 0; c < seeds.count.size(); ++c)
     is_alive = is_alive || seeds.cursor[c] < seeds.count[c];
   for(std::uint32_t id : state_.shapes.live)
@@ -167,7 +167,7 @@ bool Engine<Backend>::iterate()
   if(points.cloud.size() == 0)
     return false;
   Stage_timer growth(times_.growth);
-  const std::size_t gained = grow();
+  const std::size_t new_points = grow();
   growth.stop();
 
   Stage_timer regularity(times_.regularity);
@@ -180,7 +180,7 @@ bool Engine<Backend>::iterate()
   merge_shapes(points.backend, shapes, target);
   apply_planes(points, shapes, options, target);
   ++state_.round;
-  return is_going_on(gained);
+  return is_going_on(new_points);
 }
 
 // An empty cloud has no relations, but an empty result.

@@ -85,7 +85,7 @@ struct Union_find {
 
 // The edges of the graph whose components are searched, row by row of the neighbor graph. The points of a row with one
 // label are adjacent in pairs. A star around the first of them connects the same points with fewer edges.
-struct Ties {
+struct Adjacency {
   Cloud_view cloud;
   const std::uint32_t* label;
 
@@ -115,7 +115,7 @@ struct Union_scratch {
 // cells, so few threads contend for one of them. Writes component[i] of the points of the cell, as a position in the
 // cloud.
 struct Unite_in_cell {
-  Ties ties;
+  Adjacency adjacency;
   const Range* cells;
   std::uint32_t* component;
 
@@ -126,10 +126,10 @@ struct Unite_in_cell {
     const Union_find<Cell_parents<Block>> points = {{block, scratch.parent}};
     block.for_each(cell.size(), [&](std::uint32_t at) { scratch.parent[at] = at; });
     block.for_each_neighbor(
-      cell.size(), ties.cloud.k, [&](std::uint32_t at) { return ties.cloud.row(cell.first + at); },
+      cell.size(), adjacency.cloud.k, [&](std::uint32_t at) { return adjacency.cloud.row(cell.first + at); },
       [&](std::uint32_t at, std::uint32_t q) {
-        ties(cell.first + at, q, cell,
-             [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
+        adjacency(cell.first + at, q, cell,
+                  [&](std::uint32_t a, std::uint32_t b) { points.unite(a - cell.first, b - cell.first); });
       });
     block.for_each(cell.size(), [&](std::uint32_t at) { component[cell.first + at] = cell.first + points.root(at); });
   }
@@ -147,7 +147,7 @@ struct Pair_scratch {
 // at once.
 template <class Backend>
 struct Unite_at_border {
-  Ties ties;
+  Adjacency adjacency;
   const Range* border_of; // of each cell, in `border`
   const std::uint32_t* border;
   std::uint32_t* component;
@@ -165,9 +165,9 @@ struct Unite_at_border {
         points.unite(p, q);
     };
     block.for_each_neighbor(
-      range.size(), ties.cloud.k, [&](std::uint32_t b) { return ties.cloud.row(border[range.first + b]); },
+      range.size(), adjacency.cloud.k, [&](std::uint32_t b) { return adjacency.cloud.row(border[range.first + b]); },
       [&](std::uint32_t b, std::uint32_t q) {
-        ties(border[range.first + b], q, {0, ties.cloud.size}, note);
+        adjacency(border[range.first + b], q, {0, adjacency.cloud.size}, note);
       });
     block.for_each(Pair_scratch::slots, [&](std::uint32_t i) {
       if(scratch.pair[i] != none)
@@ -212,8 +212,8 @@ void find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, cons
 {
   Backend& backend = points.backend;
   const std::size_t cells = points.number_of_cells();
-  const Ties ties = {points.cloud.view(), label};
-  const Unite_in_cell inside = {ties, points.cells.data(), component};
+  const Adjacency adjacency = {points.cloud.view(), label};
+  const Unite_in_cell inside = {adjacency, points.cells.data(), component};
   if(cell_size <= small_cell)
     backend.template for_each_cell<Union_scratch<small_cell>>(cells, inside);
   else
@@ -221,7 +221,7 @@ void find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, cons
   // The unions of the cells are complete here, so that roots from all cells can be joined.
   const Border<Backend>& border = points.border;
   backend.template for_each_cell<Pair_scratch>(
-    cells, Unite_at_border<Backend>{ties, border.range.data(), border.point.data(), component});
+    cells, Unite_at_border<Backend>{adjacency, border.range.data(), border.point.data(), component});
   backend.for_each(points.cloud.size(), Find_root<Backend>{component});
 }
 

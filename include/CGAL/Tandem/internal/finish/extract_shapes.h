@@ -33,7 +33,7 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
 
 // From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their points are
 // free.
-struct Take_entries {
+struct Map_to_entries {
   const std::uint32_t* source;
   const std::uint32_t* entry_of; // by shape
   std::uint32_t* label;
@@ -118,7 +118,7 @@ private:
     for(std::uint32_t i = 0; i < relations_.id.size(); ++i)
       entry_of[relations_.id[i]] = i;
     const auto entries = backend_.read_access(entry_of);
-    backend_.for_each(label_.size(), Take_entries{points_.label.data(), entries.data(), label_.data()});
+    backend_.for_each(label_.size(), Map_to_entries{points_.label.data(), entries.data(), label_.data()});
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one

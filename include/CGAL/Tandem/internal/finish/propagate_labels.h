@@ -90,14 +90,14 @@ private:
 template <class Backend>
 struct Propose_again {
   Propose_label<Backend> proposal;
-  Proposed_points absorbed; // the points that the last round labeled
+  Proposed_points accepted; // the points that the last round labeled
   std::size_t items;        // number of items of the loop
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const std::size_t first = absorbed.end[0], size = absorbed.end[1] - first, k = std::size_t(proposal.cloud.k);
+    const std::size_t first = accepted.end[0], size = accepted.end[1] - first, k = std::size_t(proposal.cloud.k);
     for(std::size_t at = i; at < size * k; at += items) {
-      const std::uint32_t p = absorbed.point[first + at / k], q = proposal.cloud.row(p)[at % k];
+      const std::uint32_t p = accepted.point[first + at / k], q = proposal.cloud.row(p)[at % k];
       if(q != no_index)
         proposal.to(q, proposal.label[p]);
     }

@@ -29,7 +29,7 @@ struct Choose_largest {
   const Plane* plane;
   const std::int64_t* size; // by shape, as are these
   const std::uint8_t* may_lose;
-  const std::uint8_t* may_gain;
+  const std::uint8_t* may_receive;
   std::uint32_t* chosen; // by point: its next label
   Tolerance tolerance;
   bool marks_interior = false;
@@ -47,7 +47,7 @@ struct Choose_largest {
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]], best = chosen[i];
       all_same = all_same && t == s;
-      if(t >= first_mark || t == best || !may_gain[t] || !may_lose[s])
+      if(t >= first_mark || t == best || !may_receive[t] || !may_lose[s])
         continue;
       // The own shape is left also for a smaller one, where it is farther than is allowed.
       const bool is_larger =
@@ -74,7 +74,7 @@ private:
     std::int64_t minimum = distance(s, i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]];
-      if(t >= first_mark || t == s || !may_gain[t] || distance(t, i) >= minimum ||
+      if(t >= first_mark || t == s || !may_receive[t] || distance(t, i) >= minimum ||
          !fits(plane[t], cloud.point[i], tolerance))
         continue;
       minimum = distance(t, i);
@@ -86,7 +86,7 @@ private:
 // For each cell: writes the chosen labels, and sums what each shape loses and what it gets. A point changes its cell's
 // table only where its label changes. Integer sums, so the order does not matter.
 template <class Backend>
-struct Take_chosen {
+struct Apply_chosen {
   Cloud_view cloud;
   const Range* cells;
   const std::uint32_t* chosen;
@@ -115,7 +115,7 @@ struct Take_chosen {
 
 // Which shapes take part, by id: those that may lose points, and those that may get them.
 struct Reassignment {
-  std::vector<std::uint8_t> may_lose, may_gain;
+  std::vector<std::uint8_t> may_lose, may_receive;
   bool marks_interior;
 };
 
@@ -134,12 +134,12 @@ bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, cons
   typename Backend::template Buffer<std::uint32_t> chosen(n);
   const auto plane = backend.read_access(shapes.plane);
   const auto sizes = backend.read_access(size);
-  const auto losing = backend.read_access(which.may_lose), gaining = backend.read_access(which.may_gain);
+  const auto losing = backend.read_access(which.may_lose), receiving = backend.read_access(which.may_receive);
   backend.for_each(n, Choose_largest{cloud, points.label.data(), points.state.data(), plane.data(), sizes.data(),
-                                     losing.data(), gaining.data(), chosen.data(), tolerance, which.marks_interior});
+                                     losing.data(), receiving.data(), chosen.data(), tolerance, which.marks_interior});
   backend.template for_each_cell<Moment_table>(
-    points.number_of_cells(), Take_chosen<Backend>{cloud, points.cells.data(), chosen.data(), points.labels(),
-                                                   start_deltas(backend, shapes, shapes.size())});
+    points.number_of_cells(), Apply_chosen<Backend>{cloud, points.cells.data(), chosen.data(), points.labels(),
+                                                    start_deltas(backend, shapes, shapes.size())});
   const Host_buffer<Shape_delta> changes = take_deltas(backend, shapes, shapes.size());
   backend.for_each_on_host(changes.size(), [&](std::size_t c) {
     Shape& shape = shapes[changes[c].id];

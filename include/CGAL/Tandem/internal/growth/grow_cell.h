@@ -8,94 +8,50 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_GROW_CELL_H
 
-#include <CGAL/Tandem/internal/backend/concepts.h>
-#include <CGAL/Tandem/internal/growth/Cell_job.h>
+#include <CGAL/Tandem/internal/growth/expand_cell.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
-#include <CGAL/Tandem/internal/shapes/Labels.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Changed are labels, states, the seed cursor, the new shapes and the sums.
-struct Growth_input {
-  Cell_job job;
-  Cloud_view cloud;
-  Shapes_view shapes;
-  Labels_view labels;
-  Growth_options options;
-};
-
-// All members are called by all lanes of the block, but for those that are called within its functors. The queue has
-// the points that have been visited in this pass: first the frontier, then the points that shapes took. Its order is
-// arbitrary, but steps of growth are ranges of it.
+// All members are called by all lanes of the block, but for those that are called within its functors.
 template <class Backend, class Block, class Scratch>
-class Cell_growth {
-  static_assert(Is_block<Block>::value, "the block is no model of the concept Block");
+class Cell_growth : private Cell_expansion<Backend, Block, Scratch> {
   static_assert(Block::lookahead > 0 && Block::lookahead <= maximum_lookahead,
                 "the scratch has no room for the trials");
+  using Base = Cell_expansion<Backend, Block, Scratch>;
+  using Base::block_;
+  using Base::cloud_;
+  using Base::job_;
+  using Base::label_;
+  using Base::options_;
+  using Base::s_;
+  using Base::shapes_;
+  using Base::state_;
 
 public:
-  CGAL_TANDEM_HD Cell_growth(Block& block, Scratch& scratch, const Growth_input& in)
-    : block_(block), s_(scratch), job_(in.job), cloud_(in.cloud), shapes_(in.shapes), options_(in.options),
-      label_(in.labels.label), state_(in.labels.state)
-  {}
+  using Base::Base;
 
   // Old shapes grow before new ones start, so that these do not take the points the old ones reach. Nothing can start
   // without seeds, so then the active shapes need not be known.
   CGAL_TANDEM_HD void run()
   {
     block_.single([&] { s_.tail = s_.active_count = 0; });
-    collect_frontier();
+    this->collect_frontier();
     const std::uint32_t old = s_.tail; // from here on, points that have a shape since this pass
-    join_proposals();
+    this->join_proposals();
     const bool has_seeds = *job_.seed_cursor < job_.seed_count;
     if(has_seeds)
       list_active();
-    expand(0, s_.tail);
+    this->expand(0, s_.tail);
     if(has_seeds)
-      begin_shapes();
+      start_shapes();
     if(old < s_.tail)
-      add_deltas(old, s_.tail);
+      this->add_deltas(old, s_.tail);
   }
 
 private:
-  // The origin of the moments of this cell. Any of its points would do.
-  CGAL_TANDEM_HD const Grid_point& base() const { return cloud_.point[job_.cell.first]; }
-
-  // By one lane. There is room, since no point is queued twice.
-  CGAL_TANDEM_HD void push(std::uint32_t i) { s_.queue[block_.append(s_.tail)] = std::uint16_t(i - job_.cell.first); }
-
-  // The position of the point at a place of the queue.
-  CGAL_TANDEM_HD std::uint32_t queued(std::uint32_t place) const { return job_.cell.first + s_.queue[place]; }
-
-  // The only way for shapes of other cells to come in. Proposals were made before any cell grew.
-  CGAL_TANDEM_HD void join_proposals()
-  {
-    block_.for_each(job_.border_size, [&](std::uint32_t b) {
-      const std::uint32_t i = job_.border[b];
-      if(job_.proposal[b] == no_index)
-        return;
-      label_[i] = job_.proposal[b];
-      state_[i] |= frontier_bit;
-      push(i);
-    });
-  }
-
-  // Queues the points from which shapes go on: those whose neighbors were not visited yet, and all of restarted shapes.
-  CGAL_TANDEM_HD void collect_frontier()
-  {
-    block_.for_each(job_.cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t i = job_.cell.first + at;
-      // Most points of late rounds are on no frontier; without restarts their labels are not read.
-      const bool is_on = state_[i] & frontier_bit;
-      if((!is_on && !job_.has_restarted) || label_[i] >= first_mark || !(is_on || shapes_.is_restarted[label_[i]]))
-        return;
-      state_[i] |= frontier_bit;
-      push(i);
-    });
-  }
-
   // The distinct shapes of the queue that keep new ones from starting, until the list is full. Restarted shapes do not
   // count: as long as planes still move, they would fill the list round after round. Found by rising id, so the list
   // does not depend on the order of the queue.
@@ -104,7 +60,7 @@ private:
     std::uint32_t next = 0;
     for(int count = 0; count < options_.seeds_in_flight; ++count) {
       const std::uint32_t s = block_.min(s_.tail, [&](std::uint32_t place) {
-        const std::uint32_t label = label_[queued(place)];
+        const std::uint32_t label = label_[this->queued(place)];
         return label < next || shapes_.is_restarted[label] ? no_index : label;
       });
       if(s == no_index)
@@ -114,57 +70,11 @@ private:
     }
   }
 
-  // Breadth-first steps, the first one from [head, tail) of the queue. A free point that several shapes reach in one
-  // step goes to the smallest id. Points that a shape reaches in its last step stay on the frontier for the next pass.
-  CGAL_TANDEM_HD void expand(std::uint32_t head, std::uint32_t tail)
-  {
-    for(int round = 0; head < tail; ++round) {
-      block_.for_each_neighbor(
-        tail - head, cloud_.k, [&](std::uint32_t source) { return row_if_going_on(head + source, round); },
-        [&](std::uint32_t source, std::uint32_t q) { propose(label_[queued(head + source)], q); });
-      const std::uint32_t sources = tail - head;
-      // Claims become labels only now, so that all shapes of a step start from the same labels.
-      block_.for_each(s_.tail - head, [&](std::uint32_t at) {
-        const std::uint32_t i = queued(head + at);
-        if(at >= sources) {
-          label_[i] &= ~first_mark;
-          state_[i] |= frontier_bit;
-        } else if(round < shapes_.rounds[label_[i]])
-          state_[i] &= std::uint8_t(~frontier_bit);
-      });
-      head = tail;
-      tail = s_.tail;
-    }
-  }
-
-  // Null where the shape has used up its steps of this pass.
-  CGAL_TANDEM_HD const std::uint32_t* row_if_going_on(std::uint32_t place, int round) const
-  {
-    const std::uint32_t i = queued(place);
-    return round < shapes_.rounds[label_[i]] ? cloud_.row(i) : nullptr;
-  }
-
-  // Of shape s to point q, by one lane. Claims are marked, and become labels at the end of the step. Another lane may
-  // lower the label after it was read here. That is harmless: within a step labels only fall, and the minimum remains.
-  // Only the first claim replaces free_label, so a point is queued once.
-  CGAL_TANDEM_HD void propose(std::uint32_t s, std::uint32_t q)
-  {
-    if(!is_own(q))
-      return;
-    const std::uint32_t claim = first_mark | s;
-    const std::uint32_t old = label_[q];
-    if(old < first_mark || old <= claim || old == locked_label ||
-       !fits(shapes_.plane[s], cloud_.point[q], options_.tolerance))
-      return;
-    if(block_.fetch_min(label_[q], claim) == free_label)
-      push(q);
-  }
-
   // New shapes start at the first candidates with a core. Those without one are no seeds any more, and each costs a
   // try. A block may try several at once, as many lanes would be idle for one. The result is as if one were tried after
   // the other: where an earlier shape took points of a core, that candidate is tried again. Candidates in reach of a
   // growing shape are left for later passes.
-  CGAL_TANDEM_HD void begin_shapes()
+  CGAL_TANDEM_HD void start_shapes()
   {
     const std::uint32_t first = s_.tail;
     std::uint32_t at = skip_used_candidates(), shape = job_.new_shape;
@@ -182,20 +92,20 @@ private:
           --tries;
           continue;
         }
-        begin_shape(s_.trial[next], shape);
-        look_again(shape++, next + 1, size);
+        start_shape(s_.trial[next], shape);
+        recheck_trials(shape++, next + 1, size);
         --room;
       }
       // A seed is tried once, whether or not its shape could start. What is no candidate was not tried.
       block_.for_each(next, [&](std::uint32_t i) {
         if(s_.trial[i].is_candidate)
-          state_[s_.trial[i].seed] |= failed_seed_bit;
+          state_[s_.trial[i].seed] |= tried_seed_bit;
       });
       if(next == size && size < Block::lookahead)
         break; // there were no more
       at = next < size ? s_.trial[next].at : s_.trial[size - 1].at + 1;
     }
-    expand(first, s_.tail);
+    this->expand(first, s_.tail);
   }
 
   // Moves the cursor, so that later passes do not visit used candidates again.
@@ -220,14 +130,11 @@ private:
     return true;
   }
 
-  // False for no_index.
-  CGAL_TANDEM_HD bool is_own(std::uint32_t q) const { return q >= job_.cell.first && q < job_.cell.last; }
-
   // Tries the next candidates, at most Block::lookahead; returns how many. All of them are tried with the same labels.
   // A trial with too few points keeps the plane of its seed; its count is then too small as well.
   CGAL_TANDEM_HD std::uint32_t try_candidates(std::uint32_t at)
   {
-    const Grid_point& o = base();
+    const Grid_point& o = this->base();
     // First the points that fit the planes of the seeds, then the new planes, then the cores.
     const std::uint32_t size = block_.find(
       at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); },
@@ -253,7 +160,7 @@ private:
 
   // Corrects the later trials [first, last) when a shape has started: it may reach their seed, or have taken points of
   // their core.
-  CGAL_TANDEM_HD void look_again(std::uint32_t shape, std::uint32_t first, std::uint32_t last)
+  CGAL_TANDEM_HD void recheck_trials(std::uint32_t shape, std::uint32_t first, std::uint32_t last)
   {
     const std::uint32_t width = std::uint32_t(cloud_.k) + 1;
     block_.for_each((last - first) * width, [&](std::uint32_t at) {
@@ -261,7 +168,7 @@ private:
       const std::uint32_t j = at % width, q = near_seed(trial.seed, j);
       if(j == 0 && (label_[q] != free_label || fits(shapes_.plane[shape], cloud_.point[q], options_.tolerance)))
         trial.is_candidate = false;
-      if(is_own(q) && label_[q] == shape)
+      if(this->is_own(q) && label_[q] == shape)
         block_.append(trial.lost);
     });
   }
@@ -289,11 +196,11 @@ private:
   // Points of other cells are left out, since their labels may change at this time.
   CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
   {
-    return is_own(q) && label_[q] == free_label && fits(plane, cloud_.point[q], options_.tolerance);
+    return this->is_own(q) && label_[q] == free_label && fits(plane, cloud_.point[q], options_.tolerance);
   }
 
   // The core takes its label. The shape grows by one step in this pass: its plane is still uncertain.
-  CGAL_TANDEM_HD void begin_shape(const Trial& trial, std::uint32_t shape)
+  CGAL_TANDEM_HD void start_shape(const Trial& trial, std::uint32_t shape)
   {
     block_.single([&] {
       shapes_.plane[shape] = trial.plane;
@@ -306,30 +213,9 @@ private:
         return;
       label_[q] = shape;
       state_[q] |= frontier_bit;
-      push(q);
+      this->push(q);
     });
   }
-
-  // Adds [first, last) of the queue to the sums of the shapes: the points that came in this pass.
-  CGAL_TANDEM_HD void add_deltas(std::uint32_t first, std::uint32_t last)
-  {
-    s_.table.clear(block_);
-    const Cell_sums sums = {base(), shapes_.delta};
-    block_.for_each(last - first, [&](std::uint32_t at) {
-      const std::uint32_t i = queued(first + at);
-      s_.table.template add<Backend>(block_, label_[i], cloud_.point[i], 1, sums);
-    });
-    s_.table.template flush<Backend>(block_, sums);
-  }
-
-  Block& block_;
-  Scratch& s_;
-  const Cell_job job_;
-  const Cloud_view cloud_;
-  const Shapes_view shapes_;
-  const Growth_options options_;
-  std::uint32_t* label_;
-  std::uint8_t* state_;
 };
 
 } // namespace internal

@@ -19,7 +19,7 @@ namespace Tandem {
 namespace internal {
 
 // Replaces old ids by new ones in the labels. No label has an id that is out of use.
-struct Take_ids {
+struct Replace_ids {
   const std::uint32_t* new_id; // by old id
   std::uint32_t* label;
 
@@ -59,18 +59,18 @@ void number_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
     backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) { new_id[shapes.live[l]] = shapes.live[l]; });
   const std::size_t kept = shapes.size();
   // Each shape that started has a delta: its core. Deltas ascend, so those of new shapes are the last ones.
-  const Shape_delta* const begun =
+  const Shape_delta* const started =
     std::partition_point(deltas.begin(), deltas.end(), [&](const Shape_delta& delta) { return delta.id < old_ids; });
-  const std::size_t first_begun = std::size_t(begun - deltas.begin()), next = kept + deltas.size() - first_begun;
+  const std::size_t first_started = std::size_t(started - deltas.begin()), next = kept + deltas.size() - first_started;
   backend.for_each_on_host(deltas.size(), [&](std::size_t d) {
     std::uint32_t& id = new_id[deltas[d].id];
-    if(d >= first_begun)
-      id = std::uint32_t(kept + (d - first_begun));
+    if(d >= first_started)
+      id = std::uint32_t(kept + (d - first_started));
     deltas[d].id = id;
   });
   if(is_sparse || next > kept) {
     const auto numbers = backend.read_access(new_id);
-    backend.for_each(points.cloud.size(), Take_ids{numbers.data(), points.label.data()});
+    backend.for_each(points.cloud.size(), Replace_ids{numbers.data(), points.label.data()});
   }
   shapes.live.reserve(shapes.live.size() + (next - kept));
   for(std::size_t id = kept; id < next; ++id)

@@ -76,7 +76,7 @@ private:
     void operator()(T* memory) const
     {
       if(is_kept)
-        Kept_pages::give(memory, bytes);
+        Kept_pages::put(memory, bytes);
       else
         std::free(memory);
     }

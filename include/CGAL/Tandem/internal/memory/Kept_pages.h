@@ -64,7 +64,7 @@ public:
 
   // Called instead of std::free(). Where the bound on the number or on the sum is exceeded, the oldest blocks are
   // freed.
-  static void give(void* memory, std::size_t bytes) noexcept
+  static void put(void* memory, std::size_t bytes) noexcept
   {
     if(bytes > maximum_bytes)
       return std::free(memory);

@@ -32,7 +32,7 @@ struct Unset_allocator : std::allocator<T> {
   void construct(T* item) noexcept
   {
     static_assert(std::is_trivially_copyable<T>::value, "plain data");
-#ifdef CGAL_TANDEM_SOILS_MEMORY
+#ifdef CGAL_TANDEM_POISONS_MEMORY
     std::memset(static_cast<void*>(item), 0xa5, sizeof(T)); // so that tests see who reads it
 #else
     static_cast<void>(item);

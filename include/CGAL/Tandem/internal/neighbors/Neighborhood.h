@@ -10,6 +10,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H
 
+#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <cmath>
@@ -172,8 +173,7 @@ CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
 CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
 {
   // Below this the second direction is rounding: of the grid (1/12 step^2), or of floats.
-  const float minimum_width = 0.25f;
-  const float minimum_ratio = 1e-6f;
+  const float minimum_width = tuning::normals::minimum_width2, minimum_ratio = tuning::normals::minimum_width_ratio2;
   const float t = h.xx + h.yy + h.zz;
   if(!(t > minimum_width))
     return {0, 0};

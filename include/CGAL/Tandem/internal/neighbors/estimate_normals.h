@@ -44,13 +44,13 @@ CGAL_TANDEM_HD inline float plane_distance2(const Candidate& c, const Float_vect
 // The edge pass for point i. next[i] becomes the cheapest adoptable candidate of its neighbors, or stays its own. All
 // points read `source`, which the pass before has written, so their order does not matter. Of equal costs the
 // first in the row of neighbors counts.
-struct Adopt {
+struct Take_neighbor_plane {
   Workspace w;
   const std::uint32_t* source; // by point: the point whose candidate it has
   std::uint32_t* next;
 
   // Whether p is near the center of the candidate and near its plane, in its standard deviations.
-  CGAL_TANDEM_HD bool is_adoptable(std::uint32_t s, const Grid_point& p) const
+  CGAL_TANDEM_HD bool is_acceptable(std::uint32_t s, const Grid_point& p) const
   {
     const Candidate& c = w.candidate[s];
     const Float_vector d = from_center(w, s, p);
@@ -73,7 +73,7 @@ struct Adopt {
       if(!(w.candidate[s].error2 < minimum)) // error2 <= cost, and costs no division
         continue;
       const float candidate_cost = cost(w.candidate[s]);
-      if(candidate_cost < minimum && is_adoptable(s, p)) {
+      if(candidate_cost < minimum && is_acceptable(s, p)) {
         next[i] = s;
         minimum = candidate_cost;
       }
@@ -91,7 +91,8 @@ struct Finish {
   // normal of the face. So the rough plane is across the face, and the point does not fit it.
   CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
   {
-    const Neighborhood h = about_point(nearest_neighborhood(w, i, w.k < 6 ? 3 : w.k / 2));
+    const Neighborhood h =
+      about_point(nearest_neighborhood(w, i, w.k < 2 * minimum_rough_neighbors ? minimum_rough_neighbors : w.k / 2));
     const Thickness t = thickness(h);
     return t.middle > 0 ? encoded_normal(h, t.smallest) : no_normal;
   }
@@ -144,7 +145,7 @@ void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* poi
   typename Backend::template Buffer<std::uint32_t> source(n), next_source(n);
   backend.for_each(n, Own{source.data()});
   for(int pass = 0; pass < adoption_passes; ++pass) {
-    backend.for_each(n, Adopt{w, source.data(), next_source.data()});
+    backend.for_each(n, Take_neighbor_plane{w, source.data(), next_source.data()});
     std::swap(source, next_source);
   }
   backend.for_each(n, Finish{w, source.data(), point});

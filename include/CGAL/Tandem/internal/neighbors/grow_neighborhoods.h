@@ -18,6 +18,7 @@ namespace internal {
 namespace normals {
 
 using namespace tuning::normals;
+using tuning::Share;
 
 constexpr float no_plane = 1e30f; // instead of an error
 
@@ -84,7 +85,11 @@ CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::u
 
 // The number of independent points of a neighborhood that has grown `scale` - 1 times. Its parts overlap, so it is less
 // than their sum. Measured: (k + 1) (1 + 1.2 (scale - 1)).
-CGAL_TANDEM_HD inline float effective_points(int k, int scale) { return float((k + 1) * (6 * scale - 1)) / 5.0f; }
+CGAL_TANDEM_HD inline float effective_points(int k, int scale)
+{
+  constexpr Share growth = independent_growth;
+  return float((k + 1) * (growth.numerator * (scale - 1) + growth.denominator)) / float(growth.denominator);
+}
 
 CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float smallest)
 {

@@ -116,7 +116,7 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
   const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), -16)); // up to 2^27 steps
   const double inverse_step = 1 / grid.step;
   Host_buffer<Grid_point> point(in.size());
-  in.bring_values();
+  in.download_values();
   backend.for_each(in.size(),
                    [&](std::size_t i) { point[i] = to_grid(grid, inverse_step, in.position(i), no_normal); });
   std::vector<Grid_point> sample = sample_cells(backend, point);

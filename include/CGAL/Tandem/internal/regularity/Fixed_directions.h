@@ -76,7 +76,7 @@ public:
   {
     const double allowed = squared_rms * star.weight;
     const std::size_t p = best_partner(
-      star.rounded, star.sine, [&](const Vector& d) { return worth(cost_of_right_angle(star.eigen, d), allowed); });
+      star.rounded, star.sine, [&](const Vector& d) { return score(cost_of_right_angle(star.eigen, d), allowed); });
     if(p == known)
       return star.fitted;
     const Vector n = fit_orthogonal(star.matrix, fixed[p].direction, star.fitted);
@@ -93,7 +93,7 @@ public:
     const double allowed = squared_rms * group.weight;
     const std::size_t q = best_partner(rounded_fit, group.sine, [&](const Vector& d) {
       const Vector c = cross(p, d);
-      return dot(c, c) > tuning::directions::minimum_squared_sine ? worth(group.cost(unit(c)), allowed) : 0;
+      return dot(c, c) > tuning::directions::minimum_squared_sine ? score(group.cost(unit(c)), allowed) : 0;
     });
     if(q < known)
       result = orthogonal_to_both(p, fixed[q].direction);
@@ -133,7 +133,7 @@ private:
   };
 
   // The square of the unused share of what is allowed, in [0, 1]. 0: it costs too much.
-  static double worth(double cost, double allowed)
+  static double score(double cost, double allowed)
   {
     const double left = cost < allowed ? 1 - cost / allowed : (cost <= 0 ? 1 : 0);
     return left * left;
@@ -142,8 +142,8 @@ private:
   // Of the directions of earlier stars within the angle, the one that is worth most; `known` if none is. A cheap right
   // angle to a large group is no coincidence, while some small group is found at any angle. Measured: the root of the
   // weight keeps more right angles than the least cost. Linear in the number of directions, which is small.
-  template <class Worth>
-  std::size_t best_partner(const Vector& rounded_fit, double sine, Worth worth_of) const
+  template <class Score>
+  std::size_t best_partner(const Vector& rounded_fit, double sine, Score score_of) const
   {
     std::size_t best = known;
     double maximum = 0;
@@ -151,7 +151,7 @@ private:
       const Fixed_direction& p = fixed[i];
       if(!(std::fabs(rounded_dot(p.rounded, rounded_fit)) < (std::min)(p.sine, sine)))
         continue;
-      const double value = std::sqrt(p.weight) * worth_of(p.direction);
+      const double value = std::sqrt(p.weight) * score_of(p.direction);
       if(value > maximum) {
         maximum = value;
         best = i;

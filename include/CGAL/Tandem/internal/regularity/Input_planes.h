@@ -35,7 +35,7 @@ inline double signed_distance(const Coefficients& c, const Vector& p)
   return std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
 }
 
-// epsilon where the caller gives none: 2.5 times the root mean square distance of the points to their planes. Sums are
+// epsilon where the caller gives none: some times the root mean square distance of the points to their planes. Sums are
 // integers, so the order of the points does not matter. 0 if all points lie on their planes.
 inline double estimate_maximum_distance(const Import& in, const std::vector<int>& plane_of,
                                         const std::vector<Coefficients>& planes)
@@ -57,7 +57,7 @@ inline double estimate_maximum_distance(const Import& in, const std::vector<int>
     const std::int64_t scaled = llrint(d / largest * 32768);
     sum += scaled * scaled;
   });
-  return 2.5 * largest * std::sqrt(double(sum) / count) / 32768;
+  return tuning::estimation::distance_per_rms * largest * std::sqrt(double(sum) / count) / 32768;
 }
 
 // The shapes are the planes, in the caller's order. It is the callback of regularize() that counts misfits. Its

@@ -26,7 +26,8 @@ namespace internal {
 // deviations (t = 4.5). A fixed polynomial, since exp() differs between machines.
 inline double gaussian(double t)
 {
-  double e = t <= 4.5 ? 1 - t * 0.00390625 : 0;
+  constexpr double deviations = tuning::clustering::kernel_deviations;
+  double e = t <= deviations * deviations / 2 ? 1 - t * 0.00390625 : 0;
   for(int k = 0; k < 8; ++k)
     e *= e;
   return e;
@@ -51,7 +52,8 @@ public:
   using Position = typename Index::Position;
 
   Mean_shift(const std::vector<Position>& positions, const std::vector<double>& weights, double radius)
-    : position(positions), weight(weights), radius(radius), index(positions, tuning::clustering::reach * radius)
+    : position(positions), weight(weights), radius(radius),
+      index(positions, tuning::clustering::kernel_deviations * tuning::clustering::sigma * radius)
   {}
 
   // By falling density; ties are broken by position in the input.
@@ -84,7 +86,11 @@ private:
   };
 
   // q: squared distance. The exponent q / (2 sigma^2) is 2 q / radius^2.
-  double kernel(double q) const { return gaussian(2 * q / (radius * radius)); }
+  double kernel(double q) const
+  {
+    constexpr double sigma = tuning::clustering::sigma;
+    return gaussian(q / (2 * sigma * sigma * (radius * radius)));
+  }
 
   // Local maxima of the density among the positions within sigma, as every mode is reached from one of them. Of equal
   // densities the first position counts. There are far fewer than positions, so few ascents are needed.

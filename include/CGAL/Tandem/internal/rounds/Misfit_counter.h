@@ -133,7 +133,7 @@ public:
     const std::int64_t selected = sum_on_host(points_.backend, ids.size(), [&](std::size_t i) {
       const Shape& shape = shapes_[ids[i]];
       shares[i] = 0;
-      if(is_still(shape, shape.local, candidates[i]) || remembers(shape, candidates[i], shares[i]))
+      if(is_still(shape, shape.local, candidates[i]) || reuse_last_count(shape, candidates[i], shares[i]))
         return 0;
       query_of_[ids[i]] = std::uint32_t(i);
       query[i] = {rounded(shape.local), rounded(candidates[i])};
@@ -194,7 +194,7 @@ private:
   }
 
   // Whether the last count is of nearly the same points and planes.
-  bool remembers(const Shape& shape, const Regular_plane& candidate, double& share) const
+  bool reuse_last_count(const Shape& shape, const Regular_plane& candidate, double& share) const
   {
     const Misfit_record& last = shape.last_misfits;
     const std::int64_t change = shape.moments.count - last.points;

@@ -70,7 +70,7 @@ private:
 
 // Whether a shape keeps its relations while they are not found anew. It does not if it has none, or if it has changed
 // much in the loop. In the end game all of its points fit its plane, so changes do not matter.
-inline bool is_held(const Shape& shape, bool is_last)
+inline bool keeps_relations(const Shape& shape, bool is_last)
 {
   const std::int64_t before = shape.regular_count; // 0 if it has none
   return is_last ? before > 0
@@ -93,7 +93,7 @@ bool have_changed(Backend& backend, const Shape_table<Backend>& shapes, const Id
   return double(changed) > share * double(shapes.assigned);
 }
 
-// Shapes keep the planes of their relations, where is_held(); the others stay at their local planes. Needs no test of
+// Shapes keep the planes of their relations, where keeps_relations(); the others stay at their local planes. Needs no test of
 // points.
 template <class Backend>
 Shape_relations keep_relations(Shape_table<Backend>& shapes, const Ids& ids, const Shape_relations& before,
@@ -106,7 +106,7 @@ Shape_relations keep_relations(Shape_table<Backend>& shapes, const Ids& ids, con
   r.relations.is_rolled_back.assign(n, 0);
   for(std::size_t i = 0; i < n; ++i) {
     Shape& shape = shapes[ids[i]];
-    if(is_held(shape, is_last)) {
+    if(keeps_relations(shape, is_last)) {
       r.relations.direction_of[i] = before.relations.direction_of[std::size_t(shape.entry)];
       r.relations.plane_of[i] = before.relations.plane_of[std::size_t(shape.entry)];
     } else {

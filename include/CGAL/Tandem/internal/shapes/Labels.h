@@ -20,9 +20,9 @@ constexpr std::uint32_t free_label = 0xffffffffu;
 constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot take it; label propagation can
 
 // Bits of the state of a point. At any time at most one lane changes those of a point, so there are no races.
-constexpr std::uint8_t frontier_bit = 1;    // its neighbors are still to be visited
-constexpr std::uint8_t failed_seed_bit = 2; // a shape that started here has failed
-constexpr std::uint8_t detached_bit = 4;    // it has been detached once; the second time locks it
+constexpr std::uint8_t frontier_bit = 1;   // its neighbors are still to be visited
+constexpr std::uint8_t tried_seed_bit = 2; // a shape that started here has failed
+constexpr std::uint8_t detached_bit = 4;   // it has been detached once; the second time locks it
 // All of its neighbors had its label, so passes over contacts leave it out. Neighbors may lose that label later. The
 // loop accepts this error; the end game clears the bit of all points.
 constexpr std::uint8_t interior_bit = 8;
@@ -35,7 +35,7 @@ struct Labels_view {
   // Whether a shape may still start at the point. Labels of other shapes and locked points exclude it.
   CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const
   {
-    return label[i] == free_label && !(state[i] & failed_seed_bit);
+    return label[i] == free_label && !(state[i] & tried_seed_bit);
   }
 };
 

@@ -173,7 +173,7 @@ Link_list collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
       meanwhile();
     counter.copy_back();
     if(size[0] <= capacity)
-      return sum_links(backend, links.data(), size[0], shapes.size(), tuning::merging::minimum_relations);
+      return sum_links(backend, links.data(), size[0], shapes.size(), tuning::merging::minimum_edges);
     capacity = 2 * std::size_t(size[0]);
   }
 }

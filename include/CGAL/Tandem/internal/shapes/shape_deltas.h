@@ -21,7 +21,7 @@ struct Shape_delta {
   Shared_moments sums;
 };
 
-// Only for new memory: Take_sums restores the zeros.
+// Only for new memory: Extract_sums restores the zeros.
 struct Clear_sums {
   Shared_moments* sums;
 
@@ -29,7 +29,7 @@ struct Clear_sums {
 };
 
 // Takes the sums of the shapes that a pass has changed, and makes them zero again.
-struct Take_sums {
+struct Extract_sums {
   Shared_moments* sums; // by id
 
   // The box is not empty, also where as many points came as went.
@@ -59,7 +59,7 @@ Shared_moments* start_deltas(Backend& backend, Shape_table<Backend>& shapes, std
 template <class Backend>
 Host_buffer<Shape_delta> take_deltas(Backend& backend, Shape_table<Backend>& shapes, std::size_t ids)
 {
-  return backend.template collect<Shape_delta>(ids, Take_sums{shapes.delta.data()});
+  return backend.template collect<Shape_delta>(ids, Extract_sums{shapes.delta.data()});
 }
 
 } // namespace internal

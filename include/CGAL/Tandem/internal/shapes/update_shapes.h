@@ -112,7 +112,7 @@ struct Update_points {
       const std::uint32_t s = target[old];
       if(s >= first_mark) {
         labels.label[i] = s;
-        labels.state[i] = std::uint8_t((labels.state[i] | failed_seed_bit) & ~(frontier_bit | interior_bit));
+        labels.state[i] = std::uint8_t((labels.state[i] | tried_seed_bit) & ~(frontier_bit | interior_bit));
       } else if(is_checked[old] && !fits(plane[s], cloud.point[i], tolerance)) {
         labels.label[i] = labels.state[i] & detached_bit ? locked_label : free_label;
         labels.state[i] = std::uint8_t((labels.state[i] | detached_bit) & ~(frontier_bit | interior_bit));

@@ -52,10 +52,10 @@ public:
     }
     if(!drop_outliers())
       search();
-    const bool is_answered = steps_ <= maximum_steps && !found_.is_full() && found_.is_certain();
-    if(__any_sync(all_lanes, is_answered))
-      write(is_answered);
-    task_.defer(packet_, __ballot_sync(all_lanes, !is_answered));
+    const bool is_done = steps_ <= maximum_steps && !found_.is_full() && found_.is_certain();
+    if(__any_sync(all_lanes, is_done))
+      write(is_done);
+    task_.defer(packet_, __ballot_sync(all_lanes, !is_done));
   }
 
 private:
@@ -199,7 +199,7 @@ private:
 
   // The rows go to shared memory first, so that global memory is written in wide parts. The memory of the search is
   // reused for them, after all indices have been read.
-  __device__ __forceinline__ void write(bool is_answered)
+  __device__ __forceinline__ void write(bool is_done)
   {
     __syncwarp();
     std::uint32_t index[K + 1];
@@ -211,7 +211,7 @@ private:
 #pragma unroll
     for(int i = 0; i <= K; ++i)
       row[i] = index[i];
-    if(is_answered)
+    if(is_done)
       resolve_order(row);
     __syncwarp();
     if(task_.k == K)

@@ -35,7 +35,7 @@ public:
   ~Table_on_device()
   {
     if(piece_.host != nullptr)
-      arena_.give_back();
+      arena_.release_piece();
   }
 
   Table_on_device(const Table_on_device&) = delete;

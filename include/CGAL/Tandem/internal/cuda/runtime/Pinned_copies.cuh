@@ -105,7 +105,7 @@ public:
   ~Pinned_pair()
   {
     static_cast<void>(cudaStreamSynchronize(copies_.stream));
-    if(!Copy_streams::of_device(device_).give(copies_))
+    if(!Copy_streams::of_device(device_).put(copies_))
       copies_.destroy();
   }
 

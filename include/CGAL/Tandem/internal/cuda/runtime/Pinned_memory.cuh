@@ -33,7 +33,7 @@ public:
   }
 
   // False if there is no memory to keep it; the caller then destroys the item.
-  bool give(T item) noexcept
+  bool put(T item) noexcept
   try {
     std::lock_guard<std::mutex> lock(mutex_);
     items_.push_back(item);
@@ -70,7 +70,7 @@ public:
 
   ~Pinned_block()
   {
-    if(!kept().give(memory_))
+    if(!kept().put(memory_))
       static_cast<void>(cudaFreeHost(memory_));
   }
 

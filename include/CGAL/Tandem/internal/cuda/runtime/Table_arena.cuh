@@ -44,7 +44,7 @@ public:
   Table_arena(const Table_arena&) = delete;
   Table_arena& operator=(const Table_arena&) = delete;
 
-  // A place for so many bytes, until give_back(); null pointers if there is no room. Rounded up to 256 bytes, as the
+  // A place for so many bytes, until release_piece(); null pointers if there is no room. Rounded up to 256 bytes, as the
   // runtime aligns its own memory.
   Piece take(std::size_t size)
   {
@@ -59,7 +59,7 @@ public:
   }
 
   // Only counts: places are freed all at once.
-  void give_back() { --pieces_; }
+  void release_piece() { --pieces_; }
 
   // Copies the tables that were filled since the last flush. Has to precede every launch.
   void flush()

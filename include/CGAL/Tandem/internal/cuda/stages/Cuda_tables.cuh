@@ -41,7 +41,7 @@ public:
     CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
     const std::size_t threads = (std::max)(std::size_t(1), std::size_t(std::thread::hardware_concurrency()));
     for(std::size_t i = 0; i < (std::min)({threads, maximum_copying_threads, n / maximum_points() + 1}); ++i)
-      free_.give(make_pair());
+      free_.put(make_pair());
   }
 
   ~Values_on_device() override
@@ -75,7 +75,7 @@ public:
       CGAL_TANDEM_CUDA(cudaMemcpyAsync(value_[t].data() + first * vector_bytes_, piece.values + t * bytes, bytes,
                                        cudaMemcpyHostToDevice, piece.pair->stream()));
     piece.pair->end_piece();
-    free_.give(piece.pair);
+    free_.put(piece.pair);
   }
 
   // Where the values were read to the tables: sends them all, by several threads.
@@ -100,7 +100,7 @@ public:
   }
 
   // Copies the values back to the tables of the import, once.
-  void bring() override
+  void download() override
   {
     if(are_in_tables_)
       return;
