@@ -1,10 +1,11 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# For the programs of this repository: warnings, and Tandem itself where the
+# For the programs of this repository: warnings, what they share, and Tandem itself where the
 # folder of examples, tests or benchmarks is configured on its own.
 
 set(tandem_programs_dir "${CMAKE_CURRENT_LIST_DIR}")
+set(tandem_testing_dir "${CMAKE_CURRENT_LIST_DIR}/../test/Shape_regularization_tandem/testing")
 option(TANDEM_WARNINGS_AS_ERRORS "Warnings are errors in the programs of Tandem" ON)
 
 if(NOT TARGET Tandem::tandem)
@@ -23,6 +24,10 @@ if(NOT TARGET Tandem::tandem)
   endif()
 endif()
 
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.1.0 QUIET)
+include(CGAL_Eigen3_support)
+
 # tandem_add_program(name source...)
 function(tandem_add_program name)
   add_executable(${name} ${ARGN})
@@ -30,42 +35,12 @@ function(tandem_add_program name)
   tandem_set_warnings(${name})
 endfunction()
 
-# tandem_share_engine(target source...): if one of the sources detects planes, the target takes the engine, which is
-# what takes longest to compile, from a library. Not for what links tandem_cuda, which is compiled with other flags.
-function(tandem_share_engine target)
-  foreach(source IN LISTS ARGN)
-    get_filename_component(source "${source}" ABSOLUTE)
-    file(STRINGS "${source}" detects REGEX "include.*(<CGAL/Shape_regularization_tandem|\"testing/)")
-    if(detects)
-      if(NOT TARGET tandem_shared_engine)
-        add_library(tandem_shared_engine STATIC EXCLUDE_FROM_ALL "${tandem_programs_dir}/shared_engine.cpp")
-        target_link_libraries(tandem_shared_engine PRIVATE Tandem::tandem)
-        tandem_set_warnings(tandem_shared_engine)
-      endif()
-      target_compile_options(${target} PRIVATE "SHELL:-include \"${tandem_programs_dir}/shared_engine.h\"")
-      target_link_libraries(${target} PRIVATE tandem_shared_engine)
-      return()
-    endif()
-  endforeach()
-endfunction()
-
-# What tests and benchmark share ("testing/scenes.h"), and the headers of the benchmark ("report/shape_colors.h").
-function(tandem_share_testing target)
-  target_include_directories(${target} PRIVATE
-    "${tandem_programs_dir}/../test/Shape_regularization_tandem"
-    "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem")
-endfunction()
-
-# Contestants in processes of their own: in the benchmark, and in the test of it.
-function(tandem_add_run_isolated target)
-  if(NOT TARGET tandem_run_isolated)
-    add_library(tandem_run_isolated OBJECT EXCLUDE_FROM_ALL
-      "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem/contestants/run_isolated.cpp")
-    target_link_libraries(tandem_run_isolated PRIVATE Tandem::tandem)
-    tandem_share_testing(tandem_run_isolated)
-    tandem_set_warnings(tandem_run_isolated)
+function(tandem_set_warnings target)
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /W3)
+  else()
+    target_compile_options(${target} PRIVATE -Wall -Wextra $<$<BOOL:${TANDEM_WARNINGS_AS_ERRORS}>:-Werror>)
   endif()
-  target_sources(${target} PRIVATE $<TARGET_OBJECTS:tandem_run_isolated>)
 endfunction()
 
 # Programs that offer the CUDA back end where it is built.
@@ -75,10 +50,76 @@ function(tandem_link_cuda target)
   endif()
 endfunction()
 
-function(tandem_set_warnings target)
-  if(MSVC)
-    target_compile_options(${target} PRIVATE /W3)
+# tandem_add_shared(name source...): a library for some of the programs of this repository.
+function(tandem_add_shared name)
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${ARGN})
+  target_link_libraries(${name} PUBLIC Tandem::tandem Threads::Threads)
+  if(TARGET CGAL::Eigen3_support)
+    target_link_libraries(${name} PUBLIC CGAL::Eigen3_support)
+  endif()
+  tandem_set_warnings(${name})
+endfunction()
+
+# Scenes and criteria, which tests and benchmark share ("testing/scenes.h"), and the headers of the benchmark
+# ("report/shape_colors.h").
+function(tandem_share_testing target)
+  if(NOT TARGET tandem_testing)
+    file(GLOB sources CONFIGURE_DEPENDS "${tandem_testing_dir}/scene*.cpp")
+    tandem_add_shared(tandem_testing ${sources})
+    target_include_directories(tandem_testing PUBLIC
+      "${tandem_testing_dir}/.." "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem")
+  endif()
+  target_link_libraries(${target} PRIVATE tandem_testing)
+endfunction()
+
+# Contestants in processes of their own: in the benchmark, and in the test of it.
+function(tandem_share_run_isolated target)
+  if(NOT TARGET tandem_run_isolated)
+    tandem_add_shared(tandem_run_isolated
+      "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem/contestants/run_isolated.cpp")
+    tandem_share_testing(tandem_run_isolated)
+  endif()
+  target_link_libraries(${target} PRIVATE tandem_run_isolated)
+endfunction()
+
+# The engine takes longest to compile: it comes from a library. There is another one for what is linked with
+# tandem_cuda (tandem_link_cuda(), before this), since that is compiled with other flags.
+function(tandem_link_engine target engine_name)
+  get_target_property(linked ${target} LINK_LIBRARIES)
+  set(engine tandem_engine)
+  if("Tandem::tandem_cuda" IN_LIST linked)
+    set(engine tandem_engine_with_cuda)
+  endif()
+  set(${engine_name} ${engine} PARENT_SCOPE)
+  if(NOT TARGET ${engine})
+    set(sources "${tandem_programs_dir}/shared_engine_sequential.cpp")
+    if(TARGET CGAL::TBB_support)
+      list(APPEND sources "${tandem_programs_dir}/shared_engine_tbb.cpp")
+    endif()
+    tandem_add_shared(${engine} ${sources})
+    if(engine MATCHES cuda)
+      tandem_link_cuda(${engine})
+    endif()
+    tandem_precompile(${engine})
+  endif()
+  target_link_libraries(${target} PRIVATE ${engine})
+endfunction()
+
+# For programs whose flags are those of the library of the engine.
+function(tandem_share_engine target)
+  tandem_link_engine(${target} engine)
+  tandem_precompile(${target} ${engine})
+endfunction()
+
+# tandem_precompile(library): makes a precompiled header of what is shared; tandem_precompile(target library): uses it.
+# It takes as long to make as to compile three files: where there are only a few tests, the header comes as it is.
+function(tandem_precompile target)
+  set(header "${tandem_programs_dir}/shared_engine.h")
+  if(TANDEM_TESTS OR CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    target_compile_options(${target} PRIVATE "SHELL:-include \"${header}\"")
+  elseif(ARGN)
+    target_precompile_headers(${target} REUSE_FROM ${ARGN})
   else()
-    target_compile_options(${target} PRIVATE -Wall -Wextra $<$<BOOL:${TANDEM_WARNINGS_AS_ERRORS}>:-Werror>)
+    target_precompile_headers(${target} PRIVATE "${header}")
   endif()
 endfunction()

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "experiment_clouds.h"
-#include "testing/scene_normals.h"
+#include "scene_normals.h"
 #include "testing/scene_twins.h"
 
 namespace CGAL {

@@ -4,7 +4,7 @@
 #include "named_clouds.h"
 #include "experiment_clouds.h"
 #include "testing/fit_plane.h"
-#include "testing/scene_normals.h"
+#include "scene_normals.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -6,7 +6,7 @@
 #include "contestants.h"
 #include "testing/fit_plane.h"
 #include "region_growing.h"
-#include "testing/scene_normals.h"
+#include "clouds/scene_normals.h"
 
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 #include <CGAL/Shape_regularization/regularize_planes.h>

@@ -5,7 +5,7 @@
 // detectors read the same normals; optionally of a fixed random subset.
 
 #include "clouds/ply_cloud.h"
-#include "testing/scene_normals.h"
+#include "clouds/scene_normals.h"
 
 #include <iostream>
 

@@ -5,7 +5,7 @@
 // each point as `label`, and beside it NAME.truth with the plane of each face.
 
 #include "clouds/ply_cloud.h"
-#include "testing/scene_normals.h"
+#include "clouds/scene_normals.h"
 #include "testing/scene_twins.h"
 
 #include <boost/program_options.hpp>

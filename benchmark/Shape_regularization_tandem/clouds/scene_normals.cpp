@@ -1,13 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Normals as most programs make them: the smallest eigenvector of the k nearest
-// points. At edges they are blended, which is what costs detectors thin faces.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_NORMALS_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_NORMALS_H
-
-#include "scenes.h"
+#include "scene_normals.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/pca_estimate_normals.h>
@@ -19,7 +13,7 @@ namespace CGAL {
 namespace Tandem {
 namespace scenes {
 
-inline std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k = 20)
+std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k)
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
@@ -40,9 +34,7 @@ inline std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k =
   return normals;
 }
 
-// A scanner that knows its own noise: fitted on the ideal points (so blended at
-// edges and arbitrary at outliers), then perturbed.
-inline void set_blended_normals(Scene& scene, double normal_noise_deg, std::uint64_t seed, unsigned k = 20)
+void set_blended_normals(Scene& scene, double normal_noise_deg, std::uint64_t seed, unsigned k)
 {
   Random random(seed ^ 0x6e6f726d616c73u);
   scene.normals = pca_normals(scene.ideal, k);
@@ -53,5 +45,3 @@ inline void set_blended_normals(Scene& scene, double normal_noise_deg, std::uint
 } // namespace scenes
 } // namespace Tandem
 } // namespace CGAL
-
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_NORMALS_H
