@@ -2,13 +2,11 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds and runs all tests: the release build with TBB, then
-# a choice of them without TBB, under ASan + UBSan, and under TSan; and the benchmark in small,
-# which fails where a result of Tandem is wrong or differs between back ends; the micro-benchmarks
-# have to compile, where there is Google Benchmark. The manual has to build without a warning.
-#   test.sh [release] [sequential] [asan] [tsan] [cuda] [benchmark] [doc]    only these (default: all of them)
-# Where there is a CUDA compiler, the CUDA back end is built, too, for one or two architectures;
-# its tests are skipped without a device.
+# Installs what is missing, builds and runs all tests: first the style of the sources; then the release build with TBB
+# and all tests; a choice of them without TBB, under ASan + UBSan, and under TSan; the CUDA back end, where there is a
+# CUDA compiler (its tests are skipped without a device); and the benchmark in small, which fails where a result of
+# Tandem is wrong or differs between back ends. The manual has to build without a warning.
+#   test.sh [style] [release] [sequential] [asan] [tsan] [cuda] [benchmark] [doc]    only these (default: all of them)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -27,16 +25,69 @@ sanitized='test_(bad_input|analytic_scenes|callback|neighbors|regularize_planes|
 
 fail() { echo "test.sh: $*" >&2; exit 1; }
 
+# Typical seconds of each part on two processors, from which the time left is guessed.
+seconds_of()
+{
+  case $1 in
+    style) echo 150 ;;
+    release) echo 600 ;;
+    sequential) echo 90 ;;
+    asan) echo 150 ;;
+    tsan) echo 60 ;;
+    cuda) echo 150 ;;
+    benchmark) echo 120 ;;
+    doc) echo 15 ;;
+    *) fail "unknown part $1; choose of $all_parts" ;;
+  esac
+}
+
+now() { date +%s; }
+minutes() { echo "$(($1 / 60)):$(printf %02d $(($1 % 60)))"; }
+
+# begin PART PARTS...: says what comes, how long it took so far, and how long the parts may take.
+begin()
+{
+  part=$1; shift
+  number=$((number + 1))
+  left=0
+  for other in "$@"; do
+    left=$((left + $(seconds_of "$other")))
+  done
+  elapsed=$(($(now) - start))
+  [ "$typical" -eq 0 ] || left=$((left * elapsed / typical))
+  typical=$((typical + $(seconds_of "$part")))
+  echo "[$number/$parts] $part, after $(minutes $elapsed), about $(minutes $left) left"
+}
+
+step() { echo "    $part: $*, after $(minutes $(($(now) - start)))"; }
+
 # configuration NAME CTEST_LABEL CMAKE_OPTIONS...
 configuration()
 {
   name=$1; label=$2; shift 2
-  echo "== $name"
+  step build
   cmake -S "$root" -B "$build/$name" -DTANDEM_BUILD_TESTS=ON -DTANDEM_BUILD_EXAMPLES=ON -DTANDEM_WITH_CUDA=OFF "$@" > /dev/null ||
     fail "cmake failed for $name"
   cmake --build "$build/$name" -j "$jobs" -- -k > "$build/$name/build.log" 2>&1 ||
     { grep -v "^\[" "$build/$name/build.log" >&2; fail "the build $name failed"; }
-  (cd "$build/$name" && ctest --output-on-failure --no-tests=error -L "$label") || fail "tests of $name failed"
+  step tests
+  (cd "$build/$name" && ctest --output-on-failure --no-tests=error -j "$jobs" -L "$label") || fail "tests of $name failed"
+}
+
+# Format of all sources, order of the includes, and clang-tidy on the engine.
+run_style()
+{
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" clang-format clang-tidy
+  step format
+  find "$root/include" "$root/examples" "$root/test" "$root/benchmark" "$root/cmake" "$root/doc" \
+    \( -name '*.h' -o -name '*.cpp' -o -name '*.cuh' -o -name '*.cu' \) -exec clang-format --dry-run --Werror {} + ||
+    fail "clang-format would change these files"
+  step includes
+  "$root/scripts/check_includes.sh" || fail "includes run against the order of the folders"
+  step clang-tidy
+  mkdir -p "$build"
+  clang-tidy --quiet "$root/cmake/shared_engine_sequential.cpp" -- -std=c++17 "-I$root/include" > "$build/tidy.log" 2>&1 ||
+    { cat "$build/tidy.log" >&2; fail "clang-tidy complains"; }
 }
 
 # Instrumented code draws false warnings of uninitialized values, so none is an error there.
@@ -45,11 +96,11 @@ sanitizer_flags='-O1 -g1 -fno-omit-frame-pointer'
 # With the building of CGAL's data where it can be had, since two of its examples are tests.
 run_release()
 {
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" gnuplot-nox ||
-    echo "gnuplot cannot be installed: the pictures of the benchmark are not tested"
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev ||
+    echo "not all can be installed: pictures are not tested, or micro-benchmarks not built"
   "$root/scripts/sample_cloud.sh" "$build/release/examples/Shape_regularization_tandem/building.ply" ||
     echo "the sample cloud cannot be had: the examples of the building are not run"
-  configuration release . -DCMAKE_BUILD_TYPE=Release
+  configuration release . -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_BENCHMARKS=ON
 }
 
 run_sequential()
@@ -74,41 +125,44 @@ run_tsan()
     "-DTANDEM_TESTS=test_(host_team|thread_backend)" "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 
-# For the device that is there; else for the oldest kind that can be used, and one of the year 2022.
+# For the device that is there; else for the oldest kind that can be used.
 run_cuda()
 {
-  command -v "${CUDACXX:-nvcc}" > /dev/null || { echo "== cuda: skipped, there is no CUDA compiler"; return; }
+  command -v "${CUDACXX:-nvcc}" > /dev/null || { echo "    skipped, there is no CUDA compiler"; return; }
   architecture=$("$root/scripts/cuda_architecture.sh")
   configuration cuda cuda -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_CUDA=ON \
-    "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real;90-real}" -DTANDEM_TESTS=test_cuda \
+    "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" -DTANDEM_TESTS=test_cuda \
     -DTANDEM_EXAMPLES=detect_planes_on_device
 }
 
+# In the folder of the release build, where it has been compiled.
 run_benchmark()
 {
-  echo "== benchmark"
   mkdir -p "$build"
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libbenchmark-dev libnanoflann-dev ||
-    echo "Google Benchmark cannot be installed: the micro-benchmarks are not built"
-  TANDEM_BUILD_DIR=$build/benchmark TANDEM_JOBS=$jobs "$root/scripts/benchmark.sh" --quick > "$build/benchmark.log" 2>&1 ||
+  step measure
+  TANDEM_BUILD_DIR=$build/release TANDEM_JOBS=$jobs "$root/scripts/benchmark.sh" --quick > "$build/benchmark.log" 2>&1 ||
     { cat "$build/benchmark.log" >&2; fail "the benchmark failed"; }
-  cmake --build "$build/benchmark" -j "$jobs" --target micro_benchmarks > "$build/micro.log" 2>&1 ||
-    { cat "$build/micro.log" >&2; fail "the micro-benchmarks do not build"; }
 }
 
 run_doc()
 {
-  echo "== doc"
   mkdir -p "$build"
   "$root/scripts/doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual has warnings"; }
 }
 
-[ $# -gt 0 ] || set -- release sequential asan tsan cuda benchmark doc
-[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh"
+all_parts='style release sequential asan tsan cuda benchmark doc'
+# shellcheck disable=SC2086
+[ $# -gt 0 ] || set -- $all_parts
+tested=$*
+parts=$#; number=0; typical=0
 for part in "$@"; do
-  case $part in
-    release | sequential | asan | tsan | cuda | benchmark | doc) "run_$part" ;;
-    *) fail "unknown configuration $part; choose of release sequential asan tsan cuda benchmark doc" ;;
-  esac
+  seconds_of "$part" > /dev/null
 done
-echo "test.sh: all tests passed ($*)"
+[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh"
+start=$(now)
+while [ $# -gt 0 ]; do
+  begin "$1" "$@"
+  "run_$1"
+  shift
+done
+echo "test.sh: all tests passed ($tested) in $(minutes $(($(now) - start)))"

@@ -9,6 +9,8 @@
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -33,7 +35,7 @@ double estimate_maximum_distance(Backend& backend, const Import& in)
 inline std::size_t estimate_minimum_region_size(std::size_t points)
 {
   using namespace tuning::estimation;
-  return (std::max)(minimum_region_size, std::size_t(region_size_per_root * std::sqrt(double(points)) + .5));
+  return (std::max)(minimum_region_size, std::size_t(std::llround(region_size_per_root * std::sqrt(double(points)))));
 }
 
 // Fills in what is 0, and checks the whole.

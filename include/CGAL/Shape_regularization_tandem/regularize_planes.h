@@ -267,7 +267,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   auto plane_of =
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   internal::drop_unassigned(in, plane_of);
-  const Plane_relations result = internal::relate_planes(in, plane_of, options, coefficients);
+  Plane_relations result = internal::relate_planes(in, plane_of, options, coefficients);
   std::size_t s = 0;
   for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
     if(result.is_changed[s]) {

@@ -117,7 +117,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   Backend& backend = points.backend;
   const Tolerance& tolerance = options.growth.tolerance;
   refit_shapes(backend, shapes);
-  const Shape_relations relations = regularize_shapes(points, shapes, options, {round, true}, before);
+  Shape_relations relations = regularize_shapes(points, shapes, options, {round, true}, before);
   points.sample.reset(0); // others need the memory
   const Link_list links = collect_links(points, shapes, Links::all);
   merge_points(points, shapes, coplanar_targets(backend, shapes, relations, links));
@@ -171,7 +171,7 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   consolidate(points, shapes, options);
   drop_small(points, shapes, options.minimum_region_size);
   const Shape_relations first = regularize_finally(points, shapes, options, round, {});
-  const Shape_relations relations = regularize_finally(points, shapes, options, round, first);
+  Shape_relations relations = regularize_finally(points, shapes, options, round, first);
   clear_interior(points);
   reassign_to_larger(points, shapes, options);
   return relations;
