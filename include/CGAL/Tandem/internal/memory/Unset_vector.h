@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Leaves the items that a vector makes without a value as they are.
+// Leaves the items that a vector makes without a value as they are. Boost.Container's `default_init` does not: it runs
+// the initializers of members, in one thread. Nor could tests fill such memory with a pattern.
 template <class T>
 struct Unset_allocator : std::allocator<T> {
   Unset_allocator() = default;

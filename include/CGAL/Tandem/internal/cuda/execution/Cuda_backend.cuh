@@ -234,19 +234,20 @@ public:
   template <class T>
   __device__ static T atomic_add(T& target, T value)
   {
-    return device_add(target, value);
+    return T(atomicAdd(atomic_address(target), value));
   }
 
   template <class T>
   __device__ static T atomic_min(T& target, T value)
   {
-    return device_min(target, value);
+    static_assert(sizeof(T) < sizeof(unsigned long long) || std::is_unsigned<T>::value, "compared without a sign");
+    return T(atomicMin(atomic_address(target), value));
   }
 
   template <class T>
   __device__ static void atomic_max(T& target, T value)
   {
-    device_max(target, value);
+    atomicMax(&target, value);
   }
 
   // Volatile: the compiler must read memory again, since other lanes may have written it.
@@ -259,7 +260,7 @@ public:
   template <class T>
   __device__ static T atomic_exchange_if(T& target, T expected, T value)
   {
-    return device_exchange_if(target, expected, value);
+    return T(atomicCAS(atomic_address(target), expected, value));
   }
 
 private:

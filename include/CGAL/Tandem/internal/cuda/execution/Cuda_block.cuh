@@ -173,7 +173,7 @@ struct Cuda_block {
     const std::uint64_t none = ~std::uint64_t(0);
     std::uint64_t owner = *static_cast<const volatile std::uint64_t*>(&slot);
     if(owner == none)
-      owner = device_exchange_if(slot, none, value);
+      owner = atomicCAS(atomic_address(slot), none, value);
     if(owner != none && owner != value)
       return false;
     atomicAdd(&count, 1u);
@@ -184,11 +184,11 @@ struct Cuda_block {
   {
     if(!gather_from_peers(&target, m))
       return;
-    device_add(target.count, m.count);
+    atomicAdd(atomic_address(target.count), m.count);
     for(int i = 0; i < 3; ++i)
-      device_add(target.sum[i], m.sum[i]);
+      atomicAdd(atomic_address(target.sum[i]), m.sum[i]);
     for(int i = 0; i < 6; ++i)
-      device_add(target.product[i], m.product[i]);
+      atomicAdd(atomic_address(target.product[i]), m.product[i]);
   }
 
   __device__ void add_box(Box& target, const Box& b)

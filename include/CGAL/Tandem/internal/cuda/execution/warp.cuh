@@ -6,7 +6,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_WARP_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_WARP_CUH
 
-#include <cstdint>
+#include <cooperative_groups.h>
+#include <cooperative_groups/reduce.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -15,45 +16,26 @@ namespace internal {
 constexpr unsigned warp_size = 32;
 constexpr unsigned all_lanes = 0xffffffffu;
 
-// One instruction from compute capability 8.0 on.
-#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
-
-__device__ inline int warp_min(int v) { return __reduce_min_sync(all_lanes, v); }
-__device__ inline int warp_max(int v) { return __reduce_max_sync(all_lanes, v); }
-__device__ inline unsigned warp_min(unsigned v) { return __reduce_min_sync(all_lanes, v); }
-__device__ inline unsigned warp_max(unsigned v) { return __reduce_max_sync(all_lanes, v); }
-__device__ inline unsigned warp_sum(unsigned v) { return __reduce_add_sync(all_lanes, v); }
-
-#else
+template <class T, class Operation>
+__device__ inline T warp_reduce(T v, Operation operation)
+{
+  namespace cg = cooperative_groups;
+  return cg::reduce(cg::tiled_partition<warp_size>(cg::this_thread_block()), v, operation);
+}
 
 template <class T>
 __device__ inline T warp_min(T v)
 {
-  for(int o = 16; o > 0; o /= 2) {
-    const T other = __shfl_xor_sync(all_lanes, v, o);
-    v = other < v ? other : v;
-  }
-  return v;
+  return warp_reduce(v, cooperative_groups::less<T>());
 }
 
 template <class T>
 __device__ inline T warp_max(T v)
 {
-  for(int o = 16; o > 0; o /= 2) {
-    const T other = __shfl_xor_sync(all_lanes, v, o);
-    v = v < other ? other : v;
-  }
-  return v;
+  return warp_reduce(v, cooperative_groups::greater<T>());
 }
 
-__device__ inline unsigned warp_sum(unsigned v)
-{
-  for(int o = 16; o > 0; o /= 2)
-    v += __shfl_xor_sync(all_lanes, v, o);
-  return v;
-}
-
-#endif
+__device__ inline unsigned warp_sum(unsigned v) { return warp_reduce(v, cooperative_groups::plus<unsigned>()); }
 
 } // namespace internal
 } // namespace Tandem
