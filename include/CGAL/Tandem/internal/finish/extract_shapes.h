@@ -17,6 +17,7 @@
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/rounds/Shape_relations.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 namespace CGAL {
 namespace Tandem {
