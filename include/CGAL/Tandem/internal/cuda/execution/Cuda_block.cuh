@@ -69,6 +69,7 @@ struct Cuda_block {
     __syncthreads();
   }
 
+  // Block by block of items, so that a search that succeeds early ends early. All lanes leave it together.
   template <class F>
   __device__ std::uint32_t find_first(std::uint32_t first, std::uint32_t n, F f)
   {
@@ -91,6 +92,8 @@ struct Cuda_block {
     return n;
   }
 
+  // The rank of a hit is the number of hits before it: those of earlier items, of earlier warps, of earlier lanes. So
+  // the order is that of the items, whatever the lanes do.
   template <class F, class Take>
   __device__ std::uint32_t find(std::uint32_t first, std::uint32_t n, std::uint32_t maximum, F f, Take take)
   {
@@ -116,6 +119,7 @@ struct Cuda_block {
     return size < maximum ? size : maximum;
   }
 
+  // First in each lane, then in each warp, then among the warps: few lanes meet in shared memory.
   template <class F>
   __device__ std::uint32_t min(std::uint32_t n, F f)
   {
@@ -150,6 +154,7 @@ struct Cuda_block {
     __syncthreads();
   }
 
+  // A volatile read: the compiler must not keep the value of an earlier one.
   __device__ std::uint32_t load(const std::uint32_t& target)
   {
     return *static_cast<const volatile std::uint32_t*>(&target);
@@ -168,6 +173,7 @@ struct Cuda_block {
     return now != expected ? now : atomicCAS(&target, expected, value);
   }
 
+  // A slot is taken once and keeps its value, so a read that finds one needs no exchange.
   __device__ bool count_pair(std::uint64_t& slot, std::uint32_t& count, std::uint64_t value)
   {
     const std::uint64_t none = ~std::uint64_t(0);
@@ -180,6 +186,7 @@ struct Cuda_block {
     return true;
   }
 
+  // Lanes of a warp mostly add to the same few shapes. They sum first, since atomics on one address follow each other.
   __device__ void add_moments(Cell_moments& target, Cell_moments m)
   {
     if(!gather_from_peers(&target, m))
