@@ -77,24 +77,6 @@ void test_octants(std::mt19937& random)
   }
 }
 
-void test_eight_at_once(std::mt19937& random)
-{
-  for(int repeat = 0; repeat < 1000; ++repeat) {
-    std::uint32_t x[8], y[8], z[8];
-    std::uint64_t codes[8];
-    Position p[8];
-    for(int i = 0; i < 8; ++i) {
-      p[i] = {std::uint32_t(random()) >> 11, std::uint32_t(random()) >> 11, std::uint32_t(random()) >> 11};
-      x[i] = p[i].x;
-      y[i] = p[i].y;
-      z[i] = p[i].z;
-    }
-    CGAL::Tandem::internal::hilbert_codes(x, y, z, codes);
-    for(int i = 0; i < 8; ++i)
-      expect(codes[i] == code(p[i]), "hilbert_codes() differs from hilbert_code()", p[i], codes[i]);
-  }
-}
-
 } // namespace
 
 int main()
@@ -108,7 +90,6 @@ int main()
     test_cube({std::uint32_t(random()) & mask, std::uint32_t(random()) & mask, std::uint32_t(random()) & mask}, 3);
   }
   test_octants(random);
-  test_eight_at_once(random);
   expect(code({0, 0, 0}) == 0, "the curve does not start at the origin", {0, 0, 0}, code({0, 0, 0}));
   if(failures > 0)
     std::fprintf(stderr, "test_curve: %d failures\n", failures);

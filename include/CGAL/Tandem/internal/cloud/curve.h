@@ -75,16 +75,6 @@ CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t 
   return interleave_octants(x, y, z);
 }
 
-// The same for eight points at once, which vectorizes: a third of the time. The coordinates are overwritten.
-inline void hilbert_codes(std::uint32_t (&x)[8], std::uint32_t (&y)[8], std::uint32_t (&z)[8], std::uint64_t (&code)[8])
-{
-  for(int bit = curve_bits - 1; bit > 0; --bit)
-    for(int i = 0; i < 8; ++i)
-      enter_octant(x[i], y[i], z[i], bit);
-  for(int i = 0; i < 8; ++i)
-    code[i] = interleave_octants(x[i], y[i], z[i]);
-}
-
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL
