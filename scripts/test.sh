@@ -29,7 +29,7 @@ fail() { echo "test.sh: $*" >&2; exit 1; }
 seconds_of()
 {
   case $1 in
-    style) echo 150 ;;
+    style) echo 40 ;;
     release) echo 600 ;;
     sequential) echo 90 ;;
     asan) echo 150 ;;

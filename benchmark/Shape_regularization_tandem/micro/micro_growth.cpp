@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Growth alone: what comes before the first pass, and one pass over all leaves after
+// Growth alone: what comes before the first pass, and one pass over all cells after
 // some rounds of growth and local fits without any regularity.
 
 #include "micro_scan.h"

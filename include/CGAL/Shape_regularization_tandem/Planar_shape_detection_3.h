@@ -113,8 +113,8 @@ public:
       callback_(1);
   }
 
-  /// the shapes: of the last round, not yet verified, or the final ones after `finish()`, whose points are shared with
-  /// further copies
+  /// the shapes: of the last round, whose planes are not final, or the final ones after `finish()`, whose points are
+  /// shared with further copies
   Shapes shapes() const
   {
     internal::Stop_watch watch;

@@ -15,8 +15,8 @@ namespace Tandem {
 \brief detects planar shapes and makes those that are nearly parallel, orthogonal or coplanar exactly so.
 
 The range is neither changed nor reordered, and each of its points is read once; unless the tag is
-`CGAL::Sequential_tag`, several threads read through the property maps at the same time. The result is the same for every
-concurrency tag, number of threads and order of the points. Points with a coordinate that is not finite, or with a
+`CGAL::Sequential_tag`, several threads read through the property maps at the same time. The result is the same for
+every concurrency tag, number of threads and order of the points. Points with a coordinate that is not finite, or with a
 given normal that is null or not finite, belong to no shape and are counted in the statistics of the result.
 
 The method is that of sections 3 and 4 of \cgalCite{OLA16}. The user manual lists

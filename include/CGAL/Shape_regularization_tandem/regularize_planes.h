@@ -119,7 +119,6 @@ inline void measure_planes(const Import& in, const std::vector<int>& plane_of, c
     }
 }
 
-// All but reading from and writing to the caller's ranges. `planes` are unit or null, and replaced.
 // Points of no plane must not stretch the grid.
 inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
 {
@@ -137,6 +136,7 @@ inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
   in.item.clear();
 }
 
+// All but reading from and writing to the caller's ranges. `planes` are unit or null, and replaced.
 inline Plane_relations relate_planes(Import& in, const std::vector<int>& plane_of, Regularity_options options,
                                      std::vector<Coefficients>& planes)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the steps before and after the loop are made of, against naive versions, on
-// several back ends: compaction, the order along the curve, leaves, the border, sums
+// several back ends: compaction, the order along the curve, cells, the border, sums
 // of shapes, sizes of components, the exact check, what is measured and handed over.
 
 #undef NDEBUG

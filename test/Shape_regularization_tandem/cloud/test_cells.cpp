@@ -25,7 +25,7 @@ Grid_point random_point(Random& random, int bits)
   return {coordinate(random, bits), coordinate(random, bits), coordinate(random, bits), encode_normal({n.x, n.y, n.z})};
 }
 
-// Leaves are consecutive, not too large, not too wide.
+// Cells are consecutive, not too large, not too wide.
 void check_cells(const std::vector<Grid_point>& points, std::size_t cell_size, const std::string& name)
 {
   Sequential_backend backend;

@@ -166,7 +166,7 @@ void test_release()
   CHECK(detect<Cuda_tag>(cloud, make_parameters(.05, 100)).hash() == first.hash());
 }
 
-// Another user of the device leaves less memory than the tables of leaves and shapes need.
+// Another user of the device leaves less memory than the tables of cells and shapes need.
 void test_too_large_cloud()
 {
   const Cloud cloud = make_cloud("house", 120000);

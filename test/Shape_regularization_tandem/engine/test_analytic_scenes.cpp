@@ -60,7 +60,7 @@ void check_planes(const std::string& name, const scenes::Scene& scene, const Sha
   }
 }
 
-// A scene, with normals that are given and estimated, in one leaf and in many.
+// A scene, with normals that are given and estimated, in one cell and in many.
 void test_scene(const std::string& name, const scenes::Model& model, const scenes::Options& options, double epsilon,
                 const Expected& e)
 {
@@ -69,7 +69,7 @@ void test_scene(const std::string& name, const scenes::Model& model, const scene
   for(Given given : {Given::normals, Given::nothing})
     for(std::size_t cell_size : {std::size_t(8192), std::size_t(500)}) {
       const std::string full = name +
-                               (given == Given::normals ? ", given normals, leaves of " : ", no normals, leaves of ") +
+                               (given == Given::normals ? ", given normals, cells of " : ", no normals, cells of ") +
                                std::to_string(cell_size);
       Parameters parameters = make_parameters(epsilon, 100);
       parameters.cell_size = cell_size;
@@ -89,7 +89,7 @@ void test_clean_scenes()
   test_scene("squares that touch", scenes::make_squares(0), clean, .01, {1, 1, 1, 0, 3});
   test_scene("slope", scenes::make_slope(), clean, .02, {3, 2, 2, 0, 6});
   test_scene("chained", scenes::make_chained(), clean, .01, {3, 3, 3, 0, 9});
-  test_scene("two leaves", scenes::make_two_leaves(), clean, .02, {3, 3, 3, 2, 7});
+  test_scene("two followers", scenes::make_two_followers(), clean, .02, {3, 3, 3, 2, 7});
   test_scene("pair of half epsilon", scenes::make_offset_pair(.005), clean, .01, {2, 1, 1, 0, 3});
   test_scene("pair of three epsilon", scenes::make_offset_pair(.03), clean, .01, {2, 1, 2, 0, 4});
 }

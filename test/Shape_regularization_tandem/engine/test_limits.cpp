@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Scenes that reach the limits of tables and of the grid: many small faces in one
-// leaf, points that coincide on a coarse grid, leaves as wide, as full and as small as
+// cell, points that coincide on a coarse grid, cells as wide, as full and as small as
 // they may be, stray points far away, faces behind better seeds.
 
 #undef NDEBUG
@@ -27,7 +27,7 @@ void add(Cloud& cloud, const Vec& p, const Vec& n)
 
 double between(Random& random, double low, double high) { return low + (high - low) * random.uniform(); }
 
-// Thousands of faces, of which a leaf holds hundreds: none of them may wait for ever.
+// Thousands of faces, of which a cell holds hundreds: none of them may wait for ever.
 void test_many_faces()
 {
   Random random(5);
@@ -76,8 +76,8 @@ void test_grid_twins()
   }
 }
 
-// The sums of a leaf are largest when it is full and its points are far from its first one.
-void test_full_leaf()
+// The sums of a cell are largest when it is full and its points are far from its first one.
+void test_full_cell()
 {
   Random random(7);
   Cloud cloud;
@@ -87,8 +87,8 @@ void test_full_leaf()
   Parameters parameters = make_parameters(.01, 100);
   for(std::size_t cell_size : {8192, 65536}) {
     parameters.cell_size = cell_size;
-    const Shapes shapes = detect_valid("full leaf", cloud, parameters);
-    check_counts("full leaf of " + std::to_string(cell_size), shapes, 1, 1, 1);
+    const Shapes shapes = detect_valid("full cell", cloud, parameters);
+    check_counts("full cell of " + std::to_string(cell_size), shapes, 1, 1, 1);
     CHECK_AT(shapes.statistics().coverage > .999, std::to_string(shapes.statistics().coverage));
   }
 }
@@ -128,7 +128,7 @@ void test_large_minimum()
   CHECK_AT(shapes.statistics().number_of_rounds > 4, std::to_string(shapes.statistics().number_of_rounds));
 }
 
-// Small faces in one leaf, after the large plane that the others have is done: the loop does not end before them.
+// Small faces in one cell, after the large plane that the others have is done: the loop does not end before them.
 void test_late_faces()
 {
   Random random(4);
@@ -149,7 +149,7 @@ void test_late_faces()
   CHECK_AT(shapes.number_of_shapes() > 130, std::to_string(shapes.number_of_shapes()));
 }
 
-// Patches too small for a shape have the best seeds of all leaves: the loop does not end before the faces begin, and
+// Patches too small for a shape have the best seeds of all cells: the loop does not end before the faces begin, and
 // gets there in few rounds.
 void test_faces_behind_patches(const Squares& faces, const Squares& patches, std::size_t minimum, std::size_t cell_size)
 {
@@ -178,20 +178,20 @@ void test_faces_behind_patches()
   test_faces_behind_patches(make_rough_faces(.01), make_patches(1000), 100, 8192);
   test_faces_behind_patches(make_rough_faces(.02), make_patches(1000), 100, 8192);
   test_faces_behind_patches(make_rough_faces(.02), make_patches(1000), points_of_patch + 1, 8192);
-  // No leaf has as many points of a face as the smallest shape.
+  // No cell has as many points of a face as the smallest shape.
   test_faces_behind_patches({3, 8000, 1, 1, 2, .02, .1}, {30000, 13, .03, 0, 3, 0, 0}, 5000, 8192);
 }
 
 // Of at most as many points as a point has neighbors.
-void test_small_leaves()
+void test_small_cells()
 {
   Cloud cloud;
   for(int i = 0; i < 130 * 130; ++i)
     add(cloud, {.1 * (i % 130), .1 * (i / 130), 0}, {0, 0, 1});
   Parameters parameters = make_parameters(.05, 100);
   parameters.k_neighbors = parameters.cell_size = 64;
-  const Shapes shapes = detect_valid("small leaves", cloud, parameters);
-  check_counts("small leaves", shapes, 1, 1, 1);
+  const Shapes shapes = detect_valid("small cells", cloud, parameters);
+  check_counts("small cells", shapes, 1, 1, 1);
   CHECK_AT(shapes.statistics().coverage > .99, std::to_string(shapes.statistics().coverage));
 }
 
@@ -199,11 +199,11 @@ int main()
 {
   test_many_faces();
   test_grid_twins();
-  test_full_leaf();
+  test_full_cell();
   test_stray_point();
   test_large_minimum();
   test_late_faces();
   test_faces_behind_patches();
-  test_small_leaves();
+  test_small_cells();
   return report();
 }

@@ -53,7 +53,7 @@ private:
     check_lists(proposal, expected, name_ + ": Propose");
   }
 
-  // Round by round, in each leaf alone; ties go to the smallest shape.
+  // Round by round, in each cell alone; ties go to the smallest shape.
   std::vector<std::uint32_t> flood_fill(std::vector<std::uint32_t> label, const std::vector<std::uint8_t>& state,
                                         const std::vector<std::uint16_t>& rounds) const
   {
@@ -121,7 +121,7 @@ private:
     check_moments(delta, expected_delta, name_ + ": growth");
   }
 
-  // Of few shapes a leaf, and of more than fit into a list.
+  // Of few shapes a cell, and of more than fit into a list.
   void test_lists()
   {
     std::vector<std::uint32_t> many(f_.label);

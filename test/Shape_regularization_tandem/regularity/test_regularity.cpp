@@ -298,13 +298,13 @@ void test_orthogonal()
     check_equal(double(orthogonal_pairs(r.directions).size()), 3, "right angles of box " + std::to_string(seed));
     check_equal(double(r.planes.size()), 6, "planes of box " + std::to_string(seed));
   }
-  // a master with two leaves 40 degrees apart, neither of them exact before
+  // a master with two followers 40 degrees apart, neither of them exact before
   const Relations r = run({{polar(0, 89), {0, 0, 0}, 40 * epsilon, 40 * epsilon, 200, 9000},
                            {polar(10, 1), {1e6, 0, 0}, 20000, 9000},
                            {polar(50, -1), {2e6, 0, 0}, 20000, 9000}});
-  check_equal(double(r.directions.size()), 3, "directions of master and leaves");
-  check_equal(double(orthogonal_pairs(r.directions).size()), 2, "right angles of master and leaves");
-  check(std::fabs(dot(r.directions[1], r.directions[2]) - cosine_deg(40)) < 0.03, "leaves keep their angle");
+  check_equal(double(r.directions.size()), 3, "directions of master and followers");
+  check_equal(double(orthogonal_pairs(r.directions).size()), 2, "right angles of master and followers");
+  check(std::fabs(dot(r.directions[1], r.directions[2]) - cosine_deg(40)) < 0.03, "followers keep their angle");
 }
 
 // Gabled roofs on two walls: each roof plane is orthogonal to one wall, not to the other.

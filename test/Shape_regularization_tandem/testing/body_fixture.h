@@ -156,7 +156,7 @@ void test_on(Backend backend)
     int k;
     std::size_t cell_size;
   };
-  const Case cases[] = {{"house", 4000, 12, 8192}, // more shapes than a table of a leaf has slots
+  const Case cases[] = {{"house", 4000, 12, 8192}, // more shapes than a table of a cell has slots
                         {"village", 9000, 8, 9000},
                         {"indoor", 6000, 16, 300},
                         {"cube", 12, 12, 64}}; // rows that end early

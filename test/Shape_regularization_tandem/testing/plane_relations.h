@@ -105,7 +105,7 @@ private:
       planes_.push_back(plane);
   }
 
-  // Directions are placed by the number of their right angles: a master comes before its leaves.
+  // Directions are placed by the number of their right angles: a master comes before its followers.
   void count_degrees_of_freedom()
   {
     std::size_t n = directions_.size();

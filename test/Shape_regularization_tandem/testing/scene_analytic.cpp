@@ -87,7 +87,7 @@ Model make_chained(double degrees, int count)
   return model;
 }
 
-Model make_two_leaves()
+Model make_two_followers()
 {
   Model model;
   model.add_rectangle(Frame(), 4, 4);

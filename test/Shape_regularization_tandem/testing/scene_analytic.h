@@ -32,8 +32,8 @@ Model make_slope(double degrees = 2);
 // Separate squares, each turned by `degrees` against the one before.
 Model make_chained(double degrees = 5, int count = 3);
 
-// A master and two leaves orthogonal to it that enclose 53.13 degrees.
-Model make_two_leaves();
+// A master and two followers orthogonal to it that enclose 53.13 degrees.
+Model make_two_followers();
 
 // Two parallel squares side by side, the second higher by `offset`.
 Model make_offset_pair(double offset);

@@ -182,8 +182,8 @@ Scene make_noise(const Options& options)
 const std::vector<std::string>& scene_names()
 {
   static const std::vector<std::string> names = {
-    "house",       "village",          "indoor", "part",    "cube",       "tilted_cube", "staircase",
-    "squares_gap", "squares_touching", "slope",  "chained", "two_leaves", "offset_pair", "sphere",
+    "house",       "village",          "indoor", "part",    "cube",          "tilted_cube", "staircase",
+    "squares_gap", "squares_touching", "slope",  "chained", "two_followers", "offset_pair", "sphere",
     "noise"};
   return names;
 }
@@ -212,8 +212,8 @@ Model make_model(const std::string& name)
     return make_slope();
   if(name == "chained")
     return make_chained();
-  if(name == "two_leaves")
-    return make_two_leaves();
+  if(name == "two_followers")
+    return make_two_followers();
   if(name == "offset_pair")
     return make_offset_pair(0.05);
   if(name == "sphere")

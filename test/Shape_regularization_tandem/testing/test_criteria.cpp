@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(degrees_of_freedom_of_directions)
   BOOST_TEST(degrees_of_freedom({{0, 0, 1}, {0, 1, 1}}) == 4u);
   BOOST_TEST(degrees_of_freedom({{0, 0, 1}, {1, 0, 0}}) == 3u);
   BOOST_TEST(degrees_of_freedom({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}) == 3u);
-  // A master with two leaves that are not orthogonal; the master need not come first.
+  // A master with two followers that are not orthogonal; the master need not come first.
   BOOST_TEST(degrees_of_freedom({{1, 0, 0}, {3, 4, 0}, {0, 0, 1}}) == 4u);
   // The paper's two frames that share the vertical: 2 + 1 + 1.
   BOOST_TEST(degrees_of_freedom({{1, 0, 0}, {0, 1, 0}, {3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}) == 4u);

@@ -53,7 +53,7 @@ Truth_criteria compare(const scenes::Scene& scene, const Detection& detection)
 
 BOOST_AUTO_TEST_CASE(perfect_detection_scores_one)
 {
-  for(const char* name : {"cube", "staircase", "squares_gap", "two_leaves", "village"}) {
+  for(const char* name : {"cube", "staircase", "squares_gap", "two_followers", "village"}) {
     scenes::Scene scene = sample(name, 100000);
     Truth_criteria t = compare(scene, perfect(scene));
     BOOST_TEST_CONTEXT(name)

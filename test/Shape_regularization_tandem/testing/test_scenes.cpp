@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(directions_and_planes_are_as_counted_by_hand)
                                {"squares_touching", 1, 1, 1, 2},
                                {"slope", 3, 2, 2, 4},
                                {"chained", 3, 3, 3, 6},
-                               {"two_leaves", 3, 3, 3, 4},
+                               {"two_followers", 3, 3, 3, 4},
                                {"offset_pair", 2, 1, 2, 2},
                                {"sphere", 0, 0, 0, 0},
                                {"noise", 0, 0, 0, 0}};

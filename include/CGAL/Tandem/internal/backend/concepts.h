@@ -82,7 +82,7 @@ struct Row {
 } // namespace archetypes
 
 // Block, for lanes that share the scratch of a cell:
-//   lookahead                              items worth trying before it is known whether they are needed
+//   lookahead                              items worth trying before it is known whether they are needed, at most 32
 //   for_each(n, f)                         f(i) for i in [0, n); then all lanes see all writes
 //   for_each_neighbor(n, k, row, f)        f(s, q) for each source s and each entry q of row(s), which may be null
 //   find_first(first, n, f)                the smallest i in [first, n) with f(i), or n
@@ -177,10 +177,11 @@ struct Has_memory<
 //   name()
 //   for_each(n, f)                               f(i) for i in [0, n), in any order
 //   for_each_cell<Scratch>(cells, body)          body(block, scratch, c) for c in [0, cells), in any order
-//   sort(table)                                  ascending by key
-//   sort_ranges(key, range, ranges, n, largest)  in each range, ascending
-//   compact(n, is_kept)                          the i with is_kept(i), ascending
-//   collect<T>(n, f)                             f.take(i) of the i with f.has(i), ascending, for the host
+//   sort(table)                                  ascending by key; keys have 63 bits
+//   sort_ranges(key, range, ranges, n, largest)  in each range, ascending; together they are [0, n)
+//   compact(n, is_kept)                          the i with is_kept(i), ascending; is_kept may be called twice
+//   collect<T>(n, f)                             f.take(i) of the i with f.has(i), ascending, for the host;
+//                                                T is plain data of at least 8 bytes, all has() precede any take()
 //   for_each_on_host(n, f, few)                  f(i) on the host; fewer items than `few` are left to one thread
 //   sort_on_host(first, last, less)
 template <class Backend, class = void>

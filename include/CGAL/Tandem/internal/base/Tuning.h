@@ -3,8 +3,9 @@
 //
 // The numbers that steer the method, stage by stage. Each has its unit, where it comes from, and what moving it does.
 // "Paper" is Oesau, Lafarge and Alliez 2016. "Measured" means: chosen on scans of buildings, rooms and streets and on
-// generated scenes with known faces, by coverage, number of directions and planes, and faces found. All of them
-// decide results: with other values the result is another one, on all back ends alike.
+// generated scenes with known faces, by coverage, number of directions and planes, and faces found. Entries that only
+// bound the work, such as numbers of passes, were chosen so that more of them change next to nothing. With other values
+// the result is another one, on all back ends alike.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_H
@@ -40,7 +41,7 @@ namespace grid {
 
 // Steps of the grid in epsilon, as a power of two. Finer: smaller rounding, a smaller largest extent.
 constexpr int steps_per_distance_bits = 10;
-// Fewest steps in epsilon where the extent of the cloud asks for a coarser grid. Fewer: rounding is felt in results.
+// Fewest steps in epsilon where the extent of the cloud asks for a coarser grid. Fewer: rounding changes results.
 constexpr double minimum_steps_per_distance = 16;
 
 } // namespace grid
@@ -83,7 +84,7 @@ namespace normals {
 
 // Neighbors that a neighborhood begins with. More: smoother, edges are rounded.
 constexpr int maximum_neighbors = 12;
-// How often a neighborhood grows. More: better under strong noise, slower.
+// Scales of a neighborhood: it grows one time less. More: better under strong noise, slower.
 constexpr int last_scale = 8;
 // Expected error, squared, at which a neighborhood need not grow: (3 degrees)^2. Larger: faces break up under noise.
 constexpr float good_error2 = 0.00274f;
@@ -132,9 +133,9 @@ constexpr int seed_tries = 64;
 // The core of a new shape: this share of the neighbors and the seed, but at most a share of a full cell.
 constexpr std::size_t neighbors_per_core_point = 2;
 constexpr std::size_t cell_points_per_core_point = 8;
-// Breadth-first rounds of a shape: 1, 2, 4, ... by its age in passes, at most so many. More at first: immature planes
+// Breadth-first steps of a shape: 1, 2, 4, ... by its age in passes, at most so many. More at first: immature planes
 // grow over noise. Regularizing young shapes often is what keeps directions few.
-constexpr int maximum_rounds = 256;
+constexpr int maximum_steps = 256;
 constexpr int doubling_passes = 9;
 
 } // namespace growth
@@ -169,7 +170,8 @@ constexpr std::int64_t minimum_regular_size = 10;
 // Motion of planes, in epsilons over the bounding box of the shape.
 namespace motion {
 
-// Planes that move by less need no new check of the points. Larger: faster, points are checked late.
+// Planes that move by less need no new check of the points, no new count of misfits, and no new links. Larger: faster,
+// points are checked late.
 constexpr double negligible = 0.02;
 // Planes that move by more let the shape grow again from all of its points. Smaller: more rounds.
 constexpr double restart = 0.1;
@@ -181,7 +183,8 @@ namespace merging {
 
 // Fewest neighbor relations between two shapes that touch. More: thin contacts are missed.
 constexpr std::uint32_t minimum_edges = 2;
-// Below this many points the normal of a shape says little, and alpha does not separate it from others.
+// Up to this many points the normal of a shape is too uncertain for alpha to separate it from others. Shapes with
+// fewer are not examined for layers either.
 constexpr std::int64_t reliable_normal_size = 30;
 // How much worse, in epsilons (rms), the joint plane may be than the local one. Larger: bends are bridged.
 constexpr double tolerated_rms = 0.5;
@@ -192,7 +195,7 @@ constexpr double negligible_rms = 0.2;
 constexpr double misfit_share = 0.05;
 constexpr double final_misfit_share = 0.15;
 // A shape that is smaller by this factor may join without a new fit; the large one is fitted again when it has
-// grown by this share.
+// grown to this multiple.
 constexpr std::int64_t much_larger = 4;
 constexpr Share refit_growth = {5, 4};
 
@@ -210,9 +213,9 @@ constexpr double rms_share = 0.6;
 // A plane that moved less, in epsilons within two standard deviations of the shape, needs no verification.
 constexpr double still_share = 0.02;
 constexpr double extent_deviations = 2;
-// Of a shape with more points only a sample of so many is counted. More: slower.
+// Of a shape with twice as many points or more only a sample is counted, of this to twice as many. More: slower.
 constexpr std::int64_t sample_size = 512;
-// A count holds on until one point of so many has changed.
+// A count is used again until one point of so many has changed.
 constexpr std::int64_t points_per_change = 32;
 // A shape that was rolled back tries again after 2, 4, 8, ... rounds (at most 2 to this power), or when it has grown by
 // this share.
@@ -221,13 +224,13 @@ constexpr std::int64_t retry_growth_divisor = 4;
 
 } // namespace verification
 
-// When relations are found anew, and whom they hold.
+// When relations are found anew, and which shapes keep theirs.
 namespace relations {
 
 // Share of the assigned points that have changed their shape since, in the loop and at the end. Smaller: slower.
 constexpr double changed_share = 0.05;
 constexpr double changed_share_at_end = 0.03;
-// In the loop a shape is held while it has changed by at most one point of so many.
+// In the loop a shape keeps its relations while it has changed by at most one point of so many.
 constexpr std::int64_t points_per_held_change = 4;
 // Shapes that were rejected are tried again in the loop if there are more than one of so many.
 constexpr std::size_t shapes_per_retry = 64;
@@ -279,16 +282,16 @@ constexpr double minimum_squared_sine = 0.04;
 
 } // namespace directions
 
-// The last step over directions: small groups join settled ones (measured; not in the paper).
+// The last step over directions: small groups join larger ones (measured; not in the paper).
 namespace leftovers {
 
 // A group whose first choice has gone has another one.
 constexpr int steps = 3;
 // What the points may lose, in epsilons (rms) and as a share of new misfits: more than where groups are found, since a
-// shape that joins turns no direction and drags no other shape along.
+// shape that joins changes no direction and moves no other shape.
 constexpr double rms_share = 1;
 constexpr double misfit_share = 0.4;
-// A direction less is not worth more points than this share of a mean shape.
+// To save a direction may cost at most this share of the points of a mean shape.
 constexpr double price_of_direction = 0.25;
 // A group with more members is no leftover.
 constexpr std::size_t maximum_members = 8;

@@ -14,7 +14,7 @@
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
-#include <CGAL/Tandem/internal/rounds/merge_fragments.h>
+#include <CGAL/Tandem/internal/rounds/merge_by_joint_fit.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/rounds/split_layers.h>
 
@@ -48,8 +48,7 @@ public:
   // In [0, 1], rising with the rounds; their number is not known before.
   double progress() const { return is_finished_ ? 1 : 1 - 8. / (8 + state_.round); }
 
-  // Between rounds: what has been found so far, not regularized to the end and not
-  // checked exactly.
+  // Between rounds: what has been found so far. Its points are checked, but its planes are not final.
   Engine_result result();
 
 private:
@@ -173,7 +172,7 @@ bool Engine<Backend>::iterate()
   Stage_timer regularity(times_.regularity);
   drop_fragments();
   Link_list links = collect_links(points, shapes, Links::changed, [&] { refit_shapes(points.backend, shapes); });
-  merge_fragments(points, shapes, options, links, tuning::merging::misfit_share);
+  merge_by_joint_fit(points, shapes, options, links, tuning::merging::misfit_share);
   relations_ = regularize_shapes(points, shapes, options, {state_.round, false}, relations_);
   split_layers(points, shapes, options, relations_);
   const Targets target = coplanar_targets(points.backend, shapes, relations_, links);

@@ -11,7 +11,7 @@
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
-#include <CGAL/Tandem/internal/rounds/merge_fragments.h>
+#include <CGAL/Tandem/internal/rounds/merge_by_joint_fit.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
@@ -66,7 +66,7 @@ void refit_fragments(Backend& backend, Shape_table<Backend>& shapes, const std::
   });
 }
 
-// Merges linked fragments by joint fit: see merge_fragments.h. Larger shapes take no part here; they take points of
+// Merges linked fragments by joint fit: see merge_by_joint_fit.h. Larger shapes take no part here; they take points of
 // fragments in the reassignment that follows. More misfits are tolerated than in the loop, because fragments that stay
 // small are dropped.
 template <class Backend>
@@ -77,7 +77,7 @@ void join_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
   links.erase(std::remove_if(links.begin(), links.end(),
                              [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
               links.end());
-  if(merge_fragments(points, shapes, options, links, tuning::merging::final_misfit_share))
+  if(merge_by_joint_fit(points, shapes, options, links, tuning::merging::final_misfit_share))
     refit_fragments(points.backend, shapes, is_fragment);
   points.sample.reset(0); // others need the memory
 }

@@ -7,12 +7,14 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
 
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,7 @@ namespace internal {
 template <class Backend>
 Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes)
 {
+  static_assert(std::is_base_of<Host_memory, Backend>::value, "a device has to replace this stage");
   const std::size_t grain = (std::max)({n / 64 + 1, shapes, std::size_t(1) << 16});
   std::vector<std::vector<std::size_t>> place((n + grain - 1) / grain);
   const auto for_each_point = [&](auto f) {

@@ -19,7 +19,7 @@ namespace internal {
 // only; to the sums of the others all cells add atomically.
 struct Shapes_view {
   Plane* plane;
-  std::uint16_t* rounds;            // breadth-first rounds of this pass
+  std::uint16_t* steps;             // breadth-first steps of this pass
   const std::uint8_t* is_restarted; // all of its points are on the frontier
   Shared_moments* delta;            // what the pass adds
 };

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Breadth-first growth of the shapes that have points in a cell, with their planes fixed. A cell reads and writes labels and
-// states of its own points only, so cells need no order. See the manual, "Growth".
+// Breadth-first growth of the shapes that have points in a cell, with their planes fixed. A cell reads and writes
+// labels and states of its own points only, so cells need no order. See the manual, "Growth".
 
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_EXPAND_CELL_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_EXPAND_CELL_H
@@ -68,9 +68,9 @@ public:
   // step goes to the smallest id. Points that a shape reaches in its last step stay on the frontier for the next pass.
   CGAL_TANDEM_HD void expand(std::uint32_t head, std::uint32_t tail)
   {
-    for(int round = 0; head < tail; ++round) {
+    for(int step = 0; head < tail; ++step) {
       block_.for_each_neighbor(
-        tail - head, cloud_.k, [&](std::uint32_t source) { return row_if_going_on(head + source, round); },
+        tail - head, cloud_.k, [&](std::uint32_t source) { return row_if_going_on(head + source, step); },
         [&](std::uint32_t source, std::uint32_t q) { propose(label_[queued(head + source)], q); });
       const std::uint32_t sources = tail - head;
       // Claims become labels only now, so that all shapes of a step start from the same labels.
@@ -79,7 +79,7 @@ public:
         if(at >= sources) {
           label_[i] &= ~first_mark;
           state_[i] |= frontier_bit;
-        } else if(round < shapes_.rounds[label_[i]])
+        } else if(step < shapes_.steps[label_[i]])
           state_[i] &= std::uint8_t(~frontier_bit);
       });
       head = tail;
@@ -113,10 +113,10 @@ protected:
   CGAL_TANDEM_HD bool is_own(std::uint32_t q) const { return q >= job_.cell.first && q < job_.cell.last; }
 
   // Null where the shape has used up its steps of this pass.
-  CGAL_TANDEM_HD const std::uint32_t* row_if_going_on(std::uint32_t place, int round) const
+  CGAL_TANDEM_HD const std::uint32_t* row_if_going_on(std::uint32_t place, int step) const
   {
     const std::uint32_t i = queued(place);
-    return round < shapes_.rounds[label_[i]] ? cloud_.row(i) : nullptr;
+    return step < shapes_.steps[label_[i]] ? cloud_.row(i) : nullptr;
   }
 
   // Of shape s to point q, by one lane. Claims are marked, and become labels at the end of the step. Another lane may

@@ -204,7 +204,7 @@ private:
   {
     block_.single([&] {
       shapes_.plane[shape] = trial.plane;
-      shapes_.rounds[shape] = 1;
+      shapes_.steps[shape] = 1;
       s_.active[s_.active_count++] = shape;
     });
     block_.for_each(std::uint32_t(cloud_.k) + 1, [&](std::uint32_t j) {

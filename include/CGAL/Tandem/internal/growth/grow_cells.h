@@ -117,9 +117,9 @@ void grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Se
   const std::size_t ids = first_id.back(), cells = points.number_of_cells();
   const Cloud_view cloud = points.cloud.view();
   typename Backend::template Buffer<Plane> plane(ids);
-  typename Backend::template Buffer<std::uint16_t> rounds(ids);
+  typename Backend::template Buffer<std::uint16_t> steps(ids);
   backend.from_host(shapes.plane.data(), shapes.plane.size(), plane.data());
-  backend.from_host(shapes.rounds.data(), shapes.rounds.size(), rounds.data());
+  backend.from_host(shapes.steps.data(), shapes.steps.size(), steps.data());
   shapes.is_restarted.resize(ids, 0);
   auto cursor = backend.read_write_access(seeds.cursor);
   const auto is_restarted = backend.read_access(shapes.is_restarted);
@@ -127,7 +127,7 @@ void grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Se
   const auto first = backend.read_access(first_id);
   backend.for_each(border.point.size(), Propose{cloud, points.label.data(), plane.data(), border.point.data(),
                                                 border.proposal.data(), options.tolerance});
-  const Shapes_view view = {plane.data(), rounds.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
+  const Shapes_view view = {plane.data(), steps.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
   const Cell_tables tables = {points.cells_view(), border.range.data(), border.point.data(), border.proposal.data(),
                               seeds.seed.data(),   seed_count.data(),   cursor.data()};
   const Grow_cells<Backend> body = {cloud, view, points.labels(), options, tables, first.data()};

@@ -77,15 +77,15 @@ void number_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
     shapes.live.push_back(std::uint32_t(id));
   shapes.shape.resize(backend, next);
   shapes.plane.resize(next);
-  shapes.rounds.resize(next);
+  shapes.steps.resize(next);
   shapes.is_restarted.assign(next, 0);
 }
 
 // The breadth-first steps of a shape in its next pass, from its age in passes. Doubling lets planes mature before they
 // spread over noise. The age of a live shape is at least 1.
-inline std::uint16_t next_rounds(int age)
+inline std::uint16_t next_steps(int age)
 {
-  return std::uint16_t(age < tuning::growth::doubling_passes ? 1 << age : tuning::growth::maximum_rounds);
+  return std::uint16_t(age < tuning::growth::doubling_passes ? 1 << age : tuning::growth::maximum_steps);
 }
 
 // Adds the points of the pass to moments and boxes, and prepares all live shapes for the next pass. A delta belongs to
@@ -98,7 +98,7 @@ void apply_deltas(Backend& backend, Shape_table<Backend>& shapes, const Host_buf
     Shape& shape = shapes[id];
     shape.is_active = false;
     ++shape.age;
-    shapes.rounds[id] = next_rounds(shape.age);
+    shapes.steps[id] = next_steps(shape.age);
   });
   shapes.assigned += std::size_t(sum_on_host(backend, deltas.size(), [&](std::size_t d) {
     Shape& shape = shapes[deltas[d].id];

@@ -8,8 +8,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_FIND_NEIGHBORS_H
 
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/neighbors/Bucket_neighbors.h>
+
+#include <type_traits>
 
 namespace CGAL {
 namespace Tandem {
@@ -20,13 +23,16 @@ namespace internal {
 template <class Tree, int K>
 class Bucket_search {
 public:
-  Bucket_search(const Tree& tree, int k) : tree_(tree), found_(tree.buckets(), k), wing_(std::uint32_t(k + 15) / 12) {}
+  Bucket_search(const Tree& tree, int k)
+    : tree_(tree), found_(tree.buckets(), k), window_radius_(std::uint32_t(k + 15) / 12)
+  {}
 
   // Writes k positions for each point of the bucket, point after point.
   void operator()(std::uint32_t bucket, std::uint32_t* out)
   {
     const int queries = int(tree_.points_in_bucket(bucket));
-    window_ = {bucket > wing_ ? bucket - wing_ : 0, (std::min)(bucket + wing_ + 1, tree_.count(0))};
+    window_ = {bucket > window_radius_ ? bucket - window_radius_ : 0,
+               (std::min)(bucket + window_radius_ + 1, tree_.count(0))};
     const std::uint64_t squared_width = squared_diagonal(tree_.box(0, bucket));
     if(squared_width < maximum_squared_width) {
       scan_window(bucket, 0, queries);
@@ -128,7 +134,7 @@ private:
 
   const Tree& tree_;
   Bucket_neighbors<K> found_;
-  std::uint32_t wing_; // buckets to each side of the window's center
+  std::uint32_t window_radius_; // buckets to each side of the window's center
   Range window_ = {0, 0};
 };
 
@@ -169,6 +175,7 @@ void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, 
   if constexpr(Stage_overrides<Backend>::finds_neighbors)
     Stage_overrides<Backend>::find_neighbors(backend, point, n, k, out);
   else {
+    static_assert(std::is_base_of<Host_memory, Backend>::value, "a device has to replace this stage");
     const Box_tree<Backend> tree(backend, point, n);
     switch(k) { // common numbers as constants: the compiler unrolls the insertion of keys
     case 8:

@@ -64,7 +64,7 @@ private:
     double offset; // of the plane: the mean of the members
     // The first members of the next and the previous class if joining with it was rejected, or -1. Pairs that have not
     // changed are not tested again.
-    int rejected_behind = -1, rejected_before = -1;
+    int rejected_next = -1, rejected_previous = -1;
   };
 
   // The shapes that share a direction, one direction after the other, by a counting sort.
@@ -156,7 +156,7 @@ private:
       const Class &a = classes[c], &b = classes[c + 1];
       if(a.direction != b.direction || b.offset - a.offset > options.maximum_offset)
         continue;
-      if(a.rejected_behind == b.members.front() && b.rejected_before == a.members.front())
+      if(a.rejected_next == b.members.front() && b.rejected_previous == a.members.front())
         continue; // in an earlier step
       pairs.push_back(c++);
     }
@@ -180,8 +180,8 @@ private:
         a = std::move(joints[p]);
         b.members.clear();
       } else {
-        a.rejected_behind = b.members.front();
-        b.rejected_before = a.members.front();
+        a.rejected_next = b.members.front();
+        b.rejected_previous = a.members.front();
       }
       rejected_member = end;
     }

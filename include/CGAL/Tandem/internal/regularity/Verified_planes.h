@@ -4,7 +4,8 @@
 // Tests whether shapes accept the planes that the regularity step proposes, by their moments and by their points. See
 // the manual, "Verification and Rollback". Only the table of accepted planes changes. Counting points is left to a
 // callback, which is called a few times with all open cases:
-//   verify(shapes, planes, counts)  sets counts[k]: points of shapes[k] that fit its local plane, but not planes[k]
+//   verify(shapes, planes, counts)  adds to counts[k] the points of shapes[k] that fit its
+//                                  local plane, but not planes[k]
 //   verify.for_each(n, f, few)      f(i) for i in [0, n), in any order, in parallel unless n < few
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_VERIFIED_PLANES_H

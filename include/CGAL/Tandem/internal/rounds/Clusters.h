@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which fragments merge: unions of touching shapes that one plane fits as well as their own planes, by moments alone.
-// Works on the host and changes nothing but itself; merge_fragments.h tests the points and merges. See the manual,
+// Works on the host and changes nothing but itself; merge_by_joint_fit.h tests the points and merges. See the manual,
 // "Merging by Joint Fit".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_CLUSTERS_H

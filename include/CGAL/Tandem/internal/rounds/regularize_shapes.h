@@ -93,8 +93,8 @@ bool have_changed(Backend& backend, const Shape_table<Backend>& shapes, const Id
   return double(changed) > share * double(shapes.assigned);
 }
 
-// Shapes keep the planes of their relations, where keeps_relations(); the others stay at their local planes. Needs no test of
-// points.
+// Shapes keep the planes of their relations, where keeps_relations(); the others stay at their local planes. Needs
+// no test of points.
 template <class Backend>
 Shape_relations keep_relations(Shape_table<Backend>& shapes, const Ids& ids, const Shape_relations& before,
                                bool is_last)

@@ -21,7 +21,7 @@ constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot t
 
 // Bits of the state of a point. At any time at most one lane changes those of a point, so there are no races.
 constexpr std::uint8_t frontier_bit = 1;   // its neighbors are still to be visited
-constexpr std::uint8_t tried_seed_bit = 2; // a shape that started here has failed
+constexpr std::uint8_t tried_seed_bit = 2; // it has been tried as a seed, or its shape was dissolved
 constexpr std::uint8_t detached_bit = 4;   // it has been detached once; the second time locks it
 // All of its neighbors had its label, so passes over contacts leave it out. Neighbors may lose that label later. The
 // loop accepts this error; the end game clears the bit of all points.

@@ -38,7 +38,7 @@ struct Shape_table {
   Ids live;                   // ascending
   // The next three are by id, and are what growth reads of a shape.
   std::vector<Plane> plane;                                // rounded, for the tests of points
-  std::vector<std::uint16_t> rounds;                       // breadth-first steps of the next pass
+  std::vector<std::uint16_t> steps;                        // breadth-first steps of the next pass
   std::vector<std::uint8_t> is_restarted;                  // grows again from all of its points in the next pass
   typename Backend::template Buffer<Shared_moments> delta; // of each shape, zero between passes
   std::size_t assigned = 0;                                // points that have a shape

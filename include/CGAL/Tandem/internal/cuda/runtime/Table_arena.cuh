@@ -44,8 +44,8 @@ public:
   Table_arena(const Table_arena&) = delete;
   Table_arena& operator=(const Table_arena&) = delete;
 
-  // A place for so many bytes, until release_piece(); null pointers if there is no room. Rounded up to 256 bytes, as the
-  // runtime aligns its own memory.
+  // A place for so many bytes, until release_piece(); null pointers if there is no room. Rounded up to 256 bytes, as
+  // the runtime aligns its own memory.
   Piece take(std::size_t size)
   {
     prepare();

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Joint-fit merge: touching shapes that one plane fits as well as their own planes become one shape. Without it slanted
-// surfaces are cut into terraces. Decided by moments in Clusters.h, then by counts of points here. Changes the table of
-// shapes, labels and links.
+// surfaces are cut into terraces. Whether two of them merge is decided twice: by moments, in Joint_fit_criterion.h
+// along the links (Clusters.h), then by the share of their points that misfit, in joint_fit_targets() below. Changed
+// are the table of shapes, labels, states and lists of cells, the links, and the samples of the misfit counter.
 
-#ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_FRAGMENTS_H
-#define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_FRAGMENTS_H
+#ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
+#define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
 
 #include <CGAL/Tandem/internal/rounds/Clusters.h>
 #include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
@@ -58,8 +59,8 @@ Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
 // Joint-fit merge of all touching shapes. Returns whether there was any. The links then have the new ids. A pair may
 // have several links, or become a pair of one shape with itself.
 template <class Backend>
-bool merge_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                     Link_list& links, double misfit_share)
+bool merge_by_joint_fit(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                        Link_list& links, double misfit_share)
 {
   const Targets target = joint_fit_targets(points, shapes, options, links, misfit_share);
   if(std::all_of(shapes.live.begin(), shapes.live.end(), [&](std::uint32_t id) { return target[id] == id; }))
@@ -77,4 +78,4 @@ bool merge_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shape
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_FRAGMENTS_H
+#endif // CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
