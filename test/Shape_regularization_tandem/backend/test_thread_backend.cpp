@@ -6,7 +6,6 @@
 // search for data races.
 
 #undef NDEBUG
-#define CGAL_TANDEM_POISONS_MEMORY // see Unset_vector.h
 
 #include "testing/Thread_backend.h"
 #include "testing/scenes.h"
