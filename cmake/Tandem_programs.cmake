@@ -112,10 +112,11 @@ function(tandem_share_engine target)
 endfunction()
 
 # tandem_precompile(library): makes a precompiled header of what is shared; tandem_precompile(target library): uses it.
-# It takes as long to make as to compile three files: where there are only a few tests, the header comes as it is.
+# It takes as long to make as to compile three files: where there are only a few tests, the header comes as it is. So
+# it does with ccache, which does not keep what is compiled with a precompiled header.
 function(tandem_precompile target)
   set(header "${tandem_programs_dir}/shared_engine.h")
-  if(TANDEM_TESTS OR CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  if(TANDEM_TESTS OR CMAKE_DISABLE_PRECOMPILE_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
     target_compile_options(${target} PRIVATE "SHELL:-include \"${header}\"")
   elseif(ARGN)
     target_precompile_headers(${target} REUSE_FROM ${ARGN})

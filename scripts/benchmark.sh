@@ -15,7 +15,8 @@
 #     CLUSTER   cluster epsilon of RANSAC (default: -1, for CGAL's 1 % of the diagonal)
 # Environment:
 #   TANDEM_DATA       folder of the clouds of clouds.csv that are files (PLY or PLY.xz)
-#   TANDEM_BUILD_DIR  where to build (default: build/benchmark of this repository); one that is configured keeps its options
+#   TANDEM_BUILD_DIR  where to build (default: build/benchmark of this repository); a folder that is configured keeps
+#                     its options, except for the CUDA back end
 #   TANDEM_THREADS    threads of the parallel back end (default: all processors)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
 #   TANDEM_WITHOUT_PCL=1   does not install PCL, which is large; --quick never does
@@ -49,7 +50,8 @@ build_program()
   alone="-DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=OFF"
   [ ! -f "$build/CMakeCache.txt" ] || alone=
   # shellcheck disable=SC2086
-  cmake -S "$root" -B "$build" $alone $cuda -DTANDEM_BUILD_BENCHMARKS=ON > "$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
+  cmake -S "$root" -B "$build" $alone $cuda -DTANDEM_BUILD_BENCHMARKS=ON > "$build/cmake.log" 2>&1 ||
+    { cat "$build/cmake.log" >&2; fail "cmake failed"; }
   echo "Building the benchmark (a few minutes) ..."
   cmake --build "$build" -j "$jobs" --target tandem_benchmark > "$build/build.log" 2>&1 ||
     { cat "$build/build.log" >&2; fail "the build failed"; }

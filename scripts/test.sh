@@ -66,12 +66,13 @@ configuration()
 {
   name=$1; label=$2; shift 2
   step build
-  cmake -S "$root" -B "$build/$name" -DTANDEM_BUILD_TESTS=ON -DTANDEM_BUILD_EXAMPLES=ON -DTANDEM_WITH_CUDA=OFF "$@" > /dev/null ||
-    fail "cmake failed for $name"
+  cmake -S "$root" -B "$build/$name" -DTANDEM_BUILD_TESTS=ON -DTANDEM_BUILD_EXAMPLES=ON -DTANDEM_WITH_CUDA=OFF \
+    "$@" > /dev/null || fail "cmake failed for $name"
   cmake --build "$build/$name" -j "$jobs" -- -k > "$build/$name/build.log" 2>&1 ||
     { grep -v "^\[" "$build/$name/build.log" >&2; fail "the build $name failed"; }
   step tests
-  (cd "$build/$name" && ctest --output-on-failure --no-tests=error -j "$jobs" -L "$label") || fail "tests of $name failed"
+  (cd "$build/$name" && ctest --output-on-failure --no-tests=error -j "$jobs" -L "$label") ||
+    fail "tests of $name failed"
 }
 
 # Format of all sources, order of the includes, and clang-tidy on the engine.
@@ -86,8 +87,8 @@ run_style()
   "$root/scripts/check_includes.sh" || fail "includes run against the order of the folders"
   step clang-tidy
   mkdir -p "$build"
-  clang-tidy --quiet "$root/cmake/shared_engine_sequential.cpp" -- -std=c++17 "-I$root/include" > "$build/tidy.log" 2>&1 ||
-    { cat "$build/tidy.log" >&2; fail "clang-tidy complains"; }
+  clang-tidy --quiet "$root/cmake/shared_engine_sequential.cpp" -- -std=c++17 "-I$root/include" \
+    > "$build/tidy.log" 2>&1 || { cat "$build/tidy.log" >&2; fail "clang-tidy complains"; }
 }
 
 # Instrumented code draws false warnings of uninitialized values, so none is an error there.
@@ -96,7 +97,8 @@ sanitizer_flags='-O1 -g1 -fno-omit-frame-pointer'
 # With the building of CGAL's data where it can be had, since two of its examples are tests.
 run_release()
 {
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev ||
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] ||
+    "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev ||
     echo "not all can be installed: pictures are not tested, or micro-benchmarks not built"
   "$root/scripts/sample_cloud.sh" "$build/release/examples/Shape_regularization_tandem/building.ply" ||
     echo "the sample cloud cannot be had: the examples of the building are not run"
@@ -105,8 +107,8 @@ run_release()
 
 run_sequential()
 {
-  configuration sequential 'small|program' -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_TBB=OFF "-DTANDEM_TESTS=$sequential" \
-    "-DTANDEM_EXAMPLES=$examples"
+  configuration sequential 'small|program' -DCMAKE_BUILD_TYPE=Release -DTANDEM_WITH_TBB=OFF \
+    "-DTANDEM_TESTS=$sequential" "-DTANDEM_EXAMPLES=$examples"
 }
 
 run_asan()
@@ -140,7 +142,8 @@ run_benchmark()
 {
   mkdir -p "$build"
   step measure
-  TANDEM_BUILD_DIR=$build/release TANDEM_JOBS=$jobs "$root/scripts/benchmark.sh" --quick > "$build/benchmark.log" 2>&1 ||
+  TANDEM_BUILD_DIR=$build/release TANDEM_JOBS=$jobs \
+    "$root/scripts/benchmark.sh" --quick > "$build/benchmark.log" 2>&1 ||
     { cat "$build/benchmark.log" >&2; fail "the benchmark failed"; }
 }
 
