@@ -113,7 +113,7 @@ void run(const std::string& backend, const Job& job, int runs)
 #endif
 }
 
-[[noreturn]] void refuse(const std::string& what)
+[[noreturn]] void exit_with_usage(const std::string& what)
 {
   std::cerr << "cuda_benchmark: " << what << R"(
 cuda_benchmark [cuda|parallel|sequential [RUNS [POINTS...]]]
@@ -127,7 +127,7 @@ double number(const std::string& text, double smallest, double largest)
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if(text.empty() || *end != '\0' || !(value >= smallest && value <= largest))
-    refuse("'" + text + "' is no number that is allowed there");
+    exit_with_usage("'" + text + "' is no number that is allowed there");
   return value;
 }
 
@@ -137,7 +137,7 @@ int main(int argc, char** argv)
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::string backend = !arguments.empty() ? arguments[0] : "cuda";
   if(backend != "cuda" && backend != "parallel" && backend != "sequential")
-    refuse("unknown back end '" + backend + "'");
+    exit_with_usage("unknown back end '" + backend + "'");
   const int runs = arguments.size() > 1 ? int(number(arguments[1], 1, 1e6)) : 3;
   const bool is_file = arguments.size() > 2 && arguments[2].find(".ply") != std::string::npos;
   std::vector<std::size_t> sizes;
@@ -146,7 +146,7 @@ int main(int argc, char** argv)
   if(is_file) {
     const bool is_own = arguments.size() == 6 && arguments[5] == "own";
     if(arguments.size() != 5 && !is_own)
-      refuse("a cloud needs EPSILON and MINIMUM");
+      exit_with_usage("a cloud needs EPSILON and MINIMUM");
     maximum_distance = number(arguments[3], 1e-30, 1e30);
     minimum_region_size = std::size_t(number(arguments[4], 3, maximum_points));
   } else {

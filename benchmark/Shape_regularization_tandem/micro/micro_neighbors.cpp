@@ -3,7 +3,7 @@
 //
 // The 12 nearest neighbors of all points of a scan, with what each method needs
 // before its first query: Tandem's exact search on the grid against the kd-tree of
-// CGAL, the query that region growing asks, and nanoflann.
+// CGAL, the query of region growing, and nanoflann.
 
 #include "micro_scan.h"
 
@@ -123,7 +123,7 @@ Item item_at(const Range& range, std::size_t i) { return range.begin() + std::pt
 
 #endif
 
-// Among the points that it returns is the one that is asked about.
+// Among the points that it returns is the query point itself.
 void cgal_neighbor_query(benchmark::State& state)
 {
   const Range range = micro_range(std::size_t(state.range(0)));

@@ -144,5 +144,5 @@ int main()
   test_output(points, shapes);
   test_point_set(points);
   test_projected_points(points, shapes);
-  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report();
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bad data gets an answer, misuse gets an exception that names the parameter, its
+// Bad data gets a result, misuse gets an exception that names the parameter, its
 // value and the allowed range.
 
 #undef NDEBUG
@@ -20,7 +20,7 @@ using CGAL::Tandem::estimate_parameters;
 const float nan_value = std::numeric_limits<float>::quiet_NaN();
 const float infinite = std::numeric_limits<float>::infinity();
 
-// A valid answer with the expected number of shapes, with and without normals and parameters.
+// A valid result with the expected number of shapes, with and without normals and parameters.
 void check_answer(const std::vector<Box_point>& cloud, std::size_t shapes, const std::string& name)
 {
   const Pairs<Epick> points = make_pairs<Epick>(cloud);
@@ -69,7 +69,7 @@ void test_degenerate_clouds()
   twice.insert(twice.end(), once.begin(), once.end());
   check_answer(twice, 6, "exact duplicates");
 
-  // No plane is defined; whatever the answer is, it has to be valid.
+  // No plane is defined; whatever the result is, it has to be valid.
   for(const auto& cloud : {line, repeat(3000, p)}) {
     const Pairs<Epick> points = make_pairs<Epick>(cloud);
     for(const auto& result : {detect_planes(points, np::point_map(First<Epick>())),
@@ -204,5 +204,5 @@ int main()
   test_lengths_of_normals();
   test_misuse();
   test_extent();
-  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report();
 }

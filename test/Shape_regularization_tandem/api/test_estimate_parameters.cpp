@@ -93,5 +93,5 @@ int main()
   test_motions();
   test_given();
   test_degenerate();
-  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report();
 }

@@ -179,5 +179,5 @@ int main()
   CHECK((test_points<CGAL::Simple_cartesian<float>>(cloud, "points of float") == estimated));
   CHECK((test_points<CGAL::Simple_cartesian<double>>(cloud, "points of double") == estimated));
   CHECK((test_points<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "points of epeck") == estimated));
-  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report();
 }

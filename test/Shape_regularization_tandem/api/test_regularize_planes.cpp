@@ -6,6 +6,8 @@
 
 #undef NDEBUG
 
+#include "testing/checks.h"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
@@ -20,21 +22,6 @@
 namespace np = CGAL::parameters;
 
 namespace {
-
-int failures = 0;
-
-void check(bool condition, const std::string& what, double value = 0, double expected = 0)
-{
-  if(condition)
-    return;
-  ++failures;
-  std::printf("FAILED %s: %.17g, expected %.17g\n", what.c_str(), value, expected);
-}
-
-void check_equal(double value, double expected, const std::string& what)
-{
-  check(value == expected, what, value, expected);
-}
 
 struct Index_map {
   using key_type = std::size_t;
@@ -179,7 +166,7 @@ void test_switches()
     check(!changed, "nothing changes with all switches off");
 }
 
-// Two walls at five degrees with little noise: their points refuse to become parallel.
+// Two walls at five degrees with little noise: their points reject one direction.
 void test_refusal()
 {
   Scene<Kernel> s;
@@ -227,7 +214,7 @@ void check_throws(F f, const std::string& what)
 {
   try {
     f();
-    check(false, what + " is not refused");
+    check(false, what + " throws nothing");
   } catch(const std::invalid_argument& e) {
     check(std::string(e.what()).find(what) != std::string::npos, std::string("message: ") + e.what());
   }
@@ -307,6 +294,5 @@ int main()
   test_order_of_points();
   test_bad_input();
   test_maps();
-  std::printf(failures == 0 ? "all passed\n" : "%d checks failed\n", failures);
-  return failures == 0 ? 0 : 1;
+  return report();
 }

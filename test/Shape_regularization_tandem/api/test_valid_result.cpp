@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// is_valid_result() accepts a result, and refuses it as soon as one promise is
+// is_valid_result() accepts a result, and rejects it as soon as one promise is
 // broken: each corruption below breaks a single one.
 
 #undef NDEBUG
@@ -23,13 +23,13 @@ public:
 
   // `corrupt` changes the data; the reason given has to contain `word`.
   template <class F>
-  void refuse(const char* name, const char* word, F corrupt)
+  void check_rejected(const char* name, const char* word, F corrupt)
   {
     Data data = shapes_.data();
     corrupt(data);
     std::string why;
     CHECK_AT(!is_valid_result(points_, Shapes(data), maps(), &why), name);
-    CHECK_AT(why.find(word) != std::string::npos, std::string(name) + " is refused because: " + why);
+    CHECK_AT(why.find(word) != std::string::npos, std::string(name) + " is rejected because: " + why);
   }
 
   // The first assigned point of shape s at or after `from`.
@@ -77,41 +77,41 @@ void set_label(Data& d, std::size_t i, std::int32_t label)
 
 void test_points(Corruptions& c)
 {
-  c.refuse("label too large", "out of range", [](Data& d) { set_label(d, 5, int(d.coefficients.size())); });
-  c.refuse("label below -1", "out of range", [](Data& d) { set_label(d, 5, -2); });
-  c.refuse("missing label", "shape indices",
-           [](Data& d) { change_labels(d, [](std::vector<std::int32_t>& labels) { labels.pop_back(); }); });
-  c.refuse("swapped labels", "too far", [](Data& d) {
+  c.check_rejected("label too large", "out of range", [](Data& d) { set_label(d, 5, int(d.coefficients.size())); });
+  c.check_rejected("label below -1", "out of range", [](Data& d) { set_label(d, 5, -2); });
+  c.check_rejected("missing label", "shape indices",
+                   [](Data& d) { change_labels(d, [](std::vector<std::int32_t>& labels) { labels.pop_back(); }); });
+  c.check_rejected("swapped labels", "too far", [](Data& d) {
     const std::size_t i = Corruptions::point_of(d, 0), j = Corruptions::point_of(d, 1);
     set_label(d, i, 1);
     set_label(d, j, 0);
   });
-  c.refuse("point freed behind the statistics", "count other points",
-           [](Data& d) { set_label(d, Corruptions::point_of(d, 0), -1); });
-  c.refuse("oblique normal", "oblique", [](Data& d) { d.parameters.maximum_angle = .5; });
-  c.refuse("smaller epsilon", "too far", [](Data& d) { d.parameters.maximum_distance = .0005; });
+  c.check_rejected("point freed behind the statistics", "count other points",
+                   [](Data& d) { set_label(d, Corruptions::point_of(d, 0), -1); });
+  c.check_rejected("oblique normal", "oblique", [](Data& d) { d.parameters.maximum_angle = .5; });
+  c.check_rejected("smaller epsilon", "too far", [](Data& d) { d.parameters.maximum_distance = .0005; });
 }
 
 void test_planes(Corruptions& c)
 {
-  c.refuse("moved plane", "too far", [](Data& d) { d.coefficients[0][3] += .006; });
-  c.refuse("normal that is not unit", "unit normal", [](Data& d) { d.coefficients[0][0] *= 1.0001; });
-  c.refuse("infinite offset", "unit normal", [](Data& d) { d.coefficients[0][3] = 1 / 0.; });
-  c.refuse("NaN", "unit normal", [](Data& d) { d.coefficients[0][1] = std::nan(""); });
-  c.refuse("last bit of a parallel normal", "parallel", [](Data& d) {
+  c.check_rejected("moved plane", "too far", [](Data& d) { d.coefficients[0][3] += .006; });
+  c.check_rejected("normal that is not unit", "unit normal", [](Data& d) { d.coefficients[0][0] *= 1.0001; });
+  c.check_rejected("infinite offset", "unit normal", [](Data& d) { d.coefficients[0][3] = 1 / 0.; });
+  c.check_rejected("NaN", "unit normal", [](Data& d) { d.coefficients[0][1] = std::nan(""); });
+  c.check_rejected("last bit of a parallel normal", "parallel", [](Data& d) {
     double& x = d.coefficients[Corruptions::parallel_to_first(d)][0];
     x = std::nextafter(x, 0.);
   });
-  c.refuse("sign of a parallel normal", "parallel", [](Data& d) {
+  c.check_rejected("sign of a parallel normal", "parallel", [](Data& d) {
     for(double& x : d.coefficients[Corruptions::parallel_to_first(d)])
       x = -x;
   });
-  c.refuse("planes called coplanar", "coplanar", [](Data& d) {
+  c.check_rejected("planes called coplanar", "coplanar", [](Data& d) {
     d.coplanar_group[Corruptions::parallel_to_first(d)] = d.coplanar_group[0];
     for(int& g : d.coplanar_group) // no group is empty
       g -= g == int(d.coefficients.size()) - 1 && d.coplanar_group[0] != g;
   });
-  c.refuse("planes called orthogonal", "not orthogonal", [](Data& d) {
+  c.check_rejected("planes called orthogonal", "not orthogonal", [](Data& d) {
     const std::array<double, 4> old = d.coefficients[0];
     for(std::size_t s = 0; s < d.coefficients.size(); ++s)
       if(d.parallel_group[s] == d.parallel_group[0]) { // turned so little that all points still fit
@@ -119,25 +119,25 @@ void test_planes(Corruptions& c)
         d.coefficients[s][1] = old[1] + 1e-14 * old[0];
       }
   });
-  c.refuse("unknown group", "no group", [](Data& d) { d.parallel_group[1] = 1 << 30; });
-  c.refuse("negative group", "no group", [](Data& d) { d.coplanar_group[1] = -1; });
-  c.refuse("unknown orthogonal pair", "orthogonal", [](Data& d) { d.orthogonal_groups.emplace_back(0, 17); });
-  c.refuse("missing plane", "tables", [](Data& d) { d.coefficients.pop_back(); });
+  c.check_rejected("unknown group", "no group", [](Data& d) { d.parallel_group[1] = 1 << 30; });
+  c.check_rejected("negative group", "no group", [](Data& d) { d.coplanar_group[1] = -1; });
+  c.check_rejected("unknown orthogonal pair", "orthogonal", [](Data& d) { d.orthogonal_groups.emplace_back(0, 17); });
+  c.check_rejected("missing plane", "tables", [](Data& d) { d.coefficients.pop_back(); });
 }
 
 void test_shapes(Corruptions& c)
 {
-  c.refuse("small shape", "too small", [](Data& d) { d.parameters.minimum_region_size = 100000; });
-  c.refuse("orthogonal pair removed", "orthogonal pairs", [](Data& d) { d.orthogonal_groups.pop_back(); });
-  c.refuse("coverage", "coverage", [](Data& d) { d.statistics.coverage = .5; });
-  c.refuse("mean distance", "mean distance", [](Data& d) { d.statistics.mean_distance = 1; });
-  c.refuse("number of shapes", "count other shapes", [](Data& d) { ++d.statistics.number_of_shapes; });
+  c.check_rejected("small shape", "too small", [](Data& d) { d.parameters.minimum_region_size = 100000; });
+  c.check_rejected("orthogonal pair removed", "orthogonal pairs", [](Data& d) { d.orthogonal_groups.pop_back(); });
+  c.check_rejected("coverage", "coverage", [](Data& d) { d.statistics.coverage = .5; });
+  c.check_rejected("mean distance", "mean distance", [](Data& d) { d.statistics.mean_distance = 1; });
+  c.check_rejected("number of shapes", "count other shapes", [](Data& d) { ++d.statistics.number_of_shapes; });
 }
 
 // Points of a strip are taken out of the largest face, so that it falls into two parts.
 void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
 {
-  c.refuse("disconnected shape", "not connected", [&](Data& d) {
+  c.check_rejected("disconnected shape", "not connected", [&](Data& d) {
     const Epick::Vector_3 across(.36, .48, -.8), along(-.8, .6, 0), up(.48, .64, .6);
     double middle = 0;
     std::vector<std::size_t> members;
@@ -172,5 +172,5 @@ int main()
   test_planes(corruptions);
   test_shapes(corruptions);
   test_connectivity(corruptions, points);
-  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report();
 }

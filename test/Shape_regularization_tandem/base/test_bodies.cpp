@@ -6,6 +6,7 @@
 
 #undef NDEBUG
 
+#include "testing/random_points.h"
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/engine/make_options.h>
@@ -17,18 +18,6 @@
 
 using namespace CGAL::Tandem::internal;
 using scenes::Random;
-
-std::int32_t coordinate(Random& random, int bits)
-{
-  const std::int64_t range = std::int64_t(1) << bits;
-  return std::int32_t(std::int64_t(random.bits() % std::uint64_t(2 * range)) - range);
-}
-
-Grid_point random_point(Random& random, int bits)
-{
-  const scenes::Vec n = random.direction();
-  return {coordinate(random, bits), coordinate(random, bits), coordinate(random, bits), encode_normal({n.x, n.y, n.z})};
-}
 
 Plane random_plane(Random& random, const Grid_point& through)
 {

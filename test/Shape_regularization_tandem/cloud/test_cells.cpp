@@ -6,24 +6,13 @@
 
 #undef NDEBUG
 
+#include "testing/random_points.h"
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/engine/prepare.h>
 
 using namespace CGAL::Tandem::internal;
 using scenes::Random;
-
-std::int32_t coordinate(Random& random, int bits)
-{
-  const std::int64_t range = std::int64_t(1) << bits;
-  return std::int32_t(std::int64_t(random.bits() % std::uint64_t(2 * range)) - range);
-}
-
-Grid_point random_point(Random& random, int bits)
-{
-  const scenes::Vec n = random.direction();
-  return {coordinate(random, bits), coordinate(random, bits), coordinate(random, bits), encode_normal({n.x, n.y, n.z})};
-}
 
 // Cells are consecutive, not too large, not too wide.
 void check_cells(const std::vector<Grid_point>& points, std::size_t cell_size, const std::string& name)

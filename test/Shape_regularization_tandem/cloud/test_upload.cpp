@@ -127,7 +127,7 @@ void test_kernel(const std::string& name)
   }
 }
 
-// The values are asked for once, before the first question, and only if there are twins.
+// The values are fetched once, before the first comparison, and only if there are twins.
 void test_twins(std::vector<Grid_point> points, int expected)
 {
   Sequential_backend backend;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // find_neighbors_cuda() finds the rows of find_neighbors(), on the clouds of
-// test_neighbors and on large ones in which most points are answered in packets.
+// test_neighbors and on large ones in which most points are queried in packets.
 
 #undef NDEBUG
 

@@ -101,7 +101,7 @@ void test_noisy_scenes()
   test_scene("noisy staircase", scenes::make_staircase(), noisy, .015, {16, 2, 16, 1, 19});
 }
 
-// With noise a plane may settle across the edge between the flat and the slope, so here
+// With noise a plane may end up across the edge between the flat and the slope, so here
 // most of the seeds have to be right, and none may be cut into terraces.
 void test_noisy_slope()
 {

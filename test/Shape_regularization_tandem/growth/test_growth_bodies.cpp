@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bodies of a round, over the points, adeltast naive versions of them, on several
+// The bodies of a round, over the points, against naive versions of them, on several
 // back ends: proposals, growth, shapes of cells, links, misfits, and the update of labels.
 
 #undef NDEBUG

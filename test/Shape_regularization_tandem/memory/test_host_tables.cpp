@@ -105,7 +105,7 @@ void test_unset_vector()
   CHECK(table.data() == memory && table[0] == 7 && table[5] == 9);
 }
 
-// In the order of the list, each asked once, with lists of any size.
+// In the order of the list, each tested once, with lists of any size.
 template <class Backend>
 void test_parted_lists(Backend& backend)
 {

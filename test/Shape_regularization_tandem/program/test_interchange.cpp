@@ -282,5 +282,5 @@ int main()
   check_ply(points, shapes);
   check_obj(points, shapes);
   check_boundary(points, shapes);
-  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report();
 }

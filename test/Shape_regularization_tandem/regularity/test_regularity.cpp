@@ -6,6 +6,8 @@
 
 #undef NDEBUG
 
+#include "testing/checks.h"
+
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 
 #include <cstdio>
@@ -18,21 +20,6 @@
 using namespace CGAL::Tandem::internal;
 
 namespace {
-
-int failures = 0;
-
-void check(bool condition, const std::string& what, double value = 0, double expected = 0)
-{
-  if(condition)
-    return;
-  ++failures;
-  std::printf("FAILED %s: %.17g, expected %.17g\n", what.c_str(), value, expected);
-}
-
-void check_equal(double value, double expected, const std::string& what)
-{
-  check(value == expected, what, value, expected);
-}
 
 void check_close(double value, double expected, double tolerance, const std::string& what)
 {
@@ -68,7 +55,7 @@ Shape_fit make_shape(const Rectangle& r)
   return s;
 }
 
-// Refuses a plane that is turned or shifted too much against the local fit.
+// Rejects a plane that is turned or shifted too much against the local fit.
 struct Verify {
   const Shape_fits& shapes;
   double sine = 2, shift = 1e30;
@@ -199,7 +186,7 @@ void test_mean_shift()
 
 void test_parallel()
 {
-  // short shapes: their moments alone refuse nothing
+  // short shapes: their moments alone reject nothing
   auto small = [](const Vector& n, double z) { return Rectangle{n, {0, 0, z * epsilon}, 3 * epsilon, 3 * epsilon}; };
   const Relations r = run({small(polar(0, 88), 0), small(polar(90, 89), 100), small(polar(200, 89), 200),
                            small(polar(0, 70), 300), small(-polar(10, 90), 400)});
@@ -214,10 +201,10 @@ void test_parallel()
   const Relations c = run(chain);
   check_equal(double(c.directions.size()), 2, "directions of a chain of 7 degrees");
   check(c.direction_of[0] != c.direction_of[2], "the ends of the chain stay apart");
-  check_equal(double(run(chain, sine_deg(1)).directions.size()), 3, "directions of a chain that the points refuse");
+  check_equal(double(run(chain, sine_deg(1)).directions.size()), 3, "directions of a chain that the points reject");
 }
 
-// A long wall turned by 5 degrees is refused by its moments, even if no point complains.
+// A long wall turned by 5 degrees is rejected by its moments, even if no point misfits.
 void test_added_distance()
 {
   const Relations r = run({{polar(0, 0), {0, 0, 0}, 30000, 30000}, {polar(5, 0), {90000, 0, 0}, 30000, 30000}});
@@ -324,7 +311,7 @@ void test_chained_frames()
 }
 
 // Sixteen houses, each turned by 2.9 degrees more, with two wall and two roof
-// directions, and the ground: 65 directions, if the points refuse what is not true.
+// directions, and the ground: 65 directions, if the points reject what is not true.
 std::vector<Rectangle> village()
 {
   std::vector<Rectangle> faces = {{{0, 0, 1}, {0, 0, 0}, 1e6, 1e6, 200, 200000}};
@@ -422,9 +409,9 @@ void test_coplanar()
   check_equal(r.plane_of[1], r.plane_of[0], "half an epsilon apart");
   check_equal(double(r.planes.size()), 4, "planes; 3 and 1.3 epsilon apart");
   check_close(r.planes[0].offset / epsilon, 0.25, 0.06, "mean offset");
-  const Relations refused = run({flat(0, 0), flat(0.5, 50)}, 2, 0.1 * epsilon);
-  check_equal(double(refused.planes.size()), 2, "planes that the points refuse to share");
-  check_equal(double(refused.directions.size()), 1, "they stay parallel");
+  const Relations rejected = run({flat(0, 0), flat(0.5, 50)}, 2, 0.1 * epsilon);
+  check_equal(double(rejected.planes.size()), 2, "planes that the points reject as one");
+  check_equal(double(rejected.directions.size()), 1, "they stay parallel");
 }
 
 void test_switches()
@@ -541,27 +528,27 @@ void print_hash()
   check_equal(double(hash(run(shapes, 0.02, 600)) == hash(r)), 1, "same bits twice");
 }
 
-// In the loop few shapes that were refused keep their local planes, in the last step all are tried again.
-void test_few_refused()
+// In the loop few rejected shapes keep their local planes, in the last step all are tried again.
+void test_few_rejected()
 {
-  const auto have_one_direction = [](int refused, bool is_last) {
+  const auto have_one_direction = [](int rejected, bool is_last) {
     std::vector<Rectangle> rectangles;
     for(int i = 0; i < 130; ++i)
-      rectangles.push_back({i < refused ? polar(0, 84 - .1 * i) : Vector{0, 0, 1}, {i * 100 * epsilon, 0, 0}});
+      rectangles.push_back({i < rejected ? polar(0, 84 - .1 * i) : Vector{0, 0, 1}, {i * 100 * epsilon, 0, 0}});
     Regularity_options o = all_on;
     o.is_last = is_last;
     const Relations r = run(rectangles, sine_deg(3), 1e30, o);
-    check_tables(r, rectangles.size(), "few refused");
-    check(r.direction_of[1] != r.direction_of[refused], "few refused: not the others' direction");
+    check_tables(r, rectangles.size(), "few rejected");
+    check(r.direction_of[1] != r.direction_of[rejected], "few rejected: not the others' direction");
     return r.direction_of[0] == r.direction_of[1];
   };
-  check(!have_one_direction(2, false), "two of 130 refused, in the loop");
-  check(have_one_direction(3, false), "three of 130 refused, in the loop");
-  check(have_one_direction(2, true), "two of 130 refused, in the last step");
+  check(!have_one_direction(2, false), "two of 130 rejected, in the loop");
+  check(have_one_direction(3, false), "three of 130 rejected, in the loop");
+  check(have_one_direction(2, true), "two of 130 rejected, in the last step");
 }
 
-// The one in the middle is not joined with the first, but then with the last: a pair that was refused is asked no more.
-void test_refused_neighbors()
+// The one in the middle is not joined with the first, but then with the last: a rejected pair is not tried again.
+void test_rejected_neighbors()
 {
   std::vector<Rectangle> rectangles;
   for(int i = 0; i < 197; ++i)
@@ -572,7 +559,7 @@ void test_refused_neighbors()
   Regularity_options o = all_on;
   o.is_last = false;
   const Relations r = run(rectangles, 2, .25 * epsilon, o);
-  check_tables(r, rectangles.size(), "refused neighbors");
+  check_tables(r, rectangles.size(), "rejected neighbors");
   check(r.plane_of[first] != r.plane_of[middle], "the first and the middle one have two planes");
   check(r.plane_of[middle] == r.plane_of[last], "the middle and the last one have one plane");
 }
@@ -592,13 +579,12 @@ int main()
   test_village();
   test_rollback();
   test_leftovers();
-  test_few_refused();
-  test_refused_neighbors();
+  test_few_rejected();
+  test_rejected_neighbors();
   test_coplanar();
   test_switches();
   test_degenerate();
   test_permutation();
   print_hash();
-  std::printf(failures == 0 ? "all passed\n" : "%d checks failed\n", failures);
-  return failures == 0 ? 0 : 1;
+  return report();
 }

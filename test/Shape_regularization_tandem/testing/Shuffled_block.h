@@ -3,8 +3,8 @@
 //
 // Models of Backend and Block that take all the liberties that the concepts give:
 // items and pieces run in random order, new memory and scratch hold
-// garbage, equal keys are sorted anyhow, tables on loan are copies. What comes out
-// must not notice.
+// garbage, equal keys are sorted anyhow, what is written to a table is copied back. What comes out
+// must not change.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SHUFFLED_BLOCK_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SHUFFLED_BLOCK_H
@@ -133,35 +133,35 @@ struct Shuffled_block : Serial_block {
 
 // Not initialized means garbage.
 template <class T>
-void soil(T* data, std::size_t size)
+void fill_with_garbage(T* data, std::size_t size)
 {
   std::memset(static_cast<void*>(data), 0xa7, size * sizeof(T));
 }
 
 template <class T>
-class Soiled_buffer : public Host_buffer<T> {
+class Garbage_buffer : public Host_buffer<T> {
 public:
-  Soiled_buffer() = default;
-  explicit Soiled_buffer(std::size_t size) : Host_buffer<T>(size) { soil(this->data(), size); }
-  Soiled_buffer(Host_buffer<T>&& filled) : Host_buffer<T>(std::move(filled)) {}
+  Garbage_buffer() = default;
+  explicit Garbage_buffer(std::size_t size) : Host_buffer<T>(size) { fill_with_garbage(this->data(), size); }
+  Garbage_buffer(Host_buffer<T>&& filled) : Host_buffer<T>(std::move(filled)) {}
 
   void reset(std::size_t size)
   {
     Host_buffer<T>::reset(size);
-    soil(this->data(), size);
+    fill_with_garbage(this->data(), size);
   }
 };
 
 // As on a device, the functors have a table of their own, so what they write is
-// not seen before copy_back(), nor what the host writes after it has lent.
+// not seen before copy_back(), nor what the host writes after it has given access.
 template <class T>
-class Copied_loan {
+class Copied_access {
   using Item = std::remove_const_t<T>;
 
 public:
   enum Contents { copied, garbage };
 
-  Copied_loan(T* table, std::size_t size, Contents contents) : table_(table), copy_(size)
+  Copied_access(T* table, std::size_t size, Contents contents) : table_(table), copy_(size)
   {
     if(contents == copied)
       std::copy(table, table + size, copy_.data());
@@ -173,13 +173,13 @@ public:
 
 private:
   T* table_;
-  Soiled_buffer<Item> copy_;
+  Garbage_buffer<Item> copy_;
 };
 
 class Shuffled_backend : public Sequential_backend {
 public:
   template <class T>
-  using Buffer = Soiled_buffer<T>;
+  using Buffer = Garbage_buffer<T>;
 
   explicit Shuffled_backend(std::uint64_t seed = 1) : dice_(seed) {}
 
@@ -229,7 +229,7 @@ public:
     std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
-  // Asked twice, in random order.
+  // The predicate is evaluated twice, in random order.
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
@@ -252,21 +252,21 @@ public:
   }
 
   template <class T, class Allocator>
-  Copied_loan<const T> read_access(const std::vector<T, Allocator>& table)
+  Copied_access<const T> read_access(const std::vector<T, Allocator>& table)
   {
-    return {table.data(), table.size(), Copied_loan<const T>::copied};
+    return {table.data(), table.size(), Copied_access<const T>::copied};
   }
 
   template <class T>
-  Copied_loan<T> read_write_access(std::vector<T>& table)
+  Copied_access<T> read_write_access(std::vector<T>& table)
   {
-    return {table.data(), table.size(), Copied_loan<T>::copied};
+    return {table.data(), table.size(), Copied_access<T>::copied};
   }
 
   template <class T>
-  Copied_loan<T> write_access(std::vector<T>& table)
+  Copied_access<T> write_access(std::vector<T>& table)
   {
-    return {table.data(), table.size(), Copied_loan<T>::garbage};
+    return {table.data(), table.size(), Copied_access<T>::garbage};
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)

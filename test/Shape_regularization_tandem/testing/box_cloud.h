@@ -3,19 +3,19 @@
 //
 // A small cloud for the tests of the public face: the six noisy faces of a turned
 // box and a few outliers. All numbers are floats, so that it is the same cloud in
-// every kernel. And a check that says where it failed.
+// every kernel.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BOX_CLOUD_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BOX_CLOUD_H
+
+#include "checks.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/property_map.h>
 
 #include <array>
 #include <cstdint>
-#include <iostream>
 #include <random>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -79,36 +79,5 @@ using First = CGAL::First_of_pair_property_map<Pair<Kernel>>;
 
 template <class Kernel>
 using Second = CGAL::Second_of_pair_property_map<Pair<Kernel>>;
-
-inline int& failures()
-{
-  static int count = 0;
-  return count;
-}
-
-inline void check_at(bool is_true, const char* what, int line, const std::string& where = std::string())
-{
-  if(is_true)
-    return;
-  ++failures();
-  std::cerr << "line " << line << ": " << what << (where.empty() ? "" : ", ") << where << std::endl;
-}
-
-#define CHECK(condition) check_at((condition), #condition, __LINE__)
-#define CHECK_AT(condition, where) check_at((condition), #condition, __LINE__, (where))
-
-// f() has to throw an Exception whose text has all of the words.
-template <class Exception, class F>
-void check_throws(F f, std::initializer_list<const char*> words, int line)
-{
-  try {
-    f();
-    check_at(false, "no exception", line);
-  } catch(const Exception& e) {
-    for(const char* word : words)
-      check_at(std::string(e.what()).find(word) != std::string::npos, word, line,
-               std::string("is not in: ") + e.what());
-  }
-}
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BOX_CLOUD_H

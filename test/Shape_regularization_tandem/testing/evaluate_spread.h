@@ -83,7 +83,7 @@ inline Spread evaluate_spread(const std::vector<Detection>& runs)
   for(std::size_t r = 0; r < runs.size(); ++r) {
     if(runs[r].label.size() != runs[0].label.size())
       throw std::runtime_error("run " + std::to_string(r) + " has another number of points than run 0");
-    shape_sizes(runs[r]); // refuses labels that no plane has
+    shape_sizes(runs[r]); // throws for labels that no plane has
     std::size_t shapes = runs[r].planes.size();
     double coverage = coverage_of(runs[r]);
     spread.is_same = spread.is_same && are_same(runs[0], runs[r]);

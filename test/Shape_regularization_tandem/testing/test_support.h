@@ -79,12 +79,6 @@ inline Shapes detect_valid(const std::string& name, const Cloud& cloud, const Pa
   return shapes;
 }
 
-template <class T, class U>
-void check_equal(const T& value, const U& expected, const std::string& what)
-{
-  CHECK_AT(value == T(expected), what + " is " + std::to_string(value) + ", expected " + std::to_string(expected));
-}
-
 inline void check_counts(const std::string& name, const Shapes& shapes, std::size_t number, std::size_t directions,
                          std::size_t planes)
 {
@@ -142,13 +136,6 @@ inline void shuffle(Cloud& cloud, std::uint64_t seed)
   scenes::Random random(seed);
   for(std::size_t i = cloud.size(); i > 1; --i)
     std::swap(cloud[i - 1], cloud[random.bits() % i]);
-}
-
-inline int report()
-{
-  if(failures() > 0)
-    std::cerr << failures() << " failures" << std::endl;
-  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SUPPORT_H

@@ -12,7 +12,8 @@ namespace internal {
 
 // A specialization of Stage_overrides inherits from this and sets the flags of the stages that it replaces. For each it
 // has a static function, with the name, parameters and result that are given here. What a stage returns is defined
-// without reference to how it is computed, so all back ends return the same bits.
+// without reference to how it is computed, so all back ends return the same bits. The specialization stands in the
+// header of the back end, since it must be seen before the engine is instantiated.
 struct No_stage_overrides {
   // Buffer<Grid_point> import_points(Backend&, Import&)
   // The caller's points on the grid, in their order. Generic form: engine/sort_points.h.

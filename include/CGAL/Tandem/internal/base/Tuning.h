@@ -143,17 +143,18 @@ constexpr int doubling_passes = 9;
 // The loop of rounds, and when it ends.
 namespace loop {
 
-// A bound on the rounds; scans take 6 to 8.
+// A bound on the rounds, which scans do not reach: they take 6 to 8.
 constexpr int maximum_rounds = 300;
 // In the first rounds all shapes are small: one pass each, and the loop does not end by slow growth.
 constexpr int young_rounds = 4;
-// A round is slow when large shapes have grown by at most one point of so many of the cloud. Larger: the loop goes on
-// for little; smaller: faces behind patches are missed.
+// A round is slow when large shapes have grown by at most one point of so many of the cloud. A slow
+// round in which no cell is untried ends the loop. Larger: the loop goes on for little; smaller: faces behind patches
+// are missed.
 constexpr std::size_t points_per_slow_point = 32;
 // Passes of growth in a round, at most. There is a next one while more than one cell of so many is untried.
 constexpr int maximum_passes = 9;
 constexpr std::size_t cells_per_untried_cell = 64;
-// A cell is untried with as many candidates as the smallest shape has points, or with more than this share of its
+// A cell is untried with as many candidates as the smallest shape has points, or with more than one in so many of its
 // points.
 constexpr std::uint32_t points_per_untried_point = 4;
 // Sizes in shares of the minimum region size. Smaller shapes are dissolved when they stop growing, at least this many
@@ -245,7 +246,7 @@ constexpr double same_direction = 1e-9;
 // Clusters on the Gauss map (section 4.1 of the paper) and of offsets: mean shift with a Gaussian kernel.
 namespace clustering {
 
-// Standard deviation in radii. The paper's 1 merges directions up to 2 beta apart, measured.
+// Standard deviation in radii. The paper has 1, which merges directions up to 2 beta apart.
 constexpr double sigma = 0.5;
 // Standard deviations at which the kernel ends. More: slower.
 constexpr double kernel_deviations = 3;
@@ -265,7 +266,7 @@ namespace directions {
 
 // What is rejected is clustered again within a smaller angle: shares of beta for parallels and for right angles. A
 // shape large enough to be rejected has a precise normal: only true right angles are left to it, and at last none.
-// (Clustering again with the same beta gave 131 directions where 65 are true, halving gives 65.)
+// Clustered again within the same angle, rejected shapes would form a second direction beside the first.
 constexpr int levels = 5;
 constexpr double parallel_share[levels] = {1, 0.5, 0.25, 0.125, 0.125};
 constexpr double right_share[levels] = {1, 0.25, 0.0625, 0.0625, 0};
@@ -282,7 +283,8 @@ constexpr double minimum_squared_sine = 0.04;
 
 } // namespace directions
 
-// The last step over directions: small groups join larger ones (measured; not in the paper).
+// The last step over directions: small groups join larger ones. Not in the paper: clusters are
+// found by density, so small groups remain beside large ones.
 namespace leftovers {
 
 // A group whose first choice has gone has another one.
@@ -345,8 +347,8 @@ constexpr Share grown_points = {1001, 1000};
 // Rounds of label propagation; it ends when at most one point of so many has got a label in a round.
 constexpr std::size_t propagation_rounds = 16;
 constexpr std::size_t points_per_late_point = 100000;
-// Rounds of reassignment to the largest fitting neighbor, which does not take points from shapes below this share of
-// the minimum size, nor for a plane that is farther by more than this share of epsilon: layers side by side stay.
+// Rounds of reassignment to the largest neighbor that fits. Shapes below this share of the minimum size lose no points.
+// Nor does a point move to a plane that is farther by more than one in so many epsilons: layers side by side stay.
 constexpr int reassignment_rounds = 4;
 constexpr Share safe_size = {3, 2};
 constexpr std::int64_t distance_per_farther_plane = 4;

@@ -39,7 +39,7 @@ public:
 
   static const char* name() { return Backend::name(); }
 
-  // One round; false when nothing grows any more.
+  // One round; false when growth is slow and no cell is untried (tuning::loop), or the rounds are used up.
   bool iterate();
 
   // The end game. Afterwards result() is final and keeps the guarantees.

@@ -3,7 +3,8 @@
 //
 // The last step that decides on single points: each is tested against the final plane of its shape. The test is in
 // double, on the caller's coordinates and normals. It is filtered: integers accept all points that are not close to a
-// bound. Changes labels, nothing else. See the manual, "Exact Check".
+// bound. Changes labels, nothing else. In the loop, apply_planes() of shapes/update_shapes.h has detached most points
+// that do not fit. See the manual, "Exact Check".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H
 #define CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H

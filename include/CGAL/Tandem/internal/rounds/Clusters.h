@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which fragments merge: unions of touching shapes that one plane fits as well as their own planes, by moments alone.
+// Unions of touching shapes, along the links in their order, where Joint_fit_criterion.h accepts one plane for both.
 // Works on the host and changes nothing but itself; merge_by_joint_fit.h tests the points and merges. See the manual,
 // "Merging by Joint Fit".
 

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Lanes of a block, for items and for cells. For cells, this number measured fastest.
+// Lanes of a block, for items and for cells. For cells, this number is fastest.
 constexpr unsigned item_lanes = 256;
 constexpr unsigned cell_lanes = 512;
 

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A run has four keys a lane. More lanes than in other kernels, since fewer measured slower.
+// A run has four keys a lane. More lanes than in other kernels, since fewer are slower.
 constexpr unsigned run_lanes = 1024;
 constexpr unsigned keys_of_lane = 4;
 constexpr std::uint32_t keys_of_run = run_lanes * keys_of_lane;

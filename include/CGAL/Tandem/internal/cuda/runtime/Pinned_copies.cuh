@@ -89,8 +89,8 @@ private:
 // More threads do not copy faster.
 constexpr std::size_t maximum_copying_threads = 16;
 
-// Two pieces for one thread, on the current device: one is filled while the other one is copied. Other sizes of pieces,
-// and a small first piece, measured no faster.
+// Two pieces for one thread, on the current device: one is filled while the other one is copied. Other sizes are
+// no faster.
 class Pinned_pair {
 public:
   static constexpr std::size_t bytes = Pinned_block::bytes / 2;

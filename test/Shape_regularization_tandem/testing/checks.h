@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks that say where they failed, and the number of failures, from which a test makes what it returns.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHECKS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHECKS_H
+
+#include <cstdlib>
+#include <initializer_list>
+#include <iostream>
+#include <limits>
+#include <string>
+
+inline int& failures()
+{
+  static int count = 0;
+  return count;
+}
+
+inline int report()
+{
+  if(failures() > 0)
+    std::cerr << failures() << " failures" << std::endl;
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+inline void check_at(bool is_true, const char* what, int line, const std::string& where = std::string())
+{
+  if(is_true)
+    return;
+  ++failures();
+  std::cerr << "line " << line << ": " << what << (where.empty() ? "" : ", ") << where << std::endl;
+}
+
+#define CHECK(condition) check_at((condition), #condition, __LINE__)
+#define CHECK_AT(condition, where) check_at((condition), #condition, __LINE__, (where))
+
+// Shows the value with all its digits.
+template <class T, class U>
+void check(bool is_true, const std::string& what, const T& value, const U& expected)
+{
+  if(is_true)
+    return;
+  ++failures();
+  const auto precision = std::cerr.precision(std::numeric_limits<double>::max_digits10);
+  std::cerr << what << " is " << value << ", expected " << expected << std::endl;
+  std::cerr.precision(precision);
+}
+
+inline void check(bool is_true, const std::string& what)
+{
+  if(is_true)
+    return;
+  ++failures();
+  std::cerr << what << std::endl;
+}
+
+inline void check(bool is_true, const std::string& what, double value)
+{
+  check(is_true, what + " " + std::to_string(value));
+}
+
+template <class T, class U>
+void check_equal(const T& value, const U& expected, const std::string& what)
+{
+  check(value == T(expected), what, value, expected);
+}
+
+// f() has to throw an Exception whose text has all of the words.
+template <class Exception, class F>
+void check_throws(F f, std::initializer_list<const char*> words, int line)
+{
+  try {
+    f();
+    check_at(false, "no exception", line);
+  } catch(const Exception& e) {
+    for(const char* word : words)
+      check_at(std::string(e.what()).find(word) != std::string::npos, word, line,
+               std::string("is not in: ") + e.what());
+  }
+}
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHECKS_H
