@@ -12,7 +12,9 @@ function(run)
   endif()
 endfunction()
 
+# The engine takes long to compile: that of several threads, or of a device, only where the installation has to find it.
 set(library Tandem::tandem)
+set(tag CGAL::Tandem::Cuda_if_available_tag)
 set(common -DCMAKE_CXX_COMPILER=${CXX} -DTANDEM_WITH_TBB=${WITH_TBB} -DTANDEM_WITH_CUDA=OFF)
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}/user")
@@ -28,6 +30,7 @@ elseif(USE STREQUAL "cuda")
   set(library Tandem::tandem_cuda)
 else()
   set(get_tandem "add_subdirectory(\"${TANDEM_DIR}\" tandem)")
+  set(tag CGAL::Sequential_tag)
 endif()
 
 file(WRITE "${WORK_DIR}/user/CMakeLists.txt" "
@@ -48,12 +51,12 @@ int main()
     points.emplace_back(Kernel::Point_3(i % 20, i / 20, 0), Kernel::Vector_3(0, 0, 1));
   using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
   using Normals = CGAL::Second_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
-  const auto shapes = CGAL::Tandem::detect_planes<CGAL::Tandem::Cuda_if_available_tag>(
+  const auto shapes = CGAL::Tandem::detect_planes<${tag}>(
     points, CGAL::parameters::point_map(Map()).normal_map(Normals()));
   return shapes.number_of_shapes() == 1 ? 0 : 1;
 }
 ")
 run(${CMAKE_COMMAND} -S ${WORK_DIR}/user -B ${WORK_DIR}/build ${common} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix
-    -DCMAKE_BUILD_TYPE=Debug)
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/user)
