@@ -12,9 +12,9 @@ function(run)
   endif()
 endfunction()
 
-# The engine takes long to compile: that of several threads, or of a device, only where the installation has to find it.
+# Engines take long to compile, so each user has one: that of several threads where the installation has to find oneTBB.
 set(library Tandem::tandem)
-set(tag CGAL::Tandem::Cuda_if_available_tag)
+set(tag CGAL::Parallel_if_available_tag)
 set(common -DCMAKE_CXX_COMPILER=${CXX} -DTANDEM_WITH_TBB=${WITH_TBB} -DTANDEM_WITH_CUDA=OFF)
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}/user")
@@ -28,6 +28,7 @@ elseif(USE STREQUAL "cuda")
   run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
   set(get_tandem "find_package(Tandem 0.1 REQUIRED COMPONENTS cuda)")
   set(library Tandem::tandem_cuda)
+  set(tag CGAL::Tandem::Cuda_tag)
 else()
   set(get_tandem "add_subdirectory(\"${TANDEM_DIR}\" tandem)")
   set(tag CGAL::Sequential_tag)
@@ -51,9 +52,13 @@ int main()
     points.emplace_back(Kernel::Point_3(i % 20, i / 20, 0), Kernel::Vector_3(0, 0, 1));
   using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
   using Normals = CGAL::Second_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
-  const auto shapes = CGAL::Tandem::detect_planes<${tag}>(
-    points, CGAL::parameters::point_map(Map()).normal_map(Normals()));
-  return shapes.number_of_shapes() == 1 ? 0 : 1;
+  try {
+    const auto shapes = CGAL::Tandem::detect_planes<${tag}>(points,
+      CGAL::parameters::point_map(Map()).normal_map(Normals()));
+    return shapes.number_of_shapes() == 1 ? 0 : 1;
+  } catch(const std::runtime_error& e) {
+    return std::string(e.what()).find(\"no CUDA device\") != std::string::npos ? 0 : 1;
+  }
 }
 ")
 run(${CMAKE_COMMAND} -S ${WORK_DIR}/user -B ${WORK_DIR}/build ${common} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix
