@@ -17,6 +17,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <memory>
@@ -58,7 +59,7 @@ public:
     if(Host_team* const team = Host_team::of_leader())
       team->sort(first, last, less);
     else
-      tbb::this_task_arena::isolate([&] { tbb::parallel_sort(first, last, less); });
+      isolated(1, [&](std::size_t) { tbb::parallel_sort(first, last, less); }); // in the context of this task
   }
 
   template <class F>
@@ -139,8 +140,6 @@ public:
   }
 
 private:
-  // f(i) for i in [0, n). Isolated: a thread that waits for the others must not take other work of the caller. That
-  // could call this package again.
   template <class F>
   static void run(std::size_t n, F f)
   {
@@ -151,7 +150,20 @@ private:
     else if(Host_team* const team = Host_team::of_leader())
       team->run(n, f);
     else
-      tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t(0), n, f); });
+      isolated(n, f);
+  }
+
+  // f(i) for i in [0, n). A thread that waits for the others must not take other work of the caller, which could call
+  // this package again. Nor may a caller who cancels his tasks cancel these: their results are used in any case. All
+  // threads round as the caller's thread does.
+  template <class F>
+  static void isolated(std::size_t n, const F& f)
+  {
+    tbb::this_task_arena::isolate([&] {
+      tbb::task_group_context context(tbb::task_group_context::isolated,
+                                      tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+      tbb::parallel_for(std::size_t(0), n, f, context);
+    });
   }
 };
 

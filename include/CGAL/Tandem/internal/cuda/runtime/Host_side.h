@@ -24,7 +24,7 @@ using Host_side = Tbb_backend;
 
 // Calls work(). Meanwhile the free threads of the caller's task arena wait for its loops, and take no other tasks. For
 // a second detection at the same time, the threads that become free later remain. Isolated, so that this thread takes
-// no task of the caller when it waits for the members.
+// no task of the caller when it waits for the members, and a caller who cancels his tasks keeps the members.
 template <class F>
 void with_host_team(F work)
 {
@@ -47,7 +47,9 @@ void with_host_team(F work)
 
   private:
     Host_team& team_;
-    tbb::task_group group_;
+    tbb::task_group_context context_{tbb::task_group_context::isolated,
+                                     tbb::task_group_context::concurrent_wait | tbb::task_group_context::fp_settings};
+    tbb::task_group group_{context_};
   };
   tbb::this_task_arena::isolate([&] {
     Host_team team{std::size_t(tbb::this_task_arena::max_concurrency())};
