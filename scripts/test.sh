@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing, builds and runs all tests: first the style of the sources; then the release build with TBB
-# and all tests; a choice of them without TBB, under ASan + UBSan, and under TSan; the CUDA back end, where there is a
-# CUDA compiler (its tests are skipped without a device); and the benchmark in small, which fails where a result of
-# Tandem is wrong or differs between back ends. The manual has to build without a warning.
-#   test.sh [style] [release] [sequential] [asan] [tsan] [cuda] [benchmark] [doc]    only these (default: all of them)
+# and all tests; a choice of them without TBB, under ASan + UBSan, and under TSan; the bits of results from other
+# compilers and options; the CUDA back end, where there is a CUDA compiler (its tests are skipped without a device); and
+# the benchmark in small, which fails where a result of Tandem is wrong or differs between back ends. The manual has to
+# build without a warning.
+#   test.sh [style] [release] [sequential] [bits] [asan] [tsan] [cuda] [benchmark] [doc]    only these (default: all)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -19,7 +20,7 @@ jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 
 # The tests that the other configurations build as well: they reach every part of the
 # engine and are small, and compiling is what takes the time.
-sequential='test_(bad_input|analytic_scenes)'
+sequential='test_(bad_input|analytic_scenes|same_bits)'
 examples='^detect_planes(_of_vector)?$'
 sanitized='test_(bad_input|analytic_scenes|callback|regularize_planes)'
 
@@ -32,6 +33,7 @@ seconds_of()
     style) echo 40 ;;
     release) echo 540 ;;
     sequential) echo 70 ;;
+    bits) echo 60 ;;
     asan) echo 210 ;;
     tsan) echo 60 ;;
     cuda) echo 160 ;;
@@ -115,6 +117,32 @@ run_sequential()
     "-DTANDEM_TESTS=$sequential" "-DTANDEM_EXAMPLES=$examples"
 }
 
+# compile_bits NAME COMPILER FLAGS...: the test of equal bits, with these flags
+compile_bits()
+{
+  name=$1; shift
+  echo "$name $*"
+  "$@" -std=c++17 -DNDEBUG "-I$root/include" "-I$root/test/Shape_regularization_tandem" \
+    "$root/test/Shape_regularization_tandem/engine/test_same_bits.cpp" -o "$build/bits/$name" -lgmp -lmpfr
+}
+
+# Beside the flags of the other parts, those with which compilers differ most.
+run_bits()
+{
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" clang
+  mkdir -p "$build/bits"
+  step build
+  compile_bits native "${CXX:-c++}" -O3 -march=native > "$build/bits/native.log" 2>&1 &
+  native=$!
+  compile_bits O2 "${CXX:-c++}" -O2 > "$build/bits/O2.log" 2>&1 || fail "see $build/bits/O2.log"
+  compile_bits clang clang++ -O2 > "$build/bits/clang.log" 2>&1 || fail "see $build/bits/clang.log"
+  wait "$native" || fail "see $build/bits/native.log"
+  step tests
+  for program in native O2 clang; do
+    "$build/bits/$program" || fail "results depend on the compiler: $(head -1 "$build/bits/$program.log")"
+  done
+}
+
 run_asan()
 {
   configuration asan small -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WARNINGS_AS_ERRORS=OFF "-DTANDEM_TESTS=$sanitized" \
@@ -157,7 +185,7 @@ run_doc()
   "$root/scripts/doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual has warnings"; }
 }
 
-all_parts='style release sequential asan tsan cuda benchmark doc'
+all_parts='style release sequential bits asan tsan cuda benchmark doc'
 # shellcheck disable=SC2086
 [ $# -gt 0 ] || set -- $all_parts
 tested=$*

@@ -6,6 +6,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
+#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/execution.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
@@ -67,6 +68,7 @@ public:
     : traits_(traits), backend_(traits_.backend()), parameters_(internal::read_parameters(np)),
       callback_(internal::parameter<internal_np::callback_t>(np, Callback()))
   {
+    const internal::Round_to_nearest rounding;
     internal::check_given_parameters(parameters_);
     internal::Stop_watch watch;
     in_ = internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
@@ -95,6 +97,7 @@ public:
   /// any more, or after a cancellation.
   bool iterate()
   {
+    const internal::Round_to_nearest rounding;
     if(!engine_ || is_finished_ || is_cancelled_ || !engine_->iterate())
       return false;
     return go_on(engine_->progress());
@@ -104,6 +107,7 @@ public:
   /// shapes found until then. All that the package guarantees holds from here on.
   void finish()
   {
+    const internal::Round_to_nearest rounding;
     if(is_finished_)
       return;
     if(engine_)
@@ -117,6 +121,7 @@ public:
   /// shared with further copies
   Shapes shapes() const
   {
+    const internal::Round_to_nearest rounding;
     internal::Stop_watch watch;
     internal::Shapes_data data =
       internal::export_shapes(in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());

@@ -184,25 +184,28 @@ public:
   /// whether the callback ended the detection early. The shapes found until then are complete and verified.
   bool is_cancelled() const { return data_.statistics.is_cancelled; }
 
-  /// equal for equal results: a 64-bit hash of the shape indices, in the order of the range, and of the coefficients
-  std::uint64_t hash() const { return hash(data_.shape_of, data_.coefficients); }
+  /// equal for equal results: a 64-bit hash of the shape indices, in the order of the range, of the coefficients, and of
+  /// the normals where they are estimated
+  std::uint64_t hash() const
+  {
+    std::uint64_t h = hash(data_.shape_of, data_.coefficients);
+    for(std::uint32_t n : data_.normal)
+      add_to_hash(h, n);
+    return h;
+  }
 
-  /// the same for a range of shape indices in another order
+  /// the same for a range of shape indices in another order, without normals
   template <class IndexRange>
   static std::uint64_t hash(const IndexRange& shape_indices, const std::vector<Coefficients>& planes)
   {
     std::uint64_t h = 14695981039346656037u;
-    auto add = [&h](std::uint64_t word) {
-      h = (h ^ word) * 1099511628211u;
-      h ^= h >> 29;
-    };
     for(std::int32_t s : shape_indices)
-      add(std::uint32_t(s));
+      add_to_hash(h, std::uint32_t(s));
     for(const Coefficients& c : planes)
       for(double x : c) {
         std::uint64_t bits;
         std::memcpy(&bits, &x, sizeof bits);
-        add(bits);
+        add_to_hash(h, bits);
       }
     return h;
   }
@@ -213,6 +216,12 @@ public:
   /// \endcond
 
 private:
+  static void add_to_hash(std::uint64_t& h, std::uint64_t word)
+  {
+    h = (h ^ word) * 1099511628211u;
+    h ^= h >> 29;
+  }
+
   // Labels outside of the shapes are left out; is_valid_result() reports them.
   void take_points()
   {

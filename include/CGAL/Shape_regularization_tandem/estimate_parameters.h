@@ -4,6 +4,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H
 
+#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
@@ -93,6 +94,7 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRan
 Parameters estimate_parameters(const PointRange& points, const NamedParameters& np = NamedParameters())
 {
   Parameters p = internal::read_parameters(np);
+  const internal::Round_to_nearest rounding;
   internal::check_given_parameters(p);
   internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();

@@ -5,6 +5,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_IS_VALID_RESULT_H
 
 #include <CGAL/Shape_regularization_tandem/internal/Result_checker.h>
+#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 
@@ -30,6 +31,7 @@ template <class PointRange, class GeomTraits, class NamedParameters = CGAL::para
 bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>& shapes,
                      const NamedParameters& np = NamedParameters(), std::string* why = nullptr)
 {
+  const internal::Round_to_nearest rounding;
   return internal::with_traits<CGAL::Parallel_if_available_tag>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();
     internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));

@@ -5,6 +5,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H
 
 #include <CGAL/Shape_regularization_tandem/Plane_relations.h>
+#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
@@ -241,6 +242,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
     Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
   using Plane_item = typename std::iterator_traits<decltype(planes.begin())>::value_type;
   using RT = typename Maps::Kernel::RT;
+  const internal::Round_to_nearest rounding;
   Parameters p;
   p.maximum_offset = 0.01;
   internal::read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);

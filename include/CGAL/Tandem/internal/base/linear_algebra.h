@@ -203,7 +203,7 @@ inline Vector unpacked_normal(std::uint32_t code)
 {
   const Int_vector m = decode_normal(code);
   const Vector n = unit({double(m.x), double(m.y), double(m.z)});
-  return {double(float(n.x)), double(float(n.y)), double(float(n.z))};
+  return {double(to_float(n.x)), double(to_float(n.y)), double(to_float(n.z))};
 }
 
 } // namespace internal

@@ -31,6 +31,24 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The conversion to float, for values that are used as double afterwards. Rounds in any case: where it vectorizes, g++ 12
+// leaves out conversions to float and back, and with them the rounding. It keeps those around an assembler statement.
+template <class T>
+CGAL_TANDEM_HD inline float to_float(T x)
+{
+  float rounded = float(x);
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
+#if defined(__SSE2__)
+  asm("" : "+x"(rounded));
+#elif defined(__aarch64__)
+  asm("" : "+w"(rounded));
+#else
+  asm("" : "+m"(rounded));
+#endif
+#endif
+  return rounded;
+}
+
 // The length of the normal of an integer plane is 2^28. Signed distances are in units of 2^-28 steps for that reason.
 constexpr int normal_bits = 28;
 constexpr double normal_scale = double(std::int64_t(1) << normal_bits);

@@ -44,7 +44,7 @@ CGAL_TANDEM_HD inline double exact_dot(const Float_vector& a, const Float_vector
 // From p to q, rounded where they are more than 2^24 steps apart.
 CGAL_TANDEM_HD inline Float_vector difference(const Grid_point& q, const Grid_point& p)
 {
-  return {float(q.x - p.x), float(q.y - p.y), float(q.z - p.z)};
+  return {to_float(q.x - p.x), to_float(q.y - p.y), to_float(q.z - p.z)};
 }
 
 // Mean (grid steps) and covariance (steps^2). The mean is relative to the point whose neighborhood it is.
@@ -92,15 +92,15 @@ struct Neighborhood_sum {
   CGAL_TANDEM_HD Neighborhood mean() const
   {
     const double weight = 1.0 / size;
-    const Float_vector s = {float(x), float(y), float(z)};
-    const Float_vector m = {float(x * weight), float(y * weight), float(z * weight)};
+    const Float_vector s = {to_float(x), to_float(y), to_float(z)};
+    const Float_vector m = {to_float(x * weight), to_float(y * weight), to_float(z * weight)};
     return {m,
-            float((xx - exact_product(s.x, m.x)) * weight),
-            float((xy - exact_product(s.x, m.y)) * weight),
-            float((xz - exact_product(s.x, m.z)) * weight),
-            float((yy - exact_product(s.y, m.y)) * weight),
-            float((yz - exact_product(s.y, m.z)) * weight),
-            float((zz - exact_product(s.z, m.z)) * weight)};
+            to_float((xx - exact_product(s.x, m.x)) * weight),
+            to_float((xy - exact_product(s.x, m.y)) * weight),
+            to_float((xz - exact_product(s.x, m.z)) * weight),
+            to_float((yy - exact_product(s.y, m.y)) * weight),
+            to_float((yz - exact_product(s.y, m.z)) * weight),
+            to_float((zz - exact_product(s.z, m.z)) * weight)};
   }
 };
 
@@ -109,12 +109,12 @@ CGAL_TANDEM_HD inline Neighborhood about_point(const Neighborhood& h)
 {
   const Float_vector& m = h.mean;
   return {{0, 0, 0},
-          float(h.xx + exact_product(m.x, m.x)),
-          float(h.xy + exact_product(m.x, m.y)),
-          float(h.xz + exact_product(m.x, m.z)),
-          float(h.yy + exact_product(m.y, m.y)),
-          float(h.yz + exact_product(m.y, m.z)),
-          float(h.zz + exact_product(m.z, m.z))};
+          to_float(h.xx + exact_product(m.x, m.x)),
+          to_float(h.xy + exact_product(m.x, m.y)),
+          to_float(h.xz + exact_product(m.x, m.z)),
+          to_float(h.yy + exact_product(m.y, m.y)),
+          to_float(h.yz + exact_product(m.y, m.z)),
+          to_float(h.zz + exact_product(m.z, m.z))};
 }
 
 // The two lower eigenvalues of the covariance, in steps^2. They are the variance across the plane and the least one
@@ -133,7 +133,7 @@ struct Matrix {
 // a b - c d, rounded twice at most: see exact_product().
 CGAL_TANDEM_HD inline float minor_of(float a, float b, float c, float d)
 {
-  return float(exact_product(a, b) - exact_product(c, d));
+  return to_float(exact_product(a, b) - exact_product(c, d));
 }
 
 // The adjugate. Its trace is a coefficient of the characteristic polynomial: the sum of products of two eigenvalues.
@@ -150,15 +150,15 @@ CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
 {
   if(!(q > 0) || !(d > 0))
     return 0;
-  const float start = float(d / q);
-  float r = float(start + exact_product(start, float(exact_product(t, start) / q)));
+  const float start = to_float(d / q);
+  float r = to_float(start + exact_product(start, to_float(exact_product(t, start) / q)));
   for(int i = 0; i < 8; ++i) {
-    const float r2 = float(exact_product(r, r));
-    const double value = d - exact_product(r, q) - exact_product(r2, float(double(r) - t));
+    const float r2 = to_float(exact_product(r, r));
+    const double value = d - exact_product(r, q) - exact_product(r2, to_float(double(r) - t));
     const double slope = 3 * double(r2) - 2 * exact_product(r, t) + q;
     if(!(slope > 0) || !(value > 0))
       break;
-    const float step = float(value / slope);
+    const float step = to_float(value / slope);
     r += step;
     if(exact_product(step, t) < 2e-3 * slope)
       break;
@@ -182,10 +182,10 @@ CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
   const float q = c.xx + c.yy + c.zz;
   const double d = exact_product(m.xx, c.xx) + exact_product(m.xy, c.xy) + exact_product(m.xz, c.xz);
   const float r = covariance::smallest_root(t, q, d);
-  const float sum = float(double(t) - r); // of the other two roots
+  const float sum = to_float(double(t) - r); // of the other two roots
   const double product = q - exact_product(r, sum);
   const double discriminant = exact_product(sum, sum) - 4 * product;
-  const float middle = float(2 * product / (sum + (discriminant > 0 ? std::sqrt(discriminant) : 0.0)));
+  const float middle = to_float(2 * product / (sum + (discriminant > 0 ? std::sqrt(discriminant) : 0.0)));
   return {r, middle > minimum_width && middle > minimum_ratio * t ? middle : 0};
 }
 
@@ -193,8 +193,8 @@ CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
 // that eigenvalue.
 CGAL_TANDEM_HD inline Float_vector plane_normal(const Neighborhood& h, float smallest)
 {
-  const covariance::Matrix m = {float(double(h.xx) - smallest), h.xy, h.xz,
-                                float(double(h.yy) - smallest), h.yz, float(double(h.zz) - smallest)};
+  const covariance::Matrix m = {to_float(double(h.xx) - smallest), h.xy, h.xz,
+                                to_float(double(h.yy) - smallest), h.yz, to_float(double(h.zz) - smallest)};
   const covariance::Matrix c = covariance::cofactors(m);
   if(c.xx >= c.yy && c.xx >= c.zz)
     return {c.xx, c.xy, c.xz};

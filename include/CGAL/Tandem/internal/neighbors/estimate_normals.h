@@ -36,9 +36,9 @@ CGAL_TANDEM_HD inline Float_vector from_center(const Workspace& w, std::uint32_t
 CGAL_TANDEM_HD inline float plane_distance2(const Candidate& c, const Float_vector& d)
 {
   const Int_vector v = decode_normal(c.normal);
-  const Float_vector n = {float(v.x), float(v.y), float(v.z)};
-  const float e = float(exact_dot(n, d));
-  return float(exact_product(e, e) / exact_dot(n, n));
+  const Float_vector n = {to_float(v.x), to_float(v.y), to_float(v.z)};
+  const float e = to_float(exact_dot(n, d));
+  return to_float(exact_product(e, e) / exact_dot(n, n));
 }
 
 // The edge pass for point i. next[i] becomes the cheapest adoptable candidate of its neighbors, or stays its own. All

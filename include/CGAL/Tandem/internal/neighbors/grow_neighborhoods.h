@@ -46,16 +46,16 @@ struct Workspace {
 inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_grid)
 {
   const float grid = 0.25f; // above the variance of rounding to the grid
-  const float flat = float(noiseless_share * epsilon_grid);
-  const float clutter = float(clutter_share * epsilon_grid);
+  const float flat = to_float(noiseless_share * epsilon_grid);
+  const float clutter = to_float(clutter_share * epsilon_grid);
   const int k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
   return {cloud,
           nullptr,
           nullptr,
           candidate,
           k,
-          float(exact_product(flat, flat) + grid),
-          float(exact_product(clutter, clutter))};
+          to_float(exact_product(flat, flat) + grid),
+          to_float(exact_product(clutter, clutter))};
 }
 
 // The point itself and its k nearest neighbors.
@@ -88,7 +88,7 @@ CGAL_TANDEM_HD inline Neighborhood grown_neighborhood(const Workspace& w, std::u
 CGAL_TANDEM_HD inline float effective_points(int k, int scale)
 {
   constexpr Share growth = independent_growth;
-  return float((k + 1) * (growth.numerator * (scale - 1) + growth.denominator)) / float(growth.denominator);
+  return to_float((k + 1) * (growth.numerator * (scale - 1) + growth.denominator)) / to_float(growth.denominator);
 }
 
 CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float smallest)
@@ -101,7 +101,7 @@ CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float 
 // and below products are exact, so that no compiler can contract a sum differently.
 CGAL_TANDEM_HD inline float cost(const Candidate& c)
 {
-  return float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));
+  return to_float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));
 }
 
 // Replaces the candidate of point i by the plane of h if that costs less. `points` > 3 is the number of independent

@@ -56,7 +56,7 @@ public:
     void add(const Vector& n, double weight)
     {
       // The sign is certain, as n is near; weights of 24 bits make the products exact.
-      const double w = rounded_dot(side, n) < 0 ? -float(weight) : float(weight);
+      const double w = rounded_dot(side, n) < 0 ? -to_float(weight) : to_float(weight);
       sum.x += w * n.x;
       sum.y += w * n.y;
       sum.z += w * n.z;

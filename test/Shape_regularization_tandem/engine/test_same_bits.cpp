@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The same bits from every compiler, with any of its options, and in any rounding mode of the caller: shapes and
+// estimated normals of generated clouds have the hashes below. They change with the method only. The clouds need
+// nothing but integers and exact products, so they are the same everywhere, too.
+//   test_same_bits --print   prints the hashes instead
+
+#undef NDEBUG
+
+#include "testing/checks.h"
+
+#include <CGAL/Shape_regularization_tandem.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cfenv>
+#include <cstring>
+#include <random>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+namespace np = CGAL::Tandem::parameters;
+
+// Patches of any orientation, with bumps of `noise`, in a cube of unit size. Their neighbors are near, those of stray
+// points so far that distances in grid steps are rounded.
+std::vector<Point> make_cloud(std::uint32_t seed, int patches, double noise, int strays)
+{
+  std::mt19937 random(seed);
+  const auto number = [&] { return double(random() >> 8) * 0x1p-23 - 1; }; // in [-1, 1)
+  std::vector<Point> points;
+  for(int patch = 0; patch < patches; ++patch) {
+    const double o[3] = {number(), number(), number()};
+    const double u[3] = {number(), number(), number()}, v[3] = {number(), number(), number()};
+    for(int i = 0; i < 1500; ++i) {
+      const double s = .5 * number(), t = .5 * number();
+      double p[3];
+      for(int c = 0; c < 3; ++c)
+        p[c] = double(float(std::fma(s, u[c], std::fma(t, v[c], std::fma(noise, number(), o[c])))));
+      points.emplace_back(p[0], p[1], p[2]);
+    }
+  }
+  for(int i = 0; i < strays; ++i)
+    points.emplace_back(double(float(1000 * number())), double(float(1000 * number())), double(float(1000 * number())));
+  return points;
+}
+
+struct Case {
+  std::uint32_t seed;
+  int patches;
+  double noise;
+  int strays;
+  std::uint64_t hash;
+};
+
+const Case cases[] = {{1, 12, 0, 0, 0x910db2b5d13963c},
+                      {2, 12, .002, 0, 0x11a4f5ecc20d04e3},
+                      {3, 20, .01, 0, 0x880b756954715f6d},
+                      {4, 6, .02, 0, 0x75516be51515196c},
+                      {5, 4, .002, 20000, 0x916d2f6d96caf0e4}};
+
+template <class Tag>
+CGAL::Tandem::Planar_shapes_3<Kernel> detect(const Case& c)
+{
+  return CGAL::Tandem::detect_planes<Tag>(make_cloud(c.seed, c.patches, c.noise, c.strays),
+                                          np::maximum_distance(.01).minimum_region_size(60));
+}
+
+// A loop that an optimizer vectorizes, as it would in a program that writes the normals to a file.
+void unpack(const std::vector<std::uint32_t>& codes, std::vector<CGAL::Tandem::internal::Vector>& normals)
+{
+  for(std::size_t i = 0; i < codes.size(); ++i)
+    normals[i] = CGAL::Tandem::internal::unpacked_normal(codes[i]);
+}
+
+bool is_float(double x)
+{
+  volatile float rounded = float(x);
+  return double(rounded) == x;
+}
+
+// Files hold normals as floats.
+void test_floats(const CGAL::Tandem::Planar_shapes_3<Kernel>& shapes, const std::string& where)
+{
+  const auto& table = shapes.data().normal;
+  const std::vector<std::uint32_t> codes(table.begin(), table.end());
+  std::vector<CGAL::Tandem::internal::Vector> normals(codes.size());
+  unpack(codes, normals);
+  std::size_t wrong = 0;
+  for(std::size_t i = 0; i < codes.size(); ++i) {
+    const Kernel::Vector_3 n = shapes.estimated_normal(i);
+    wrong += !is_float(normals[i].x) || !is_float(normals[i].y) || !is_float(normals[i].z) || !is_float(n.x()) ||
+             !is_float(n.y()) || !is_float(n.z());
+  }
+  check_equal(wrong, 0u, where + ": normals that are not floats");
+}
+
+// Sets the mode of this thread only.
+template <class Tag>
+void test_rounding_modes(const Case& c)
+{
+  for(const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
+    const std::vector<Point> cloud = make_cloud(c.seed, c.patches, c.noise, c.strays);
+    std::fesetround(mode);
+    const std::uint64_t hash =
+      CGAL::Tandem::detect_planes<Tag>(cloud, np::maximum_distance(.01).minimum_region_size(60)).hash();
+    const int mode_after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    const std::string where = "seed " + std::to_string(c.seed) + ", rounding mode " + std::to_string(mode);
+    check_equal(mode_after, mode, where + ": the mode afterwards");
+    check_equal(hash, c.hash, where + ": hash");
+  }
+}
+
+int main(int argc, char** argv)
+{
+  for(const Case& c : cases) {
+    const auto shapes = detect<CGAL::Sequential_tag>(c);
+    if(argc > 1 && std::strcmp(argv[1], "--print") == 0)
+      std::cout << "seed " << c.seed << ": 0x" << std::hex << shapes.hash() << std::dec << ", "
+                << shapes.number_of_shapes() << " shapes" << std::endl;
+    check_equal(shapes.hash(), c.hash, "seed " + std::to_string(c.seed) + ": hash");
+    test_floats(shapes, "seed " + std::to_string(c.seed));
+    test_rounding_modes<CGAL::Sequential_tag>(c);
+    test_rounding_modes<CGAL::Parallel_if_available_tag>(c);
+  }
+  return report();
+}
