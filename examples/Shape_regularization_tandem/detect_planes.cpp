@@ -9,6 +9,7 @@
 #include "progress.h"
 #include "read_cloud.h"
 #include "report.h"
+#include "signals.h"
 #include "write_polygons.h"
 #include "write_results.h"
 #include "write_vg.h"
@@ -29,10 +30,6 @@
 #include <new>
 
 namespace program {
-
-struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted, nothing was written") {}
-};
 
 // What was given, checked. A length or size that is to be estimated is 0.
 CGAL::Tandem::Parameters parameters_of(const Options& o)

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Reads the header of a PLY file and rejects what CGAL's reader would misread or
-// crash on: unknown types, missing or mixed coordinates, a file that is too short.
+// crash on: unknown types, missing, mixed or repeated properties.
 
 #ifndef DETECT_PLANES_PLY_HEADER_H
 #define DETECT_PLANES_PLY_HEADER_H
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
+#include <istream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -20,16 +19,20 @@ namespace program {
 
 struct Ply_header {
   struct Property {
-    std::string name, type; // type "list" for a list
+    std::string name, type;
+    std::string count_type; // of a list, empty for a number
+
+    bool is_list() const { return !count_type.empty(); }
   };
   struct Element {
     std::string name;
     std::uint64_t count;
     std::vector<Property> properties;
   };
-  bool is_ascii = true;
+  std::string format;
   std::vector<Element> elements;
-  std::uint64_t size = 0; // bytes up to and with the line end_header
+
+  bool is_ascii() const { return format == "ascii"; }
 };
 
 // Bytes of a scalar type of PLY, 0 if there is no such type.
@@ -43,11 +46,13 @@ inline std::uint64_t ply_type_size(const std::string& type)
   return found == sizes.end() ? 0 : found->second;
 }
 
+inline bool is_real_ply_type(const std::string& type) { return type[0] == 'f' || type[0] == 'd'; }
+
 inline void parse_ply_format(const std::string& name, Ply_header& header)
 {
   if(name != "ascii" && name != "binary_little_endian" && name != "binary_big_endian")
     throw std::runtime_error("unknown format '" + name + "' of PLY");
-  header.is_ascii = name == "ascii";
+  header.format = name;
 }
 
 inline void parse_ply_element(std::istream& words, Ply_header& header)
@@ -61,40 +66,41 @@ inline void parse_ply_element(std::istream& words, Ply_header& header)
 
 inline void parse_ply_property(std::istream& words, Ply_header& header)
 {
-  std::string type, name;
-  words >> type >> name;
-  std::string item_type = type;
-  if(type == "list")
-    words >> item_type >> name;
-  if(!words || header.elements.empty())
+  Ply_header::Property p;
+  words >> p.type;
+  if(p.type == "list")
+    words >> p.count_type >> p.type;
+  if(!(words >> p.name) || header.elements.empty())
     throw std::runtime_error("the PLY header has an incomplete property");
-  if(ply_type_size(item_type) == 0)
-    throw std::runtime_error("unknown type '" + item_type + "' of the PLY property '" + name + "'");
-  header.elements.back().properties.push_back({name, type});
+  for(const std::string& type : {p.type, p.is_list() ? p.count_type : p.type})
+    if(ply_type_size(type) == 0)
+      throw std::runtime_error("unknown type '" + type + "' of the PLY property '" + p.name + "'");
+  if(p.is_list() && is_real_ply_type(p.count_type))
+    throw std::runtime_error("the number of items of the PLY list '" + p.name + "' must be an integer");
+  header.elements.back().properties.push_back(p);
 }
 
 inline Ply_header read_ply_header(std::istream& in)
 {
   Ply_header header;
-  std::string line, keyword;
-  if(!std::getline(in, line) || line.substr(0, line.find_last_not_of(" \r") + 1) != "ply")
+  char line[4096];
+  std::string keyword;
+  if(!in.getline(line, sizeof line) || !(std::istringstream(line) >> keyword) || keyword != "ply")
     throw std::runtime_error("is not a PLY file (the first line is not 'ply')");
-  bool has_format = false;
-  while(std::getline(in, line) && line.size() < 4096) {
+  while(in.getline(line, sizeof line)) {
     std::istringstream words(line);
     if(!(words >> keyword))
       throw std::runtime_error("the PLY header has an empty line");
-    if(!has_format && keyword != "format")
+    if(header.format.empty() && keyword != "format")
       throw std::runtime_error("the second line of the PLY header is not its format");
     if(keyword == "format") {
-      has_format = bool(words >> keyword);
+      words >> keyword;
       parse_ply_format(keyword, header);
     } else if(keyword == "element") {
       parse_ply_element(words, header);
     } else if(keyword == "property") {
       parse_ply_property(words, header);
     } else if(keyword == "end_header") {
-      header.size = std::uint64_t(in.tellg());
       return header;
     }
   }
@@ -106,8 +112,11 @@ inline Ply_header read_ply_header(std::istream& in)
 inline void check_ply_coordinates(const Ply_header::Element& vertices)
 {
   std::map<std::string, std::uint64_t> size;
-  for(const Ply_header::Property& p : vertices.properties)
-    size[p.name] = p.type[0] == 'f' || p.type[0] == 'd' ? ply_type_size(p.type) : 0;
+  for(const Ply_header::Property& p : vertices.properties) {
+    const bool is_real = !p.is_list() && is_real_ply_type(p.type);
+    if(!size.emplace(p.name, is_real ? ply_type_size(p.type) : 0).second)
+      throw std::runtime_error("the points of the PLY file have two properties '" + p.name + "'");
+  }
   for(const char* name : {"x", "y", "z"}) {
     if(size.count(name) == 0)
       throw std::runtime_error(std::string("the points of the PLY file have no property '") + name + "'");
@@ -120,41 +129,6 @@ inline void check_ply_coordinates(const Ply_header::Element& vertices)
     if(size[name] == 0 || size[name] > size["x"])
       throw std::runtime_error(std::string("the normals must be float") +
                                (size["x"] == 4 ? ", as the coordinates are" : " or double"));
-}
-
-// The least number of bytes that the items of the element take.
-inline std::uint64_t least_item_size(const Ply_header::Element& element, bool is_ascii)
-{
-  std::uint64_t bytes = 0;
-  for(const Ply_header::Property& p : element.properties)
-    bytes += is_ascii ? 2 : p.type == "list" ? 1 : ply_type_size(p.type);
-  return bytes;
-}
-
-// Returns the number of points. Throws if the file cannot be read, with its name.
-inline std::size_t check_ply(const std::string& path)
-{
-  try {
-    std::ifstream in(path, std::ios::binary);
-    const Ply_header header = read_ply_header(in);
-    std::uint64_t left = std::uint64_t(std::filesystem::file_size(path)) - header.size + (header.is_ascii ? 1 : 0);
-    const Ply_header::Element* vertices = nullptr;
-    for(const Ply_header::Element& element : header.elements) {
-      const std::uint64_t item = least_item_size(element, header.is_ascii);
-      if(item > 0 && element.count > left / item)
-        throw std::runtime_error("is truncated: " + std::to_string(element.count) + " items of '" + element.name +
-                                 "' announced, room for " + std::to_string(left / item) + " at most");
-      left -= item * element.count;
-      if(element.name == "vertex" || element.name == "vertices")
-        vertices = &element;
-    }
-    if(vertices == nullptr)
-      throw std::runtime_error("the PLY file has no element 'vertex'");
-    check_ply_coordinates(*vertices);
-    return vertices->count;
-  } catch(const std::exception& e) {
-    throw std::runtime_error(path + ": " + e.what());
-  }
 }
 
 } // namespace program

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The progress bar, and Ctrl-C.
+// The progress bar.
 
 #ifndef DETECT_PLANES_PROGRESS_H
 #define DETECT_PLANES_PROGRESS_H
@@ -11,26 +11,10 @@
 #endif
 
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 #include <string>
 
 namespace program {
-
-inline volatile std::sig_atomic_t interrupt_flag = 0;
-
-inline bool is_interrupted() { return interrupt_flag != 0; }
-
-// The first signal requests the end of the run, a second one ends the process.
-inline void catch_interrupts()
-{
-  const auto handler = [](int signal) {
-    interrupt_flag = 1;
-    std::signal(signal, SIG_DFL);
-  };
-  std::signal(SIGINT, handler);
-  std::signal(SIGTERM, handler);
-}
 
 // Only on a terminal; gone when the work is done.
 class Progress_bar {

@@ -7,7 +7,7 @@
 #ifndef DETECT_PLANES_READ_CLOUD_H
 #define DETECT_PLANES_READ_CLOUD_H
 
-#include "ply_header.h"
+#include "ply_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -123,26 +124,64 @@ inline void check_points(const std::string& path, Point_set& points)
     points.remove_normal_map();
 }
 
+inline Point_data find_points(const std::string& path, const std::string& extension)
+{
+  if(extension == ".ply")
+    return find_ply_points(path);
+  return {"", {0, std::uint64_t(std::filesystem::file_size(path))}, announced_points(path, extension)};
+}
+
+inline bool read_points(const std::string& path, const Point_data& data, Point_set& points)
+{
+  const std::string extension = lower_case_extension(path);
+  if(extension == ".las")
+    return CGAL::IO::read_point_set(path, points);
+  Input_buffer in(path, data.body, data.header);
+  std::istream stream(&in);
+  if(extension == ".off")
+    return CGAL::IO::read_OFF(stream, points);
+  if(extension != ".ply")
+    return CGAL::IO::read_XYZ(stream, points);
+  const bool is_read = CGAL::IO::read_PLY(stream, points);
+  // CGAL takes what follows a number for the next one: .5 after the 1 of 1.5, where an integer is expected.
+  skip_blanks(in);
+  if(is_read && in.left() > 0)
+    throw std::runtime_error("a value is not of the type that the header says");
+  return is_read;
+}
+
+// What a signal has cut off is no fault of the file.
+[[noreturn]] inline void fail_to_read(const std::string& path, const std::string& reason)
+{
+  if(is_interrupted())
+    throw Interrupted();
+  throw std::runtime_error(path + ": " + reason);
+}
+
 inline void read_cloud(const std::string& path, Point_set& points)
 {
   check_file(path);
-  const std::string extension = lower_case_extension(path);
-  const std::size_t expected = extension == ".ply" ? check_ply(path) : announced_points(path, extension);
+  Point_data data;
+  try {
+    data = find_points(path, lower_case_extension(path));
+  } catch(const std::runtime_error& e) {
+    fail_to_read(path, e.what());
+  }
   bool is_read = false;
   std::string reason;
-  {
+  try {
     const Captured_messages messages;
-    try {
-      is_read = CGAL::IO::read_point_set(path, points);
-      reason = messages.first_line();
-    } catch(const std::exception& e) {
-      reason = e.what();
-    }
+    is_read = read_points(path, data, points);
+    reason = messages.first_line();
+  } catch(const std::bad_alloc&) {
+    throw;
+  } catch(const std::exception& e) {
+    reason = e.what();
   }
-  if(!is_read || points.size() < expected)
-    throw std::runtime_error(path + ": unreadable after point " + std::to_string(points.size()) +
-                             (expected > 0 ? " of " + std::to_string(expected) : "") +
-                             (reason.empty() ? "" : " (" + reason + ")"));
+  if(!is_read || points.size() < data.count || is_interrupted())
+    fail_to_read(path, "unreadable after point " + std::to_string(points.size()) +
+                         (data.count > 0 ? " of " + std::to_string(data.count) : "") +
+                         (reason.empty() ? "" : " (" + reason + ")"));
   check_points(path, points);
 }
 

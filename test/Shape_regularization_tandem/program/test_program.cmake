@@ -7,89 +7,15 @@
 
 cmake_minimum_required(VERSION 3.19)
 
-set(failures 0)
-function(complain text)
-  message(SEND_ERROR "${text}")
-  math(EXPR failures "${failures} + 1")
-  set(failures ${failures} PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
 
-# expect(code pattern argument...): the exit code, and what the output matches.
-macro(expect code pattern)
-  execute_process(COMMAND "${PROGRAM}" ${ARGN} WORKING_DIRECTORY "${WORK_DIR}" RESULT_VARIABLE status
-                  OUTPUT_VARIABLE out ERROR_VARIABLE err)
-  check_run("${code}" "${pattern}" "${ARGN}")
-endmacro()
-
-# expect_shell(code pattern command): the same through sh, where $P is the program.
-macro(expect_shell code pattern command)
-  execute_process(COMMAND ${CMAKE_COMMAND} -E env "P=${PROGRAM}" sh -c "${command}" WORKING_DIRECTORY "${WORK_DIR}"
-                  RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
-  check_run("${code}" "${pattern}" "${command}")
-endmacro()
-
-macro(check_run code pattern what)
-  if(NOT "${status}" STREQUAL "${code}")
-    complain("${what}\n  exit code ${status} instead of ${code}: ${out}${err}")
-  endif()
-  if(NOT "${out}${err}" MATCHES "${pattern}")
-    complain("${what}\n  output does not match '${pattern}': ${out}${err}")
-  endif()
-  if(NOT "${code}" STREQUAL "0" AND NOT "${err}" MATCHES "^detect_planes: [^\n]+\n$")
-    complain("${what}\n  not one line of error: '${err}'")
-  endif()
-  if("${code}" STREQUAL "0" AND NOT "${err}" STREQUAL "")
-    complain("${what}\n  unexpected error output: ${err}")
-  endif()
-endmacro()
-
-macro(expect_equal what value expected)
-  if(NOT "${value}" STREQUAL "${expected}")
-    complain("${what} is ${value} instead of ${expected}")
-  endif()
-endmacro()
-
-macro(expect_no_file)
-  foreach(file IN ITEMS ${ARGN})
-    if(EXISTS "${WORK_DIR}/${file}")
-      complain("${file} must not exist")
-    endif()
-  endforeach()
-endmacro()
-
-# Three faces of a cube, 24 x 24 points each, that share no edge: their coordinates
-# and, separately, the normals. `shift` is added to x.
-function(make_cube lines_name shift)
-  set(lines "")
-  foreach(i RANGE 1 24)
-    foreach(j RANGE 1 24)
-      math(EXPR a "1000 + ${i} * 7")
-      math(EXPR b "1000 + ${j} * 7")
-      string(SUBSTRING ${a} 1 3 a)
-      string(SUBSTRING ${b} 1 3 b)
-      string(APPEND lines "${shift}.${a} 0.${b} 0 0 0 1\n${shift}.${a} 0 0.${b} 0 1 0\n${shift} 0.${a} 0.${b} 1 0 0\n")
-    endforeach()
-  endforeach()
-  set(${lines_name} "${lines}" PARENT_SCOPE)
-endfunction()
-
-set(n 1728)
-set(ply_header "ply\nformat ascii 1.0\nelement vertex ${n}\n")
-set(positions "property double x\nproperty double y\nproperty double z\n")
-set(normals "property double nx\nproperty double ny\nproperty double nz\n")
-
-file(REMOVE_RECURSE "${WORK_DIR}")
-file(MAKE_DIRECTORY "${WORK_DIR}/a folder")
-make_cube(cube 0)
 make_cube(far_cube 4500000)
 string(REGEX REPLACE " [01] [01] [01]\n" "\n" bare_cube "${cube}")
-file(WRITE "${WORK_DIR}/cube.ply" "${ply_header}${positions}${normals}end_header\n${cube}")
 file(WRITE "${WORK_DIR}/far.ply" "${ply_header}${positions}${normals}end_header\n${far_cube}")
 file(WRITE "${WORK_DIR}/bare.ply" "${ply_header}${positions}end_header\n${bare_cube}")
 file(WRITE "${WORK_DIR}/a folder/cube.xyz" "${cube}")
 file(WRITE "${WORK_DIR}/cube.PWN" "${cube}")
 file(WRITE "${WORK_DIR}/bare.off" "OFF\n${n} 0 0\n${bare_cube}")
-set(epsilon --maximum-distance 0.004)
 
 # --- Outputs
 expect(0 "shapes +3 in 3 planes of 3 directions, 3 orthogonal" cube.ply ${epsilon} --output "a folder/out.ply"
@@ -300,8 +226,4 @@ if(timeout)
   expect_no_file(never.ply)
 endif()
 
-file(GLOB leftovers "${WORK_DIR}/*.part*" "${WORK_DIR}/a folder/*.part*")
-expect_equal("files left over" "${leftovers}" "")
-if(failures GREATER 0)
-  message(FATAL_ERROR "${failures} failures")
-endif()
+finish()

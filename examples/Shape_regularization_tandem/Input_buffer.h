@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_PLANES_INPUT_BUFFER_H
+#define DETECT_PLANES_INPUT_BUFFER_H
+
+#include "signals.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <streambuf>
+#include <string>
+
+namespace program {
+
+// Bytes of a file.
+struct Byte_range {
+  std::uint64_t first, last;
+};
+
+// Reads a range of a file, after a text that may be put before it. A signal ends it early: CGAL's
+// readers do not know of signals, but they stop where a file ends.
+class Input_buffer : public std::streambuf {
+public:
+  explicit Input_buffer(const std::string& path)
+    : Input_buffer(path, {0, std::uint64_t(std::filesystem::file_size(path))}, "")
+  {}
+
+  Input_buffer(const std::string& path, Byte_range range, const std::string& text) : text(text), behind(range.last)
+  {
+    file.open(path, std::ios::in | std::ios::binary);
+    file.pubseekpos(std::streamoff(range.first), std::ios::in);
+    position_of_file = range.first;
+    setg(this->text.data(), this->text.data(), this->text.data() + text.size());
+  }
+
+  // The byte of the file that is read next; meaningful after the text.
+  std::uint64_t position() const { return position_of_file - std::uint64_t(egptr() - gptr()); }
+
+  std::uint64_t left() const { return behind - position(); }
+
+  // At most as many bytes as are left.
+  void skip(std::uint64_t bytes)
+  {
+    const std::uint64_t buffered = (std::min)(bytes, std::uint64_t(egptr() - gptr()));
+    gbump(int(buffered));
+    if(bytes == buffered)
+      return;
+    position_of_file += bytes - buffered;
+    file.pubseekpos(std::streamoff(position_of_file), std::ios::in);
+  }
+
+protected:
+  int_type underflow() override
+  {
+    if(is_interrupted())
+      return traits_type::eof();
+    const std::uint64_t wanted = (std::min)(std::uint64_t(buffer.size()), behind - position_of_file);
+    const std::streamsize n = file.sgetn(buffer.data(), std::streamsize(wanted));
+    position_of_file += std::uint64_t(n);
+    setg(buffer.data(), buffer.data(), buffer.data() + n);
+    return n == 0 ? traits_type::eof() : traits_type::to_int_type(buffer[0]);
+  }
+
+private:
+  std::filebuf file;
+  std::string text;
+  std::array<char, 65536> buffer;
+  std::uint64_t position_of_file = 0; // behind the bytes in the buffer
+  std::uint64_t behind;
+};
+
+} // namespace program
+
+#endif // DETECT_PLANES_INPUT_BUFFER_H

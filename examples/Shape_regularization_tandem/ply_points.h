@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds the points in a PLY file, and checks that the file has what its header says: CGAL's
+// reader believes each number of items, and takes values for points wherever they stand.
+
+#ifndef DETECT_PLANES_PLY_POINTS_H
+#define DETECT_PLANES_PLY_POINTS_H
+
+#include "Input_buffer.h"
+#include "ply_header.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <istream>
+#include <stdexcept>
+#include <string>
+
+namespace program {
+
+// What a reader of CGAL gets of a file: a header in place of the one of the file, and the bytes that follow it.
+struct Point_data {
+  std::string header;
+  Byte_range body = {0, 0};
+  std::size_t count = 0; // of the points that the file announces, 0 if it does not
+};
+
+// The least number of bytes that an item of the element takes.
+inline std::uint64_t least_item_size(const Ply_header::Element& element, bool is_ascii)
+{
+  std::uint64_t bytes = 0;
+  for(const Ply_header::Property& p : element.properties)
+    bytes += is_ascii ? 2 : ply_type_size(p.is_list() ? p.count_type : p.type);
+  return bytes;
+}
+
+inline bool has_list(const Ply_header::Element& element)
+{
+  return std::any_of(element.properties.begin(), element.properties.end(), [](const auto& p) { return p.is_list(); });
+}
+
+inline std::uint64_t largest_value(const std::string& integer_type)
+{
+  const std::uint64_t bits = 8 * ply_type_size(integer_type) - (integer_type[0] == 'u' ? 0 : 1);
+  return (std::uint64_t(1) << bits) - 1;
+}
+
+inline bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+inline void skip_blanks(std::streambuf& in)
+{
+  for(int c = in.sgetc(); is_blank(c); c = in.snextc())
+    ;
+}
+
+// Goes through the elements without storing them. Memory is not needed before the file is known to be complete.
+class Ply_scanner {
+public:
+  Ply_scanner(Input_buffer& in, const Ply_header& header) : in(in), header(header) {}
+
+  void skip(const Ply_header::Element& element)
+  {
+    const std::uint64_t item = least_item_size(element, header.is_ascii());
+    if(item == 0)
+      return;
+    // The last row of a text need not have an end.
+    const std::uint64_t room = (in.left() + (header.is_ascii() ? 1 : 0)) / item;
+    if(element.count > room)
+      throw std::runtime_error("is truncated: " + std::to_string(element.count) + " items of '" + element.name +
+                               "' announced, room for " + std::to_string(room) + " at most");
+    if(!header.is_ascii() && !has_list(element)) {
+      in.skip(item * element.count);
+      return;
+    }
+    for(row = 1; row <= element.count; ++row)
+      skip_row(element);
+  }
+
+  void check_end()
+  {
+    if(header.is_ascii() || in.left() <= 2) // some programs end binary files with a new line, too
+      skip_blanks(in);
+    if(in.left() > 0)
+      throw std::runtime_error("is longer than its header says: " + std::to_string(in.left()) +
+                               " bytes follow the last element (correct the numbers of items in the header, or add "
+                               "the property that is missing there)");
+  }
+
+private:
+  void skip_row(const Ply_header::Element& element)
+  {
+    for(const Ply_header::Property& p : element.properties) {
+      const std::uint64_t count = p.is_list() ? read_count(element, p) : 1;
+      if(header.is_ascii())
+        skip_words(element, count);
+      else
+        skip_bytes(element, count * ply_type_size(p.type));
+    }
+    if(header.is_ascii() && !is_end_of_line())
+      throw std::runtime_error(place(element) + " has more values than the header says (add the property that is "
+                                                "missing there)");
+  }
+
+  std::uint64_t read_count(const Ply_header::Element& element, const Ply_header::Property& p)
+  {
+    const std::uint64_t count = header.is_ascii() ? read_text_count(element) : read_binary_count(element, p);
+    const std::uint64_t room = header.is_ascii() ? in.left() / 2 + 1 : in.left() / ply_type_size(p.type);
+    if(count > largest_value(p.count_type) || count > room)
+      throw std::runtime_error(place(element) + " has " + std::to_string(count) + " items in the list '" + p.name +
+                               "', room for " + std::to_string((std::min)(room, largest_value(p.count_type))) +
+                               " at most");
+    return count;
+  }
+
+  std::uint64_t read_text_count(const Ply_header::Element& element)
+  {
+    skip_blanks(in);
+    std::string word;
+    for(int c = in.sgetc(); word.size() < 20 && c != eof && !is_blank(c); c = in.snextc())
+      word += char(c);
+    std::uint64_t count = 0;
+    const auto end = std::from_chars(word.data(), word.data() + word.size(), count);
+    if(word.empty() || end.ec != std::errc() || end.ptr != word.data() + word.size())
+      throw std::runtime_error(place(element) + " has '" + word + "' where the number of items of a list is expected");
+    return count;
+  }
+
+  std::uint64_t read_binary_count(const Ply_header::Element& element, const Ply_header::Property& p)
+  {
+    const std::uint64_t bytes = ply_type_size(p.count_type);
+    check_left(element, bytes);
+    std::uint64_t count = 0;
+    for(std::uint64_t i = 0; i < bytes; ++i) {
+      const std::uint64_t byte = std::uint64_t(in.sbumpc() & 255);
+      count |= byte << 8 * (header.format == "binary_big_endian" ? bytes - 1 - i : i);
+    }
+    return count;
+  }
+
+  void skip_words(const Ply_header::Element& element, std::uint64_t count)
+  {
+    for(; count > 0; --count) {
+      skip_blanks(in);
+      check_left(element, 1);
+      for(int c = in.sgetc(); c != eof && !is_blank(c); c = in.snextc())
+        ;
+    }
+  }
+
+  void skip_bytes(const Ply_header::Element& element, std::uint64_t count)
+  {
+    check_left(element, count);
+    in.skip(count);
+  }
+
+  bool is_end_of_line()
+  {
+    int c = in.sgetc();
+    while(c != '\n' && is_blank(c))
+      c = in.snextc();
+    return c == '\n' || c == eof;
+  }
+
+  void check_left(const Ply_header::Element& element, std::uint64_t bytes) const
+  {
+    if(is_interrupted())
+      throw Interrupted();
+    if(bytes > in.left())
+      throw std::runtime_error("is truncated: " + place(element) + " of " + std::to_string(element.count) +
+                               " is not complete");
+  }
+
+  std::string place(const Ply_header::Element& element) const
+  {
+    return "row " + std::to_string(row) + " of '" + element.name + "'";
+  }
+
+  static constexpr int eof = std::streambuf::traits_type::eof();
+  Input_buffer& in;
+  const Ply_header& header;
+  std::uint64_t row = 0;
+};
+
+// The header of the points alone: CGAL reads all elements, even if they have no properties.
+inline std::string header_of_points(const Ply_header& header, const Ply_header::Element& points)
+{
+  std::string text = "ply\nformat " + header.format + " 1.0\nelement vertex " + std::to_string(points.count) + '\n';
+  for(const Ply_header::Property& p : points.properties)
+    text += "property " + (p.is_list() ? "list " + p.count_type + ' ' : "") + p.type + ' ' + p.name + '\n';
+  return text + "end_header\n";
+}
+
+inline Point_data find_ply_points(const std::string& path)
+{
+  Input_buffer in(path);
+  std::istream stream(&in);
+  const Ply_header header = read_ply_header(stream);
+  Ply_scanner scanner(in, header);
+  Point_data points;
+  for(const Ply_header::Element& element : header.elements) {
+    const bool is_points = element.name == "vertex" || element.name == "vertices";
+    if(is_points && !points.header.empty())
+      throw std::runtime_error("the PLY file has two elements of points");
+    if(is_points)
+      check_ply_coordinates(element);
+    const std::uint64_t first = in.position();
+    scanner.skip(element);
+    if(is_points)
+      points = {header_of_points(header, element), {first, in.position()}, std::size_t(element.count)};
+  }
+  if(points.header.empty())
+    throw std::runtime_error("the PLY file has no element 'vertex'");
+  scanner.check_end();
+  return points;
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_PLY_POINTS_H
