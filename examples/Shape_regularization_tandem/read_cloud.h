@@ -95,10 +95,14 @@ inline std::size_t announced_points(const std::string& path, const std::string& 
       return 0;
   } while(line.empty() || line[0] == '#' || line.find("OFF") != std::string::npos);
   std::istringstream words(line);
-  std::size_t n = 0;
+  long long n = 0;
   std::string second;
   const bool is_count = bool(words >> n) && (extension == ".off" || !(words >> second));
-  return is_count && line.find('.') == std::string::npos ? n : 0;
+  if(!is_count || line.find('.') != std::string::npos)
+    return 0;
+  if(n < 0)
+    throw std::runtime_error("announces " + std::to_string(n) + " points");
+  return std::size_t(n);
 }
 
 inline bool is_finite(const Kernel::Point_3& p)

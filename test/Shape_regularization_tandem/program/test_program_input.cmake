@@ -93,6 +93,12 @@ write_binary_ply(line.ply little "${binary_point}" "${point}\\n")
 expect(1 "long.ply: is longer than its header says: 4 bytes" long.ply)
 expect(0 "points +1," line.ply)
 
+# --- Numbers of points below zero
+file(WRITE "${WORK_DIR}/negative.off" "OFF\n-1 0 0\n${cube}")
+file(WRITE "${WORK_DIR}/negative.xyz" "-1\n${cube}")
+expect(1 "negative.off: announces -1 points" negative.off)
+expect(1 "negative.xyz: announces -1 points" negative.xyz)
+
 # --- Signals end the reading. The file takes no place on the disk.
 find_program(truncate truncate)
 if(timeout AND truncate)
