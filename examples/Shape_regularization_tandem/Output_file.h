@@ -4,10 +4,15 @@
 #ifndef DETECT_PLANES_OUTPUT_FILE_H
 #define DETECT_PLANES_OUTPUT_FILE_H
 
+#include "Descriptor_buffer.h"
+#include "links.h"
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <ostream>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -15,26 +20,31 @@
 namespace program {
 
 // A file that appears under its name only when it is complete: it is written beside
-// it and renamed by commit(). Devices and pipes are written to directly.
+// it and renamed by commit(). Devices, pipes, and what the shell has opened are written to directly.
 class Output_file {
 public:
-  explicit Output_file(const std::string& path) : name(path)
+  explicit Output_file(const std::string& path) : name(path), opened(opened_by_shell(path)), out(opened.get())
   {
     namespace fs = std::filesystem;
+    if(opened)
+      return;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if(fs::is_directory(status))
       throw std::runtime_error(path + ": is a directory");
-    const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
-    // A link stays a link.
-    target = fs::exists(status) ? fs::canonical(path) : fs::path(path);
+    if(status.type() == fs::file_type::none)
+      throw std::runtime_error(path + ": cannot be written (" + error.message() + ")");
+    target = path;
     written = target;
-    if(!is_device)
-      written += ".part" + std::to_string(std::random_device()());
+    if(!fs::exists(status) || fs::is_regular_file(status)) {
+      target = follow_links(path);
+      // A name of its own, since one that is longer than that of the file may be too long.
+      written = target.parent_path() / ("detect_planes_" + std::to_string(std::random_device()()) + ".part");
+    }
     errno = 0;
-    out.open(written, std::ios::binary);
-    if(!out)
+    if(!file.open(written, std::ios::out | std::ios::binary))
       fail("cannot be written");
+    out.rdbuf(&file);
   }
 
   Output_file(const Output_file&) = delete;
@@ -48,11 +58,7 @@ public:
   void close()
   {
     errno = 0;
-    out.flush();
-    if(!out)
-      fail("cannot be written completely");
-    out.close();
-    if(!out)
+    if(!out.flush() || (file.is_open() && !file.close()))
       fail("cannot be written completely");
   }
 
@@ -79,7 +85,7 @@ private:
   {
     if(written == target)
       return;
-    out.close();
+    file.close();
     std::error_code error;
     std::filesystem::remove(written, error);
     written = target;
@@ -87,7 +93,9 @@ private:
 
   std::string name;
   std::filesystem::path target, written;
-  std::ofstream out;
+  std::filebuf file;
+  std::unique_ptr<std::streambuf> opened;
+  std::ostream out;
 };
 
 } // namespace program

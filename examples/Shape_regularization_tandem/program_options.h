@@ -6,6 +6,8 @@
 #ifndef DETECT_PLANES_PROGRAM_OPTIONS_H
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
+#include "links.h"
+
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -135,15 +137,17 @@ inline std::vector<std::string> join_optional_value(int argc, const char* const 
   return words;
 }
 
-// The same file under two names is found as well; devices may serve twice.
+// The same file under two names is found as well; devices and pipes may serve twice.
 inline void check_files(const Options& o)
 {
-  std::vector<std::filesystem::path> files;
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
   for(const std::string& name : {o.input, o.output, o.labels, o.planes, o.report, o.vg, o.polygons}) {
     std::error_code error;
-    if(name.empty() || std::filesystem::is_character_file(name, error))
+    const fs::file_status status = fs::status(name, error);
+    if(name.empty() || (fs::exists(status) && !fs::is_regular_file(status)))
       continue;
-    files.push_back(std::filesystem::weakly_canonical(std::filesystem::absolute(name), error));
+    files.push_back(unique_name(name));
     if(std::count(files.begin(), files.end(), files.back()) > 1)
       throw Usage_error("the file " + name + " is named twice");
   }

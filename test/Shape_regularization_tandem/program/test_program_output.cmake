@@ -1,0 +1,59 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Where detect_planes writes: pipes, files that the shell has opened, and links. PROGRAM is tested in WORK_DIR.
+
+cmake_minimum_required(VERSION 3.19)
+
+include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
+
+expect(0 "^$" cube.ply ${epsilon} --quiet --planes planes)
+file(READ "${WORK_DIR}/planes" planes)
+set(run "\"$P\" cube.ply --maximum-distance 0.004")
+
+# expect_planes(before after command): what the command writes to the file log.
+macro(expect_planes before after command)
+  file(WRITE "${WORK_DIR}/log" "old\n")
+  expect_shell(0 "^$" "${command}")
+  file(READ "${WORK_DIR}/log" log)
+  if(NOT "${log}" MATCHES "^${before}(.*)$" OR NOT "${log}" MATCHES "${after}$")
+    complain("${command}\n  strange log: ${log}")
+  endif()
+  string(FIND "${log}" "${planes}" found)
+  if(found LESS 0)
+    complain("${command}\n  no planes in the log: ${log}")
+  endif()
+endmacro()
+
+# --- What the shell has opened is not replaced
+set(summary "hash +[0-9a-f]+\n")
+if(EXISTS /dev/stdout)
+  expect_planes("old\n" "" "${run} --quiet --planes /dev/stdout >> log")
+  expect_planes("old\n" "${summary}" "${run} --planes /dev/stdout >> log")
+  expect_planes("" "${summary}" "${run} --planes /dev/stdout > log")
+  expect_planes("old\n" "${summary}" "${run} --planes log >> log")
+  expect_planes("old\nthree\n" "end\n" "exec 3>> log; echo three >&3; ${run} --quiet --planes /dev/fd/3; echo end >&3")
+  expect_planes("old\n" "${summary}" "ln -s /dev/stdout my_output; ${run} --planes my_output >> log")
+
+  # --- Pipes
+  expect_planes("" "" "${run} --quiet --planes /dev/stdout | cat > log")
+  expect_planes("" "" "${run} --quiet --planes /dev/fd/1 | cat > log")
+  expect_planes("" "" "mkfifo fifo; cat fifo > log & ${run} --quiet --planes fifo; wait")
+  expect_planes("" "" "{ ${run} --quiet --planes /dev/fd/5 5>&1 >&2 | cat; } > log") # as in a process substitution
+  expect_shell(0 "^-?[0-9.]+[^\n]*\n$" "${run} --planes /dev/stdout | head -1")
+  expect_shell(0 "\"hash\".*${summary}" "${run} --planes /dev/stdout --report /dev/stdout | cat")
+endif()
+
+# --- Names
+set(planes_of_link "cmp link planes && [ -L link ] && rm -f link")
+expect_shell(0 "^$" "ln -s target link; ${run} --quiet --planes link && cmp target planes && ${planes_of_link}")
+expect_shell(0 "^$" "ln -s link2 link; mkdir sub; ln -s sub/new link2; ${run} --quiet --planes link &&
+  cmp sub/new planes && [ -L link2 ] && ${planes_of_link}")
+expect_shell(0 "^$" "name=$(printf '%0250d' 7); ${run} --quiet --planes $name && cmp $name planes")
+expect_shell(2 "named twice" "ln -s nowhere link; exec ${run} --planes nowhere --labels link")
+expect_shell(1 "LOOP/y: cannot be written .Too many" "ln -s LOOP LOOP; exec ${run} --planes LOOP/x --labels LOOP/y")
+expect_shell(1 "LOOP: cannot be written .Too many" "exec ${run} --planes LOOP")
+expect_shell(2 "named twice" "exec ${run} --planes LOOP/x --labels LOOP/./x")
+expect_shell(0 "^$" "[ -L LOOP ]")
+
+finish()
