@@ -5,6 +5,7 @@
 #define DETECT_PLANES_OUTPUT_FILE_H
 
 #include "Descriptor_buffer.h"
+#include "Partial_file.h"
 #include "links.h"
 
 #include <cerrno>
@@ -12,8 +13,8 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <ostream>
-#include <random>
 #include <stdexcept>
 #include <string>
 
@@ -34,23 +35,18 @@ public:
       throw std::runtime_error(path + ": is a directory");
     if(status.type() == fs::file_type::none)
       throw std::runtime_error(path + ": cannot be written (" + error.message() + ")");
-    target = path;
-    written = target;
     if(!fs::exists(status) || fs::is_regular_file(status)) {
       target = follow_links(path);
-      // A name of its own, since one that is longer than that of the file may be too long.
-      written = target.parent_path() / ("detect_planes_" + std::to_string(std::random_device()()) + ".part");
+      part.emplace(target.parent_path());
     }
     errno = 0;
-    if(!file.open(written, std::ios::out | std::ios::binary))
+    if(!file.open(part ? part->name() : fs::path(path), std::ios::out | std::ios::binary))
       fail("cannot be written");
     out.rdbuf(&file);
   }
 
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
-
-  ~Output_file() { remove_part(); }
 
   std::ostream& stream() { return out; }
 
@@ -64,36 +60,25 @@ public:
 
   void commit()
   {
-    if(written == target)
+    if(!part)
       return;
     std::error_code error;
-    std::filesystem::rename(written, target, error);
+    part->rename(target, error);
     if(error)
       throw std::runtime_error(name + ": cannot be written (" + error.message() + ")");
-    written = target;
   }
 
 private:
   void fail(const std::string& what)
   {
     const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string();
-    remove_part();
     throw std::runtime_error(name + ": " + what + reason);
   }
 
-  void remove_part()
-  {
-    if(written == target)
-      return;
-    file.close();
-    std::error_code error;
-    std::filesystem::remove(written, error);
-    written = target;
-  }
-
   std::string name;
-  std::filesystem::path target, written;
-  std::filebuf file;
+  std::filesystem::path target;
+  std::optional<Partial_file> part;
+  std::filebuf file; // closed before the partial file is removed
   std::unique_ptr<std::streambuf> opened;
   std::ostream out;
 };

@@ -5,6 +5,7 @@
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
 #include "Output_file.h"
+#include "fail.h"
 #include "program_options.h"
 #include "progress.h"
 #include "read_cloud.h"
@@ -223,19 +224,11 @@ void run(const Options& o)
     throw std::runtime_error("standard output cannot be written");
 }
 
-// One line, whatever a library put into its message.
-int fail(int code, std::string message)
-{
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << "detect_planes: " << message << std::endl;
-  return code;
-}
-
 } // namespace program
 
 int main(int argc, char* argv[])
 {
-  program::catch_interrupts();
+  program::catch_signals();
   try {
     const program::Command_line command_line = program::parse(argc, argv);
     if(command_line.options.wants_help)
@@ -244,7 +237,7 @@ int main(int argc, char* argv[])
       program::run(command_line.options);
     return 0;
   } catch(const program::Usage_error& e) {
-    return program::fail(2, std::string(e.what()) + " (detect_planes --help lists the options)");
+    return program::fail(2, e.what(), " (detect_planes --help lists the options)");
   } catch(const std::bad_alloc&) {
     return program::fail(1, "not enough memory");
   } catch(const std::exception& e) {

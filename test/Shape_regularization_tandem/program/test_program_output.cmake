@@ -1,7 +1,8 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Where detect_planes writes: pipes, files that the shell has opened, and links. PROGRAM is tested in WORK_DIR.
+# Where detect_planes writes: pipes, files that the shell has opened, and links. What signals leave of its files:
+# nothing. PROGRAM is tested in WORK_DIR.
 
 cmake_minimum_required(VERSION 3.19)
 
@@ -55,5 +56,25 @@ expect_shell(1 "LOOP/y: cannot be written .Too many" "ln -s LOOP LOOP; exec ${ru
 expect_shell(1 "LOOP: cannot be written .Too many" "exec ${run} --planes LOOP")
 expect_shell(2 "named twice" "exec ${run} --planes LOOP/x --labels LOOP/./x")
 expect_shell(0 "^$" "[ -L LOOP ]")
+
+# --- Signals. The plain PCA of many neighbors takes seconds, and does not look for them.
+file(WRITE "${WORK_DIR}/signals.sh" [=[
+awk 'BEGIN { for(i = 0; i < 20000; ++i) print i % 109, i % 97, i % 3 }' > slow.xyz
+start()
+{
+  "$P" slow.xyz --quiet --maximum-distance .5 --estimate-normals $1 --output never.ply --labels never.labels 2> messages &
+  pid=$!
+  while [ $(find . -name '*.part*' | wc -l) -lt 2 ]; do sleep .01; done
+}
+end() { code=0; wait $pid 2> /dev/null || code=$?; echo $code $(cat messages); }
+]=])
+set(start ". ./signals.sh; start")
+expect_shell(0 "^1 detect_planes: interrupted[^\n]*\n$" "${start} 100; kill -HUP $pid; end")
+expect_shell(0 "^130\n$" "${start} 1000; kill -INT $pid; sleep .1; kill -INT $pid; end")
+expect_shell(0 "^143\n$" "${start} 1000; kill -INT $pid; sleep .1; kill -TERM $pid; end")
+expect_shell(0 "^152\n$" "ulimit -c 0; ${start} 1000; kill -XCPU $pid; end")
+expect_shell(0 "^0\n$" "trap '' HUP; ${start} 20; kill -HUP $pid; end") # as nohup
+expect_shell(0 "^$" "rm never.ply never.labels; { sleep .1; ${run} --output never.ply --planes /dev/stdout; } | true")
+expect_no_file(never.ply never.labels)
 
 finish()
