@@ -4,6 +4,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_PARAMETERS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_PARAMETERS_H
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -71,10 +72,16 @@ template <class T>
   throw std::invalid_argument(std::string(name) + " is " + to_text(value) + ", allowed is " + range);
 }
 
-// Written so that NaN is rejected. A length below 1e-270 has no grid of normalized doubles.
+// The bounds of lengths. Shorter ones have no grid of normalized doubles.
+inline constexpr double smallest_length = 1e-270, largest_length = 1e270;
+
+// For estimates, which follow the unit of the points and need not be within the bounds.
+inline double bounded_length(double length) { return (std::min)((std::max)(length, smallest_length), largest_length); }
+
+// Written so that NaN is rejected.
 inline void check_length(const char* name, double value, double smallest)
 {
-  if(!(value >= smallest) || value > 1e270)
+  if(!(value >= smallest) || value > largest_length)
     throw_out_of_range(name, value,
                        smallest > 0 ? "(0, infinity), and [1e-270, 1e270] in practice"
                                     : "[0, infinity), and at most 1e270 in practice");
@@ -114,7 +121,7 @@ the parameters is outside of it. Estimated parameters must be resolved before.
 */
 inline void check_parameters(const Parameters& p)
 {
-  internal::check_length("maximum_distance", p.maximum_distance, 1e-270);
+  internal::check_length("maximum_distance", p.maximum_distance, internal::smallest_length);
   if(!(p.maximum_angle > 0 && p.maximum_angle < 90))
     internal::throw_out_of_range("maximum_angle", p.maximum_angle, "(0, 90) degrees");
   if(!(p.angle_tolerance >= 0 && p.angle_tolerance < 45))

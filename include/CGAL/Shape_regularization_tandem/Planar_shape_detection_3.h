@@ -60,7 +60,7 @@ public:
   \param traits the traits
   \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
   \throw std::length_error more than 2^31 points
-  \throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`
+  \throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters(),

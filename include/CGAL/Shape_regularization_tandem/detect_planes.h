@@ -96,7 +96,7 @@ the defaults then
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
 \throw std::length_error more than 2^31 points, or than the memory of the device holds (`Cuda_tag`)
 \throw std::runtime_error there is no CUDA device (`Cuda_tag`), or it fails
-\throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`
+\throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -25,12 +25,12 @@ double estimate_maximum_distance(Backend& backend, const Import& in)
   const Coordinate_box& box = in.box;
   const double estimate = (std::max)(distance_per_noise * measure.noise, distance_per_spacing * measure.spacing);
   const double smallest = std::ldexp(box.extent(), minimum_distance_bits); // so that the grid can hold the cloud
-  if((std::max)(estimate, smallest) > 0)
-    return (std::max)(estimate, smallest);
+  if(box.extent() > 0)
+    return bounded_length((std::max)(estimate, smallest));
   double largest = 0; // all points are equal: any positive length
   for(int c = 0; c < 3; ++c)
     largest = (std::max)(largest, std::fabs(box.low[c]));
-  return largest > 1e-200 ? 1e-6 * largest : 1;
+  return largest > 1e-200 ? bounded_length(1e-6 * largest) : 1;
 }
 
 inline std::size_t estimate_minimum_region_size(std::size_t points)
@@ -74,7 +74,8 @@ inline void check_given_parameters(Parameters p)
   and its 20 nearest neighbors to their plane; the spacing is the median of the mean distance of a point to its 6
   nearest neighbors. In large clouds, octree cells which hold about 130,000 points together are measured. Where the
   noise exceeds the spacing, so that three quarters of the neighborhoods are more than 0.4 as thick as wide, the noise
-  is measured with every fourth, 16th or 64th of these points.
+  is measured with every fourth, 16th or 64th of these points. The estimate is between 1e-270 and 1e270, as
+  `maximum_distance` has to be.
 - `maximum_offset` is `maximum_distance`.
 - `minimum_region_size` is 0.3 times the square root of the number of points, and at least 20.
 
@@ -88,6 +89,8 @@ estimate does not depend on the order of the points. All lengths are in the unit
 \param np as those of `detect_planes()`. Parameters that are given are kept, and checked.
 
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
+\throw std::length_error more than 2^31 points
+\throw std::range_error `maximum_distance` is not given, and the extent of the points is more than 2^24 times 1e270
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -195,6 +195,45 @@ void test_extent()
   huge[0].first = Epick::Point_3(1e300, 0, 0);
   huge[1].first = Epick::Point_3(-1.7e308, 0, 1.7e308);
   check_throws<std::range_error>([&] { detect_planes(huge, given); }, {"maximum_distance", "extent"}, __LINE__);
+  // Nobody has given a distance that would be too small.
+  check_throws<std::range_error>([&] { detect_planes(huge, np::point_map(First<Epick>())); },
+                                 {"extent", "1.7e+308", "2^24 times the largest maximum_distance"}, __LINE__);
+}
+
+// The box in another unit, in which lengths have no sensible value.
+Pairs<Epick> make_scaled_box(double unit)
+{
+  Pairs<Epick> points = make_pairs<Epick>(make_box_cloud(300));
+  for(auto& p : points)
+    p.first = CGAL::ORIGIN + unit * (p.first - CGAL::ORIGIN);
+  return points;
+}
+
+// Whatever the result is, it is valid.
+void test_extreme_coordinates()
+{
+  const auto check = [](const Pairs<Epick>& points, const auto& list, const std::string& name) {
+    const auto shapes = detect_planes(points, list);
+    std::string why;
+    CHECK_AT(shapes.number_of_points() == points.size(), name);
+    CHECK_AT(is_valid_result(points, shapes, list, &why), name + ": " + why);
+  };
+  const auto check_all = [&](const Pairs<Epick>& points, const std::string& name) {
+    check(points, np::point_map(First<Epick>()), name);
+    check(points, np::point_map(First<Epick>()).normal_map(Second<Epick>()), name + ", normals");
+    check(points, np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_offset(1e270),
+          name + ", large offset");
+  };
+  for(double unit : {1e-322, 1e-318, 1e-300, 1e-272, 1e-269, 1e268, 1e272})
+    check_all(make_scaled_box(unit), CGAL::Tandem::internal::to_text(unit));
+  for(double x : {5e-324, 1e-310, 1e-250, 1e300, 1.7e308, -1.7e308}) {
+    const Pairs<Epick> points(200, {{x, x, -x}, {0, 0, 1}});
+    const std::string name = "equal points at " + CGAL::Tandem::internal::to_text(x);
+    check_all(points, name);
+    const auto given = np::point_map(First<Epick>()).normal_map(Second<Epick>());
+    for(double distance : {1e-270, 1e-20, .01, 1e270})
+      check(points, given.maximum_distance(distance), name + ", distance " + CGAL::Tandem::internal::to_text(distance));
+  }
 }
 
 int main()
@@ -204,5 +243,6 @@ int main()
   test_lengths_of_normals();
   test_misuse();
   test_extent();
+  test_extreme_coordinates();
   return report();
 }

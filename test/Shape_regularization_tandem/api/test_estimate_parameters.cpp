@@ -83,7 +83,18 @@ void test_degenerate()
   CHECK(distance_of({{1, 2, 3}}) > 0);
   CHECK(distance_of(Points(50, {0, 0, 0})) > 0);
   CHECK(distance_of(Points(50, {1e200, 0, 0})) > 0);
+  CHECK(distance_of(Points(50, {1e300, 0, 0})) == 1e270); // the largest that is allowed
   CHECK(distance_of({{0, 0, 0}, {1, 0, 0}}) > 0);
+  const Points points = make_points(300, .002f);
+  for(double unit : {1e-322, 1e-318, 1e-310, 1e-300, 1e-280})
+    CHECK_AT(distance_of(transformed(points, unit, {0, 0, 0})) == 1e-270, std::to_string(std::log10(unit)));
+  CHECK(distance_of(transformed(points, 1e276, {0, 0, 0})) == 1e270);
+  for(double x : {1e290, 1e308, 1.7e308})
+    check_throws<std::range_error>(
+      [&] {
+        distance_of({{x, 0, 0}, {-x, 0, 0}, {0, x, 0}});
+      },
+      {"extent", "2^24 times the largest maximum_distance"}, __LINE__);
   CHECK(estimate_parameters(Points()).minimum_region_size >= 3);
 }
 

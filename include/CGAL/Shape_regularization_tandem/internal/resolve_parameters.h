@@ -44,15 +44,14 @@ void read_switch(const NP& np, bool& value)
     value = parameter<Tag>(np, true);
 }
 
-// Lengths are checked here if they are given or set, since 0 would mean "to be estimated" later. The lower bound is
-// that of Parameters.h.
+// Lengths are checked here if they are given or set, since 0 would mean "to be estimated" later.
 template <class NP>
 Parameters read_parameters(const NP& np)
 {
   Parameters p = parameter<internal_np::settings_t>(np, Parameters());
   read_real<internal_np::maximum_distance_t>(np, p.maximum_distance);
   if(Is_given<internal_np::maximum_distance_t, NP>::value || p.maximum_distance != 0)
-    check_length("maximum_distance", p.maximum_distance, 1e-270);
+    check_length("maximum_distance", p.maximum_distance, smallest_length);
   read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
   read_real<internal_np::angle_tolerance_t>(np, p.angle_tolerance);
   read_real<internal_np::maximum_offset_t>(np, p.maximum_offset);

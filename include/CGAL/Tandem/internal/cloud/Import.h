@@ -147,7 +147,8 @@ struct Import {
 };
 
 // The origin is the middle of the box, counted in steps and rounded down. So it moves with a cloud that moves by
-// multiples of the step. Returns false if the cloud does not fit into +-2^28 steps; 4 are kept for rounding.
+// multiples of the step. Coordinates that are too large to be counted are such multiples. Returns false if the cloud
+// does not fit into +-2^28 steps; 4 are kept for rounding.
 inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)
 {
   double origin[3];
@@ -155,6 +156,10 @@ inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)
     const double low = std::floor(box.low[c] / step);
     const double high = std::floor(box.high[c] / step);
     const double middle = std::floor((low + high) / 2);
+    if(box.low[c] == box.high[c] && !std::isfinite(middle)) {
+      origin[c] = box.low[c];
+      continue;
+    }
     if(!(high - low <= double(1 << 29) - 4) || !std::isfinite(middle * step))
       return false;
     origin[c] = middle * step;
@@ -165,13 +170,16 @@ inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)
 }
 
 // The grid of a cloud: epsilon has 1,024 to 2,047 steps, or less where the extent needs a coarser grid. Throws if it
-// had less than 16. See the manual, "Grid and Units".
+// had less than 16, or would have for every epsilon. See the manual, "Grid and Units".
 inline Grid make_grid(const Coordinate_box& box, double epsilon)
 {
+  const double largest = std::ldexp(largest_length, 24);
+  if(!(box.extent() <= largest))
+    throw std::range_error("the extent of the points is " + to_text(box.extent()) + ": allowed is up to " +
+                           to_text(largest) + ", which is 2^24 times the largest maximum_distance");
   const double finest = std::ldexp(1.0, std::ilogb(epsilon) - tuning::grid::steps_per_distance_bits);
   Grid grid;
-  for(double step = finest; std::isfinite(box.extent()) && epsilon >= tuning::grid::minimum_steps_per_distance * step;
-      step *= 2) {
+  for(double step = finest; epsilon >= tuning::grid::minimum_steps_per_distance * step; step *= 2) {
     if(place_origin(box, step, grid)) {
       grid.is_coarse = step > finest;
       return grid;

@@ -63,7 +63,9 @@ inline Options make_options(const Import& in, const Parameters& p)
                   p.regularize_coplanarity,
                   false};
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
-  o.certain = make_tolerance(o.maximum_distance - distance_margin(in.grid), cosine_deg(certain_angle));
+  // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.
+  const double certain_distance = (std::max)(o.maximum_distance - distance_margin(in.grid), -1.);
+  o.certain = make_tolerance(certain_distance, cosine_deg(certain_angle));
   o.exact = {p.maximum_distance, std::fma(1.0, cosine, tuning::exactness::rounded_normal_margin)};
   o.regularity_period = int((std::min)(p.regularity_period, std::size_t(1) << 30));
   return o;

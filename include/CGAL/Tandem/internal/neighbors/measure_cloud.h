@@ -106,12 +106,12 @@ inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
   return thin;
 }
 
-// The measure of an import, in the units of its coordinates; zeros if all points are equal. It works on a grid of its
-// own, since epsilon is not known yet. The spacing is that of the cloud before it is thinned.
+// The measure of an import, in the units of its coordinates; zeros if all points are equal, or closer than any epsilon.
+// It works on a grid of its own, since epsilon is not known yet. The spacing is that of the cloud before it is thinned.
 template <class Backend>
 Cloud_measure measure_cloud(Backend& backend, const Import& in)
 {
-  if(!(in.box.extent() > 0))
+  if(!(in.box.extent() > smallest_length))
     return Cloud_measure();
   const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), -16)); // up to 2^27 steps
   const double inverse_step = 1 / grid.step;
