@@ -66,7 +66,7 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add("maximum-distance", number(o.maximum_distance)->value_name("D"),
       "largest distance of a point to the plane of its shape (default: estimated from noise and spacing)");
   add("maximum-angle", number(o.maximum_angle)->value_name("DEG"),
-      "largest angle between the normal of a point and that of its shape, between 0 and 90 (default: 25)");
+      "largest angle between the normal of a point and that of its shape, from 0.05 to below 90 (default: 25)");
   add("angle-tolerance", number(o.angle_tolerance)->value_name("DEG"),
       "angle within which shapes are made parallel or orthogonal if their points allow it, below 45 (default: 8)");
   add(

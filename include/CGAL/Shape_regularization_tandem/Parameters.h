@@ -25,7 +25,7 @@ angles in degrees.
 struct Parameters {
   /// largest distance of a point to the plane of its shape (epsilon of the paper)
   double maximum_distance = 0;
-  /// largest angle between the normal of a point and that of its shape (alpha), in (0, 90)
+  /// largest angle between the normal of a point and that of its shape (alpha), in [0.05, 90)
   double maximum_angle = 25;
   /// angle within which shapes are made parallel or orthogonal (beta), in [0, 45)
   double angle_tolerance = 8;
@@ -75,6 +75,11 @@ template <class T>
 // The bounds of lengths. Shorter ones have no grid of normalized doubles.
 inline constexpr double smallest_length = 1e-270, largest_length = 1e270;
 
+// Degrees. Normals are packed, which turns them by up to .0037 degrees. The integer test turns them by .0053 more, as
+// squared cosines of small angles differ little. The exact test demands a cosine that is larger than that of the angle
+// by tuning::exactness::rounded_normal_margin. Below .0363 degrees no cosine is that large.
+inline constexpr double smallest_angle_deg = 0.05;
+
 // For estimates, which follow the unit of the points and need not be within the bounds.
 inline double bounded_length(double length) { return (std::min)((std::max)(length, smallest_length), largest_length); }
 
@@ -122,8 +127,10 @@ the parameters is outside of it. Estimated parameters must be resolved before.
 inline void check_parameters(const Parameters& p)
 {
   internal::check_length("maximum_distance", p.maximum_distance, internal::smallest_length);
-  if(!(p.maximum_angle > 0 && p.maximum_angle < 90))
-    internal::throw_out_of_range("maximum_angle", p.maximum_angle, "(0, 90) degrees");
+  if(!(p.maximum_angle >= internal::smallest_angle_deg && p.maximum_angle < 90))
+    internal::throw_out_of_range("maximum_angle", p.maximum_angle,
+                                 "[" + internal::to_text(internal::smallest_angle_deg) +
+                                   ", 90) degrees: smaller angles are below the rounding of normals");
   if(!(p.angle_tolerance >= 0 && p.angle_tolerance < 45))
     internal::throw_out_of_range("angle_tolerance", p.angle_tolerance, "[0, 45) degrees");
   internal::check_length("maximum_offset", p.maximum_offset, 0);

@@ -47,7 +47,8 @@ the defaults then
     \cgalParamDefault{as `estimate_parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_angle}
-    \cgalParamDescription{the largest angle between the normal of a point and that of its shape, in degrees, in (0, 90)}
+    \cgalParamDescription{the largest angle between the normal of a point and that of its shape, in degrees, in [0.05,
+    90). Normals are rounded by up to 0.004 degrees, so smaller angles would find nothing.}
     \cgalParamDefault{25}
   \cgalParamNEnd
   \cgalParamNBegin{angle_tolerance}

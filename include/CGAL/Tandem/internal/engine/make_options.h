@@ -38,6 +38,8 @@ inline Growth_options make_growth_options(const Parameters& p, const Tolerance& 
   return {tolerance, young_seeds_in_flight, seed_tries, std::uint32_t(core_size), p.cell_size};
 }
 
+static_assert(smallest_angle_deg > 2 * tuning::exactness::packing_margin_deg, "exact normals would not fit");
+
 // `certain` is what an integer test accepts without doubt: tighter by all roundings of distance and angle. `exact` is
 // in the caller's units, hence not divided by the step.
 inline Options make_options(const Import& in, const Parameters& p)
