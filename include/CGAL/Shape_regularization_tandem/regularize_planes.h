@@ -26,7 +26,7 @@ inline Regularity_options check_plane_options(const Parameters& p, bool has_dist
     throw_out_of_range("maximum_angle", p.maximum_angle, "[0, 45) degrees");
   check_length("maximum_offset", p.maximum_offset, 0);
   if(has_distance)
-    check_length("maximum_distance", p.maximum_distance, 1e-270);
+    check_length("maximum_distance", p.maximum_distance, smallest_length);
   return {p.maximum_angle,
           p.maximum_offset,
           p.maximum_distance,
@@ -58,7 +58,15 @@ inline double resolve_maximum_distance(const Import& in, const std::vector<int>&
   const double estimate = (std::max)(estimate_maximum_distance(in, plane_of, planes), options.maximum_offset);
   const double extent = in.size() > 0 ? in.box.extent() : 0;
   const double smallest = extent > 0 ? extent * 1e-6 : 1;
-  return (std::max)(estimate, smallest);
+  return bounded_length((std::max)(estimate, smallest));
+}
+
+// No two points are that far apart, so a larger tolerance has no other effect.
+inline double bounded_by_extent(double length, const Import& in)
+{
+  const double extent = in.size() > 0 ? in.box.extent() : 0;
+  const double largest = bounded_length(extent * tuning::grid::maximum_distance_per_extent);
+  return extent > 0 ? (std::min)(length, largest) : length;
 }
 
 // Whether the step left a plane to itself.
@@ -142,7 +150,9 @@ inline Plane_relations relate_planes(Import& in, const std::vector<int>& plane_o
                                      std::vector<Coefficients>& planes)
 {
   Plane_relations result;
-  options.maximum_distance = result.maximum_distance = resolve_maximum_distance(in, plane_of, planes, options);
+  result.maximum_distance = bounded_by_extent(resolve_maximum_distance(in, plane_of, planes, options), in);
+  options.maximum_distance = result.maximum_distance;
+  options.maximum_offset = bounded_by_extent(options.maximum_offset, in);
   Sequential_backend backend;
   put_on_grid(backend, in, options.maximum_distance);
   options.maximum_distance /= in.grid.step;
@@ -213,7 +223,8 @@ those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
     \cgalParamDefault{25}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_offset}
-    \cgalParamDescription{the largest distance between parallel planes that are made coplanar}
+    \cgalParamDescription{the largest distance between parallel planes that are made coplanar. This and
+    `maximum_distance` count as four times the extent of the points where they are larger.}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
@@ -230,7 +241,7 @@ those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
 
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
 \throw std::length_error more than 2^31 points
-\throw std::range_error the extent of the points is more than 2^24 times `maximum_distance`
+\throw std::range_error the extent of the points is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
 */
 template <class PlaneRange, class PointRange, class NamedParameters>
 Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points, const NamedParameters& np)

@@ -261,6 +261,45 @@ void test_bad_input()
   check_throws([&] { run(np::plane_index_map(s.index_map())); }, "plane_index_map");
 }
 
+// A tolerance beyond the extent of the points is as good as one of that extent.
+void test_large_tolerances()
+{
+  const Scene<Kernel> s = make_box<Kernel>(3, 0.01);
+  namespace tandem = CGAL::Tandem::parameters;
+  const auto all = tandem::plane_index_map(s.index_map()).maximum_angle(8);
+  const auto run = [&](const auto& list) {
+    Scene<Kernel> t = s;
+    const CGAL::Tandem::Plane_relations r = CGAL::Tandem::regularize_planes(t.planes, s.points, list);
+    return std::make_pair(t.planes, r);
+  };
+  const auto expected = run(all.maximum_offset(100)); // the box has a diameter of 20
+  check_equal(expected.second.number_of_parallel_groups(), 3, "directions, offset 100");
+  check_equal(expected.second.number_of_coplanar_groups(), 3, "planes, offset 100");
+  for(double large : {1e3, 1e6, 1e100, 1e270}) {
+    const auto offset = run(all.maximum_offset(large)), distance = run(all.maximum_offset(100).maximum_distance(large));
+    check(offset.first == expected.first, "the same planes, maximum_offset", large);
+    check(distance.first == expected.first, "the same planes, maximum_distance", large);
+    check(offset.second.coplanar_group == expected.second.coplanar_group, "the same groups, maximum_offset", large);
+    // Opposite faces stay apart where their points are to be close to their planes.
+    const auto near = run(all.maximum_offset(large).maximum_distance(0.05));
+    check_equal(near.second.number_of_parallel_groups(), 3, "directions, points nearby");
+    check_equal(near.second.number_of_coplanar_groups(), 7, "planes, points nearby");
+  }
+}
+
+// The points of a plane decide, wherever the plane was said to be.
+void test_far_planes()
+{
+  for(double far : {1e8, 1e12, 1e30, 1e200, 1e308}) {
+    Scene<Kernel> s = make_box<Kernel>(3, 0.01);
+    const Kernel::Plane_3 p = s.planes[7];
+    s.planes[7] = Kernel::Plane_3(p.a(), p.b(), p.c(), far);
+    const auto r = CGAL::Tandem::regularize_planes(
+      s.planes, s.points, CGAL::Tandem::parameters::plane_index_map(s.index_map()).maximum_angle(8));
+    check_equal(r.number_of_parallel_groups(), 3, "directions with a plane at " + std::to_string(far));
+  }
+}
+
 // Planes and points inside of other types.
 void test_maps()
 {
@@ -293,6 +332,8 @@ int main()
   test_refusal();
   test_order_of_points();
   test_bad_input();
+  test_large_tolerances();
+  test_far_planes();
   test_maps();
   return report();
 }

@@ -43,6 +43,9 @@ namespace grid {
 constexpr int steps_per_distance_bits = 10;
 // Fewest steps in epsilon where the extent of the cloud asks for a coarser grid. Fewer: rounding changes results.
 constexpr double minimum_steps_per_distance = 16;
+// Of planes that were found elsewhere: longer tolerances count as this multiple of the extent of the points. All points
+// are within already; a coarser grid would lose their planes.
+constexpr double maximum_distance_per_extent = 4;
 
 } // namespace grid
 

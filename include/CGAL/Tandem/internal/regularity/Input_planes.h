@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 
+#include <limits>
 #include <numeric>
 
 namespace CGAL {
@@ -126,8 +127,16 @@ private:
     const bool has_normal = dot(n, n) > 0;
     fits_.push_back({scatter, fit_plane(scatter)});
     is_excluded_.push_back(!has_normal || moments.count < 3 || !(e.value[1] > 1e-12 * e.value[2]));
-    given.push_back(has_normal ? on_grid({n, -(dot(n, grid.origin) + c[3]) / grid.step}, scatter.centroid)
+    given.push_back(has_normal ? given_plane({n, -(dot(n, grid.origin) + c[3]) / grid.step}, scatter.centroid)
                                : Plane{0, 0, 0, 0});
+  }
+
+  // The integers hold the planes near the grid. A plane that is farther from its points is far from all of them.
+  static Plane given_plane(const Regular_plane& p, const Vector& near)
+  {
+    constexpr double largest = double(std::int64_t(1) << 30); // steps
+    const bool is_far = !(std::fabs(p.offset - dot(p.normal, near)) <= largest);
+    return is_far ? Plane{0, 0, 0, (std::numeric_limits<std::int64_t>::max)()} : on_grid(p, near);
   }
 
   std::vector<Grid_point> point;  // those of a plane together
