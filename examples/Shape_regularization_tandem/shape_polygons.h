@@ -18,6 +18,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -92,7 +93,8 @@ public:
     // Of points at random, the largest empty circle is about 2.3 times as large as the upper quartile of all.
     const auto quartile = radii.begin() + std::ptrdiff_t(radii.size() * 3 / 4);
     std::nth_element(radii.begin(), quartile, radii.end());
-    squared_alpha = 2.5 * 2.5 * *quartile;
+    if(std::isfinite(*quartile)) // else all points are on a line, but for rounding
+      squared_alpha = 2.5 * 2.5 * *quartile;
     for(Face_handle f : triangulation.all_face_handles())
       f->info() = !triangulation.is_infinite(f) && squared_radius(f) <= squared_alpha;
   }
@@ -123,9 +125,18 @@ private:
   using Face_handle = Triangulation::Face_handle;
   using Edge = std::pair<Face_handle, int>; // opposite to that vertex of the face, which is to its left
 
+  // Infinite for a sliver, whose area is within the rounding of its computation: it would be divided by that. Points of
+  // a lattice that are on a line in space form slivers in the plane of the shape.
   static double squared_radius(Face_handle f)
   {
-    return CGAL::squared_radius(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Kernel::Point_2 &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
+    const Kernel::Vector_2 a = q - p, b = r - p;
+    const double s = a.x() * b.y(), t = a.y() * b.x();
+    if(!(std::fabs(s - t) > 4 * std::numeric_limits<double>::epsilon() * (std::fabs(s) + std::fabs(t))))
+      return infinity;
+    const double squared = CGAL::squared_radius(p, q, r);
+    return std::isfinite(squared) ? squared : infinity;
   }
 
   static bool is_boundary(const Edge& e) { return e.first->info() && !e.first->neighbor(e.second)->info(); }

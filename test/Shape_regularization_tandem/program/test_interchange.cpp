@@ -271,8 +271,45 @@ void check_boundary(const Point_set& points, const Shapes& shapes)
   }
 }
 
+// --- Points of a lattice, far from the origin
+
+// Rounded coordinates put the points of a border next to their line, so that the triangulation has slivers there.
+void check_lattice(int run)
+{
+  std::mt19937 random(run);
+  std::normal_distribution<double> gauss(0, 1);
+  const auto direction = [&] { return Kernel::Vector_3{gauss(random), gauss(random), gauss(random)}; };
+  const auto unit = [](const Kernel::Vector_3& v) { return v / std::sqrt(v.squared_length()); };
+  const Kernel::Vector_3 normal = unit(direction());
+  const Kernel::Vector_3 u = unit(CGAL::cross_product(normal, direction()));
+  const Kernel::Vector_3 v = CGAL::cross_product(normal, u);
+  constexpr int side = 16;
+  const double spacing = run % 2 ? .1 : .125;
+  const Kernel::Point_3 corner = CGAL::ORIGIN + (run % 3) * 1e5 * direction();
+  Point_set points;
+  points.add_normal_map();
+  for(int i = 0; i < side; ++i)
+    for(int j = 0; j < side; ++j)
+      points.insert(corner + (i * spacing) * u + (j * spacing) * v, normal);
+  const Shapes shapes =
+    CGAL::Tandem::detect_planes(points, CGAL::Tandem::parameters::maximum_distance(.01).minimum_region_size(100));
+  CHECK_AT(shapes.number_of_shapes() == 1, std::to_string(run));
+  const program::Shape_polygons p = program::polygons_of_shape(points, shapes, 0);
+  double covered = 0;
+  for(const auto& t : p.triangles) {
+    const auto corner_of = [&](int i) {
+      return Kernel::Point_3(p.vertices[t[i]][0], p.vertices[t[i]][1], p.vertices[t[i]][2]);
+    };
+    covered += std::sqrt(CGAL::squared_area(corner_of(0), corner_of(1), corner_of(2)));
+  }
+  const double length = (side - 1) * spacing;
+  CHECK_AT(std::fabs(covered / (length * length) - 1) < 1e-6, std::to_string(run) + ": " + std::to_string(covered));
+}
+
 int main()
 {
+  for(int run = 0; run < 300; ++run)
+    check_lattice(run);
   for(bool by_plane : {false, true}) {
     check_vg(false, by_plane);
     check_vg(true, by_plane);
