@@ -15,28 +15,35 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+namespace {
+
+// Calls f with a team, on the current device. Waits for all work that f has queued, also when f throws. So another
+// thread, with another stream, may call next, and no copy reads memory that the caller frees.
+template <class F>
+void run_and_wait(F f)
+{
+  try {
+    with_host_team(f);
+    synchronize();
+  } catch(...) {
+    // The exception of f counts, not an error of this wait.
+    static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
+    throw;
+  }
+}
+
+} // namespace
+
 // The engine with its back end. The caller's thread, and its current device, may differ from call to call.
 struct Cuda_engine::Implementation {
   Implementation(Import& in, const Parameters& parameters) : device(current_device()), engine(backend, in, parameters)
-  {
-    // Another thread, with another stream, may call iterate() next.
-    synchronize();
-  }
+  {}
 
-  // Calls f on the device of the engine, with a team. Waits for all work that f has queued, also when f throws. So
-  // another thread, with another stream, may call next.
   template <class F>
   void on_device(F f)
   {
     const Device_guard guard(device);
-    try {
-      with_host_team(f);
-      synchronize();
-    } catch(...) {
-      // The exception of f counts, not an error of this wait.
-      static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
-      throw;
-    }
+    run_and_wait(f);
   }
 
   // The engine refers to the back end, so it is constructed after it.
@@ -156,7 +163,7 @@ Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
 {
   require_device();
   require_memory(in, parameters);
-  with_host_team([&] { implementation_ = std::make_unique<Implementation>(in, parameters); });
+  run_and_wait([&] { implementation_ = std::make_unique<Implementation>(in, parameters); });
   in.coordinates.keep_pages();
   in.normals.keep_pages();
 }

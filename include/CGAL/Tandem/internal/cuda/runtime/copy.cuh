@@ -11,28 +11,36 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <memory>
+#include <new>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Pinned memory of the thread for copies of small tables. The source of a copy has to stay until the stream has come
-// that far. So places are used again only after a synchronization.
+// Pinned memory for copies of small tables. The source of a copy has to stay until the stream has come that far. So
+// places are used again only after a synchronization. A staging belongs to one thread and one device: the thread has
+// another stream on each device, and to wait for one does not end the copies of the other.
 class Staging {
 public:
+  // That of this thread for its current device.
   static Staging& of_thread()
   {
-    thread_local Staging staging;
-    return staging;
+    thread_local std::map<int, Staging> stagings;
+    return stagings[current_device()];
   }
 
-  Staging() = default;
+  Staging() : device_(current_device()) {}
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
 
   // After an exception, copies may still be running.
-  ~Staging() { static_cast<void>(cudaStreamSynchronize(stream_of_thread())); }
+  ~Staging()
+  {
+    const Device_guard guard(device_, std::nothrow);
+    static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
+  }
 
   // So many bytes, at most Pinned_block::bytes. Waits for the stream if the block is full.
   char* take(std::size_t bytes)
@@ -54,6 +62,7 @@ public:
   }
 
 private:
+  int device_;
   std::unique_ptr<Pinned_block> block_;
   std::size_t used_ = 0;
 };
