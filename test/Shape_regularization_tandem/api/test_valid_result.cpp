@@ -7,6 +7,7 @@
 #undef NDEBUG
 
 #include "testing/box_cloud.h"
+#include "testing/change_table.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
@@ -59,15 +60,10 @@ private:
   const Shapes& shapes_;
 };
 
-// The labels are shared, so they are changed in a copy.
 template <class F>
 void change_labels(Data& d, F change)
 {
-  std::vector<std::int32_t> labels(d.shape_of.begin(), d.shape_of.end());
-  change(labels);
-  CGAL::Tandem::internal::Host_buffer<std::int32_t> changed(labels.size());
-  std::copy(labels.begin(), labels.end(), changed.begin());
-  d.shape_of = std::move(changed);
+  change_table(d.shape_of, change);
 }
 
 void set_label(Data& d, std::size_t i, std::int32_t label)
