@@ -4,10 +4,11 @@
 #
 # Installs what is missing, builds and runs all tests: first the style of the sources; then the release build with TBB
 # and all tests; a choice of them without TBB, under ASan + UBSan, and under TSan; the bits of results from other
-# compilers and options; the CUDA back end, where there is a CUDA compiler (its tests are skipped without a device); and
-# the benchmark in small, which fails where a result of Tandem is wrong or differs between back ends. The manual has to
-# build without a warning.
-#   test.sh [style] [release] [sequential] [bits] [asan] [tsan] [cuda] [benchmark] [doc]    only these (default: all)
+# compilers and options; the fuzz targets for some seconds; the CUDA back end, where there is a CUDA compiler (its tests
+# are skipped without a device); and the benchmark in small, which fails where a result of Tandem is wrong or differs
+# between back ends. The manual has to build without a warning.
+#   test.sh [style] [release] [sequential] [bits] [asan] [tsan] [fuzz] [cuda] [benchmark] [doc]   only these
+#                     (default: all of them)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -36,6 +37,7 @@ seconds_of()
     bits) echo 60 ;;
     asan) echo 210 ;;
     tsan) echo 60 ;;
+    fuzz) echo 60 ;;
     cuda) echo 160 ;;
     benchmark) echo 90 ;;
     doc) echo 20 ;;
@@ -159,6 +161,16 @@ run_tsan()
     "-DTANDEM_TESTS=test_(host_team|thread_backend)" "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 
+# Ten seconds in all, from the same seed: scripts/fuzz.sh is for longer runs.
+run_fuzz()
+{
+  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" clang libclang-rt-dev
+  step build and run
+  TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" ply 4 1 || fail "a fuzz target failed"
+  TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" 'xyz off options' 2 1 ||
+    fail "a fuzz target failed"
+}
+
 # For the device that is there; else for the oldest kind that can be used.
 run_cuda()
 {
@@ -185,7 +197,7 @@ run_doc()
   "$root/scripts/doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual has warnings"; }
 }
 
-all_parts='style release sequential bits asan tsan cuda benchmark doc'
+all_parts='style release sequential bits asan tsan fuzz cuda benchmark doc'
 # shellcheck disable=SC2086
 [ $# -gt 0 ] || set -- $all_parts
 tested=$*

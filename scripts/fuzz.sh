@@ -1,0 +1,46 @@
+#!/bin/sh
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Gives mutated files and options to what reads them in detect_planes, until SECONDS are over or a fault is found. It
+# starts from the corpus of the repository and from what earlier runs have found.
+#   fuzz.sh [TARGET [SECONDS [SEED]]]  TARGET: some of ply, xyz, off, options, or all (default: all); SECONDS of each
+#                                      (default: 60); SEED of the mutations (default: another one each time)
+#   TANDEM_BUILD_DIR  parent of the build folder `fuzz`, which gets new inputs in corpus/TARGET, and inputs that cause a
+#                     fault in faults/ (default: build of this repository)
+#   CXX               clang++ (default)
+
+set -eu
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=${TANDEM_BUILD_DIR:-$root/build}/fuzz
+sources=$root/test/Shape_regularization_tandem/fuzz
+targets=${1:-all}
+seconds=${2:-60}
+seed=${3:-0}
+[ "$targets" != all ] || targets='ply xyz off options'
+
+# Small files must not need much memory or time. In bytes, MB and seconds.
+limits='-max_len=1024 -malloc_limit_mb=64 -rss_limit_mb=1024 -timeout=10'
+
+mkdir -p "$build/faults"
+CXX=${CXX:-clang++} cmake -S "$root" -B "$build" -DTANDEM_BUILD_FUZZERS=ON -DTANDEM_BUILD_TESTS=OFF \
+  -DTANDEM_BUILD_EXAMPLES=OFF -DTANDEM_WITH_TBB=OFF -DTANDEM_WITH_CUDA=OFF -DCMAKE_BUILD_TYPE=Debug \
+  > "$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; exit 1; }
+for target in $targets; do
+  cmake --build "$build" --target "fuzz_$target" -j "${TANDEM_JOBS:-1}" > "$build/build.log" 2>&1 ||
+    { cat "$build/build.log" >&2; exit 1; }
+  mkdir -p "$build/corpus/$target"
+  log=$build/$target.log
+  # shellcheck disable=SC2086
+  "$build/test/Shape_regularization_tandem/fuzz/fuzz_$target" $limits -max_total_time="$seconds" -seed="$seed" \
+    -print_final_stats=1 -dict="$sources/$target.dict" -artifact_prefix="$build/faults/$target-" \
+    "$build/corpus/$target" "$sources/corpus/$target" > "$log" 2>&1 || {
+    grep -v '^#[0-9]\|NEW_FUNC' "$log" | tail -n 60 >&2
+    echo "fuzz.sh: fuzz_$target has found a fault: see $build/faults and $log" >&2
+    exit 1
+  }
+  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  edges=$(sed -n 's/^#[0-9]*[[:blank:]]*DONE *cov: \([0-9]*\).*/\1/p' "$log")
+  echo "    fuzz_$target: $executions executions, $edges edges of the program reached"
+done

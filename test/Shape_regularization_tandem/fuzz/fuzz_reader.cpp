@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fuzz_reader.h"
+
+#include "read_cloud.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <unistd.h>
+
+namespace {
+
+// In memory where there is such a folder. Targets that run at the same time have files of their own.
+std::string make_path(const char* extension)
+{
+  const std::filesystem::path memory = "/dev/shm";
+  std::error_code error;
+  const bool has_memory = std::filesystem::is_directory(memory, error) && access(memory.c_str(), W_OK) == 0;
+  const std::filesystem::path folder = has_memory ? memory : std::filesystem::temp_directory_path();
+  return folder / ("tandem_fuzz_" + std::to_string(getpid()) + extension);
+}
+
+class Scratch_file {
+public:
+  explicit Scratch_file(const char* extension) : path_(make_path(extension)) {}
+  ~Scratch_file() { std::remove(path_.c_str()); }
+  Scratch_file(const Scratch_file&) = delete;
+  Scratch_file& operator=(const Scratch_file&) = delete;
+
+  const std::string& path() const { return path_; }
+
+  void write(const std::uint8_t* bytes, std::size_t size) const
+  {
+    std::ofstream out(path_, std::ios::binary | std::ios::trunc);
+    out.write(reinterpret_cast<const char*>(bytes), std::streamsize(size));
+    expect(bool(out.flush()), "the file cannot be written");
+  }
+
+private:
+  std::string path_;
+};
+
+// The shortest point is ".1.2.3": six bytes, as three numbers of two bytes each.
+constexpr std::size_t least_point_size = 6;
+
+} // namespace
+
+void expect(bool is_true, const char* what)
+{
+  if(is_true)
+    return;
+  std::fprintf(stderr, "fuzz_reader: %s\n", what);
+  std::abort();
+}
+
+std::size_t read_as_file(const std::uint8_t* bytes, std::size_t size, const char* extension)
+{
+  static const Scratch_file file(extension);
+  file.write(bytes, size);
+  program::Point_set points;
+  try {
+    program::read_cloud(file.path(), points);
+  } catch(const std::bad_alloc&) {
+    expect(false, "a small file needs more memory than there is");
+  } catch(const std::exception& e) {
+    expect(std::string(e.what()).compare(0, file.path().size(), file.path()) == 0, e.what()); // names the file
+    return 0;
+  }
+  expect(!points.empty(), "no points, and no exception");
+  expect(points.size() * least_point_size <= size + 1, "more points than the file has room for");
+  return points.size();
+}
