@@ -23,7 +23,7 @@ jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 # engine and are small, and compiling is what takes the time.
 sequential='test_(bad_input|analytic_scenes|same_bits)'
 examples='^detect_planes(_of_vector)?$'
-sanitized='test_(bad_input|analytic_scenes|callback|regularize_planes)'
+sanitized='test_(bad_input|analytic_scenes|callback|regularize_planes|output_file)'
 
 fail() { echo "test.sh: $*" >&2; exit 1; }
 
