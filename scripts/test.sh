@@ -3,11 +3,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing, builds and runs all tests: first the style of the sources; then the release build with TBB
-# and all tests; a choice of them without TBB, under ASan + UBSan, and under TSan; the bits of results from other
-# compilers and options; the fuzz targets for some seconds; the CUDA back end, where there is a CUDA compiler (its tests
+# and all tests; the bits of results from other compilers and options; a choice of tests under ASan + UBSan, and one
+# without TBB under TSan; the fuzz targets for some seconds; the CUDA back end, where there is a CUDA compiler (its tests
 # are skipped without a device); and the benchmark in small, which fails where a result of Tandem is wrong or differs
 # between back ends. The manual has to build without a warning.
-#   test.sh [style] [release] [sequential] [bits] [asan] [tsan] [fuzz] [cuda] [benchmark] [doc]   only these
+#   test.sh [style] [release] [benchmark] [bits] [asan] [tsan] [fuzz] [cuda] [doc]   only these
 #                     (default: all of them)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
@@ -21,7 +21,6 @@ jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 
 # The tests that the other configurations build as well: they reach every part of the
 # engine and are small, and compiling is what takes the time.
-sequential='test_(bad_input|analytic_scenes|same_bits)'
 examples='^detect_planes(_of_vector)?$'
 sanitized='test_(bad_input|analytic_scenes|callback|regularize_planes|output_file)'
 
@@ -32,16 +31,27 @@ seconds_of()
 {
   case $1 in
     style) echo 40 ;;
-    release) echo 540 ;;
-    sequential) echo 70 ;;
-    bits) echo 60 ;;
+    release) echo 530 ;;
+    bits) echo 45 ;;
     asan) echo 210 ;;
-    tsan) echo 60 ;;
+    tsan) echo 120 ;;
     fuzz) echo 60 ;;
     cuda) echo 160 ;;
     benchmark) echo 90 ;;
     doc) echo 20 ;;
     *) fail "unknown part $1; choose of $all_parts" ;;
+  esac
+}
+
+# install PART: what it needs beside CGAL and its companions
+install()
+{
+  case $1 in
+    style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy ;;
+    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev ||
+      echo "not all can be installed: pictures are not tested, or micro-benchmarks not built" ;;
+    benchmark) "$root/scripts/install_dependencies.sh" gnuplot-nox xz-utils ;;
+    bits | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev ;;
   esac
 }
 
@@ -82,7 +92,6 @@ configuration()
 # Format of all sources, order of the includes, and clang-tidy on the engine.
 run_style()
 {
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" clang-format clang-tidy
   step format
   find "$root/include" "$root/examples" "$root/test" "$root/benchmark" "$root/cmake" "$root/doc" \
     \( -name '*.h' -o -name '*.cpp' -o -name '*.cuh' -o -name '*.cu' \) -exec clang-format --dry-run --Werror {} + ||
@@ -99,24 +108,15 @@ run_style()
 # compile takes longer than to run.
 sanitizer_flags='-O0 -g1 -fno-omit-frame-pointer'
 
-# The bits of the results do not depend on how the engine is optimized: one configuration has all of it, others less.
+# The bits of the results do not depend on how the engine is optimized: tests of a device compare with the engine of O1.
 less_optimized='-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG'
 
 # With the building of CGAL's data where it can be had, since two of its examples are tests.
 run_release()
 {
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] ||
-    "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev ||
-    echo "not all can be installed: pictures are not tested, or micro-benchmarks not built"
   "$root/scripts/sample_cloud.sh" "$build/release/examples/Shape_regularization_tandem/building.ply" ||
     echo "the sample cloud cannot be had: the examples of the building are not run"
   configuration release . -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_BENCHMARKS=ON
-}
-
-run_sequential()
-{
-  configuration sequential 'small|program' -DCMAKE_BUILD_TYPE=Release "$less_optimized" -DTANDEM_WITH_TBB=OFF \
-    "-DTANDEM_TESTS=$sequential" "-DTANDEM_EXAMPLES=$examples"
 }
 
 # compile_bits NAME COMPILER FLAGS...: the test of equal bits, with these flags
@@ -128,19 +128,17 @@ compile_bits()
     "$root/test/Shape_regularization_tandem/engine/test_same_bits.cpp" -o "$build/bits/$name" -lgmp -lmpfr
 }
 
-# Beside the flags of the other parts, those with which compilers differ most.
+# The flags with which compilers differ most; the release build has O1 and O3.
 run_bits()
 {
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" clang
   mkdir -p "$build/bits"
   step build
   compile_bits native "${CXX:-c++}" -O3 -march=native > "$build/bits/native.log" 2>&1 &
   native=$!
-  compile_bits O2 "${CXX:-c++}" -O2 > "$build/bits/O2.log" 2>&1 || fail "see $build/bits/O2.log"
   compile_bits clang clang++ -O2 > "$build/bits/clang.log" 2>&1 || fail "see $build/bits/clang.log"
   wait "$native" || fail "see $build/bits/native.log"
   step tests
-  for program in native O2 clang; do
+  for program in native clang; do
     "$build/bits/$program" || fail "results depend on the compiler: $(head -1 "$build/bits/$program.log")"
   done
 }
@@ -152,23 +150,13 @@ run_asan()
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=address,undefined -fno-sanitize-recover=all"
 }
 
-# The library of TBB is not instrumented, so TSan would call its hand-over of tasks a
-# race. The tests labeled "threads" run the same bodies on threads of their own.
+# Without TBB, whose library is not instrumented: TSan would call its hand-over of tasks a race. The tests labeled
+# "threads" run the same bodies on threads of their own. The program and bad input are tested without TBB here, too.
 run_tsan()
 {
-  configuration tsan threads -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WARNINGS_AS_ERRORS=OFF \
-    -DTANDEM_WITH_TBB=OFF -DTANDEM_BUILD_EXAMPLES=OFF \
-    "-DTANDEM_TESTS=test_(host_team|thread_backend)" "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
-}
-
-# Ten seconds in all, from the same seed: scripts/fuzz.sh is for longer runs.
-run_fuzz()
-{
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" clang libclang-rt-dev
-  step build and run
-  TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" ply 4 1 || fail "a fuzz target failed"
-  TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" 'xyz off options' 2 1 ||
-    fail "a fuzz target failed"
+  configuration tsan 'threads|program|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF \
+    "-DTANDEM_TESTS=test_(host_team|thread_backend|bad_input)" "-DTANDEM_EXAMPLES=$examples" \
+    "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 
 # For the device that is there; else for the oldest kind that can be used.
@@ -186,7 +174,7 @@ run_benchmark()
 {
   mkdir -p "$build"
   step measure
-  TANDEM_BUILD_DIR=$build/release TANDEM_JOBS=$jobs \
+  TANDEM_BUILD_DIR=$build/release TANDEM_JOBS=$jobs TANDEM_SKIP_INSTALL=1 \
     "$root/scripts/benchmark.sh" --quick > "$build/benchmark.log" 2>&1 ||
     { cat "$build/benchmark.log" >&2; fail "the benchmark failed"; }
 }
@@ -197,7 +185,7 @@ run_doc()
   "$root/scripts/doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual has warnings"; }
 }
 
-all_parts='style release sequential bits asan tsan fuzz cuda benchmark doc'
+all_parts='style release benchmark bits asan tsan fuzz cuda doc'
 # shellcheck disable=SC2086
 [ $# -gt 0 ] || set -- $all_parts
 tested=$*
@@ -205,11 +193,33 @@ parts=$#; number=0; typical=0
 for part in "$@"; do
   seconds_of "$part" > /dev/null
 done
-[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh"
+if [ "${TANDEM_SKIP_INSTALL:-0}" != 1 ]; then
+  "$root/scripts/install_dependencies.sh"
+  for part in "$@"; do
+    install "$part"
+  done
+fi
 start=$(now)
+# Parts of one thread run beside the next one.
+beside=
+wait_for_beside()
+{
+  [ -n "$beside" ] || return 0
+  wait "$beside" || { cat "$build/beside.log"; fail "a part failed that ran beside others"; }
+  sed 's/^/  /' "$build/beside.log"
+  beside=
+}
+mkdir -p "$build"
 while [ $# -gt 0 ]; do
   begin "$1" "$@"
-  "run_$1"
+  case $1 in
+    style | benchmark)
+      wait_for_beside
+      "run_$1" > "$build/beside.log" 2>&1 &
+      beside=$! ;;
+    *) "run_$1" ;;
+  esac
   shift
 done
+wait_for_beside
 echo "test.sh: all tests passed ($tested) in $(minutes $(($(now) - start)))"
