@@ -105,9 +105,7 @@ inline void find_orthogonal_groups(const std::vector<Coefficients>& planes, Plan
   std::vector<Vector> direction(result.number_of_parallel_groups());
   for(std::size_t s = 0; s < planes.size(); ++s)
     direction[result.parallel_group[s]] = {planes[s][0], planes[s][1], planes[s][2]};
-  for(const auto& pair : orthogonal_pairs(direction)) // a plane without normal is orthogonal to nothing
-    if(dot(direction[pair.first], direction[pair.first]) > 0 && dot(direction[pair.second], direction[pair.second]) > 0)
-      result.orthogonal_groups.push_back(pair);
+  result.orthogonal_groups = orthogonal_pairs(direction); // a plane without normal is orthogonal to nothing
 }
 
 // For the caller's information only: no decision depends on the angle.

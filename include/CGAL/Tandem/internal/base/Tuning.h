@@ -374,8 +374,8 @@ constexpr double near_share_if_large_rms = .77;
 
 } // namespace clutter
 
-// Margins of the exact check. They follow from the formats; smaller ones would break the guarantee, larger ones only
-// let more points be evaluated in double.
+// Margins of the exact check, and of searches. They follow from the formats; smaller ones would break the guarantee, larger ones only
+// let more points be evaluated in double, or more directions be visited.
 namespace exactness {
 
 // Degrees: packed normals are within .004.
@@ -388,6 +388,11 @@ constexpr double relative_margin = 1e-14;
 constexpr double rounded_normal_margin = 2e-7;
 // Relative to the sum of the terms: the rounding of a distance in double.
 constexpr double evaluation_margin = 1e-15;
+// Of a dot product of unit vectors: its rounding, and what the normals on the grid of the Gauss map have lost more.
+constexpr double dot_margin = 1e-14;
+constexpr double rounded_dot_margin = 4e-7;
+// Relative to the largest eigenvalue of a scatter: the rounding of a sum of squared distances.
+constexpr double squared_distance_margin = 1e-13;
 
 } // namespace exactness
 

@@ -48,24 +48,15 @@ inline std::vector<int> representatives(const std::vector<int>& group)
   return first;
 }
 
-// All pairs of directions that are orthogonal up to rounding, whether or not a star or frame made them so. Takes
-// quadratic time in the number of directions.
+// All pairs of directions that are orthogonal up to rounding, whether or not a star or frame made them so.
 inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data& data)
 {
-  std::vector<Coefficients> direction;
-  for(int s : representatives(data.parallel_group))
-    direction.push_back(data.coefficients[std::size_t(s)]);
-  std::vector<std::pair<int, int>> pairs;
-  for(std::size_t g = 0; g < direction.size(); ++g)
-    for(std::size_t h = g + 1; h < direction.size(); ++h) {
-      const Coefficients &a = direction[g], &b = direction[h];
-      if(std::fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >
-         1e-14) // decides nearly all pairs; without FMA in the processor, fma() is slow
-        continue;
-      if(are_orthogonal({a[0], a[1], a[2]}, {b[0], b[1], b[2]}))
-        pairs.emplace_back(int(g), int(h));
-    }
-  return pairs;
+  std::vector<Vector> direction;
+  for(int s : representatives(data.parallel_group)) {
+    const Coefficients& c = data.coefficients[std::size_t(s)];
+    direction.push_back({c[0], c[1], c[2]});
+  }
+  return orthogonal_pairs(direction);
 }
 
 // Degrees of freedom of the directions. A direction costs 2, less one for each orthogonal direction that was counted

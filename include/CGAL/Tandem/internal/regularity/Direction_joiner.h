@@ -54,12 +54,13 @@ private:
     return groups[a].members.front() < groups[b].members.front();
   }
 
-  // Whether a group is small and would lose no right angle. Linear in the number of groups, for small groups only.
-  bool is_loose(const Direction_group& g) const
+  // Whether a group would lose a right angle. circles: of the directions of all groups.
+  bool has_right_angle(const Direction_group& g, const Great_circle_index& circles) const
   {
-    return g.members.size() <= tuning::leftovers::maximum_members &&
-           std::none_of(groups.begin(), groups.end(),
-                        [&](const Direction_group& h) { return are_orthogonal(g.direction, h.direction); });
+    bool has_one = false;
+    circles.search(Right_angle_region(g.direction),
+                   [&](int h) { has_one = has_one || are_exactly_orthogonal(g.direction, groups[h].direction); });
+    return has_one;
   }
 
   // The heavier group within the angle that costs a shape least, or groups.size() if all cost too much. The first one
@@ -74,21 +75,26 @@ private:
     return best.second;
   }
 
-  // Plans for the loose groups of which every member has found another group, the lightest first.
+  // Plans for the small groups that lose no right angle and of which every member has found another group, the lightest
+  // first.
   std::vector<Plan> make_plans() const
   {
     std::vector<Vector> directions;
-    for(const Direction_group& g : groups)
+    Great_circle_index circles;
+    for(const Direction_group& g : groups) {
       directions.push_back(g.direction);
+      circles.add(g.direction, 0);
+    }
     const Direction_index index(directions, sine);
     std::vector<Plan> plans;
     for(std::size_t g = 0; g < groups.size(); ++g) {
-      if(!is_loose(groups[g]))
+      if(groups[g].members.size() > tuning::leftovers::maximum_members)
         continue;
       Plan plan = {g, {}};
       for(int i : groups[g].members)
         plan.to.push_back(cheapest(index, g, i));
-      if(std::find(plan.to.begin(), plan.to.end(), groups.size()) == plan.to.end())
+      if(std::find(plan.to.begin(), plan.to.end(), groups.size()) == plan.to.end() &&
+         !has_right_angle(groups[g], circles))
         plans.push_back(plan);
     }
     std::sort(plans.begin(), plans.end(), [&](const Plan& a, const Plan& b) { return is_lighter(a.from, b.from); });

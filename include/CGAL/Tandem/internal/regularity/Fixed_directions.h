@@ -9,9 +9,10 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 
 #include <CGAL/Tandem/internal/regularity/cluster_directions.h>
+#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/constrained_fit.h>
 
-#include <map>
+#include <tuple>
 
 namespace CGAL {
 namespace Tandem {
@@ -50,16 +51,124 @@ struct Direction_group {
   double cost(const Vector& n) const { return quadratic_form(matrix, n) - minimum; }
 };
 
+// What a rotation of the normal costs at least, in steps^2 by the squared angle.
+inline double smallest_gap(const Eigen_system& e) { return (std::max)(e.value[1] - e.value[0], 1e-300); }
+
 // The least cost (steps^2) of making the normal of a scatter orthogonal to x, to first order in the rotation. Rotating
 // about an axis costs the gap of two eigenvalues times the squared angle.
 inline double cost_of_right_angle(const Eigen_system& e, const Vector& x)
 {
-  const double gap1 = (std::max)(e.value[1] - e.value[0], 1e-300);
+  const double gap1 = smallest_gap(e);
   const double gap2 = (std::max)(e.value[2] - e.value[0], 1e-300);
   const double d0 = dot(e.vector[0], x), d1 = dot(e.vector[1], x), d2 = dot(e.vector[2], x);
   const double ease = d1 * d1 / gap1 + d2 * d2 / gap2;
   return ease > 0 ? d0 * d0 / ease : (d0 == 0 ? 0 : 1e300);
 }
+
+// The square of the unused share of what a right angle may cost, in [0, 1]. 0: it costs too much.
+inline double score_of_cost(double cost, double allowed)
+{
+  const double left = cost < allowed ? 1 - cost / allowed : (cost <= 0 ? 1 : 0);
+  return left * left;
+}
+
+// A bound on what it costs a group to be made orthogonal to a direction d, and to `other` unless that is null: at least
+// base + gap (axis . d)^2 / |other x d|^2, in steps^2. The denominator is 1 without another one.
+struct Least_cost {
+  Vector axis, other;
+  double base, gap;
+};
+
+// That of cost_of_right_angle().
+inline Least_cost least_cost(const Direction_group& g)
+{
+  return {g.eigen.vector[0], {0, 0, 0}, 0, smallest_gap(g.eigen)};
+}
+
+// That of Direction_group::cost() of a normal that is also orthogonal to p.
+inline Least_cost least_cost_beside(const Direction_group& g, const Vector& p)
+{
+  const Plane_basis basis(p);
+  const Symmetric_matrix_2 m = restricted(g.matrix, basis);
+  double c = 1, s = 0;
+  smallest_eigenvector(m, c, s);
+  const double delta = (m.p - m.r) * 0.5, root = std::sqrt(std::fma(delta, delta, m.q * m.q));
+  return {unit(basis.lifted(c, s)), p, (m.p + m.r) * 0.5 - root - g.minimum, 2 * root};
+}
+
+// The fixed directions that may be the best partner of a group. Values of the index are roots of weights.
+class Partner_region {
+public:
+  // rounded_fit: what the angle to a partner is measured from, on the grid of the Gauss map.
+  Partner_region(const Direction_group& group, const Vector& rounded_fit, const Least_cost& least, double allowed)
+    : right_angles(great_circle(rounded_fit)), cheap(great_circle(least.axis)), other(great_circle(least.other)),
+      allowed(allowed), gap(least.gap),
+      base(least.base - tuning::exactness::squared_distance_margin * group.eigen.value[2])
+  {
+    const double sine = group.sine + tuning::exactness::rounded_dot_margin;
+    squared_sine = sine * sine;
+  }
+
+  bool meets(const Direction_cell& cell, double root_of_weight) const
+  {
+    if(!(right_angles.least_squared_dot(cell) < squared_sine))
+      return false;
+    const double squared_sine_to_other = 1 - other.least_squared_dot(cell);
+    if(squared_sine_to_other < tuning::directions::minimum_squared_sine)
+      return false;
+    const double cost = base + gap * cheap.least_squared_dot(cell) / squared_sine_to_other;
+    const double most = root_of_weight * score_of_cost(cost, allowed);
+    return most > 0 && most >= best_value;
+  }
+
+  // A good partner that is found early rules out many cells.
+  int nearest_quarter(const Direction_cell& cell) const { return cheap.nearest_quarter(cell); }
+
+  // Of equal values the first direction counts.
+  void add(std::size_t i, double value)
+  {
+    if(value > best_value || (value == best_value && value > 0 && i < best)) {
+      best_value = value;
+      best = i;
+    }
+  }
+
+  std::size_t best_or(std::size_t none) const { return best_value > 0 ? best : none; }
+
+private:
+  Great_circle right_angles, cheap, other;
+  double allowed, gap, base, squared_sine;
+  double best_value = 0; // of those visited so far
+  std::size_t best = 0;
+};
+
+// The directions within a distance of a unit direction.
+class Near_direction_region {
+public:
+  Near_direction_region(const Vector& direction, double distance) : width(faces_per_distance * distance)
+  {
+    const double c[5] = {direction.x, direction.y, direction.z, direction.x, direction.y};
+    for(int face = 0; face < 3; ++face) {
+      u[face] = c[face + 1] / c[face];
+      v[face] = c[face + 2] / c[face];
+    }
+  }
+
+  int nearest_quarter(const Direction_cell&) const { return 0; }
+
+  // Faces on which the direction does not lie are not met, also those that are infinitely far.
+  bool meets(const Direction_cell& cell, double) const
+  {
+    return std::fabs(u[cell.face] - cell.u) <= cell.half_width + width &&
+           std::fabs(v[cell.face] - cell.v) <= cell.half_width + width;
+  }
+
+private:
+  static constexpr double faces_per_distance = 4; // of the projection, which stretches by at most 3
+
+  double width;
+  double u[3], v[3];
+};
 
 // Fixed directions in the order in which they were added. Two that are equal up to rounding become one, of the sum of
 // their weights.
@@ -75,8 +184,10 @@ public:
   Vector chained(const Direction_group& star) const
   {
     const double allowed = squared_rms * star.weight;
-    const std::size_t p = best_partner(
-      star.rounded, star.sine, [&](const Vector& d) { return score(cost_of_right_angle(star.eigen, d), allowed); });
+    const Partner_region region(star, star.rounded, least_cost(star), allowed);
+    const std::size_t p = best_partner(star, star.rounded, region, [&](const Vector& d) {
+      return score_of_cost(cost_of_right_angle(star.eigen, d), allowed);
+    });
     if(p == known)
       return star.fitted;
     const Vector n = fit_orthogonal(star.matrix, fixed[p].direction, star.fitted);
@@ -91,9 +202,10 @@ public:
   bool chain(const Direction_group& group, const Vector& p, const Vector& rounded_fit, Vector& result) const
   {
     const double allowed = squared_rms * group.weight;
-    const std::size_t q = best_partner(rounded_fit, group.sine, [&](const Vector& d) {
+    const Partner_region region(group, rounded_fit, least_cost_beside(group, p), allowed);
+    const std::size_t q = best_partner(group, rounded_fit, region, [&](const Vector& d) {
       const Vector c = cross(p, d);
-      return dot(c, c) > tuning::directions::minimum_squared_sine ? score(group.cost(unit(c)), allowed) : 0;
+      return dot(c, c) > tuning::directions::minimum_squared_sine ? score_of_cost(group.cost(unit(c)), allowed) : 0;
     });
     if(q < known)
       result = orthogonal_to_both(p, fixed[q].direction);
@@ -105,65 +217,69 @@ public:
   Vector fix(Direction_group& group, const Vector& n, const Vector& master)
   {
     group.direction = canonical(n);
-    const double x = group.direction.x, reach = tuning::relations::same_direction;
-    for(double side : {x, -x}) // the sign is arbitrary on the equator
-      for(auto i = by_x.lower_bound(side - reach); i != by_x.end() && i->first <= side + reach; ++i) {
-        Fixed_direction& d = fixed[i->second];
-        if(Direction_index::squared_distance(d.direction, group.direction) < reach * reach &&
-           are_orthogonal(d.direction, master)) {
-          d.weight += group.weight;
-          return group.direction = d.direction;
-        }
-      }
-    add(group);
-    return group.direction;
+    const std::size_t same = find_same(group.direction, master);
+    if(same == fixed.size()) {
+      add(group);
+      return group.direction;
+    }
+    Fixed_direction& d = fixed[same];
+    d.weight += group.weight;
+    d.root_of_weight = std::sqrt(d.weight);
+    index.raise(int(same), d.root_of_weight);
+    return group.direction = d.direction;
   }
 
   // Adds the direction of a group as it is.
   void add(const Direction_group& group)
   {
-    by_x.insert({group.direction.x, fixed.size()});
-    fixed.push_back({group.direction, rounded_normal(group.direction), group.sine, group.weight});
+    const double root = std::sqrt(group.weight);
+    fixed.push_back({group.direction, rounded_normal(group.direction), group.sine, group.weight, root});
+    index.add(group.direction, root);
+  }
+
+  // Of the directions of earlier stars within the angle, the one that is worth most; `known` if none is. A cheap right
+  // angle to a large group is no coincidence, while some small group is found at any angle. Measured: the root of the
+  // weight keeps more right angles than the least cost.
+  template <class Score>
+  std::size_t best_partner(const Direction_group& group, const Vector& rounded_fit, Partner_region region,
+                           Score score_of) const
+  {
+    if(known == 0 || !(group.sine > 0))
+      return known;
+    index.search(region, [&](int i) {
+      const Fixed_direction& p = fixed[i];
+      if(std::size_t(i) < known && std::fabs(rounded_dot(p.rounded, rounded_fit)) < (std::min)(p.sine, group.sine))
+        region.add(std::size_t(i), p.root_of_weight * score_of(p.direction));
+    });
+    return region.best_or(known);
   }
 
 private:
   struct Fixed_direction {
     Vector direction, rounded;
-    double sine, weight;
+    double sine, weight, root_of_weight;
   };
 
-  // The square of the unused share of what is allowed, in [0, 1]. 0: it costs too much.
-  static double score(double cost, double allowed)
+  // The fixed direction that equals one up to rounding and is orthogonal to the master, or fixed.size(). Of several
+  // the first by x, those of the same sign before the opposite ones: the sign is arbitrary on the equator.
+  std::size_t find_same(const Vector& direction, const Vector& master) const
   {
-    const double left = cost < allowed ? 1 - cost / allowed : (cost <= 0 ? 1 : 0);
-    return left * left;
-  }
-
-  // Of the directions of earlier stars within the angle, the one that is worth most; `known` if none is. A cheap right
-  // angle to a large group is no coincidence, while some small group is found at any angle. Measured: the root of the
-  // weight keeps more right angles than the least cost. Linear in the number of directions, which is small.
-  template <class Score>
-  std::size_t best_partner(const Vector& rounded_fit, double sine, Score score_of) const
-  {
-    std::size_t best = known;
-    double maximum = 0;
-    for(std::size_t i = 0; i < known; ++i) {
-      const Fixed_direction& p = fixed[i];
-      if(!(std::fabs(rounded_dot(p.rounded, rounded_fit)) < (std::min)(p.sine, sine)))
-        continue;
-      const double value = std::sqrt(p.weight) * score_of(p.direction);
-      if(value > maximum) {
-        maximum = value;
-        best = i;
-      }
-    }
-    return best;
+    const double x = direction.x, reach = tuning::relations::same_direction;
+    const auto is_near = [&](double side, const Vector& d) { return d.x >= side - reach && d.x <= side + reach; };
+    std::tuple<int, double, std::size_t> first(2, 0, fixed.size());
+    index.search(Near_direction_region(direction, reach), [&](int i) {
+      const Vector& d = fixed[i].direction;
+      const int side = is_near(x, d) ? 0 : is_near(-x, d) ? 1 : 2;
+      if(side < 2 && Direction_index::squared_distance(d, direction) < reach * reach && are_orthogonal(d, master))
+        first = (std::min)(first, {side, d.x, std::size_t(i)});
+    });
+    return std::get<2>(first);
   }
 
   double squared_rms;
   std::size_t known = 0; // directions of earlier stars
   std::vector<Fixed_direction> fixed;
-  std::multimap<double, std::size_t> by_x; // finds equal directions by their first coordinate
+  Great_circle_index index; // of all fixed directions
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_FRAMES_H
 
 #include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
+#include <CGAL/Tandem/internal/regularity/find_stars.h>
 
 #include <numeric>
 #include <utility>
@@ -75,32 +76,20 @@ public:
   template <class Executor>
   void tie(const Executor& executor)
   {
-    std::vector<Candidate> pool;
+    std::vector<Star_candidate> pool;
     for(int g : by_weight())
       if(groups[g].is_frozen)
         fixed.add(groups[g]);
       else
-        pool.push_back({groups[g].rounded, groups[g].sine, g});
-    for(const Star& star : make_stars(std::move(pool)))
+        pool.push_back({groups[g].rounded, groups[g].sine, reach(groups[g]), g});
+    const auto can_follow = [&](const Star_candidate& m, const Star_candidate& j) { return is_follower(m, j); };
+    for(const Star& star : find_stars(pool, can_follow))
       place(star, executor);
   }
 
 private:
   // Loops over fewer followers run on one thread.
   static constexpr std::size_t few_followers = 8;
-
-  struct Star {
-    int master;
-    std::vector<int> followers; // by falling weight
-  };
-
-  // What the quadratic loop of make_stars() reads of a group, in consecutive memory. Most pairs fail the test of the
-  // angle.
-  struct Candidate {
-    Vector rounded;
-    double sine;
-    int group;
-  };
 
   // Groups by falling number of points; ties are broken by the first member, which is in no other group.
   std::vector<int> by_weight() const
@@ -115,32 +104,24 @@ private:
     return order;
   }
 
+  // A bound on the dot product with what a group can be made orthogonal to: its cost is at least the gap times the
+  // squared dot product of its own normal.
+  double reach(const Direction_group& g) const
+  {
+    const double bearable = std::sqrt(squared_rms * g.weight / smallest_gap(g.eigen));
+    const double margin = tuning::exactness::rounded_dot_margin + length(cross(g.eigen.vector[0], g.fitted));
+    return (std::min)(g.sine, bearable + margin);
+  }
+
   // Whether a group is nearly orthogonal to the master, and at least one of them can bear the right angle. If it costs
   // both too much, verification would reject it later.
-  bool is_follower(const Candidate& master, const Candidate& follower) const
+  bool is_follower(const Star_candidate& master, const Star_candidate& follower) const
   {
     if(!(std::fabs(rounded_dot(master.rounded, follower.rounded)) < (std::min)(master.sine, follower.sine)))
       return false;
     const Direction_group &m = groups[master.group], &j = groups[follower.group];
     return cost_of_right_angle(j.eigen, m.fitted) <= squared_rms * j.weight ||
            cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
-  }
-
-  // Each group is in one star. `rest` is sorted by falling weight and stays so.
-  std::vector<Star> make_stars(std::vector<Candidate> rest) const
-  {
-    std::vector<Star> stars;
-    for(std::size_t end = rest.size(), kept; end > 0; end = kept) {
-      const Candidate master = rest.front();
-      stars.push_back({master.group, {}});
-      kept = 0;
-      for(std::size_t k = 1; k < end; ++k)
-        if(is_follower(master, rest[k]))
-          stars.back().followers.push_back(rest[k].group);
-        else
-          rest[kept++] = rest[k];
-    }
-    return stars;
   }
 
   // The master and its followers turned by 90 degrees onto it, fitted as one (equation 1 of the paper).

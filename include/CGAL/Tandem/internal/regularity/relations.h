@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/base/planes.h>
 #include <CGAL/Tandem/internal/memory/Unset_vector.h>
+#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 
 #include <cstdint>
 #include <utility>
@@ -57,14 +58,42 @@ struct Relations {
   std::vector<char> is_rolled_back;  // by shape: its points rejected a plane, and it keeps its local fit
 };
 
-// All pairs (i, j), i < j, of exactly orthogonal directions; quadratic in their number.
+// The directions that may be exactly orthogonal to one.
+class Right_angle_region {
+public:
+  explicit Right_angle_region(const Vector& direction) : circle(great_circle(direction)) {}
+
+  bool meets(const Direction_cell& cell, double) const { return circle.meets(cell); }
+  int nearest_quarter(const Direction_cell&) const { return 0; }
+
+private:
+  Great_circle circle;
+};
+
+// The same as are_orthogonal(). Plain products decide nearly all pairs: without FMA in the processor, fma() is slow.
+inline bool are_exactly_orthogonal(const Vector& a, const Vector& b)
+{
+  return std::fabs(a.x * b.x + a.y * b.y + a.z * b.z) <= tuning::exactness::dot_margin && are_orthogonal(a, b);
+}
+
+// All pairs (i, j), i < j, of exactly orthogonal unit directions, sorted; null vectors have none. A direction is
+// compared with those near its great circle: for n directions in general position, about the square root of n.
 inline std::vector<std::pair<int, int>> orthogonal_pairs(const std::vector<Vector>& directions)
 {
   std::vector<std::pair<int, int>> pairs;
-  for(std::size_t i = 0; i < directions.size(); ++i)
-    for(std::size_t j = i + 1; j < directions.size(); ++j)
-      if(are_orthogonal(directions[i], directions[j]))
-        pairs.push_back({int(i), int(j)});
+  Great_circle_index index;
+  std::vector<int> added; // by number in the index
+  for(std::size_t j = 0; j < directions.size(); ++j) {
+    if(!(dot(directions[j], directions[j]) > 0))
+      continue;
+    index.search(Right_angle_region(directions[j]), [&](int k) {
+      if(are_exactly_orthogonal(directions[added[k]], directions[j]))
+        pairs.push_back({added[k], int(j)});
+    });
+    index.add(directions[j], 0);
+    added.push_back(int(j));
+  }
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
