@@ -374,8 +374,8 @@ constexpr double near_share_if_large_rms = .77;
 
 } // namespace clutter
 
-// Margins of the exact check, and of searches. They follow from the formats; smaller ones would break the guarantee, larger ones only
-// let more points be evaluated in double, or more directions be visited.
+// Margins of the exact check, and of searches. They follow from the formats. Smaller ones would break the guarantee;
+// larger ones only let more points be evaluated in double, or more directions be visited.
 namespace exactness {
 
 // Degrees: packed normals are within .004.

@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The conversion to float, for values that are used as double afterwards. Rounds in any case: where it vectorizes, g++ 12
-// leaves out conversions to float and back, and with them the rounding. It keeps those around an assembler statement.
+// The conversion to float, for values that are used as double afterwards. It rounds in any case: g++ 12 leaves out
+// conversions to float and back where it vectorizes, and with them the rounding. It keeps those around an assembler
+// statement.
 template <class T>
 CGAL_TANDEM_HD inline float to_float(T x)
 {
