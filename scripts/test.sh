@@ -159,6 +159,15 @@ run_tsan()
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 
+# For some seconds, with the same mutations each time: a longer run finds more, see fuzz.sh.
+run_fuzz()
+{
+  step build and run
+  TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" ply 4 1 || fail "a fuzz target failed"
+  TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" 'xyz off options' 2 1 ||
+    fail "a fuzz target failed"
+}
+
 # For the device that is there; else for the oldest kind that can be used.
 run_cuda()
 {
