@@ -19,13 +19,6 @@
 
 namespace program {
 
-// What a reader of CGAL gets of a file: a header in place of the one of the file, and the bytes that follow it.
-struct Point_data {
-  std::string header;
-  Byte_range body = {0, 0};
-  std::size_t count = 0; // of the points that the file announces, 0 if it does not
-};
-
 // The least number of bytes that an item of the element takes.
 inline std::uint64_t least_item_size(const Ply_header::Element& element, bool is_ascii)
 {

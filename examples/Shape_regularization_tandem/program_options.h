@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -194,6 +195,16 @@ struct Command_line {
   std::string help;
 };
 
+// Boost puts names and values in place of %canonical_option%, %value% and others in its message until none is left:
+// for ever, if they contain one themselves.
+inline std::string message_of(const po::error& e, int argc, const char* const argv[])
+{
+  const auto word = std::find_if(argv + 1, argv + argc, [](const char* word) { return std::strchr(word, '%'); });
+  if(word == argv + argc)
+    return e.what();
+  return std::string("an option is not known, or its value is wrong; maybe in '") + *word + "'";
+}
+
 inline Command_line parse(int argc, const char* const argv[])
 {
   Command_line result;
@@ -216,7 +227,7 @@ inline Command_line parse(int argc, const char* const argv[])
               map);
     po::notify(map);
   } catch(const po::error& e) {
-    throw Usage_error(e.what());
+    throw Usage_error(message_of(e, argc, argv));
   }
   std::ostringstream help;
   help << usage() << visible;

@@ -8,6 +8,7 @@
 #define DETECT_PLANES_READ_CLOUD_H
 
 #include "ply_points.h"
+#include "text_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
@@ -82,29 +83,6 @@ inline void check_file(const std::string& path)
                              (extension == ".las" ? " (this program was built without LASlib)" : ""));
 }
 
-// The number of points that a text file announces, 0 if it does not: after the word
-// OFF or NOFF, or alone on the first line of an .xyz file.
-inline std::size_t announced_points(const std::string& path, const std::string& extension)
-{
-  if(extension != ".off" && extension != ".xyz" && extension != ".pwn")
-    return 0;
-  std::ifstream in(path);
-  std::string line;
-  do {
-    if(!std::getline(in, line))
-      return 0;
-  } while(line.empty() || line[0] == '#' || line.find("OFF") != std::string::npos);
-  std::istringstream words(line);
-  long long n = 0;
-  std::string second;
-  const bool is_count = bool(words >> n) && (extension == ".off" || !(words >> second));
-  if(!is_count || line.find('.') != std::string::npos)
-    return 0;
-  if(n < 0)
-    throw std::runtime_error("announces " + std::to_string(n) + " points");
-  return std::size_t(n);
-}
-
 inline bool is_finite(const Kernel::Point_3& p)
 {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
@@ -132,7 +110,11 @@ inline Point_data find_points(const std::string& path, const std::string& extens
 {
   if(extension == ".ply")
     return find_ply_points(path);
-  return {"", {0, std::uint64_t(std::filesystem::file_size(path))}, announced_points(path, extension)};
+  if(extension == ".off")
+    return find_off_points(path);
+  if(extension != ".las")
+    return find_xyz_points(path);
+  return {};
 }
 
 inline bool read_points(const std::string& path, const Point_data& data, Point_set& points)
@@ -186,6 +168,9 @@ inline void read_cloud(const std::string& path, Point_set& points)
     fail_to_read(path, "unreadable after point " + std::to_string(points.size()) +
                          (data.count > 0 ? " of " + std::to_string(data.count) : "") +
                          (reason.empty() ? "" : " (" + reason + ")"));
+  if(data.count > 0 && points.size() > data.count)
+    fail_to_read(path, "has " + std::to_string(points.size()) + " rows of points, " + std::to_string(data.count) +
+                         " announced");
   check_points(path, points);
 }
 
