@@ -358,6 +358,30 @@ constexpr std::int64_t distance_per_farther_plane = 4;
 
 } // namespace end_game
 
+// After the loop: large planes take what they explain of smaller shapes. Measured on aerial, indoor, street and
+// image-matched scans and on scenes with known faces.
+namespace transfer {
+
+// A plane takes points of a smaller shape if it explains at least this share of it. Smaller: planes cut through noise,
+// and faces are lost to it.
+constexpr Share explained_share = {3, 10};
+// The same for a shape that falls below the minimum size by it, and is dissolved. Smaller: in noise, small faces are
+// lost to large ones beside them. Larger: fragments stay.
+constexpr Share dissolving_share = {6, 10};
+// A shape is fitted anew if its new plane explains more than this share of what the former one does. Without a margin,
+// planes move for a few points.
+constexpr Share better_plane = {501, 500};
+// A shape whose centroid is farther from the plane, in epsilons, and whose variance across it is at most this multiple
+// of that across its local plane, is a layer of its own, unless half of it fits. Larger: layers are swallowed.
+constexpr double layer_distance = 0.9;
+constexpr double layer_variance = 2.25;
+// Rounds, at most: nearly all is in the first three. A round that moves less than one point of so many of the cloud is
+// the last one.
+constexpr int maximum_rounds = 3;
+constexpr std::size_t points_per_moved_point = 2000;
+
+} // namespace transfer
+
 // Planes through clutter. Measured: planes through outliers have .40 to .75 of the neighbors near them, faces .89 and
 // more. Larger shares: true but noisy faces are dropped.
 namespace clutter {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>
+#include <CGAL/Tandem/internal/finish/transfer_points.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_by_joint_fit.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
@@ -171,7 +172,9 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   consolidate(points, shapes, options);
   drop_small(points, shapes, options.minimum_region_size);
   const Shape_relations first = regularize_finally(points, shapes, options, round, {});
+  transfer_points(points, shapes, options, first, Planes::may_change);
   Shape_relations relations = regularize_finally(points, shapes, options, round, first);
+  transfer_points(points, shapes, options, relations, Planes::are_fixed);
   clear_interior(points);
   reassign_to_larger(points, shapes, options);
   return relations;

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Large planes take what they explain of smaller shapes: the bodies against naive versions on several back ends, bent
+// floors, and layers.
+
+#undef NDEBUG
+
+#include "testing/body_fixture.h"
+
+#include <CGAL/Tandem/internal/finish/transfer_points.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+using namespace CGAL::Tandem::internal;
+
+template <class Backend>
+class Transfer_bodies {
+public:
+  Transfer_bodies(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f)
+  {}
+
+  void run()
+  {
+    test_counts();
+    test_transfer();
+  }
+
+private:
+  std::uint32_t number_of_shapes() const { return std::uint32_t(f_.plane.size()); }
+
+  // Shape s has s % 4 queries, with the planes of the shapes that follow.
+  void test_counts()
+  {
+    std::vector<Range> queries_of;
+    std::vector<Transfer_query> query;
+    for(std::uint32_t s = 0; s < number_of_shapes(); ++s) {
+      const std::uint32_t first = std::uint32_t(query.size());
+      for(std::uint32_t q = 0; q < s % 4; ++q)
+        query.push_back({f_.plane[(s + q) % number_of_shapes()], f_.plane[(s + 2 * q + 1) % number_of_shapes()]});
+      queries_of.push_back({first, std::uint32_t(query.size())});
+    }
+    for(bool counts_after : {false, true}) {
+      std::vector<std::uint32_t> count(2 * query.size(), 0), expected(2 * query.size(), 0);
+      for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+        if(f_.label[i] < first_mark)
+          for(std::uint32_t q = queries_of[f_.label[i]].first; q < queries_of[f_.label[i]].last; ++q) {
+            expected[2 * q] += fits(query[q].before, f_.point[i], f_.tolerance);
+            expected[2 * q + 1] += counts_after && fits(query[q].after, f_.point[i], f_.tolerance);
+          }
+      backend_.template for_each_cell<Count_scratch>(
+        f_.cells.size(), Count_fitting<Backend>{f_.cloud, f_.cells_view(), f_.label.data(), queries_of.data(),
+                                                query.data(), count.data(), f_.tolerance, counts_after});
+      check_lists(count, expected, name_ + ": points that fit the planes of queries");
+    }
+  }
+
+  // Every second shape gives to the next one, every third one has a new plane.
+  void test_transfer()
+  {
+    std::vector<std::uint32_t> target, label = f_.label, expected = label;
+    std::vector<std::uint8_t> is_changed, state(label.size(), interior_bit | tried_seed_bit);
+    for(std::uint32_t s = 0; s < number_of_shapes(); ++s) {
+      target.push_back(s % 2 == 0 ? s : (s + 1) % number_of_shapes());
+      is_changed.push_back(s % 3 == 0);
+    }
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const std::uint32_t s = label[i];
+      if(s < first_mark && f_.fits(target[s], i))
+        expected[i] = target[s];
+      else if(s < first_mark && is_changed[s] && !f_.fits(s, i))
+        expected[i] = free_label;
+    }
+    backend_.for_each(
+      f_.cloud.size,
+      Transfer_point{
+        f_.cloud, {label.data(), state.data()}, target.data(), is_changed.data(), f_.plane.data(), f_.tolerance});
+    check_lists(label, expected, name_ + ": transfer");
+    check_lists(state, std::vector<std::uint8_t>(label.size(), tried_seed_bit), name_ + ": states after a transfer");
+  }
+
+  Backend& backend_;
+  const std::string name_;
+  const Fixture& f_;
+};
+
+namespace {
+
+constexpr double epsilon = 0.01, width = 6;
+
+// A floor, with noise; z and the slope dz/dx are functions of x in [-1, 1].
+template <class Height, class Slope>
+void add_floor(Cloud& cloud, std::size_t points, double noise, Height height, Slope slope)
+{
+  scenes::Random random(points);
+  for(std::size_t i = 0; i < points; ++i) {
+    const double x = 2 * random.uniform() - 1, y = 2 * random.uniform() - 1;
+    const double dz = 2 / width * slope(x), length = std::sqrt(1 + dz * dz);
+    cloud.emplace_back(Kernel::Point_3(x * width / 2, y * width / 2, height(x) + noise * random.gaussian()),
+                       Kernel::Vector_3(-dz / length, 0, 1 / length));
+  }
+}
+
+// A least squares fit of the points that it explains holds x^2 < 3 / 2 epsilon / sag of a parabola. The largest shape
+// has nearly as many.
+void test_bent_floor(double sag)
+{
+  Cloud cloud;
+  add_floor(
+    cloud, 30000, epsilon / 20, [&](double x) { return -sag * epsilon * x * x; },
+    [&](double x) { return -2 * sag * epsilon * x; });
+  const Shapes shapes = detect(cloud, make_parameters(epsilon, 200));
+  const double fitted = std::sqrt((std::min)(1., 1.5 / sag));
+  const double share = shapes.number_of_shapes() == 0 ? 0 : double(shapes.points(0).size()) / double(cloud.size());
+  CHECK_AT(share > .88 * fitted, "floor that sags by " + std::to_string(sag) + " epsilon: the largest shape has " +
+                                   std::to_string(share) + " of the points, a fitted plane " + std::to_string(fitted));
+}
+
+// Two floors stay two, and each one keeps its points.
+void test_layers(double distance, double noise)
+{
+  Cloud cloud;
+  const std::size_t points = 20000;
+  for(int layer : {0, 1})
+    add_floor(
+      cloud, points + std::size_t(layer), noise * epsilon, [&](double) { return layer * distance * epsilon; },
+      [](double) { return 0.; });
+  const Shapes shapes = detect(cloud, make_parameters(epsilon, 200));
+  std::map<int, std::array<std::size_t, 2>> points_of;
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+    ++points_of[shapes.shape_index(i)][i < points ? 0 : 1];
+  std::size_t right = 0;
+  for(const auto& shape : points_of)
+    if(shape.first >= 0)
+      right += (std::max)(shape.second[0], shape.second[1]);
+  CHECK_AT(right > .93 * double(cloud.size()), "layers at a distance of " + std::to_string(distance) + ": " +
+                                                 std::to_string(right) + " points in shapes of their own layer");
+}
+
+} // namespace
+
+int main()
+{
+  test_on_all_backends<Transfer_bodies>();
+  for(double sag : {1., 2., 4.})
+    test_bent_floor(sag);
+  test_layers(1.3, .2);
+  test_layers(2, .3);
+  return report();
+}
