@@ -36,19 +36,19 @@ inline std::size_t checked_count(long long n, const char* items)
 inline Point_data find_xyz_points(const std::string& path)
 {
   Input_buffer in(path);
+  const Byte_range whole = {0, in.left()};
   std::istream stream(&in);
   std::string row;
   std::getline(stream, row);
   const bool is_empty = row.find_first_not_of(' ') == std::string::npos;
-  const std::uint64_t end = in.position() + in.left();
   if(is_empty || row[0] == '#' || is_point(row))
-    return {"", {0, end}, 0};
+    return {"", whole, 0};
   std::istringstream words(row);
   long long count = 0;
   std::string more;
   if(!(words >> count) || words >> more)
     throw std::runtime_error("row 1 is neither a point nor the number of points (comments begin with #)");
-  return {"", {0, end}, checked_count(count, "points")};
+  return {"", whole, checked_count(count, "points")};
 }
 
 // The next row that is neither empty nor a comment.
@@ -62,7 +62,7 @@ inline bool next_row(std::istream& in, std::string& row)
   return false;
 }
 
-inline std::uint64_t count_rows(std::istream& in, std::size_t most)
+inline std::size_t count_rows(std::istream& in, std::size_t most)
 {
   std::string row;
   std::size_t count = 0;

@@ -78,8 +78,9 @@ struct Count_fitting {
   }
 };
 
-// The making of one plan. A query is a pair of shapes: points of the first may go to the second, which comes before it
-// in the order by falling number of points, then by id. So nothing goes in circles.
+// The making of one plan. All moments have to be right and fitted. A query is a pair of shapes: points of the first may
+// go to the second, which comes before it in the order by falling number of points, then by id. So nothing goes in
+// circles.
 template <class Backend>
 class Transfer_planner {
   struct Query {
@@ -89,7 +90,7 @@ class Transfer_planner {
 public:
   Transfer_planner(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
                    const Transfer_input& in)
-    : points_(points), shapes_(shapes), options_(options), in_(in), may_change_(in.planes == Planes::may_change)
+    : points_(points), shapes_(shapes), options_(options), in_(in)
   {}
 
   Transfer_plan plan()
@@ -101,13 +102,15 @@ public:
     if(query_.empty())
       return plan;
     count_points();
-    if(may_change_)
+    if(may_change())
       choose_planes(plan);
     choose_targets(plan);
     return plan;
   }
 
 private:
+  bool may_change() const { return in_.planes == Planes::may_change; }
+
   bool is_before(std::uint32_t a, std::uint32_t b) const
   {
     const std::int64_t na = shapes_[a].moments.count, nb = shapes_[b].moments.count;
@@ -164,10 +167,10 @@ private:
       if(is_before(t, s))
         std::swap(t, s);
       const bool is_one_plane = in_.plane_of[t] >= 0 && in_.plane_of[t] == in_.plane_of[s];
-      if(is_one_plane || !(may_explain(t, shapes_[s].plane) || (may_change_ && may_explain(t, shapes_[s].local))))
+      if(is_one_plane || !(may_explain(t, shapes_[s].plane) || (may_change() && may_explain(t, shapes_[s].local))))
         continue;
       keys.push_back(std::uint64_t(t) << 32 | rank[s]);
-      takes[s] = may_change_;
+      takes[s] = may_change();
     }
     for(std::uint32_t id : shapes_.live)
       if(takes[id])
@@ -186,7 +189,7 @@ private:
       Range& range = queries_of[query_[q].from];
       range = {range.size() > 0 ? range.first : q, q + 1};
       const Shape& taking = shapes_[query_[q].to];
-      planes[q] = {shapes_.plane[query_[q].to], may_change_ ? rounded(taking.local) : Plane()};
+      planes[q] = {shapes_.plane[query_[q].to], may_change() ? rounded(taking.local) : Plane()};
     }
     count_.assign(2 * query_.size(), 0);
     const auto ranges = backend.read_access(queries_of);
@@ -195,7 +198,7 @@ private:
     backend.template for_each_cell<Count_scratch>(
       points_.number_of_cells(),
       Count_fitting<Backend>{points_.cloud.view(), points_.cells_view(), points_.label.data(), ranges.data(),
-                             queries.data(), counts.data(), options_.growth.tolerance, may_change_});
+                             queries.data(), counts.data(), options_.growth.tolerance, may_change()});
     counts.copy_back();
   }
 
@@ -244,18 +247,9 @@ private:
   const Shape_table<Backend>& shapes_;
   const Options& options_;
   const Transfer_input& in_;
-  bool may_change_;
   std::vector<Query> query_;
   std::vector<std::uint32_t> count_; // two by query
 };
-
-// All moments have to be right and fitted.
-template <class Backend>
-Transfer_plan plan_transfers(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
-                             const Transfer_input& in)
-{
-  return Transfer_planner<Backend>(points, shapes, options, in).plan();
-}
 
 } // namespace internal
 } // namespace Tandem

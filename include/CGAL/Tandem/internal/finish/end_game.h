@@ -49,13 +49,6 @@ void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
   update_points(points, shapes, identity_targets(shapes.size()), check);
 }
 
-// Dissolves the shapes of less than `minimum_size` points; their points are free again.
-template <class Backend>
-void drop_small(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::int64_t minimum_size)
-{
-  drop_shapes(points, shapes, [&](const Shape& shape, std::uint32_t) { return shape.moments.count < minimum_size; });
-}
-
 // Fits all shapes whose points have changed. Fragments take their local planes, as after a rollback.
 template <class Backend>
 void refit_fragments(Backend& backend, Shape_table<Backend>& shapes, const std::vector<std::uint8_t>& is_fragment)

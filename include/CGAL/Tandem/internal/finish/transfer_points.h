@@ -56,7 +56,7 @@ inline std::vector<int> planes_of(std::size_t shapes, const Shape_relations& r)
   return plane_of;
 }
 
-// The shapes take their candidates, and the points follow. Shapes with a new plane have no relations any more.
+// The shapes take their local planes, and the points follow. Shapes with a new plane have no relations any more.
 template <class Backend>
 void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Transfer_plan& plan,
                const Tolerance& tolerance)
@@ -90,7 +90,7 @@ void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shape
   const std::vector<int> plane_of = planes_of(shapes.size(), relations);
   for(int round = 0; round < tuning::transfer::maximum_rounds; ++round) {
     const Link_list links = collect_links(points, shapes, Links::all, [&] { refit_shapes(backend, shapes); });
-    const Transfer_plan plan = plan_transfers(points, shapes, options, {links, plane_of, planes});
+    const Transfer_plan plan = Transfer_planner<Backend>(points, shapes, options, {links, plane_of, planes}).plan();
     if(!plan.is_any)
       return;
     std::vector<std::int64_t> before(shapes.size(), 0);
@@ -101,8 +101,7 @@ void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shape
     recount(points, shapes);
     const std::int64_t moved = sum_on_host(
       backend, before.size(), [&](std::size_t id) { return std::abs(shapes[id].moments.count - before[id]); });
-    drop_shapes(points, shapes,
-                [&](const Shape& shape, std::uint32_t) { return shape.moments.count < options.minimum_region_size; });
+    drop_small(points, shapes, options.minimum_region_size);
     if(moved / 2 < std::int64_t(points.cloud.size() / tuning::transfer::points_per_moved_point))
       return;
   }

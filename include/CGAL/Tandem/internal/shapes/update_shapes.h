@@ -183,6 +183,13 @@ void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, P
   merge_points(points, shapes, target);
 }
 
+// Dissolves the shapes of less than `minimum_size` points; their points are free again.
+template <class Backend>
+void drop_small(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::int64_t minimum_size)
+{
+  drop_shapes(points, shapes, [&](const Shape& shape, std::uint32_t) { return shape.moments.count < minimum_size; });
+}
+
 // Rounds the planes for the tests of points. Detaches the misfits of shapes that have moved or are new unions. Shapes
 // that have moved far grow again from all of their points, since other points may fit now. Motion is bounded over the
 // box of a shape. It is measured since the last check or restart, so small motions add up.
