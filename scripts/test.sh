@@ -32,7 +32,7 @@ seconds_of()
   case $1 in
     style) echo 40 ;;
     release) echo 530 ;;
-    bits) echo 45 ;;
+    bits) echo 75 ;;
     asan) echo 210 ;;
     tsan) echo 120 ;;
     fuzz) echo 60 ;;
@@ -123,22 +123,28 @@ run_release()
 compile_bits()
 {
   name=$1; shift
-  echo "$name $*"
+  echo "$name $*" > "$build/bits/$name.log"
   "$@" -std=c++17 -DNDEBUG "-I$root/include" "-I$root/test/Shape_regularization_tandem" \
-    "$root/test/Shape_regularization_tandem/engine/test_same_bits.cpp" -o "$build/bits/$name" -lgmp -lmpfr
+    "$root/test/Shape_regularization_tandem/engine/test_same_bits.cpp" -o "$build/bits/$name" -lgmp -lmpfr \
+    >> "$build/bits/$name.log" 2>&1 || fail "see $build/bits/$name.log"
 }
 
-# The flags with which compilers differ most; the release build has O1 and O3.
+# The release build has O1 and O3. Programs that use the CUDA library are compiled with FMA instructions, as in
+# cmake/Tandem_cuda.cmake.
 run_bits()
 {
   mkdir -p "$build/bits"
   step build
-  compile_bits native "${CXX:-c++}" -O3 -march=native > "$build/bits/native.log" 2>&1 &
-  native=$!
-  compile_bits clang clang++ -O2 > "$build/bits/clang.log" 2>&1 || fail "see $build/bits/clang.log"
-  wait "$native" || fail "see $build/bits/native.log"
+  cxx=${CXX:-c++}
+  fma=
+  [ "$(uname -m)" != x86_64 ] || fma=-mfma
+  (compile_bits native "$cxx" -O3 -march=native && compile_bits cuda "$cxx" -O3 $fma -ffp-contract=off) &
+  others=$!
+  compile_bits clang clang++ -O2
+  compile_bits optimized "$cxx" -O2
+  wait "$others" || fail "the test of equal bits does not compile"
   step tests
-  for program in native clang; do
+  for program in native cuda clang optimized; do
     "$build/bits/$program" || fail "results depend on the compiler: $(head -1 "$build/bits/$program.log")"
   done
 }
@@ -201,6 +207,7 @@ tested=$*
 parts=$#; number=0; typical=0
 for part in "$@"; do
   seconds_of "$part" > /dev/null
+  command -v "run_$part" > /dev/null || fail "no function run_$part"
 done
 if [ "${TANDEM_SKIP_INSTALL:-0}" != 1 ]; then
   "$root/scripts/install_dependencies.sh"
