@@ -166,6 +166,7 @@ private:
       return row;
     const Criteria criteria = evaluate(named_.cloud.points, normals_of(run), run.detection, task.tolerances());
     append_criteria(row, criteria);
+    append_curves(row, evaluate_curves(named_.cloud.points, normals_of(run), run.detection, task.tolerances()));
     if(named_.truth.faces.empty())
       append_no_truth(row);
     else

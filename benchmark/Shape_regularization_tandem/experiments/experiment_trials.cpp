@@ -16,6 +16,7 @@ void append_judgement(Row& row, const Named_cloud& c, const Task& task, const Ru
   const std::vector<Vec>& normals = run.normals.empty() ? c.cloud.normals : run.normals;
   const Criteria criteria = evaluate(c.cloud.points, normals, run.detection, task.tolerances());
   append_criteria(row, criteria);
+  append_curves(row, evaluate_curves(c.cloud.points, normals, run.detection, task.tolerances()));
   const double assigned = double((std::max)(criteria.assigned, std::size_t(1)));
   append_cell(row, "coverage_percent", 100 * criteria.coverage());
   const Criteria strict =

@@ -95,6 +95,7 @@ void run(const Request& request)
   Row row{{"cloud", request.name}};
   append_cell(row, "points", cloud.points.size());
   append_criteria(row, evaluate(cloud.points, cloud.normals, detection, request.tolerances));
+  append_curves(row, evaluate_curves(cloud.points, cloud.normals, detection, request.tolerances));
   if(!request.truth.empty() || request.fits_truth)
     append_truth(row, evaluate_truth(make_truth(request, cloud), detection, extent_of(cloud.points), request.minimum));
   print(row, request.is_csv, request.has_header);

@@ -53,6 +53,20 @@ inline const std::vector<Criterion>& shown_criteria()
 inline const std::vector<Criterion>& further_criteria()
 {
   static const std::vector<Criterion> criteria = {
+    {"top 10 shapes", "top_10_shapes", 100, 1, Better::higher},
+    {"top 30 shapes", "top_30_shapes", 100, 1, Better::higher},
+    {"top 100 shapes", "top_100_shapes", 100, 1, Better::higher},
+    {"area to 100 shapes", "area_100_shapes", 100, 1, Better::higher},
+    {"top 10 planes", "top_10_planes", 100, 1, Better::higher},
+    {"top 30 planes", "top_30_planes", 100, 1, Better::higher},
+    {"top 100 planes", "top_100_planes", 100, 1, Better::higher},
+    {"area to 100 planes", "area_100_planes", 100, 1, Better::higher},
+    {"shapes for 50%", "shapes_for_50", 1, 0, Better::lower},
+    {"shapes for 70%", "shapes_for_70", 1, 0, Better::lower},
+    {"shapes for 90%", "shapes_for_90", 1, 0, Better::lower},
+    {"d.o.f. for 50%", "degrees_of_freedom_for_50", 1, 0, Better::lower},
+    {"d.o.f. for 70%", "degrees_of_freedom_for_70", 1, 0, Better::lower},
+    {"d.o.f. for 90%", "degrees_of_freedom_for_90", 1, 0, Better::lower},
     {"exact complexity", "complexity_exact", 1, 3, Better::lower},
     {"F1 at .75", "face_f1_75", 1, 3, Better::higher},
     {"recall of points", "point_recall", 1, 3, Better::higher},

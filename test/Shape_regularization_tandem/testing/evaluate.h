@@ -98,6 +98,12 @@ public:
     return !(cosine(plane, normal) >= minimum_cosine_);
   }
 
+  // The i-th point, and its normal, where there are normals.
+  bool fits(const Plane& plane, const std::vector<Vec>& points, const std::vector<Vec>& normals, std::size_t i) const
+  {
+    return !is_beyond_epsilon(plane, points[i]) && (normals.empty() || !is_beyond_alpha(plane, normals[i]));
+  }
+
 private:
   double epsilon_, minimum_cosine_;
 };

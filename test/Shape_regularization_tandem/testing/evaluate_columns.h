@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_COLUMNS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_COLUMNS_H
 
+#include "evaluate_curves.h"
 #include "evaluate_spread.h"
 #include "evaluate_truth.h"
 
@@ -62,6 +63,26 @@ inline void append_criteria(Row& row, const Criteria& c)
   append_cell(row, "normals_not_unit", c.not_unit);
   append_relation_counts(row, "exact", c.exact);
   append_relation_counts(row, "relaxed", c.relaxed);
+}
+
+inline void append_size_curve(Row& row, const std::string& kind, const Size_curve& curve)
+{
+  for(std::size_t n : {10, 30, 100})
+    append_cell(row, "top_" + std::to_string(n) + "_" + kind, curve.top(n));
+  append_cell(row, "area_100_" + kind, curve.area(100));
+}
+
+inline void append_curves(Row& row, const Curves& curves)
+{
+  append_size_curve(row, "shapes", curves.shapes);
+  append_size_curve(row, "planes", curves.planes);
+  append_cell(row, "distinct_planes", curves.planes.size());
+  append_cell(row, "clean_coverage", curves.shapes.top(curves.shapes.size()));
+  for(const Needed_shapes& needed : curves.needed) {
+    const std::string percent = std::to_string(int(100 * needed.coverage + .5));
+    append_cell_if(row, needed.shapes > 0, "shapes_for_" + percent, needed.shapes);
+    append_cell_if(row, needed.shapes > 0, "degrees_of_freedom_for_" + percent, needed.degrees_of_freedom);
+  }
 }
 
 inline void append_face_score(Row& row, const std::string& kind, const Face_score& score)
