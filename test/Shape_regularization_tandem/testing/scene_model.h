@@ -74,10 +74,32 @@ struct Half_space {
 };
 using Convex = std::vector<Half_space>;
 
+// A surface that is not quite planar: a parabola along an axis in the plane of its face, which lies at its mean height.
+struct Bend {
+  Vec axis{0, 0, 0};          // unit
+  double first = 0, last = 1; // axis . p where the surface begins and ends; there it is lowest
+  double sag = 0;             // between the lowest and the highest point
+
+  double height(const Vec& p) const
+  {
+    const double t = position(p);
+    return sag * (std::fma(4 * t, 1 - t, -2. / 3));
+  }
+
+  Vec normal(const Vec& p, const Vec& face_normal) const
+  {
+    return unit(add_scaled(face_normal, -4 * sag * std::fma(-2, position(p), 1.) / (last - first), axis));
+  }
+
+private:
+  double position(const Vec& p) const { return (dot(axis, p) - first) / (last - first); }
+};
+
 struct Face {
   Vec normal;    // unit, outward
   double offset; // normal . p + offset = 0
   std::vector<std::array<Vec, 3>> triangles;
+  Bend bend{};
 };
 
 // A cylinder without lids, or (height 0) a sphere. Its points have the label -1.
@@ -108,7 +130,7 @@ struct Model {
   std::size_t add_face(const Frame& frame, const std::vector<Vec>& corners)
   {
     Vec normal = unit(frame.vector(cross(corners[1] - corners[0], corners[2] - corners[0])));
-    faces.push_back({normal, -dot(normal, frame.point(corners[0])), {}});
+    faces.push_back({normal, -dot(normal, frame.point(corners[0])), {}, {}});
     extend_face(faces.size() - 1, frame, corners);
     return faces.size() - 1;
   }
@@ -123,6 +145,14 @@ struct Model {
   void add_rectangle(const Frame& frame, double width, double height)
   {
     add_face(frame, {{0, 0, 0}, {width, 0, 0}, {width, height, 0}, {0, height, 0}});
+  }
+
+  // The same, bent along its width. The sag of a road is negative in a valley.
+  void add_bent_rectangle(const Frame& frame, double width, double height, double sag)
+  {
+    add_rectangle(frame, width, height);
+    const double first = dot(frame.x, frame.origin);
+    faces.back().bend = {frame.x, first, first + width, sag};
   }
 
   // The faces of an axis-parallel box of `frame`; `sign` -1: seen from inside.

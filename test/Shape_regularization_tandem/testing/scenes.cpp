@@ -91,7 +91,11 @@ private:
       v = 1 - v;
     }
     Vec p = add_scaled(add_scaled(t[0], u, t[1] - t[0]), v, t[2] - t[0]);
-    return {p, model_.faces[patch.index].normal, std::int32_t(patch.index)};
+    const Face& face = model_.faces[patch.index];
+    if(face.bend.sag == 0)
+      return {p, face.normal, std::int32_t(patch.index)};
+    return {add_scaled(p, face.bend.height(p), face.normal), face.bend.normal(p, face.normal),
+            std::int32_t(patch.index)};
   }
 
   static Sample on_curved(const Curved& curved, Random& random)
@@ -182,9 +186,9 @@ Scene make_noise(const Options& options)
 const std::vector<std::string>& scene_names()
 {
   static const std::vector<std::string> names = {
-    "house",       "village",          "indoor", "part",    "cube",          "tilted_cube", "staircase",
-    "squares_gap", "squares_touching", "slope",  "chained", "two_followers", "offset_pair", "sphere",
-    "noise"};
+    "house",       "village",          "indoor",   "part",    "cube",          "tilted_cube", "staircase",
+    "squares_gap", "squares_touching", "slope",    "chained", "two_followers", "offset_pair", "sphere",
+    "noise",       "bent_hall",        "bent_road"};
   return names;
 }
 
@@ -218,6 +222,10 @@ Model make_model(const std::string& name)
     return make_offset_pair(0.05);
   if(name == "sphere")
     return make_sphere();
+  if(name == "bent_hall")
+    return make_bent_hall();
+  if(name == "bent_road")
+    return make_bent_road();
   throw std::invalid_argument("unknown scene: " + name);
 }
 

@@ -11,6 +11,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENES_H
 
 #include "scene_analytic.h"
+#include "scene_bent.h"
 #include "scene_buildings.h"
 
 #include <stdexcept>

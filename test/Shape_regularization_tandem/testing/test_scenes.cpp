@@ -53,6 +53,8 @@ BOOST_AUTO_TEST_CASE(clean_points_lie_on_their_faces)
 {
   for(const std::string& name : scenes::scene_names()) {
     Scene scene = scenes::make_scene(name, options(20000));
+    const std::vector<scenes::Face> faces =
+      name == "noise" ? std::vector<scenes::Face>() : scenes::make_model(name).faces;
     BOOST_REQUIRE_EQUAL(scene.points.size(), 20000u);
     for(std::size_t i = 0; i < scene.points.size(); ++i) {
       std::int32_t f = scene.label[i];
@@ -60,7 +62,8 @@ BOOST_AUTO_TEST_CASE(clean_points_lie_on_their_faces)
       BOOST_REQUIRE_MESSAGE(std::abs(length(scene.normals[i]) - 1) < 1e-12, name << ": normal " << i);
       if(f < 0)
         continue;
-      double d = dot(scene.faces[std::size_t(f)].normal, scene.points[i]) + scene.faces[std::size_t(f)].offset;
+      double d = dot(scene.faces[std::size_t(f)].normal, scene.points[i]) + scene.faces[std::size_t(f)].offset -
+                 faces[std::size_t(f)].bend.height(scene.points[i]);
       BOOST_REQUIRE_MESSAGE(std::abs(d) < 1e-11 * scene.diagonal, name << ": point " << i << " is " << d << " off");
     }
   }
@@ -96,6 +99,44 @@ BOOST_AUTO_TEST_CASE(directions_and_planes_are_as_counted_by_hand)
     }
   }
   BOOST_TEST(relations(scenes::make_scene("village", options(100))).directions() == 65u);
+}
+
+// The truth of a bent face is its mean plane. Normals are those of the surface: two points one step apart along the bend
+// lie on a line orthogonal to the normal between them.
+BOOST_AUTO_TEST_CASE(bent_faces_have_their_mean_plane_and_their_own_normals)
+{
+  for(const char* name : {"bent_hall", "bent_road"}) {
+    const scenes::Model model = scenes::make_model(name);
+    const Scene scene = scenes::make_scene(model, options(200000));
+    int bent = 0;
+    for(std::size_t f = 0; f < model.faces.size(); ++f) {
+      const scenes::Face& face = model.faces[f];
+      const double sag = std::abs(face.bend.sag);
+      if(sag == 0)
+        continue;
+      ++bent;
+      double sum = 0, count = 0, low = 1e300, high = -1e300;
+      for(std::size_t i = 0; i < scene.points.size(); ++i)
+        if(scene.label[i] == std::int32_t(f)) {
+          const Vec& p = scene.points[i];
+          const double d = dot(face.normal, p) + face.offset, step = 1e-4;
+          sum += d;
+          ++count;
+          low = (std::min)(low, d);
+          high = (std::max)(high, d);
+          const double rise = face.bend.height(add_scaled(p, step, face.bend.axis)) -
+                              face.bend.height(add_scaled(p, -step, face.bend.axis));
+          const Vec along = add_scaled(2 * step * face.bend.axis, rise, face.normal);
+          BOOST_REQUIRE_SMALL(dot(scene.normals[i], along) / length(along), 1e-9);
+          BOOST_REQUIRE_GT(dot(scene.normals[i], face.normal), .9);
+        }
+      BOOST_TEST(count > 1000);
+      BOOST_TEST(std::abs(sum / count) < .02 * sag, name << ": face " << f);
+      BOOST_TEST(high - low > .99 * sag);
+      BOOST_TEST(high - low < sag * (1 + 1e-9));
+    }
+    BOOST_TEST(bent > 1);
+  }
 }
 
 // Faces in one plane whose points share or neighbor a voxel would be one shape
