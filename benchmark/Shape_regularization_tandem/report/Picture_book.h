@@ -59,8 +59,7 @@ private:
 
   bool violates(const Plane& plane, std::size_t point) const
   {
-    return fidelity_.is_beyond_epsilon(plane, cloud_.points[point]) ||
-           (cloud_.has_normals() && fidelity_.is_beyond_alpha(plane, cloud_.normals[point]));
+    return !fidelity_.fits(plane, cloud_.points, cloud_.normals, point);
   }
 
   const Ply_cloud& cloud_;

@@ -248,11 +248,9 @@ inline void print_legend()
     "Cleaned: these points, then shapes that have become too small, are dropped. F1: of true faces found, at an\n"
     "intersection over union of one half; prec.: of points. again%%, shuf.%%: points in another shape when the method\n"
     "runs once more (RANSAC: with another seed), and when the points come in another order. Region growing (cached):\n"
-    "each neighborhood computed once. Top 10 shapes, planes: share of the points in the 10 largest, without those "
-    "that\n"
-    "violate the tolerances; area to 100: mean of the top 1 to 100. D.o.f. for 50%%: degrees of freedom of the "
-    "largest\n"
-    "shapes that have half of the points.\n");
+    "each neighborhood computed once. Top 10 shapes, planes: share of the points in the 10 largest, without those\n"
+    "that violate the tolerances; area to 100: mean of the top 1 to 100. D.o.f. for 50%%: degrees of freedom of the\n"
+    "largest shapes that have half of the points.\n");
 }
 
 } // namespace benchmark

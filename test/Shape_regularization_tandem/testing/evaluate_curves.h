@@ -23,8 +23,10 @@ namespace benchmark {
 class Size_curve {
 public:
   Size_curve() = default;
-  explicit Size_curve(std::vector<double> shares) : shares_(std::move(shares))
+  Size_curve(const std::vector<std::size_t>& sizes, std::size_t points)
   {
+    for(std::size_t size : sizes)
+      shares_.push_back(double(size) / double(points));
     std::sort(shares_.begin(), shares_.end(), std::greater<double>());
   }
 
@@ -71,46 +73,40 @@ struct Curves {
   std::array<Needed_shapes, 5> needed = {{{.5}, {.6}, {.7}, {.8}, {.9}}};
 };
 
-// The points of each shape that are within the tolerances of its plane.
-inline std::vector<std::vector<std::size_t>> clean_points(const std::vector<Vec>& points,
-                                                          const std::vector<Vec>& normals, const Detection& detection,
-                                                          const Fidelity& fidelity)
+// The points of each shape with fits(plane, point) for its own plane.
+template <class Fits>
+std::vector<std::vector<std::size_t>> clean_points(const Detection& detection, Fits fits)
 {
   std::vector<std::vector<std::size_t>> clean(detection.planes.size());
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    if(detection.label[i] < 0)
-      continue;
-    const std::size_t s = std::size_t(detection.label[i]);
-    if(fidelity.fits(detection.planes[s], points, normals, i))
-      clean[s].push_back(i);
-  }
+  for(std::size_t i = 0; i < detection.label.size(); ++i)
+    if(detection.label[i] >= 0 && fits(std::size_t(detection.label[i]), i))
+      clean[std::size_t(detection.label[i])].push_back(i);
   return clean;
 }
 
-// Of each shape: the first one in the order with which it has a plane in common. That is, nine tenths of its clean
-// points are within the tolerances of the plane of that one too. One rule for all detectors, whether their planes are
-// equal or nearly so. A first one has none before it.
-inline std::vector<std::size_t> distinct_planes(const std::vector<Vec>& points, const std::vector<Vec>& normals,
-                                                const Detection& detection, const Fidelity& fidelity,
-                                                const std::vector<std::vector<std::size_t>>& clean,
-                                                const std::vector<std::size_t>& order)
+// The distinct planes of the shapes in this order, with the number of their clean points. A shape belongs to the first
+// plane that nine tenths of its clean points fit, or else its own plane is a further one. One rule for all detectors,
+// whether their planes are equal or nearly so.
+template <class Fits>
+std::vector<std::size_t> sizes_of_planes(const std::vector<std::vector<std::size_t>>& clean,
+                                         const std::vector<std::size_t>& order, Fits fits)
 {
-  std::vector<std::size_t> first(clean.size()), distinct;
-  const auto explains = [&](std::size_t f, std::size_t s) {
-    const std::size_t tolerated = clean[s].size() / 10;
-    std::size_t misfits = 0;
-    for(std::size_t i : clean[s])
-      if(!fidelity.fits(detection.planes[f], points, normals, i) && ++misfits > tolerated)
-        return false;
-    return true;
-  };
+  std::vector<std::size_t> distinct, size;
   for(std::size_t s : order) {
-    const auto found = std::find_if(distinct.begin(), distinct.end(), [&](std::size_t f) { return explains(f, s); });
-    first[s] = found == distinct.end() ? s : *found;
-    if(first[s] == s)
+    const auto explains = [&](std::size_t f) {
+      const std::size_t tolerated = clean[s].size() / 10;
+      std::size_t misfits = 0;
+      return std::none_of(clean[s].begin(), clean[s].end(),
+                          [&](std::size_t i) { return !fits(f, i) && ++misfits > tolerated; });
+    };
+    const std::size_t plane = std::size_t(std::find_if(distinct.begin(), distinct.end(), explains) - distinct.begin());
+    if(plane == distinct.size()) {
       distinct.push_back(s);
+      size.push_back(0);
+    }
+    size[plane] += clean[s].size();
   }
-  return first;
+  return size;
 }
 
 // `normals` may be empty. The arguments are those of evaluate(), which checks them.
@@ -118,26 +114,23 @@ inline Curves evaluate_curves(const std::vector<Vec>& points, const std::vector<
                               const Detection& detection, const Tolerances& tolerances)
 {
   const Fidelity fidelity(tolerances);
-  const auto clean = clean_points(points, normals, detection, fidelity);
-  std::vector<std::size_t> order(clean.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto fits = [&](std::size_t s, std::size_t i) {
+    return fidelity.fits(detection.planes[s], points, normals, i);
+  };
+  const auto clean = clean_points(detection, fits);
+  std::vector<std::size_t> order; // of shapes with clean points, the largest first
+  for(std::size_t s = 0; s < clean.size(); ++s)
+    if(!clean[s].empty())
+      order.push_back(s);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return clean[a].size() > clean[b].size(); });
-  order.erase(std::find_if(order.begin(), order.end(), [&](std::size_t s) { return clean[s].empty(); }), order.end());
-  const auto share = [&](std::size_t s) { return double(clean[s].size()) / double(points.size()); };
 
   Curves curves;
-  std::vector<double> shares(clean.size(), 0), shares_of_planes(clean.size(), 0);
-  const std::vector<std::size_t> first = distinct_planes(points, normals, detection, fidelity, clean, order);
-  for(std::size_t s : order) {
-    shares[s] = share(s);
-    shares_of_planes[first[s]] += share(s);
-  }
-  const auto drop_empty = [](std::vector<double>& v) { v.erase(std::remove(v.begin(), v.end(), 0.), v.end()); };
-  drop_empty(shares);
-  drop_empty(shares_of_planes);
-  curves.shapes = Size_curve(shares);
-  curves.planes = Size_curve(shares_of_planes);
+  std::vector<std::size_t> sizes;
+  for(std::size_t s : order)
+    sizes.push_back(clean[s].size());
+  curves.shapes = Size_curve(sizes, points.size());
+  curves.planes = Size_curve(sizes_of_planes(clean, order, fits), points.size());
 
   const Extent extent = extent_of(points);
   for(Needed_shapes& needed : curves.needed) {

@@ -77,8 +77,8 @@ using Convex = std::vector<Half_space>;
 // A surface that is not quite planar: a parabola along an axis in the plane of its face, which lies at its mean height.
 struct Bend {
   Vec axis{0, 0, 0};          // unit
-  double first = 0, last = 1; // axis . p where the surface begins and ends; there it is lowest
-  double sag = 0;             // between the lowest and the highest point
+  double first = 0, last = 1; // axis . p where the surface begins and ends
+  double sag = 0;             // how much higher its middle is than these ends; negative in a valley
 
   double height(const Vec& p) const
   {
@@ -147,7 +147,7 @@ struct Model {
     add_face(frame, {{0, 0, 0}, {width, 0, 0}, {width, height, 0}, {0, height, 0}});
   }
 
-  // The same, bent along its width. The sag of a road is negative in a valley.
+  // The same, bent along its width.
   void add_bent_rectangle(const Frame& frame, double width, double height, double sag)
   {
     add_rectangle(frame, width, height);

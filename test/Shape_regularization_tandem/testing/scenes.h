@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Point clouds with ground truth, sampled from the models of scene_buildings.h
-// and scene_analytic.h: with noise, outliers, the density of a scanner, and
+// Point clouds with ground truth, sampled from the models of scene_buildings.h,
+// scene_analytic.h and scene_bent.h: with noise, outliers, the density of a scanner, and
 // normals that are exact, perturbed, or absent. The same options give the same
 // bits on every machine. (Normals as a neighborhood fit blends them at edges:
 // clouds/scene_normals.h of the benchmark.)

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(shapes_and_freedom_for_a_coverage)
   BOOST_TEST(few.curves().needed[0].shapes == 0u); // 45 % are not 50 %
 }
 
-// Points beyond epsilon or alpha count for no detector. Of equal sizes, the first one comes first.
+// Points beyond epsilon or alpha count for no detector.
 BOOST_AUTO_TEST_CASE(misfits_do_not_count)
 {
   Case c = floors();
