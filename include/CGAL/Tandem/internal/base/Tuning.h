@@ -198,10 +198,8 @@ constexpr double negligible_rms = 0.2;
 // Share of the points of a shape that may newly misfit the joint plane, in the loop and at the end.
 constexpr double misfit_share = 0.05;
 constexpr double final_misfit_share = 0.15;
-// A shape that is smaller by this factor may join without a new fit; the large one is fitted again when it has
-// grown to this multiple.
+// A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
 constexpr std::int64_t much_larger = 4;
-constexpr Share refit_growth = {5, 4};
 
 } // namespace merging
 

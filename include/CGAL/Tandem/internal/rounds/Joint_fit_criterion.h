@@ -25,10 +25,30 @@ inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane
   return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
 }
 
+// What the test says of two shapes.
+struct Verdict {
+  bool is_accepted = false;
+  bool is_taken = false; // the smaller one tolerates the plane of the larger one as it is
+  double cost = 0;       // how much the sum of squared distances grows by the union
+};
+
 // The cost does not depend on the number of points. No point is read.
 struct Joint_fit_criterion {
   double squared_cosine;   // of alpha
   double maximum_distance; // epsilon
+
+  // The first shape is the larger one. A much smaller shape that is nearly as close to its plane needs no new fit.
+  Verdict verdict(const Fitted_moments& a, const Fitted_moments& b) const
+  {
+    if(!are_aligned(a, b))
+      return {};
+    if(tuning::merging::much_larger * b.moments.count < a.moments.count && is_tolerable(b, a.local))
+      return {true, true, excess(b.scatter, b.fit, a.local)};
+    Fitted_moments joint;
+    if(!(*this)(a, b, joint))
+      return {};
+    return {true, false, joint.fit.smallest - a.fit.smallest - b.fit.smallest};
+  }
 
   // The normal of a shape of few points is too uncertain to keep it apart.
   bool are_aligned(const Fitted_moments& a, const Fitted_moments& b) const

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Joint-fit merge: touching shapes that one plane fits as well as their own planes become one shape. Without it slanted
-// surfaces are cut into terraces. Shapes that have the same plane merge elsewhere, in merge_coplanar.h. Whether two of them merge is decided twice: by moments, in Joint_fit_criterion.h
-// along the links (Clusters.h), then by the share of their points that misfit, in joint_fit_targets() below. Changed
-// are the table of shapes, labels, states and lists of cells, the links, and the samples of the misfit counter.
+// surfaces are cut into terraces. Shapes that have the same plane merge elsewhere, in merge_coplanar.h. Whether two of them
+// merge is decided twice: by moments, in rounds of mutual choice (Mutual_unions.h, Joint_fit_criterion.h), then by the
+// share of their points that misfit, in joint_fit_targets() below. Changed are the table of shapes, labels, states and
+// lists of cells, the links, and the samples of the misfit counter.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
 
-#include <CGAL/Tandem/internal/rounds/Clusters.h>
+#include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
 #include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
@@ -27,17 +28,16 @@ Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
                           const Link_list& links, double misfit_share)
 {
   Backend& backend = points.backend;
-  Clusters<Backend> clusters(backend, shapes, {options.squared_cosine, options.maximum_distance});
-  clusters.unite_along(links);
-  const Ids ids =
-    chosen_shapes(backend, shapes, [&](const Shape&, std::uint32_t id) { return clusters.is_merged(id); });
+  Mutual_unions<Backend> unions(backend, shapes, {options.squared_cosine, options.maximum_distance});
+  unions.unite_along(links);
+  const Ids ids = chosen_shapes(backend, shapes, [&](const Shape&, std::uint32_t id) { return unions.is_merged(id); });
   Targets target = identity_targets(shapes.size());
   if(ids.empty())
     return target;
   Regular_planes planes(ids.size());
   std::vector<std::int64_t> sizes(ids.size());
   backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-    planes[i] = clusters.whole(clusters.root(ids[i])).local;
+    planes[i] = unions.whole(unions.root(ids[i])).local;
     sizes[i] = shapes[ids[i]].moments.count;
   });
   const Unset_vector<double> shares = Misfit_counter<Backend>(points, shapes, options, ids).count(ids, planes);
@@ -45,13 +45,13 @@ Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
   for(std::size_t i = 0; i < ids.size(); ++i) {
     if(shares[i] > misfit_share)
       continue;
-    std::size_t& stays = first[clusters.root(ids[i])];
+    std::size_t& stays = first[unions.root(ids[i])];
     if(stays == ids.size() || sizes[stays] < sizes[i])
       stays = i;
   }
   backend.for_each_on_host(ids.size(), [&](std::size_t i) {
     if(shares[i] <= misfit_share)
-      target[ids[i]] = ids[first[clusters.root(ids[i])]];
+      target[ids[i]] = ids[first[unions.root(ids[i])]];
   });
   return target;
 }

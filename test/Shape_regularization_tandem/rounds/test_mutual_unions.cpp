@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unions in rounds of mutual choice: on all back ends what a slow definition gives, which fits every link anew in every
+// round, in any order of the links. What is rejected without a fit would have been rejected with it.
+
+#undef NDEBUG
+
+#include "testing/body_fixture.h"
+
+#include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+
+using namespace CGAL::Tandem::internal;
+
+constexpr int columns = 60, rows = 50, width = 1000; // of square fragments, in grid steps
+constexpr double maximum_distance = 60;
+
+// Level ground is exactly flat, so all costs are 0 there, and sizes and ids decide.
+constexpr int level = -1;
+
+// Roofs of three slopes and a few steps, so that some neighbors have one plane, some nearly, some not: the more
+// uneven, the fewer.
+std::int32_t height(int x, int y, int unevenness, std::mt19937& random)
+{
+  if(unevenness == level)
+    return 300 * (y / (5 * width));
+  const int slope = x < 20 * width ? x / 8 : x < 40 * width ? 2500 - (x - 20 * width) / 10 : 500;
+  const int step = 70 * (y / (5 * width)) + unevenness * (37 * (x / width % 7) + 61 * (y / width % 5));
+  return slope + step + int(random() % 60);
+}
+
+template <class Backend>
+void make_fragments(Backend& backend, Shape_table<Backend>& shapes, int unevenness, std::int32_t shift = 0)
+{
+  std::mt19937 random(3);
+  shapes.shape.resize(backend, columns * rows);
+  for(int id = 0; id < columns * rows; ++id) {
+    Shape& shape = shapes[std::size_t(id)];
+    const int size = unevenness == level ? 20 + 30 * int(random() % 3) * int(random() % 3) : 20 + int(random() % 200);
+    for(int i = 0; i < size; ++i) {
+      const int x = id % columns * width + int(random() % width), y = id / columns * width + int(random() % width);
+      shape.moments.add({x + shift, y + shift, height(x, y, unevenness, random) + shift, no_normal}, 1);
+    }
+    refit(shape);
+    shapes.live.push_back(std::uint32_t(id));
+  }
+}
+
+// Between neighbors in rows, columns and one diagonal, in random order.
+Link_list make_links(unsigned seed)
+{
+  Link_list links;
+  for(std::uint32_t id = 0; id < columns * rows; ++id)
+    for(const std::uint32_t other : {id + 1, id + columns, id + columns + 1})
+      if(other < columns * rows && (other == id + columns || id % columns + 1 < columns))
+        links.push_back({std::uint64_t(id) << 32 | other, 1});
+  std::shuffle(links.begin(), links.end(), std::mt19937(seed));
+  return links;
+}
+
+struct Outcome {
+  std::vector<std::uint32_t> root;
+  Regular_planes plane;
+  int rounds = 0;
+};
+
+const Joint_fit_criterion criterion = {.95, maximum_distance};
+
+// What Mutual_unions.h says, by tables of all links and no other state than which shape is where.
+class Slow_unions {
+public:
+  template <class Backend>
+  Slow_unions(const Shape_table<Backend>& shapes, const Link_list& links)
+  {
+    for(const std::uint32_t id : shapes.live) {
+      root_.push_back(id);
+      whole_[id] = shapes[id];
+    }
+    while(unite(links))
+      ++rounds_;
+  }
+
+  Outcome outcome() const
+  {
+    Outcome o;
+    o.rounds = rounds_;
+    for(std::uint32_t r : root_) {
+      o.root.push_back(r);
+      o.plane.push_back(whole_.at(r).local);
+    }
+    return o;
+  }
+
+private:
+  using Key = std::tuple<double, std::int64_t, std::uint32_t, std::uint32_t, bool>; // the last: without a new fit
+
+  bool unite(const Link_list& links)
+  {
+    std::map<std::uint32_t, Key> choice;
+    for(const Link& link : links) {
+      std::uint32_t a = root_[link.first()], b = root_[link.second()];
+      const std::int64_t na = whole_[a].moments.count, nb = whole_[b].moments.count;
+      if(na < nb || (na == nb && b < a))
+        std::swap(a, b);
+      const Verdict v = a == b ? Verdict() : criterion.verdict(whole_[a], whole_[b]);
+      const Key key = {v.cost, -na - nb, a, b, v.is_taken};
+      for(std::uint32_t s : {a, b})
+        if(v.is_accepted && (choice.count(s) == 0 || key < choice[s]))
+          choice[s] = key;
+    }
+    std::map<std::uint32_t, std::uint32_t> joins;
+    for(const auto& c : choice) {
+      const std::uint32_t stays = std::get<2>(c.second), joining = std::get<3>(c.second);
+      const Key& other = choice[stays];
+      if(c.first == joining &&
+         (other == c.second || (std::get<4>(c.second) && std::get<4>(other) && std::get<2>(other) == stays)))
+        joins[joining] = stays;
+    }
+    for(std::uint32_t& r : root_)
+      r = joins.count(r) == 0 ? r : joins[r];
+    for(const auto& j : joins) {
+      whole_[j.second].moments += whole_[j.first].moments;
+      refit(whole_[j.second]);
+    }
+    return !joins.empty();
+  }
+
+  std::vector<std::uint32_t> root_; // by shape
+  std::map<std::uint32_t, Fitted_moments> whole_;
+  int rounds_ = 1;
+};
+
+template <class Backend>
+Outcome unite(Backend& backend, int unevenness, unsigned seed)
+{
+  Shape_table<Backend> shapes;
+  make_fragments(backend, shapes, unevenness);
+  Mutual_unions<Backend> unions(backend, shapes, criterion);
+  Outcome outcome;
+  outcome.rounds = unions.unite_along(make_links(seed));
+  for(const std::uint32_t id : shapes.live) {
+    outcome.root.push_back(unions.root(id));
+    outcome.plane.push_back(unions.whole(unions.root(id)).local);
+    CHECK(unions.is_merged(id) || unions.root(id) == id);
+  }
+  return outcome;
+}
+
+template <class Backend>
+void check(Backend& backend, int unevenness, const Outcome& expected, const std::string& name)
+{
+  const Outcome outcome = unite(backend, unevenness, 7);
+  check_equal(outcome.rounds, expected.rounds, name + ": rounds");
+  CHECK_AT(outcome.root == expected.root, name);
+  const auto is_same = [](const Regular_plane& a, const Regular_plane& b) {
+    return a.normal == b.normal && a.offset == b.offset;
+  };
+  CHECK_AT(std::equal(outcome.plane.begin(), outcome.plane.end(), expected.plane.begin(), is_same), name + ": planes");
+}
+
+void check_apart(std::int32_t shift)
+{
+  Sequential_backend backend;
+  Shape_table<Sequential_backend> shapes;
+  make_fragments(backend, shapes, 0, shift);
+  int rejected = 0, apart = 0;
+  for(const Link& link : make_links(5)) {
+    const Shape &a = shapes[link.first()], &b = shapes[link.second()];
+    Fitted_moments joint;
+    const bool is_rejected = !criterion.fit(a, b, joint), is_apart = criterion.are_apart(a, b);
+    rejected += is_rejected;
+    apart += is_apart;
+    CHECK(!is_apart || (is_rejected && !criterion.is_tolerable(a, b.local) && !criterion.is_tolerable(b, a.local)));
+    check_equal(criterion(a, b, joint), !is_rejected, "with and without the shortcut");
+  }
+  CHECK_AT(rejected > 200 && 3 * apart > rejected, std::to_string(apart) + " of " + std::to_string(rejected));
+}
+
+// The eigenvalues of a turned diagonal matrix are known.
+void check_eigenvalues()
+{
+  const Vector u = unit({1, 2, 3}), v = unit(cross(u, {1, 0, 0})), w = cross(u, v);
+  const auto along = [](double s, const Vector& n) {
+    return Symmetric_matrix{s * n.x * n.x, s * n.x * n.y, s * n.x * n.z, s * n.y * n.y, s * n.y * n.z, s * n.z * n.z};
+  };
+  const Symmetric_matrix m = along(2, u) + along(5, v) + along(7e3, w);
+  CHECK(has_eigenvalues_above(m, 1.999));
+  for(const double value : {2.001, 4., 6., 7.1e3})
+    CHECK_AT(!has_eigenvalues_above(m, value), std::to_string(value));
+  CHECK(!has_eigenvalues_above({0, 0, 0, 0, 0, 0}, 0));
+}
+
+// What is to be found: more unions than `few` and fewer than `many`.
+struct Scene {
+  int unevenness;
+  std::size_t few, many;
+};
+
+void check_scene(const Scene& scene)
+{
+  Sequential_backend sequential;
+  Shape_table<Sequential_backend> shapes;
+  make_fragments(sequential, shapes, scene.unevenness);
+  const Outcome expected = Slow_unions(shapes, make_links(5)).outcome();
+  const std::set<std::uint32_t> roots(expected.root.begin(), expected.root.end());
+  CHECK_AT(roots.size() > scene.few && roots.size() < scene.many, std::to_string(roots.size()));
+  check(sequential, scene.unevenness, expected, "sequential");
+  for(unsigned threads = 2; threads <= 8; threads *= 2) {
+    Thread_backend backend(threads);
+    check(backend, scene.unevenness, expected, std::to_string(threads) + " threads");
+  }
+  for(unsigned seed = 1; seed <= 3; ++seed) {
+    Shuffled_backend backend(seed);
+    check(backend, scene.unevenness, expected, "shuffled " + std::to_string(seed));
+  }
+}
+
+int main()
+{
+  check_eigenvalues();
+  check_apart(0);
+  check_apart(1 << 30);
+  constexpr std::size_t all = columns * rows;
+  for(const Scene& scene :
+      {Scene{level, 9, 11}, {0, 2, all / 3}, {1, all / 30, all / 3}, {2, all / 3, all}, {4, all - 1, all + 1}})
+    check_scene(scene);
+  return report();
+}
