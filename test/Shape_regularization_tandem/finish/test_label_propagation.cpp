@@ -167,7 +167,16 @@ private:
     }
   }
 
-  // The largest of the shapes that are not much farther than the nearest one.
+  // The distance of two planes along their normals, where they are nearest to a point.
+  std::int64_t distance_of_planes(std::uint32_t s, std::uint32_t t, std::uint32_t i) const
+  {
+    const Plane &a = f_.plane[s], &b = f_.plane[t];
+    const double cosine = double(a.nx) * b.nx + double(a.ny) * b.ny + double(a.nz) * b.nz;
+    const std::int64_t e = signed_distance(a, f_.point[i]), f = signed_distance(b, f_.point[i]);
+    return std::abs(cosine < 0 ? e + f : e - f);
+  }
+
+  // The largest of the shapes that are no layers beside the own one.
   void test_reassignment()
   {
     const std::uint32_t n = f_.cloud.size;
@@ -189,12 +198,9 @@ private:
         if(t < first_mark && may_receive[t] && f_.fits(t, i))
           shapes.insert(t);
       });
-      std::int64_t least = f_.distance(own, i);
-      for(std::uint32_t t : shapes)
-        least = (std::min)(least, std::int64_t(f_.distance(t, i)));
       std::set<std::pair<std::int64_t, std::uint32_t>> choice;
       for(std::uint32_t t : shapes)
-        if(std::int64_t(f_.distance(t, i)) <= least + f_.tolerance.distance / 4)
+        if(t == own || 10 * distance_of_planes(own, t, i) <= 9 * f_.tolerance.distance)
           choice.emplace(-size[t], t);
       expected[i] = choice.begin()->second;
     }

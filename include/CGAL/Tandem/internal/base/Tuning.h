@@ -349,23 +349,21 @@ constexpr Share grown_points = {1001, 1000};
 constexpr std::size_t propagation_rounds = 16;
 constexpr std::size_t points_per_late_point = 100000;
 // Rounds of reassignment to the largest neighbor that fits. Shapes below this share of the minimum size lose no points.
-// Nor does a point move to a plane that is farther by more than one in so many epsilons: layers side by side stay.
 constexpr int reassignment_rounds = 4;
 constexpr Share safe_size = {3, 2};
-constexpr std::int64_t distance_per_farther_plane = 4;
+// Two planes that are farther apart at a point, in epsilons, are layers there, and the point stays. Larger: layers are
+// swallowed. Smaller: parts of a surface that bends keep points that its largest plane explains.
+constexpr Share layer_distance = {9, 10};
 
 } // namespace end_game
 
-// After the loop: large planes take what they explain of smaller shapes. Measured on aerial, indoor, street and
+// Large planes take what they explain of smaller shapes, in the loop and after it. Measured on aerial, indoor, street and
 // image-matched scans and on scenes with known faces.
 namespace transfer {
 
 // A plane takes points of a smaller shape if it explains at least this share of it. Smaller: planes cut through noise,
 // and faces are lost to it.
-constexpr Share explained_share = {3, 10};
-// The same for a shape that falls below the minimum size by it, and is dissolved. Smaller: in noise, small faces are
-// lost to large ones beside them. Larger: fragments stay.
-constexpr Share dissolving_share = {6, 10};
+constexpr Share explained_share = {1, 5};
 // A shape is fitted anew if its new plane explains more than this share of what the former one does. Without a margin,
 // planes move for a few points.
 constexpr Share better_plane = {501, 500};
@@ -373,9 +371,10 @@ constexpr Share better_plane = {501, 500};
 // of that across its local plane, is a layer of its own, unless half of it fits. Larger: layers are swallowed.
 constexpr double layer_distance = 0.9;
 constexpr double layer_variance = 2.25;
-// Rounds, at most: nearly all is in the first three. A round that moves less than one point of so many of the cloud is
-// the last one.
-constexpr int maximum_rounds = 3;
+// Rounds, at most: one in each round of the loop after the first ones, more after the loop. A round that moves less than
+// one point of so many of the cloud is the last one.
+constexpr int maximum_rounds_in_loop = 1;
+constexpr int maximum_rounds = 2;
 constexpr std::size_t points_per_moved_point = 2000;
 
 } // namespace transfer

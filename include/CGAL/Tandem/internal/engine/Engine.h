@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/finish/end_game.h>
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
+#include <CGAL/Tandem/internal/finish/transfer_points.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
@@ -156,7 +157,9 @@ bool Engine<Backend>::is_going_on(std::size_t new_points) const
 
 // The order matters. Small fragments go first, so that they need no links. Fragments merge before relations are found,
 // so that their unions have relations. Layers are split after that, since the new planes are tested, and before
-// coplanar shapes merge. Labels follow at once for merged fragments, and in apply_planes() for coplanar shapes.
+// coplanar shapes merge. Labels follow at once for merged fragments, and in apply_planes() for coplanar shapes. Large
+// planes take what they explain when shapes are no longer young, so that the relations of the next round see whole
+// surfaces.
 template <class Backend>
 bool Engine<Backend>::iterate()
 {
@@ -178,6 +181,9 @@ bool Engine<Backend>::iterate()
   const Targets target = coplanar_targets(points.backend, shapes, relations_, links);
   merge_shapes(points.backend, shapes, target);
   apply_planes(points, shapes, options, target);
+  if(state_.round >= tuning::loop::young_rounds)
+    transfer_points(points, shapes, options, relations_,
+                    {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, options.minimum_fragment_size});
   ++state_.round;
   return is_going_on(new_points);
 }

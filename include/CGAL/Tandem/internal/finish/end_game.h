@@ -165,9 +165,10 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   consolidate(points, shapes, options);
   drop_small(points, shapes, options.minimum_region_size);
   const Shape_relations first = regularize_finally(points, shapes, options, round, {});
-  transfer_points(points, shapes, options, first, Planes::may_change);
+  const int rounds = tuning::transfer::maximum_rounds;
+  transfer_points(points, shapes, options, first, {Planes::may_change, rounds, options.minimum_region_size});
   Shape_relations relations = regularize_finally(points, shapes, options, round, first);
-  transfer_points(points, shapes, options, relations, Planes::are_fixed);
+  transfer_points(points, shapes, options, relations, {Planes::are_fixed, rounds, options.minimum_region_size});
   clear_interior(points);
   reassign_to_larger(points, shapes, options);
   return relations;

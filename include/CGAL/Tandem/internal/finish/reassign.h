@@ -42,17 +42,13 @@ struct Choose_largest {
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
     bool all_same = true;
-    const std::int64_t farthest =
-      may_lose[s] ? minimum_distance(i, s) + tolerance.distance / tuning::end_game::distance_per_farther_plane : 0;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]], best = chosen[i];
       all_same = all_same && t == s;
       if(t >= first_mark || t == best || !may_receive[t] || !may_lose[s])
         continue;
-      // The own shape is left also for a smaller one, where it is farther than is allowed.
-      const bool is_larger =
-        size[t] > size[best] || (size[t] == size[best] && t < best) || distance(best, i) > farthest;
-      if(is_larger && distance(t, i) <= farthest && fits(plane[t], cloud.point[i], tolerance))
+      const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best);
+      if(is_larger && fits(plane[t], cloud.point[i], tolerance) && !are_layers(s, t, i))
         chosen[i] = t;
     }
     if(marks_interior && all_same)
@@ -60,26 +56,14 @@ struct Choose_largest {
   }
 
 private:
-  // To the plane of shape s, in 2^-28 grid steps.
-  CGAL_TANDEM_HD std::int64_t distance(std::uint32_t s, std::size_t i) const
+  // Whether the planes of these two shapes, which both are within epsilon, are far from each other at the point.
+  CGAL_TANDEM_HD bool are_layers(std::uint32_t s, std::uint32_t t, std::size_t i) const
   {
-    const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
-    return e < 0 ? -e : e;
-  }
-
-  // To the nearest plane of the own shape s and of those that may take the point.
-  CGAL_TANDEM_HD std::int64_t minimum_distance(std::size_t i, std::uint32_t s) const
-  {
-    const std::uint32_t* row = cloud.row(std::uint32_t(i));
-    std::int64_t minimum = distance(s, i);
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
-      const std::uint32_t t = label[row[j]];
-      if(t >= first_mark || t == s || !may_receive[t] || distance(t, i) >= minimum ||
-         !fits(plane[t], cloud.point[i], tolerance))
-        continue;
-      minimum = distance(t, i);
-    }
-    return minimum;
+    const Plane &a = plane[s], &b = plane[t];
+    const std::int64_t cosine = std::int64_t(a.nx) * b.nx + std::int64_t(a.ny) * b.ny + std::int64_t(a.nz) * b.nz;
+    const std::int64_t e = signed_distance(a, cloud.point[i]), f = signed_distance(b, cloud.point[i]);
+    const std::int64_t apart = cosine < 0 ? e + f : e - f;
+    return tuning::end_game::layer_distance.is_exceeded(apart < 0 ? -apart : apart, tolerance.distance);
   }
 };
 

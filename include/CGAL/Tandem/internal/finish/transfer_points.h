@@ -67,7 +67,7 @@ void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, con
     Shape& shape = shapes[id];
     if(!plan.is_changed[id])
       return;
-    shape.plane = shape.local;
+    shape.plane = shape.checked = shape.local;
     shape.regular_count = 0;
     shapes.plane[id] = rounded(shape.plane);
   });
@@ -78,19 +78,27 @@ void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, con
                                                        changed.data(), plane.data(), tolerance});
 }
 
+// How points are transferred: whether planes are fitted anew or stay as they are, and how often. Shapes that are smaller
+// afterwards are dissolved.
+struct Transfer {
+  Planes planes;
+  int maximum_rounds;
+  std::int64_t minimum_size;
+};
+
 // Rounds of transfers, until hardly any point moves. All points have to fit the planes of their shapes, which are
-// rounded in the table; afterwards they still do. Shapes of one plane of the relations exchange no points. Where planes
-// may change, they are fitted anew; otherwise they stay as they are.
+// rounded in the table; afterwards they still do. Shapes of one plane of the relations exchange no points.
 template <class Backend>
 void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                     const Shape_relations& relations, Planes planes)
+                     const Shape_relations& relations, const Transfer& transfer)
 {
   Backend& backend = points.backend;
   const Tolerance& tolerance = options.growth.tolerance;
   const std::vector<int> plane_of = planes_of(shapes.size(), relations);
-  for(int round = 0; round < tuning::transfer::maximum_rounds; ++round) {
+  for(int round = 0; round < transfer.maximum_rounds; ++round) {
     const Link_list links = collect_links(points, shapes, Links::all, [&] { refit_shapes(backend, shapes); });
-    const Transfer_plan plan = Transfer_planner<Backend>(points, shapes, options, {links, plane_of, planes}).plan();
+    const Transfer_plan plan =
+      Transfer_planner<Backend>(points, shapes, options, {links, plane_of, transfer.planes}).plan();
     if(!plan.is_any)
       return;
     std::vector<std::int64_t> before(shapes.size(), 0);
@@ -99,9 +107,12 @@ void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shape
     carry_out(points, shapes, plan, tolerance);
     propagate_labels(points, shapes.plane, tolerance);
     recount(points, shapes);
-    const std::int64_t moved = sum_on_host(
-      backend, before.size(), [&](std::size_t id) { return std::abs(shapes[id].moments.count - before[id]); });
-    drop_small(points, shapes, options.minimum_region_size);
+    const std::int64_t moved = sum_on_host(backend, before.size(), [&](std::size_t id) {
+      const std::int64_t change = std::abs(shapes[id].moments.count - before[id]);
+      shapes[id].is_changed = shapes[id].is_changed || change > 0 || plan.is_changed[id];
+      return change;
+    });
+    drop_small(points, shapes, transfer.minimum_size);
     if(moved / 2 < std::int64_t(points.cloud.size() / tuning::transfer::points_per_moved_point))
       return;
   }
