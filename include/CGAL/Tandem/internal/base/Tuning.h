@@ -209,6 +209,9 @@ namespace verification {
 // A relation is rolled back when so many points of a shape newly misfit. Smaller: more directions (.1: half as many
 // again); larger: coverage falls.
 constexpr double misfit_share = 0.2;
+// ... or, while shapes grow, when more points misfit than so many of the smallest shapes have: a plane that turns loses
+// a strip at either end. More: strips beside large faces; fewer: more directions.
+constexpr std::int64_t strips_of_turned_shape = 2;
 // ... or when it adds more than this to the distance of the points, in epsilons (rms, in quadrature). Larger: false
 // parallels of faces turned by 4 to 7 degrees.
 constexpr double rms_share = 0.6;

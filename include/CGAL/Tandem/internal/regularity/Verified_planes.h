@@ -28,8 +28,9 @@ struct Misfit_limit {
 template <class Verify>
 class Verified_planes {
 public:
-  Verified_planes(const Shape_fits& shapes, double maximum_distance, Verify& verify)
-    : shapes(shapes), maximum_distance(maximum_distance), verify(verify)
+  Verified_planes(const Shape_fits& shapes, const Regularity_options& options, Verify& verify)
+    : shapes(shapes), maximum_distance(options.maximum_distance), points_of_strips(options.points_of_strips),
+      verify(verify)
   {
     accepted.resize(shapes.size());
     for_each(shapes.size(),
@@ -92,8 +93,8 @@ public:
     if(!selected.empty())
       verify(selected, selected_planes, counts);
     for_each(selected.size(), [&](std::size_t a) {
-      const bool is_rejected =
-        double(counts[a]) > (std::min)(limit.share * shapes[selected[a]].scatter.count, limit.points);
+      const double misfits = double(counts[a]), size = shapes[selected[a]].scatter.count;
+      const bool is_rejected = misfits > (std::min)({limit.share * size, limit.points, points_of_strips});
       verdict[position[a]] = is_rejected ? rejected : still;
       if(!is_rejected)
         accepted[selected[a]] = selected_planes[a];
@@ -119,7 +120,7 @@ private:
   }
 
   const Shape_fits& shapes;
-  double maximum_distance;
+  double maximum_distance, points_of_strips;
   Verify& verify;
   Regular_planes accepted;
 };

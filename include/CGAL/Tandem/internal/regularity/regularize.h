@@ -76,7 +76,7 @@ Relations regularize(const Shape_fits& shapes, const std::vector<char>& is_exclu
   for(std::size_t i = 0; i < shapes.size(); ++i)
     if(!is_excluded[i] && shapes[i].scatter.count > 0 && dot(shapes[i].fit.normal, shapes[i].fit.normal) > 0.5)
       active.push_back(int(i));
-  Verified_planes<Verify> verified(shapes, options.maximum_distance, verify);
+  Verified_planes<Verify> verified(shapes, options, verify);
   Direction_fitter<Verify> fitter(shapes, options, verified);
   fitter.fit(active);
   Unset_vector<Vector> normal(shapes.size());

@@ -14,6 +14,7 @@
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct Regularity_options {
   double maximum_distance;    // epsilon
   bool parallelism, orthogonality, coplanarity;
   bool is_last; // growth has ended: everything that is rejected is tried again, and leftovers join directions
+  // A relation may not cost a shape more points, whatever their share: they would grow again as strips beside it.
+  // No bound where nothing grows.
+  double points_of_strips = std::numeric_limits<double>::infinity();
 
   // Whether `pending` of n shapes, rejected `tries` times, are tried again. That costs as much as for all shapes. So in
   // the loop few of them keep their local planes. Those rejected by points wait as after a rollback.

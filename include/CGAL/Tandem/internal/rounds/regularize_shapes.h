@@ -151,6 +151,8 @@ Shape_relations find_relations(Labeled_cloud<Backend>& points, Shape_table<Backe
   Point_verifier<Backend> verify(points, shapes, options, ids);
   Regularity_options regularity = options.regularity;
   regularity.is_last = step.is_last;
+  if(!step.is_last)
+    regularity.points_of_strips = double(tuning::verification::strips_of_turned_shape * options.minimum_region_size);
   Shape_relations r;
   r.id = ids;
   r.relations = regularize(fits, is_excluded, regularity, verify);
