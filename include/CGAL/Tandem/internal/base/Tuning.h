@@ -210,8 +210,10 @@ namespace verification {
 // again); larger: coverage falls.
 constexpr double misfit_share = 0.2;
 // ... or, while shapes grow, when more points misfit than so many of the smallest shapes have: a plane that turns loses
-// a strip at either end. More: strips beside large faces; fewer: more directions.
+// a strip at either end. More: strips beside large faces; fewer: more directions. A strip has at least this share of the
+// shape, since a sample tells no less.
 constexpr std::int64_t strips_of_turned_shape = 2;
+constexpr double strip_share = 0.005;
 // ... or when it adds more than this to the distance of the points, in epsilons (rms, in quadrature). Larger: false
 // parallels of faces turned by 4 to 7 degrees.
 constexpr double rms_share = 0.6;

@@ -94,7 +94,8 @@ public:
       verify(selected, selected_planes, counts);
     for_each(selected.size(), [&](std::size_t a) {
       const double misfits = double(counts[a]), size = shapes[selected[a]].scatter.count;
-      const bool is_rejected = misfits > (std::min)({limit.share * size, limit.points, points_of_strips});
+      const double strips = (std::max)(points_of_strips, tuning::verification::strip_share * size);
+      const bool is_rejected = misfits > (std::min)({limit.share * size, limit.points, strips});
       verdict[position[a]] = is_rejected ? rejected : still;
       if(!is_rejected)
         accepted[selected[a]] = selected_planes[a];
