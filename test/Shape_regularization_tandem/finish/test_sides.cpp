@@ -83,7 +83,7 @@ private:
     for(std::uint32_t q : around(i))
       if(f_.label[q] == f_.label[i])
         sum.add(difference(f_.point[q], f_.point[i]));
-    const Thickness t = sum.size < 8 ? Thickness{0, 0} : thickness(sum.mean());
+    const Thickness t = sum.size < 24 ? Thickness{0, 0} : thickness(sum.mean());
     const double gap = double(t.middle) - t.smallest, sine = std::sin(25 * 0.017453292519943295);
     const double error2 = t.middle > 0 ? double(t.smallest) * t.middle / (gap * gap * sum.size / 3) : 1;
     return error2 <= sine * sine / 9 ? normals::encoded_normal(sum.mean(), t.smallest) : no_normal;

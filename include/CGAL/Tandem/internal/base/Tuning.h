@@ -365,8 +365,8 @@ namespace sides {
 // their absolute values. A shape that ends at the plane comes near all of it, less what noise takes; one that goes on
 // beyond it is near none. Larger: fewer points change sides under noise.
 constexpr Share clear_share = {1, 2};
-// Fewest points of a shape to which a normal is fitted again.
-constexpr int minimum_points = 8;
+// Fewest visits to points of a shape to which a normal is fitted again: about eight points.
+constexpr int minimum_visits = 24;
 // Visits to the points around per point: 2.5 to 3.2 (measured), since some are visited several times.
 constexpr double visits_per_point = 3;
 // Squared alpha, in expected squared errors, that such a normal needs: three standard deviations. Smaller: noise alone

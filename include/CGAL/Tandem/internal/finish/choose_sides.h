@@ -85,7 +85,7 @@ struct Edge_view {
       if(label[q] == s)
         sum.add(difference(cloud.point[q], p));
     });
-    if(sum.size < tuning::sides::minimum_points)
+    if(sum.size < tuning::sides::minimum_visits)
       return no_normal;
     const Neighborhood h = sum.mean();
     const Thickness t = thickness(h);
