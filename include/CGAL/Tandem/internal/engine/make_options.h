@@ -70,6 +70,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.certain = make_tolerance(certain_distance, cosine_deg(certain_angle));
   o.exact = {p.maximum_distance, std::fma(1.0, cosine, tuning::exactness::rounded_normal_margin)};
   o.regularity_period = int((std::min)(p.regularity_period, std::size_t(1) << 30));
+  o.has_estimated_normals = !in.has_normals;
   return o;
 }
 

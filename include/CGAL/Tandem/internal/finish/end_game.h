@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 #define CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 
+#include <CGAL/Tandem/internal/finish/choose_sides.h>
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>
 #include <CGAL/Tandem/internal/finish/transfer_points.h>
@@ -140,6 +141,19 @@ void reassign_to_larger(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   drop_small(points, shapes, options.minimum_region_size);
 }
 
+// Near edges, estimated normals are blended. Points go to their side of the edge. Then the normals near edges are those
+// of one shape, and points that do not fit with them are free.
+template <class Backend>
+void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+{
+  const Tolerance& tolerance = options.growth.tolerance;
+  choose_sides(points, shapes, tolerance);
+  list_shapes(points);
+  fit_normals_to_shapes(points, shapes, tolerance);
+  detach_misfits(points, shapes, {all_shapes(shapes.size()), tolerance});
+  drop_small(points, shapes, options.minimum_region_size);
+}
+
 // An interior point is skipped, since all of its neighbors have had its label. Neighbors may have lost it since, so the
 // bit is cleared before the stages that rely on it.
 struct Clear_interior {
@@ -171,6 +185,8 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   transfer_points(points, shapes, options, relations, {Planes::are_fixed, rounds, options.minimum_region_size});
   clear_interior(points);
   reassign_to_larger(points, shapes, options);
+  if(options.has_estimated_normals)
+    sharpen_edges(points, shapes, options);
   return relations;
 }
 

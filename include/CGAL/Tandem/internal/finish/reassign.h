@@ -103,8 +103,26 @@ struct Reassignment {
   bool marks_interior;
 };
 
-// One round, computed from the labels of the round before (Jacobi). Moments stay right if they were; boxes may be too
-// large, because a lost point does not shrink them. Shapes may become empty. Returns whether any label has changed.
+// Points take the chosen labels, by position. Moments stay right if they were; boxes may be too large, because a lost
+// point does not shrink them. Shapes may become empty. Returns whether any label has changed.
+template <class Backend>
+bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const std::uint32_t* chosen)
+{
+  Backend& backend = points.backend;
+  backend.template for_each_cell<Moment_table>(
+    points.number_of_cells(), Apply_chosen<Backend>{points.cloud.view(), points.cells.data(), chosen, points.labels(),
+                                                    start_deltas(backend, shapes, shapes.size())});
+  const Host_buffer<Shape_delta> changes = take_deltas(backend, shapes, shapes.size());
+  backend.for_each_on_host(changes.size(), [&](std::size_t c) {
+    Shape& shape = shapes[changes[c].id];
+    shape.moments += changes[c].sums.moments();
+    shape.box.add(changes[c].sums.box);
+    shape.is_dirty = true;
+  });
+  return changes.size() > 0;
+}
+
+// One round, computed from the labels of the round before (Jacobi): see take_chosen().
 template <class Backend>
 bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance,
               const Reassignment& which)
@@ -121,17 +139,7 @@ bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, cons
   const auto losing = backend.read_access(which.may_lose), receiving = backend.read_access(which.may_receive);
   backend.for_each(n, Choose_largest{cloud, points.label.data(), points.state.data(), plane.data(), sizes.data(),
                                      losing.data(), receiving.data(), chosen.data(), tolerance, which.marks_interior});
-  backend.template for_each_cell<Moment_table>(
-    points.number_of_cells(), Apply_chosen<Backend>{cloud, points.cells.data(), chosen.data(), points.labels(),
-                                                    start_deltas(backend, shapes, shapes.size())});
-  const Host_buffer<Shape_delta> changes = take_deltas(backend, shapes, shapes.size());
-  backend.for_each_on_host(changes.size(), [&](std::size_t c) {
-    Shape& shape = shapes[changes[c].id];
-    shape.moments += changes[c].sums.moments();
-    shape.box.add(changes[c].sums.box);
-    shape.is_dirty = true;
-  });
-  return changes.size() > 0;
+  return take_chosen(points, shapes, chosen.data());
 }
 
 // For each cell: the moments and boxes of the shapes of its points. Successive points often have the same label, so

@@ -51,6 +51,7 @@ struct Options {
   Tolerance certain;                  // bounds within which the exact check is not needed
   Exact_bounds exact;                 // in the caller's units
   int regularity_period;              // in rounds
+  bool has_estimated_normals;         // none were given
 };
 
 } // namespace internal

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points near an edge of two shapes, where normals are estimated. Such a normal is blended there, and says nothing
+// about the side. The place of the point does: it goes to the shape on whose side of the edge it lies. Then its normal
+// is fitted again, to points of that shape only. Given normals are never touched, and decide by themselves. Changes
+// labels and interior bits of points, their estimated normals, and moments and boxes of shapes. See the manual, "Sides
+// of an Edge".
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H
+#define CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H
+
+#include <CGAL/Tandem/internal/finish/reassign.h>
+#include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// On which side of a plane the points of another shape lie: the sum of their signed distances, each at most epsilon,
+// and that of the absolute values.
+struct Side {
+  std::int64_t sum = 0, size = 0; // in 2^-28 steps; below 2^39 a point, of which there are at most 2^18
+
+  CGAL_TANDEM_HD void add(std::int64_t e, std::int64_t maximum)
+  {
+    const std::int64_t bounded = e > maximum ? maximum : e < -maximum ? -maximum : e;
+    sum += bounded;
+    size += bounded < 0 ? -bounded : bounded;
+  }
+
+  // Where a shape goes on beyond the plane, neither side is its own.
+  CGAL_TANDEM_HD bool is_clear() const
+  {
+    constexpr tuning::Share share = tuning::sides::clear_share;
+    return (sum < 0 ? -sum : sum) * share.denominator > size * share.numerator;
+  }
+
+  // How far a point at the signed distance e is on this side.
+  CGAL_TANDEM_HD std::int64_t depth(std::int64_t e) const { return sum > 0 ? e : -e; }
+};
+
+// Whether the planes are within alpha of each other. Then they meet at no edge that normals could tell.
+CGAL_TANDEM_HD inline bool are_aligned(const Plane& a, const Plane& b, std::int64_t squared_cosine)
+{
+  const std::int64_t product = normal_product(a, {b.nx, b.ny, b.nz});
+  const std::int64_t cosine = (product < 0 ? -product : product) >> (2 * normal_bits - 16); // times 2^16
+  return cosine * cosine >= squared_cosine;
+}
+
+// The tables that both functors below read, and how they look around a point.
+struct Edge_view {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  const Plane* plane; // by shape
+  Tolerance tolerance;
+
+  // Whether shapes s and t may meet at an edge: two shapes, of planes that normals can tell.
+  CGAL_TANDEM_HD bool is_edge(std::uint32_t s, std::uint32_t t) const
+  {
+    return t < first_mark && t != s && !are_aligned(plane[s], plane[t], tolerance.squared_cosine);
+  }
+
+  // f(q) for the points around i, some of them several times, always in the same order. Three steps from neighbor to
+  // neighbor, since noise hides the sides of an edge from fewer. The farther half of the neighbors overlaps less with
+  // what has been seen; every second one suffices in the last step.
+  template <class F>
+  CGAL_TANDEM_HD void for_each_around(std::uint32_t i, F f) const
+  {
+    for_each_farther_neighbor(i, 1, [&](std::uint32_t a) {
+      f(a);
+      for_each_farther_neighbor(a, 1, [&](std::uint32_t b) {
+        f(b);
+        for_each_farther_neighbor(b, 2, f);
+      });
+    });
+  }
+
+  // That of the plane through the points of shape s around i; no_normal if they determine none.
+  CGAL_TANDEM_HD std::uint32_t normal_of_shape(std::uint32_t i, std::uint32_t s) const
+  {
+    const Grid_point p = cloud.point[i];
+    Neighborhood_sum sum;
+    for_each_around(i, [&](std::uint32_t q) {
+      if(label[q] == s)
+        sum.add(difference(cloud.point[q], p));
+    });
+    if(sum.size < tuning::sides::minimum_visits)
+      return no_normal;
+    const Neighborhood h = sum.mean();
+    const Thickness t = thickness(h);
+    return is_determined(t, sum.size) ? normals::encoded_normal(h, t.smallest) : no_normal;
+  }
+
+  // Whether the angle that noise turns such a plane by is expected to be below a third of alpha. Its square is the
+  // product of both variances, over the square of their difference and the number of independent points. A ball
+  // determines no plane.
+  CGAL_TANDEM_HD bool is_determined(const Thickness& t, int size) const
+  {
+    const double gap = double(t.middle) - t.smallest, scale = 4294967296.; // 2^32: see Tolerance
+    const double squared_sine = scale - double(tolerance.squared_cosine);
+    return t.middle > 0 && exact_product(t.smallest, t.middle) * (tuning::sides::squared_alpha_per_error * scale) <=
+                             gap * gap * (double(size) / tuning::sides::visits_per_point) * squared_sine;
+  }
+
+private:
+  template <class F>
+  CGAL_TANDEM_HD void for_each_farther_neighbor(std::uint32_t i, int step, F f) const
+  {
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = cloud.k / 2; j < cloud.k && row[j] != no_index; j += step)
+      f(row[j]);
+  }
+};
+
+// For each labeled point: the shape on whose side it lies, and its next normal. Labels and normals are only read, so
+// the order of points does not matter.
+//
+// Two half-planes end at an edge. A point that is displaced by noise is as likely to be from one as from the other
+// where it is equally deep on both sides. So the place where two planes bisect their angle separates them, in the angle
+// and beyond it. On which sides of each other the shapes lie is seen from the points around.
+struct Choose_side {
+  Edge_view view;
+  std::uint32_t* chosen; // by point: its next label ...
+  std::uint32_t* normal; // ... and its next normal
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const std::uint32_t i = std::uint32_t(at), s = view.label[i];
+    const std::uint32_t* row = view.cloud.row(i);
+    chosen[i] = s;
+    normal[i] = view.cloud.point[i].normal;
+    for(int j = 0; s < first_mark && j < view.cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = view.label[row[j]];
+      if(t == s || !view.is_edge(chosen[i], t) || !is_first(row, j) || !is_beyond(i, chosen[i], t))
+        continue;
+      chosen[i] = t;
+      normal[i] = view.cloud.point[row[j]].normal; // it fits the plane of t, as the neighbor does
+    }
+  }
+
+private:
+  // Whether no nearer neighbor has the label of the j-th one.
+  CGAL_TANDEM_HD bool is_first(const std::uint32_t* row, int j) const
+  {
+    for(int before = 0; before < j; ++before)
+      if(view.label[row[before]] == view.label[row[j]])
+        return false;
+    return true;
+  }
+
+  // Whether point i of shape s is within epsilon of shape t, and on its side of their edge.
+  CGAL_TANDEM_HD bool is_beyond(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
+  {
+    const std::int64_t epsilon = view.tolerance.distance;
+    const Plane plane_s = view.plane[s], plane_t = view.plane[t];
+    const Grid_point p = view.cloud.point[i];
+    if(!is_near(plane_t, p, epsilon))
+      return false;
+    Side of_s, of_t;
+    view.for_each_around(i, [&](std::uint32_t q) {
+      if(view.label[q] == s)
+        of_s.add(signed_distance(plane_t, view.cloud.point[q]), epsilon);
+      else if(view.label[q] == t)
+        of_t.add(signed_distance(plane_s, view.cloud.point[q]), epsilon);
+    });
+    return of_s.is_clear() && of_t.is_clear() &&
+           of_t.depth(signed_distance(plane_s, p)) > of_s.depth(signed_distance(plane_t, p));
+  }
+};
+
+// For each point near an edge of its shape: the normal of the plane through the points of its shape around. Other
+// points, and those where they determine no plane, keep their normal.
+struct Fit_to_shape {
+  Edge_view view;
+  std::uint32_t* normal; // by point: its next normal
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const std::uint32_t i = std::uint32_t(at), s = view.label[i];
+    normal[i] = view.cloud.point[i].normal;
+    if(s >= first_mark || !is_at_edge(i, s))
+      return;
+    const std::uint32_t fitted = view.normal_of_shape(i, s);
+    if(fitted != no_normal)
+      normal[i] = fitted;
+  }
+
+private:
+  CGAL_TANDEM_HD bool is_at_edge(std::uint32_t i, std::uint32_t s) const
+  {
+    const std::uint32_t* row = view.cloud.row(i);
+    for(int j = 0; j < view.cloud.k && row[j] != no_index; ++j)
+      if(view.is_edge(s, view.label[row[j]]))
+        return true;
+    return false;
+  }
+};
+
+// In a loop of its own, since neighbors read the normals while new ones are found.
+struct Take_normals {
+  const std::uint32_t* normal;
+  Grid_point* point;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { point[i].normal = normal[i]; }
+};
+
+// Computed from the labels before. All labeled points fit the planes of their shapes, which are rounded in the table;
+// afterwards they still do. Shapes may become empty.
+template <class Backend>
+void choose_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance)
+{
+  Backend& backend = points.backend;
+  const std::size_t n = points.cloud.size();
+  const auto plane = backend.read_access(shapes.plane);
+  typename Backend::template Buffer<std::uint32_t> chosen(n), normal(n);
+  backend.for_each(
+    n, Choose_side{{points.cloud.view(), points.label.data(), plane.data(), tolerance}, chosen.data(), normal.data()});
+  backend.for_each(n, Take_normals{normal.data(), points.cloud.point.data()});
+  take_chosen(points, shapes, chosen.data());
+}
+
+// Normals near edges are those of one shape. Labels stay, also of points that do not fit any more.
+template <class Backend>
+void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
+                           const Tolerance& tolerance)
+{
+  Backend& backend = points.backend;
+  const std::size_t n = points.cloud.size();
+  const auto plane = backend.read_access(shapes.plane);
+  typename Backend::template Buffer<std::uint32_t> normal(n);
+  backend.for_each(n, Fit_to_shape{{points.cloud.view(), points.label.data(), plane.data(), tolerance}, normal.data()});
+  backend.for_each(n, Take_normals{normal.data(), points.cloud.point.data()});
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H

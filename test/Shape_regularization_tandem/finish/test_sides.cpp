@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The side of an edge that a point is on, where normals are estimated: the body against a naive version on several back
+// ends, edges of known faces, clutter near a face, and given normals, which decide by themselves.
+
+#undef NDEBUG
+
+#include "testing/body_fixture.h"
+
+#include <CGAL/Tandem/internal/finish/choose_sides.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <utility>
+
+using namespace CGAL::Tandem::internal;
+
+template <class Backend>
+class Side_bodies {
+public:
+  Side_bodies(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+
+  void run()
+  {
+    test_sides({f_.cloud, f_.label.data(), f_.plane.data(), f_.tolerance});
+    test_normals({f_.cloud, f_.label.data(), f_.plane.data(), f_.tolerance});
+  }
+
+private:
+  void test_sides(const Edge_view& view)
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::uint32_t> chosen(n), normal(n), expected(n), expected_normal(n);
+    std::size_t moved = 0;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const auto choice = choose_naively(i);
+      expected[i] = choice.first;
+      expected_normal[i] = choice.second;
+      moved += expected[i] != f_.label[i];
+    }
+    backend_.for_each(n, Choose_side{view, chosen.data(), normal.data()});
+    check_lists(chosen, expected, name_ + ": sides");
+    check_lists(normal, expected_normal, name_ + ": normals of the sides");
+    CHECK_AT(n < 100 || moved > 20, name_ + ": points that change sides: " + std::to_string(moved));
+    std::vector<Grid_point> point = f_.point;
+    backend_.for_each(n, Take_normals{normal.data(), point.data()});
+    for(std::uint32_t i = 0; i < n; ++i)
+      CHECK_AT(point[i].normal == normal[i] && point[i].x == f_.point[i].x, name_ + ": normals that are taken");
+  }
+
+  // The plane of the points of the own shape around, for points with a neighbor in another one.
+  void test_normals(const Edge_view& view)
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::uint32_t> normal(n), expected(n);
+    std::size_t fitted = 0;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t own = f_.label[i];
+      bool is_at_edge = false;
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        const std::uint32_t t = f_.label[q];
+        is_at_edge = is_at_edge || (own < first_mark && t < first_mark && t != own && !is_aligned_naively(own, t));
+      });
+      expected[i] = f_.point[i].normal;
+      if(!is_at_edge)
+        continue;
+      const std::uint32_t of_shape = fit_naively(i);
+      expected[i] = of_shape == no_normal ? expected[i] : of_shape;
+      fitted += of_shape != no_normal;
+    }
+    backend_.for_each(n, Fit_to_shape{view, normal.data()});
+    check_lists(normal, expected, name_ + ": normals of one shape");
+    CHECK_AT(n < 100 || fitted > 100, name_ + ": normals of one shape: " + std::to_string(fitted));
+  }
+
+  // The plane of the points of the own shape around; no_normal if there are too few.
+  std::uint32_t fit_naively(std::uint32_t i) const
+  {
+    Neighborhood_sum sum;
+    for(std::uint32_t q : around(i))
+      if(f_.label[q] == f_.label[i])
+        sum.add(difference(f_.point[q], f_.point[i]));
+    const Thickness t = sum.size < 24 ? Thickness{0, 0} : thickness(sum.mean());
+    const double gap = double(t.middle) - t.smallest, sine = std::sin(25 * 0.017453292519943295);
+    const double error2 = t.middle > 0 ? double(t.smallest) * t.middle / (gap * gap * sum.size / 3) : 1;
+    return error2 <= sine * sine / 9 ? normals::encoded_normal(sum.mean(), t.smallest) : no_normal;
+  }
+
+  // The points that three steps to the farther half of the neighbors reach, in the last to every second one, in the
+  // order of a depth-first search.
+  std::vector<std::uint32_t> around(std::uint32_t i, int steps = 3) const
+  {
+    std::vector<std::uint32_t> points;
+    for(int j = f_.cloud.k / 2; steps > 0 && j < f_.cloud.k && f_.cloud.row(i)[j] != no_index; j += steps > 1 ? 1 : 2) {
+      points.push_back(f_.cloud.row(i)[j]);
+      const std::vector<std::uint32_t> beyond = around(f_.cloud.row(i)[j], steps - 1);
+      points.insert(points.end(), beyond.begin(), beyond.end());
+    }
+    return points;
+  }
+
+  // The mean of the distances to plane t, with their signs and at most epsilon, of the points of shape s around i; 0 if
+  // it is at most half of the mean of the absolute values.
+  double mean_side(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
+  {
+    const double epsilon = double(f_.tolerance.distance);
+    double sum = 0, size = 0;
+    const auto add = [&](std::uint32_t q) {
+      if(f_.label[q] != s)
+        return;
+      const double e = double(signed_distance(f_.plane[t], f_.point[q]));
+      const double bounded = (std::max)(-epsilon, (std::min)(epsilon, e));
+      sum += bounded;
+      size += std::fabs(bounded);
+    };
+    for(std::uint32_t q : around(i))
+      add(q);
+    return 2 * std::fabs(sum) > size ? sum : 0;
+  }
+
+  bool is_aligned_naively(std::uint32_t s, std::uint32_t t) const
+  {
+    const Plane &a = f_.plane[s], &b = f_.plane[t];
+    const double scale = normal_scale * normal_scale;
+    return std::fabs(double(a.nx) * b.nx + double(a.ny) * b.ny + double(a.nz) * b.nz) / scale >=
+           std::sqrt(double(f_.tolerance.squared_cosine) / 4294967296.);
+  }
+
+  // The label and the normal that point i takes.
+  std::pair<std::uint32_t, std::uint32_t> choose_naively(std::uint32_t i) const
+  {
+    const std::uint32_t own = f_.label[i];
+    std::uint32_t best = own, normal = f_.point[i].normal;
+    std::set<std::uint32_t> seen = {own};
+    f_.for_each_neighbor(i, [&](std::uint32_t q) {
+      const std::uint32_t t = f_.label[q];
+      if(own >= first_mark || t >= first_mark || !seen.insert(t).second ||
+         f_.distance(t, i) > std::uint64_t(f_.tolerance.distance) || is_aligned_naively(best, t))
+        return;
+      const double of_best = mean_side(i, best, t), of_t = mean_side(i, t, best);
+      const double to_t = double(signed_distance(f_.plane[t], f_.point[i])),
+                   to_best = double(signed_distance(f_.plane[best], f_.point[i]));
+      if(of_best != 0 && of_t != 0 && (of_t > 0 ? to_best : -to_best) > (of_best > 0 ? to_t : -to_t)) {
+        best = t;
+        normal = f_.point[q].normal;
+      }
+    });
+    return {best, normal};
+  }
+
+  Backend& backend_;
+  const std::string name_;
+  const Fixture& f_;
+};
+
+namespace {
+
+constexpr double sigma = 0.01, epsilon = 3 * sigma, width = 2;
+
+// Two faces that meet at x = z = 0 at the given angle, with exact normals; the second half of the points is on the
+// second face. depth: how far a point was from the edge before noise.
+struct Edge {
+  Cloud cloud;
+  std::vector<double> depth;
+};
+
+Edge make_edge(double degrees, std::size_t points_of_face)
+{
+  const double angle = degrees * 0.017453292519943295;
+  Edge edge;
+  scenes::Random random(7);
+  for(double turn : {0., angle})
+    for(std::size_t i = 0; i < points_of_face; ++i) {
+      const double d = width * random.uniform(), y = width * random.uniform();
+      const double x = -std::cos(turn) * d, z = -std::sin(turn) * d;
+      edge.cloud.emplace_back(
+        Kernel::Point_3(x + sigma * random.gaussian(), y + sigma * random.gaussian(), z + sigma * random.gaussian()),
+        Kernel::Vector_3(-std::sin(turn), 0, std::cos(turn)));
+      edge.depth.push_back(d);
+    }
+  return edge;
+}
+
+// The shape of most points of a face.
+int main_shape(const Shapes& shapes, std::size_t first, std::size_t last)
+{
+  std::map<int, std::size_t> points_of;
+  for(std::size_t i = first; i < last; ++i)
+    ++points_of[shapes.shape_index(i)];
+  int best = -1;
+  for(const auto& shape : points_of)
+    if(shape.first >= 0 && (best < 0 || shape.second > points_of[best]))
+      best = shape.first;
+  return best;
+}
+
+struct Edge_score {
+  std::size_t right = 0, wrong = 0; // points within 3 sigma of the edge in the shape of their face, and of the other
+
+  double share() const { return double(right) / double(right + wrong); }
+};
+
+Edge_score score(const Edge& edge, const Shapes& shapes)
+{
+  const std::size_t n = edge.cloud.size();
+  const int shape[] = {main_shape(shapes, 0, n / 2), main_shape(shapes, n / 2, n)};
+  CHECK_AT(shape[0] >= 0 && shape[1] >= 0 && shape[0] != shape[1], "two faces have two shapes");
+  Edge_score s;
+  for(std::size_t i = 0; i < n; ++i)
+    if(edge.depth[i] < 3 * sigma) {
+      s.right += shapes.shape_index(i) == shape[i < n / 2 ? 0 : 1];
+      s.wrong += shapes.shape_index(i) == shape[i < n / 2 ? 1 : 0];
+    }
+  return s;
+}
+
+// Nobody can tell the sides of all points: displaced by noise, a point at depth d crosses the bisector of the faces
+// with the probability of a normal deviate beyond d sin(angle / 2) / sigma. `possible` is the mean of the rest over 3
+// sigma.
+void test_edge(double degrees, double possible)
+{
+  const Edge edge = make_edge(degrees, 60000);
+  const std::string name = "edge of " + std::to_string(int(degrees)) + " degrees";
+  const Edge_score s = score(edge, detect_valid(name, edge.cloud, make_parameters(epsilon, 200), Given::nothing));
+  std::printf("%s: %.3f of %zu points on the right side, possible %.3f\n", name.c_str(), s.share(), s.right + s.wrong,
+              possible);
+  CHECK_AT(s.share() > possible - .03, name + ": share on the right side " + std::to_string(s.share()));
+  CHECK_AT(double(s.right + s.wrong) > .8 * edge.cloud.size() * 3 * sigma / width, name + ": points are left out");
+}
+
+// A point beyond the edge has the normal of its face, so it stays there.
+void test_given_normals()
+{
+  const Edge edge = make_edge(90, 60000);
+  const Edge_score s = score(edge, detect_valid("given normals", edge.cloud, make_parameters(epsilon, 200)));
+  CHECK_AT(s.wrong == 0, "given normals: points on the wrong side: " + std::to_string(s.wrong));
+  CHECK_AT(double(s.right) > .95 * edge.cloud.size() * 3 * sigma / width, "given normals: points are left out");
+}
+
+// Clutter within epsilon of a face, but beyond its noise.
+void test_clutter()
+{
+  const std::size_t on_face = 40000, off_face = 2000;
+  Cloud cloud;
+  scenes::Random random(3);
+  for(std::size_t i = 0; i < on_face + off_face; ++i) {
+    const double z = i < on_face ? epsilon / 10 * random.gaussian() : epsilon * (.6 + .4 * random.uniform());
+    cloud.emplace_back(Kernel::Point_3(width * random.uniform(), width * random.uniform(), z),
+                       Kernel::Vector_3(0, 0, 1));
+  }
+  const Shapes shapes = detect_valid("clutter", cloud, make_parameters(epsilon, 200), Given::nothing);
+  std::size_t face = 0, clutter = 0;
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+    (i < on_face ? face : clutter) += shapes.shape_index(i) >= 0;
+  CHECK_AT(double(face) > .99 * on_face, "clutter: points of the face " + std::to_string(face));
+  CHECK_AT(double(clutter) < .2 * off_face, "clutter in the face: " + std::to_string(clutter));
+}
+
+} // namespace
+
+int main()
+{
+  test_on_all_backends<Side_bodies>();
+  test_edge(90, .814);
+  test_edge(135, .856);
+  test_given_normals();
+  test_clutter();
+  return report();
+}
