@@ -176,7 +176,7 @@ private:
     return std::abs(cosine < 0 ? e + f : e - f);
   }
 
-  // The largest of the shapes that are no layers beside the own one.
+  // The largest of the shapes that are no layers beside the nearest one.
   void test_reassignment()
   {
     const std::uint32_t n = f_.cloud.size;
@@ -198,9 +198,13 @@ private:
         if(t < first_mark && may_receive[t] && f_.fits(t, i))
           shapes.insert(t);
       });
-      std::set<std::pair<std::int64_t, std::uint32_t>> choice;
+      std::set<std::pair<std::int64_t, std::uint32_t>> nearest, choice;
       for(std::uint32_t t : shapes)
-        if(t == own || 10 * distance_of_planes(own, t, i) <= 9 * f_.tolerance.distance)
+        nearest.emplace(f_.distance(t, i), t);
+      const std::int64_t epsilon = f_.tolerance.distance, least = nearest.begin()->first;
+      for(std::uint32_t t : shapes)
+        if(std::int64_t(f_.distance(t, i)) <= least + epsilon / 4 ||
+           10 * distance_of_planes(nearest.begin()->second, t, i) <= 9 * epsilon)
           choice.emplace(-size[t], t);
       expected[i] = choice.begin()->second;
     }

@@ -356,8 +356,10 @@ constexpr std::size_t points_per_late_point = 100000;
 // Rounds of reassignment to the largest neighbor that fits. Shapes below this share of the minimum size lose no points.
 constexpr int reassignment_rounds = 4;
 constexpr Share safe_size = {3, 2};
-// Two planes that are farther apart at a point, in epsilons, are layers there, and the point stays. Larger: layers are
-// swallowed. Smaller: parts of a surface that bends keep points that its largest plane explains.
+// A point may go to a plane that is farther than the nearest one by one in so many epsilons, or is at most this far from
+// that plane at the point, in epsilons. Otherwise both are layers there. Larger distances: layers are swallowed. Smaller:
+// parts of a surface that bends keep points that its largest plane explains.
+constexpr std::int64_t distance_per_farther_plane = 4;
 constexpr Share layer_distance = {9, 10};
 
 } // namespace end_game

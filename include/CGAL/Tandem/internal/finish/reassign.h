@@ -42,28 +42,65 @@ struct Choose_largest {
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
     bool all_same = true;
+    const std::uint32_t nearest = may_lose[s] ? nearest_shape(i, s) : s;
+    std::uint32_t best = are_one_surface(s, nearest, i) ? s : nearest;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
-      const std::uint32_t t = label[row[j]], best = chosen[i];
+      const std::uint32_t t = label[row[j]];
       all_same = all_same && t == s;
-      if(t >= first_mark || t == best || !may_receive[t] || !may_lose[s])
-        continue;
-      const bool is_larger = size[t] > size[best] || (size[t] == size[best] && t < best);
-      if(is_larger && fits(plane[t], cloud.point[i], tolerance) && !are_layers(s, t, i))
-        chosen[i] = t;
+      if(may_lose[s] && t < first_mark && is_larger(t, best) && may_take(t, i) && are_one_surface(t, nearest, i))
+        best = t;
     }
+    chosen[i] = best;
     if(marks_interior && all_same)
       state[i] |= interior_bit;
   }
 
 private:
-  // Whether the planes of these two shapes, which both are within epsilon, are far from each other at the point.
-  CGAL_TANDEM_HD bool are_layers(std::uint32_t s, std::uint32_t t, std::size_t i) const
+  CGAL_TANDEM_HD bool is_larger(std::uint32_t a, std::uint32_t b) const
   {
-    const Plane &a = plane[s], &b = plane[t];
-    const std::int64_t cosine = std::int64_t(a.nx) * b.nx + std::int64_t(a.ny) * b.ny + std::int64_t(a.nz) * b.nz;
+    return size[a] > size[b] || (size[a] == size[b] && a < b);
+  }
+
+  CGAL_TANDEM_HD bool may_take(std::uint32_t t, std::size_t i) const
+  {
+    return may_receive[t] && fits(plane[t], cloud.point[i], tolerance);
+  }
+
+  // To the plane of shape s, in 2^-28 grid steps.
+  CGAL_TANDEM_HD std::int64_t distance(std::uint32_t s, std::size_t i) const
+  {
+    const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
+    return e < 0 ? -e : e;
+  }
+
+  // Of the own shape s and those that may take the point; of equally near ones the smallest id.
+  CGAL_TANDEM_HD std::uint32_t nearest_shape(std::size_t i, std::uint32_t s) const
+  {
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    std::uint32_t nearest = s;
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]];
+      if(t >= first_mark || t == nearest || !may_take(t, i))
+        continue;
+      const std::int64_t d = distance(t, i), least = distance(nearest, i);
+      if(d < least || (d == least && t < nearest))
+        nearest = t;
+    }
+    return nearest;
+  }
+
+  // Whether a shape is about as near as the nearest one, or their planes are close to each other at the point. Otherwise
+  // they are layers there.
+  CGAL_TANDEM_HD bool are_one_surface(std::uint32_t t, std::uint32_t nearest, std::size_t i) const
+  {
+    constexpr tuning::Share layers = tuning::end_game::layer_distance;
+    if(distance(t, i) <= distance(nearest, i) + tolerance.distance / tuning::end_game::distance_per_farther_plane)
+      return true;
+    const Plane &a = plane[t], &b = plane[nearest];
+    const std::int64_t cosine = normal_product(a, {b.nx, b.ny, b.nz});
     const std::int64_t e = signed_distance(a, cloud.point[i]), f = signed_distance(b, cloud.point[i]);
     const std::int64_t apart = cosine < 0 ? e + f : e - f;
-    return tuning::end_game::layer_distance.is_exceeded(apart < 0 ? -apart : apart, tolerance.distance);
+    return !layers.is_exceeded(apart < 0 ? -apart : apart, tolerance.distance);
   }
 };
 
