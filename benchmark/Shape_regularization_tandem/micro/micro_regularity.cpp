@@ -87,8 +87,8 @@ void fit_directions(benchmark::State& state)
   Accept_all accept;
   std::size_t groups = 0;
   for(auto _ : state) {
-    Verified_planes<Accept_all> verified(shapes, maximum_distance, accept);
     const Regularity_options o = options();
+    Verified_planes<Accept_all> verified(shapes, o, accept);
     Direction_fitter<Accept_all> fitter(shapes, o, verified);
     fitter.fit(all);
     groups = fitter.result().size();
