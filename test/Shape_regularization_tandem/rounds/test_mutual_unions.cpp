@@ -98,7 +98,8 @@ public:
   }
 
 private:
-  using Key = std::tuple<double, std::int64_t, std::uint32_t, std::uint32_t, bool>; // the last: without a new fit
+  using Key =
+    std::tuple<double, std::int64_t, std::uint64_t, std::uint32_t, std::uint32_t, bool>; // the last: no new fit
 
   bool unite(const Link_list& links)
   {
@@ -109,17 +110,17 @@ private:
       if(na < nb || (na == nb && b < a))
         std::swap(a, b);
       const Verdict v = a == b ? Verdict() : criterion.verdict(whole_[a], whole_[b]);
-      const Key key = {v.cost, -na - nb, a, b, v.is_taken};
+      const Key key = {v.cost, -na - nb, mixed_ids(a, b), a, b, v.is_taken};
       for(std::uint32_t s : {a, b})
         if(v.is_accepted && (choice.count(s) == 0 || key < choice[s]))
           choice[s] = key;
     }
     std::map<std::uint32_t, std::uint32_t> joins;
     for(const auto& c : choice) {
-      const std::uint32_t stays = std::get<2>(c.second), joining = std::get<3>(c.second);
+      const std::uint32_t stays = std::get<3>(c.second), joining = std::get<4>(c.second);
       const Key& other = choice[stays];
       if(c.first == joining &&
-         (other == c.second || (std::get<4>(c.second) && std::get<4>(other) && std::get<2>(other) == stays)))
+         (other == c.second || (std::get<5>(c.second) && std::get<5>(other) && std::get<3>(other) == stays)))
         joins[joining] = stays;
     }
     for(std::uint32_t& r : root_)
@@ -196,6 +197,63 @@ void check_eigenvalues()
   CHECK(!has_eigenvalues_above({0, 0, 0, 0, 0, 0}, 0));
 }
 
+// A square fragment, exactly level.
+void add_fragment(Shape_table<Sequential_backend>& shapes, int x, int y, int z, int size)
+{
+  std::mt19937 random(unsigned(shapes.live.size()));
+  const std::uint32_t id = std::uint32_t(shapes.live.size());
+  for(int i = 0; i < size; ++i)
+    shapes[id].moments.add({x + int(random() % width), y + int(random() % width), z, no_normal}, 1);
+  refit(shapes[id]);
+  shapes.live.push_back(id);
+}
+
+Link link(std::size_t a, std::size_t b) { return {std::uint64_t(a) << 32 | b, 1}; }
+
+// Equal shapes in a row: all costs are 0, and most unions of a size. A number of rounds like that of the shapes would be
+// quadratic in time.
+void check_row()
+{
+  constexpr int n = 2000;
+  Sequential_backend backend;
+  Shape_table<Sequential_backend> shapes;
+  shapes.shape.resize(backend, n);
+  Link_list links;
+  for(int i = 0; i < n; ++i) {
+    add_fragment(shapes, i * width, 0, 0, 50);
+    if(i > 0)
+      links.push_back(link(std::size_t(i) - 1, std::size_t(i)));
+  }
+  Mutual_unions<Sequential_backend> unions(backend, shapes, criterion);
+  const int rounds = unions.unite_along(links);
+  CHECK_AT(rounds < 300, std::to_string(rounds) + " rounds");
+  check_equal(unions.whole(unions.root(0)).moments.count, std::int64_t(50 * n), "points of a row");
+}
+
+// In each of many groups, two shapes unite first, and their union joins one that was in no union before.
+void check_groups()
+{
+  constexpr int n = 1000;
+  Sequential_backend backend;
+  Shape_table<Sequential_backend> shapes;
+  shapes.shape.resize(backend, 3 * n);
+  Link_list links;
+  for(int g = 0; g < n; ++g) {
+    add_fragment(shapes, 0, 3 * g * width, 5, 100);
+    add_fragment(shapes, width, 3 * g * width, 0, 30);
+    add_fragment(shapes, 2 * width, 3 * g * width, 0, 30);
+    const std::size_t first = 3 * std::size_t(g);
+    links.push_back(link(first, first + 1));
+    links.push_back(link(first + 1, first + 2));
+  }
+  Mutual_unions<Sequential_backend> unions(backend, shapes, criterion);
+  unions.unite_along(links);
+  for(std::uint32_t id = 0; id < 3 * n; id += 3) {
+    check_equal(unions.root(id + 2), id, "root of a group");
+    check_equal(unions.whole(id).moments.count, std::int64_t(160), "points of a group");
+  }
+}
+
 // What is to be found: more unions than `few` and fewer than `many`.
 struct Scene {
   int unevenness;
@@ -226,6 +284,8 @@ int main()
   check_eigenvalues();
   check_apart(0);
   check_apart(1 << 30);
+  check_row();
+  check_groups();
   constexpr std::size_t all = columns * rows;
   for(const Scene& scene :
       {Scene{level, 9, 11}, {0, 2, all / 3}, {1, all / 30, all / 3}, {2, all / 3, all}, {4, all - 1, all + 1}})

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The sorted cloud with its neighbor graph, as all stages read it, and the position of its grid in space. After the
-// preparation no stage changes it.
+// preparation no stage changes it, but for estimated normals near edges (choose_sides.h).
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H

@@ -181,9 +181,10 @@ bool Engine<Backend>::iterate()
   const Targets target = coplanar_targets(points.backend, shapes, relations_, links);
   merge_shapes(points.backend, shapes, target);
   apply_planes(points, shapes, options, target);
+  points.sample.reset(0); // others need the memory
   if(state_.round >= tuning::loop::young_rounds)
     transfer_points(points, shapes, options, relations_,
-                    {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, options.minimum_fragment_size});
+                    {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, 1});
   ++state_.round;
   return is_going_on(new_points);
 }

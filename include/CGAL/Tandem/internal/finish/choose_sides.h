@@ -108,7 +108,8 @@ private:
   CGAL_TANDEM_HD void for_each_farther_neighbor(std::uint32_t i, int step, F f) const
   {
     const std::uint32_t* row = cloud.row(i);
-    for(int j = cloud.k / 2; j < cloud.k && row[j] != no_index; j += step)
+    const int k = cloud.k < tuning::normals::maximum_neighbors ? cloud.k : tuning::normals::maximum_neighbors;
+    for(int j = k / 2; j < k && row[j] != no_index; j += step)
       f(row[j]);
   }
 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The stages between the last round and the extraction of the result. Fragments are merged or dropped, relations are
-// found once more, free points are labeled, and points go to larger shapes. Changes labels, states, shapes and planes.
-// Planes are final at its end. See the manual, "End Game".
+// found once more, free points are labeled, and points go to larger shapes. Changes labels, states, shapes, planes, and
+// estimated normals near edges. Planes are final at its end. See the manual, "End Game".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 #define CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
@@ -123,7 +123,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   return relations;
 }
 
-// Points go to the largest shape that they fit: see Choose_largest. Planes stay, since nothing is fitted afterwards.
+// Points go to the largest shape that they fit: see Choose_largest. Planes stay, since none is fitted afterwards.
 // Only shapes well above the minimum size lose points; those that fall below it all the same are dropped.
 template <class Backend>
 void reassign_to_larger(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)

@@ -18,9 +18,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// For each point of a shape that may lose points: the largest shape among those of its neighbors that it fits. A plane
-// may be farther than the nearest one by a quarter of epsilon at most, so that adjacent layers stay apart. Ties go to
-// the smaller id. Labels are only read, so the order of points does not matter. If `marks_interior`, a point whose
+// For each point of a shape that may lose points: the largest shape among those of its neighbors that it fits, if it is
+// of one surface with the nearest one, so that adjacent layers stay apart. Ties go to the smaller id. Labels are only read, so the order of points does not matter. If `marks_interior`, a point whose
 // neighbors all have its label becomes interior.
 struct Choose_largest {
   Cloud_view cloud;

@@ -79,7 +79,7 @@ void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, con
 }
 
 // How points are transferred: whether planes are fitted anew or stay as they are, and how often. Shapes that are smaller
-// afterwards are dissolved.
+// afterwards are dissolved; in the loop, that is left to the next round, since they may still grow.
 struct Transfer {
   Planes planes;
   int maximum_rounds;

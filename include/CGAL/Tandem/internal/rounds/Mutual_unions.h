@@ -23,7 +23,15 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Each shape chooses the link of the smallest key: the cost of the joint fit, then the larger union, then the ids. Two
+// A number of its own for each pair of ids. In the order of the ids, equal shapes in a row would join one after the
+// other, one in a round.
+inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)
+{
+  const std::uint64_t pair = std::uint64_t(a) << 32 | b, mixed = pair * 0x9e3779b97f4a7c15u;
+  return (mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u;
+}
+
+// Each shape chooses the link of the smallest key: the cost of the joint fit, then the larger union, then the mixed ids. Two
 // shapes that choose each other become one. A shape that tolerates the plane of a much larger one joins it without
 // being chosen, so a large shape takes all of these in one round. All unions of a round are independent, then they are
 // fitted and their links tested anew, until no two shapes join. The link of the smallest key is chosen by both of its
@@ -129,10 +137,11 @@ private:
     });
   }
 
-  std::tuple<double, std::int64_t, std::uint32_t, std::uint32_t> key(std::uint32_t pair) const
+  std::tuple<double, std::int64_t, std::uint64_t> key(std::uint32_t pair) const
   {
     const Pair& p = pairs_[pair];
-    return {p.verdict.cost, -whole(p.first).moments.count - whole(p.second).moments.count, p.first, p.second};
+    return {p.verdict.cost, -whole(p.first).moments.count - whole(p.second).moments.count,
+            mixed_ids(p.first, p.second)};
   }
 
   // The unions of the round. Returns whether there was any.
@@ -150,7 +159,8 @@ private:
       const std::uint32_t stays = std::uint32_t(j >> 32), joining = std::uint32_t(j);
       if(grown.empty() || grown.back() != stays)
         grown.push_back(stays);
-      own_whole(stays).moments += whole(joining).moments;
+      Fitted_moments& joint = own_whole(stays); // may move the others, so it comes before whole()
+      joint.moments += whole(joining).moments;
       target_[joining] = stays;
     }
     backend_.for_each_on_host(grown.size(), [&](std::size_t i) {

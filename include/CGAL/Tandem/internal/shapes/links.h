@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which shapes touch: the edges of the neighbor graph between their points. Sets the interior bits of points and clears
-// is_changed of shapes, nothing else.
+// Which shapes touch: the edges of the neighbor graph between their points. Sets the interior bits of points, and clears
+// is_changed of shapes where only links of changed shapes are asked for; nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
@@ -155,7 +155,7 @@ Link_list collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
     Shape& shape = shapes[shapes.live[l]];
     is_selected[shapes.live[l]] = which == Links::all || shape.is_changed;
-    shape.is_changed = false;
+    shape.is_changed = shape.is_changed && which == Links::all;
   });
   const auto selected = backend.read_access(is_selected);
   std::size_t capacity = 4 * shapes.live.size() + 64 * points.number_of_cells();
