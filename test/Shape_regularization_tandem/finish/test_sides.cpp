@@ -94,7 +94,8 @@ private:
   std::vector<std::uint32_t> around(std::uint32_t i, int steps = 3) const
   {
     std::vector<std::uint32_t> points;
-    for(int j = f_.cloud.k / 2; steps > 0 && j < f_.cloud.k && f_.cloud.row(i)[j] != no_index; j += steps > 1 ? 1 : 2) {
+    const int k = (std::min)(f_.cloud.k, 12);
+    for(int j = k / 2; steps > 0 && j < k && f_.cloud.row(i)[j] != no_index; j += steps > 1 ? 1 : 2) {
       points.push_back(f_.cloud.row(i)[j]);
       const std::vector<std::uint32_t> beyond = around(f_.cloud.row(i)[j], steps - 1);
       points.insert(points.end(), beyond.begin(), beyond.end());
