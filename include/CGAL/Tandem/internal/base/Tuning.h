@@ -388,9 +388,6 @@ namespace transfer {
 // A plane takes points of a smaller shape if it explains at least this share of it. Smaller: planes cut through noise,
 // and faces are lost to it.
 constexpr Share explained_share = {1, 5};
-// The same for a shape that falls below the minimum size by it, and is dissolved. Smaller: in noise, small faces are
-// lost to large ones beside them. Larger: fragments stay.
-constexpr Share dissolving_share = {3, 5};
 // A shape is fitted anew if its new plane explains more than this share of what the former one does. Without a margin,
 // planes move for a few points.
 constexpr Share better_plane = {501, 500};

@@ -212,9 +212,7 @@ private:
       return fitting;
     const Regular_plane& plane = after ? shapes_[s].local : shapes_[s].plane;
     const bool is_apart = 2 * fitting < size && is_layer(t, plane);
-    const bool is_dissolved = size - fitting < options_.minimum_region_size;
-    const tuning::Share share = is_dissolved ? tuning::transfer::dissolving_share : tuning::transfer::explained_share;
-    return share.is_reached(fitting, size) && !is_apart ? fitting : 0;
+    return tuning::transfer::explained_share.is_reached(fitting, size) && !is_apart ? fitting : 0;
   }
 
   // A shape takes its local plane if that explains more.
