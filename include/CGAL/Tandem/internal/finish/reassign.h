@@ -19,8 +19,9 @@ namespace Tandem {
 namespace internal {
 
 // For each point of a shape that may lose points: the largest shape among those of its neighbors that it fits, if it is
-// of one surface with the nearest one, so that adjacent layers stay apart. Ties go to the smaller id. Labels are only read, so the order of points does not matter. If `marks_interior`, a point whose
-// neighbors all have its label becomes interior.
+// of one surface with the nearest one, so that adjacent layers stay apart. Ties go to the smaller id. Labels are only
+// read, so the order of points does not matter. If `marks_interior`, a point whose neighbors all have its label becomes
+// interior.
 struct Choose_largest {
   Cloud_view cloud;
   const std::uint32_t* label;

@@ -8,7 +8,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 
-#include <CGAL/Tandem/internal/memory/Unset_vector.h>
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
@@ -31,9 +30,9 @@ inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)
   return (mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u;
 }
 
-// Each shape chooses the link of the smallest key: the cost of the joint fit, then the larger union, then the mixed ids. Two
-// shapes that choose each other become one. A shape that tolerates the plane of a much larger one joins it without
-// being chosen, so a large shape takes all of these in one round. All unions of a round are independent, then they are
+// Each shape chooses the link of the smallest key: the cost of the joint fit, then the larger union, then the mixed
+// ids. Two shapes that choose each other become one. A shape that tolerates the plane of a much larger one joins it
+// without being chosen, so a large shape takes all of these in one round. All unions of a round are independent, then they are
 // fitted and their links tested anew, until no two shapes join. The link of the smallest key is chosen by both of its
 // shapes, so each round has a union as long as there is a link that is accepted. No order matters.
 template <class Backend>

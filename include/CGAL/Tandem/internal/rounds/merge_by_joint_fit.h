@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Joint-fit merge: touching shapes that one plane fits as well as their own planes become one shape. Without it slanted
-// surfaces are cut into terraces. Shapes that have the same plane merge elsewhere, in merge_coplanar.h. Whether two of them
-// merge is decided twice: by moments, in rounds of mutual choice (Mutual_unions.h, Joint_fit_criterion.h), then by the
-// share of their points that misfit, in joint_fit_targets() below. Changed are the table of shapes, labels, states and
-// lists of cells, the links, and the samples of the misfit counter.
+// surfaces are cut into terraces. Shapes that have the same plane merge elsewhere, in merge_coplanar.h. Whether two
+// shapes merge is decided twice: by moments, in rounds of mutual choice (Mutual_unions.h, Joint_fit_criterion.h), then
+// by the share of their points that misfit, in joint_fit_targets() below. Changed are the table of shapes, labels,
+// states and lists of cells, the links, and the samples of the misfit counter.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
