@@ -32,9 +32,9 @@ inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)
 
 // Each shape chooses the link of the smallest key: the cost of the joint fit, then the larger union, then the mixed
 // ids. Two shapes that choose each other become one. A shape that tolerates the plane of a much larger one joins it
-// without being chosen, so a large shape takes all of these in one round. All unions of a round are independent, then they are
-// fitted and their links tested anew, until no two shapes join. The link of the smallest key is chosen by both of its
-// shapes, so each round has a union as long as there is a link that is accepted. No order matters.
+// without being chosen, so a large shape takes all of these in one round. All unions of a round are independent, then
+// they are fitted and their links tested anew, until no two shapes join. The link of the smallest key is chosen by both
+// of its shapes, so each round has a union as long as there is a link that is accepted. No order matters.
 template <class Backend>
 class Mutual_unions {
 public:
