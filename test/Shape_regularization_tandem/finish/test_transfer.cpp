@@ -139,6 +139,38 @@ void test_layers(double distance, double noise)
                                                  std::to_string(right) + " points in shapes of their own layer");
 }
 
+// Noisy faces within epsilon of larger ones keep their points. A face is found if a shape has most of its points, and
+// they are most of the shape.
+void test_noisy_layers()
+{
+  std::size_t faces = 0, found = 0;
+  for(unsigned seed : {1u, 2u, 5u}) {
+    scenes::Options options = scene_options(200000, .002, .2);
+    options.normals = scenes::Normals::perturbed;
+    options.normal_noise_deg = 8;
+    options.seed = seed;
+    const scenes::Scene scene = scenes::make_scene("house", options);
+    Parameters parameters = make_parameters(.2, 200);
+    parameters.maximum_angle = 36.87;
+    const Shapes shapes = detect(to_cloud(scene), parameters);
+    std::map<std::pair<int, int>, std::size_t> common; // by face and shape
+    std::map<int, std::size_t> size;
+    for(std::size_t i = 0; i < scene.label.size(); ++i) {
+      ++common[{scene.label[i], shapes.shape_index(i)}];
+      ++size[scene.label[i]];
+    }
+    for(const auto& face : size)
+      faces += face.first >= 0 && face.second >= parameters.minimum_region_size;
+    for(const auto& c : common) {
+      const auto [face, shape] = c.first;
+      found += face >= 0 && shape >= 0 && size[face] >= parameters.minimum_region_size &&
+               2 * c.second > (std::max)(size[face], shapes.points(shape).size());
+    }
+  }
+  CHECK_AT(double(found) > .78 * double(faces),
+           std::to_string(found) + " of " + std::to_string(faces) + " noisy faces");
+}
+
 } // namespace
 
 int main()
@@ -148,5 +180,6 @@ int main()
     test_bent_floor(sag);
   test_layers(1.3, .2);
   test_layers(2, .3);
+  test_noisy_layers();
   return report();
 }

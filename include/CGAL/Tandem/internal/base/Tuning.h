@@ -392,9 +392,11 @@ constexpr Share explained_share = {1, 5};
 // planes move for a few points.
 constexpr Share better_plane = {501, 500};
 // A shape whose centroid is farther from the plane, in epsilons, and whose variance across it is at most this multiple
-// of that across its local plane, is a layer of its own, unless half of it fits. Larger: layers are swallowed.
-constexpr double layer_distance = 0.9;
+// of that across its local plane, is a layer of its own, unless at least this share of it fits. A noisy layer at a
+// distance of epsilon fits with half of its points. Larger distance, smaller share: layers are swallowed.
+constexpr double layer_distance = 0.8;
 constexpr double layer_variance = 2.25;
+constexpr Share layer_share = {3, 5};
 // Rounds, at most: one in each round of the loop after the first ones, more after the loop. A round that moves less than
 // one point of so many of the cloud is the last one.
 constexpr int maximum_rounds_in_loop = 1;

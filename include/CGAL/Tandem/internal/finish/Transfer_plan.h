@@ -141,7 +141,7 @@ private:
     return e <= 0 || d.variance * rest * 1.000001 >= e * e * double(explained_share.numerator);
   }
 
-  // Whether t lies beside the plane as a layer of its own: as thin as its local plane has it, and about epsilon away.
+  // Whether t lies beside the plane, as thin as its local plane has it: then it may be a layer of its own.
   bool is_layer(std::uint32_t t, const Regular_plane& plane) const
   {
     using namespace tuning::transfer;
@@ -211,8 +211,8 @@ private:
     if(t == s)
       return fitting;
     const Regular_plane& plane = after ? shapes_[s].local : shapes_[s].plane;
-    const bool is_apart = 2 * fitting < size && is_layer(t, plane);
-    return tuning::transfer::explained_share.is_reached(fitting, size) && !is_apart ? fitting : 0;
+    const tuning::Share least = is_layer(t, plane) ? tuning::transfer::layer_share : tuning::transfer::explained_share;
+    return least.is_reached(fitting, size) ? fitting : 0;
   }
 
   // A shape takes its local plane if that explains more.
