@@ -88,11 +88,11 @@ private:
       });
     }
     CHECK_AT(!rounds.is_last(0), name_ + ": no proposals again");
-    backend_.for_each(items, rounds.propose_again(0, items));
+    backend_.for_each(items, [&](std::size_t lane) { rounds.run(rounds.propose, 0, lane, items); });
     const std::set<std::uint32_t> got(joined.point + size, joined.point + joined.end[2]);
     CHECK_AT(joined.end[2] - size == got.size() && got == expected, name_ + ": points that get proposals later");
     CHECK_AT(2 * expected.size() >= size, name_ + ": there are too few of these");
-    rounds.few = size;
+    rounds.few_points = size;
     CHECK_AT(rounds.is_last(0), name_ + ": few points pass proposals on");
   }
 
@@ -159,9 +159,9 @@ private:
       const Propose_label<Backend> first = {f_.cloud,        label.data(), state.data(),    f_.plane.data(),
                                             proposal.data(), f_.tolerance, proposed.data(), counters.data() + 1};
       backend_.for_each(n, first);
-      propagate_labels_on_host(backend_, end.first,
-                               Label_propagation<Backend>{
-                                 first, {label.data(), state.data()}, {proposed.data(), counters.data()}, end.second});
+      backend_.run_rounds(end.first, n,
+                          Label_propagation<Backend>{
+                            first, {label.data(), state.data()}, {proposed.data(), counters.data()}, end.second});
       check_lists(label, expected, name_ + ": rounds of label propagation");
       CHECK_AT((label == all) == (end.first == 16 && end.second == 0), name_ + ": the end of label propagation");
     }

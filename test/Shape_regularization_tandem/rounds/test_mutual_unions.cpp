@@ -142,14 +142,21 @@ Outcome unite(Backend& backend, int unevenness, unsigned seed)
 {
   Shape_table<Backend> shapes;
   make_fragments(backend, shapes, unevenness);
-  Mutual_unions<Backend> unions(backend, shapes, criterion);
+  const Union_list unions = unite_shapes(backend, shapes, criterion, make_links(seed));
   Outcome outcome;
-  outcome.rounds = unions.unite_along(make_links(seed));
+  outcome.rounds = int(unions.rounds);
   for(const std::uint32_t id : shapes.live) {
-    outcome.root.push_back(unions.root(id));
-    outcome.plane.push_back(unions.whole(unions.root(id)).local);
-    CHECK(unions.is_merged(id) || unions.root(id) == id);
+    outcome.root.push_back(id);
+    outcome.plane.push_back(shapes[id].local);
   }
+  std::map<std::uint32_t, int> members;
+  for(const Union_member& member : unions.members) {
+    outcome.root[member.id] = member.root;
+    outcome.plane[member.id] = member.plane;
+    ++members[member.root];
+  }
+  for(const auto& m : members)
+    CHECK_AT(m.second > 1 && outcome.root[m.first] == m.first, "members of a union");
   return outcome;
 }
 
@@ -224,10 +231,11 @@ void check_row()
     if(i > 0)
       links.push_back(link(std::size_t(i) - 1, std::size_t(i)));
   }
-  Mutual_unions<Sequential_backend> unions(backend, shapes, criterion);
-  const int rounds = unions.unite_along(links);
-  CHECK_AT(rounds < 300, std::to_string(rounds) + " rounds");
-  check_equal(unions.whole(unions.root(0)).moments.count, std::int64_t(50 * n), "points of a row");
+  const Union_list unions = unite_shapes(backend, shapes, criterion, links);
+  CHECK_AT(unions.rounds < 300, std::to_string(unions.rounds) + " rounds");
+  check_equal(unions.members.size(), std::size_t(n), "members of a row");
+  for(const Union_member& member : unions.members)
+    check_equal(member.root, unions.members[0].root, "root of a row");
 }
 
 // In each of many groups, two shapes unite first, and their union joins one that was in no union before.
@@ -246,12 +254,10 @@ void check_groups()
     links.push_back(link(first, first + 1));
     links.push_back(link(first + 1, first + 2));
   }
-  Mutual_unions<Sequential_backend> unions(backend, shapes, criterion);
-  unions.unite_along(links);
-  for(std::uint32_t id = 0; id < 3 * n; id += 3) {
-    check_equal(unions.root(id + 2), id, "root of a group");
-    check_equal(unions.whole(id).moments.count, std::int64_t(160), "points of a group");
-  }
+  const Union_list unions = unite_shapes(backend, shapes, criterion, links);
+  check_equal(unions.members.size(), std::size_t(3 * n), "members of groups");
+  for(const Union_member& member : unions.members)
+    check_equal(member.root, member.id / 3 * 3, "root of a group");
 }
 
 // What is to be found: more unions than `few` and fewer than `many`.

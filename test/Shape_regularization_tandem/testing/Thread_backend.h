@@ -85,6 +85,12 @@ public:
     return compact_on(*this, n, is_kept);
   }
 
+  template <class Rounds>
+  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  {
+    run_rounds_on(*this, maximum_rounds, items, rounds);
+  }
+
   template <class T, class F>
   Host_buffer<T> collect(std::size_t n, F f)
   {

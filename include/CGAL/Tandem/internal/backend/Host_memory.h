@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
+#include <algorithm>
 #include <cstring>
 #include <numeric>
 #include <vector>
@@ -116,6 +117,21 @@ protected:
         items[k] = f.take(found[k]);
     });
     return items;
+  }
+
+  // Steps one after the other; functors on the host, so what is_last() reads is there.
+  template <class Backend, class Rounds>
+  static void run_rounds_on(Backend& backend, std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  {
+    constexpr std::size_t maximum_lanes = std::size_t(1) << 18;
+    const std::size_t lanes = (std::min)(items, maximum_lanes);
+    for(std::size_t round = 0; round < maximum_rounds; ++round)
+      for(int step = 0; step < Rounds::steps; ++step) {
+        if(step + 1 == Rounds::steps && rounds.is_last(round))
+          return;
+        backend.for_each_on_host(
+          lanes, [&](std::size_t lane) { rounds.run(step, round, lane, lanes); }, Rounds::few(step));
+      }
   }
 
 private:

@@ -80,6 +80,16 @@ public:
     return compact_on(*this, n, is_kept);
   }
 
+  // Rounds of steps. rounds.run(step, round, lane, lanes) for all lanes, before any does the next step; a step shares
+  // its items among the lanes. Their number is about that of the items, or any smaller one. Before the last step of a
+  // round the loop ends, if rounds.is_last(round), and it ends after so many rounds. rounds.few(step): fewer items of
+  // a step are not worth a second thread.
+  template <class Rounds>
+  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  {
+    run_rounds_on(*this, maximum_rounds, items, rounds);
+  }
+
   // f.take(i) of the i in [0, n) with f.has(i), ascending, for the host. has() of all before any take(). T: plain data
   // of at least 8 bytes.
   template <class T, class F>

@@ -32,11 +32,6 @@ struct No_stage_overrides {
   // The sums by pair of ids, sorted. Generic form: shapes/links.h.
   static constexpr bool sums_links = false;
 
-  // void propagate_labels(Backend&, std::size_t maximum_rounds, const Label_propagation<Backend>& rounds)
-  // All rounds of a label propagation. Generic form: finish/propagate_labels.h. It needs host memory, so a device has
-  // to replace it.
-  static constexpr bool propagates_labels = false;
-
   // void group_points(Backend&, Buffer<std::int32_t>&& shape_of, std::size_t shapes, Engine_result& result)
   // Fills the shape of each point and the points of each shape. Generic form: finish/group_points.h. It needs host
   // memory, so a device has to replace it.

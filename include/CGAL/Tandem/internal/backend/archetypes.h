@@ -176,6 +176,12 @@ struct Backend {
       f.take(0u);
     return {};
   }
+  template <class Rounds>
+  void run_rounds(std::size_t, std::size_t, const Rounds& rounds)
+  {
+    if(false && !rounds.is_last(std::size_t(0)))
+      rounds.run(Rounds::steps, std::size_t(0), std::size_t(0), Rounds::few(0));
+  }
   template <class F>
   void for_each_on_host(std::size_t, F f, std::size_t = 256)
   {
@@ -218,13 +224,9 @@ struct Backend {
 // What every back end has to replace whose functors do not write memory of the host.
 template <>
 struct Stage_overrides<archetypes::Backend> : No_stage_overrides {
-  static constexpr bool finds_neighbors = true, propagates_labels = true, groups_points = true;
+  static constexpr bool finds_neighbors = true, groups_points = true;
 
   static void find_neighbors(archetypes::Backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*) {}
-
-  template <class Rounds>
-  static void propagate_labels(archetypes::Backend&, std::size_t, const Rounds&)
-  {}
 
   template <class Result>
   static void group_points(archetypes::Backend&, archetypes::Buffer<std::int32_t>&&, std::size_t, Result&)

@@ -71,6 +71,13 @@ struct Sum {
   void operator()(int&) const {}
 };
 
+struct Rounds {
+  static constexpr int steps = 1;
+  static constexpr std::size_t few(int) { return 1; }
+  void run(int, std::size_t, std::size_t, std::size_t) const {}
+  bool is_last(std::size_t) const { return true; }
+};
+
 struct Neighbor_functor {
   void operator()(std::uint32_t, std::uint32_t) const {}
 };
@@ -182,6 +189,8 @@ struct Has_memory<
 //   compact(n, is_kept)                          the i with is_kept(i), ascending; is_kept may be called twice
 //   collect<T>(n, f)                             f.take(i) of the i with f.has(i), ascending, for the host;
 //                                                T is plain data of at least 8 bytes, all has() precede any take()
+//   run_rounds(maximum, n, rounds)               rounds.run(step, round, lane, lanes) for all lanes, step by step;
+//                                                ends before the last step of a round with rounds.is_last(round)
 //   for_each_on_host(n, f, few)                  f(i) on the host; fewer items than `few` are left to one thread
 //   sort_on_host(first, last, less)
 template <class Backend, class = void>
@@ -202,6 +211,7 @@ struct Has_execution<
       std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()))),
     decltype(Host_buffer<std::int64_t>(
       std::declval<Backend&>().template collect<std::int64_t>(std::size_t(0), archetypes::Taker()))),
+    decltype(std::declval<Backend&>().run_rounds(std::size_t(0), std::size_t(0), archetypes::Rounds())),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor(), std::size_t(0))),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
     decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>()))>>

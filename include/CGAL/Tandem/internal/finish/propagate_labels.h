@@ -8,13 +8,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
 
-#include <CGAL/Tandem/internal/backend/Host_memory.h>
-#include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
-#include <algorithm>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -133,47 +129,36 @@ struct Accept_proposals {
   }
 };
 
-// The functors of each round, for any back end. A round accepts the proposals to free points; these points propose
-// their new shapes in turn. All of them must be accepted before the first one proposes.
+// A round accepts the proposals to free points; then these points propose their new shapes in turn. All of them must be
+// accepted before the first one proposes.
 template <class Backend>
 struct Label_propagation {
+  enum Step { accept, propose, number_of_steps };
+  static constexpr int steps = number_of_steps;
+
   Propose_label<Backend> proposal; // of the first round, which has been executed
   Labels_view labels;
   Proposed_points proposed;
-  std::size_t few; // a round that labels at most so many points is the last one
+  std::size_t few_points; // a round that labels at most so many points is the last one
 
-  CGAL_TANDEM_HD Accept_proposals accept(std::size_t round, std::size_t items) const
+  static constexpr std::size_t few(int) { return 4096; }
+
+  // After the first step of the round.
+  CGAL_TANDEM_HD bool is_last(std::size_t round) const
   {
-    return {labels, proposal.proposal, of_round(round), items};
+    return proposed.end[round + 1] - proposed.end[round] <= few_points;
   }
 
-  // After accept() of the round.
-  CGAL_TANDEM_HD bool is_last(std::size_t round) const { return proposed.end[round + 1] - proposed.end[round] <= few; }
-
-  CGAL_TANDEM_HD Propose_again<Backend> propose_again(std::size_t round, std::size_t items) const
+  CGAL_TANDEM_HD void run(int step, std::size_t round, std::size_t lane, std::size_t lanes) const
   {
+    const Proposed_points of_round = {proposed.point, proposed.end + round};
+    if(step == accept)
+      return Accept_proposals{labels, proposal.proposal, of_round, lanes}(lane);
     Propose_label<Backend> next = proposal;
     next.end = proposed.end + round + 2;
-    return {next, of_round(round), items};
+    Propose_again<Backend>{next, of_round, lanes}(lane);
   }
-
-private:
-  CGAL_TANDEM_HD Proposed_points of_round(std::size_t round) const { return {proposed.point, proposed.end + round}; }
 };
-
-// For back ends whose functors write memory of the host: the loop reads `end` between two steps.
-template <class Backend>
-void propagate_labels_on_host(Backend& backend, std::size_t maximum_rounds, const Label_propagation<Backend>& rounds)
-{
-  static_assert(std::is_base_of<Host_memory, Backend>::value, "a device has to replace this stage");
-  const std::size_t items = (std::min)(std::size_t(rounds.proposal.cloud.size), std::size_t(1) << 18);
-  for(std::size_t round = 0; round < maximum_rounds; ++round) {
-    backend.for_each(items, rounds.accept(round, items));
-    if(rounds.is_last(round))
-      return;
-    backend.for_each(items, rounds.propose_again(round, items));
-  }
-}
 
 // Labels free points until a round labels hardly any, or after a number of rounds. Proposals that are still open then
 // are dropped. plane: by shape, as rounded for the tests of points.
@@ -193,10 +178,7 @@ void propagate_labels(Labeled_cloud<Backend>& points, const std::vector<Plane>& 
                                         proposal.data(),     tolerance,           proposed.data(),     ends.data() + 1};
   backend.for_each(n, first);
   const Label_propagation<Backend> rounds = {first, points.labels(), {proposed.data(), ends.data()}, few};
-  if constexpr(Stage_overrides<Backend>::propagates_labels)
-    Stage_overrides<Backend>::propagate_labels(backend, maximum_rounds, rounds);
-  else
-    propagate_labels_on_host(backend, maximum_rounds, rounds);
+  backend.run_rounds(maximum_rounds, n, rounds);
 }
 
 } // namespace internal

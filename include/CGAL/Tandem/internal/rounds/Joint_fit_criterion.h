@@ -19,7 +19,7 @@ namespace Tandem {
 namespace internal {
 
 // How much the sum of squared distances of a shape grows if this plane replaces its local one.
-inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
+CGAL_TANDEM_HD inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
 {
   const double e = dot(plane.normal, scatter.centroid) - plane.offset;
   return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
@@ -38,7 +38,7 @@ struct Joint_fit_criterion {
   double maximum_distance; // epsilon
 
   // The first shape is the larger one. A much smaller shape that is nearly as close to its plane needs no new fit.
-  Verdict verdict(const Fitted_moments& a, const Fitted_moments& b) const
+  CGAL_TANDEM_HD Verdict verdict(const Fitted_moments& a, const Fitted_moments& b) const
   {
     if(!are_aligned(a, b))
       return {};
@@ -51,7 +51,7 @@ struct Joint_fit_criterion {
   }
 
   // The normal of a shape of few points is too uncertain to keep it apart.
-  bool are_aligned(const Fitted_moments& a, const Fitted_moments& b) const
+  CGAL_TANDEM_HD bool are_aligned(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const double cosine = dot(a.fit.normal, b.fit.normal);
     return (std::min)(a.moments.count, b.moments.count) <= tuning::merging::reliable_normal_size ||
@@ -59,13 +59,13 @@ struct Joint_fit_criterion {
   }
 
   // Whether the points of m are nearly as close to the plane as to their own.
-  bool is_tolerable(const Fitted_moments& m, const Regular_plane& plane) const
+  CGAL_TANDEM_HD bool is_tolerable(const Fitted_moments& m, const Regular_plane& plane) const
   {
     return excess(m.scatter, m.fit, plane) <= maximum_excess(m);
   }
 
   // Whether they pass the test; then `joint` has moments and plane of both.
-  bool operator()(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
+  CGAL_TANDEM_HD bool operator()(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
   {
     return !are_apart(a, b) && fit(a, b, joint);
   }
@@ -74,7 +74,7 @@ struct Joint_fit_criterion {
   // either tolerated it, one plane would have at most `maximum` as the sum of squared distances of all points. Then the
   // smallest eigenvalue of their scatter matrix would be at most that, too. The margins, relative to that and to the
   // extent, are for rounding.
-  bool are_apart(const Fitted_moments& a, const Fitted_moments& b) const
+  CGAL_TANDEM_HD bool are_apart(const Fitted_moments& a, const Fitted_moments& b) const
   {
     const Symmetric_matrix joint = joint_matrix(a.scatter, b.scatter);
     const double maximum = a.fit.smallest + maximum_excess(a) + b.fit.smallest + maximum_excess(b);
@@ -82,7 +82,7 @@ struct Joint_fit_criterion {
   }
 
   // Without the cheap test before.
-  bool fit(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
+  CGAL_TANDEM_HD bool fit(const Fitted_moments& a, const Fitted_moments& b, Fitted_moments& joint) const
   {
     joint.moments = a.moments;
     joint.moments += b.moments;
@@ -93,7 +93,7 @@ struct Joint_fit_criterion {
 private:
   // How much the sum of squared distances may grow: the smaller of both bounds of the manual. The second one keeps a
   // plane from bridging two narrow strips.
-  double maximum_excess(const Fitted_moments& m) const
+  CGAL_TANDEM_HD double maximum_excess(const Fitted_moments& m) const
   {
     const double maximum = tuning::merging::tolerated_rms * maximum_distance;
     const double little = tuning::merging::negligible_rms * maximum_distance;

@@ -1,21 +1,19 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unions of touching shapes where Joint_fit_criterion.h accepts one plane for both, in rounds of mutual choice. Works
-// on the host and changes nothing but itself; merge_by_joint_fit.h tests the points and merges. See the manual,
-// "Merging by Joint Fit".
+// Unions of touching shapes where Joint_fit_criterion.h accepts one plane for both, in rounds of mutual choice. Changes
+// nothing but tables of its own, where the functors run; merge_by_joint_fit.h tests the points and merges. See the
+// manual, "Merging by Joint Fit".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
-#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
+#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <tuple>
-#include <utility>
+#include <cstring>
 #include <vector>
 
 namespace CGAL {
@@ -24,179 +22,247 @@ namespace internal {
 
 // A number of its own for each pair of ids. In the order of the ids, equal shapes in a row would join one after the
 // other, one in a round.
-inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)
+CGAL_TANDEM_HD inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)
 {
   const std::uint64_t pair = std::uint64_t(a) << 32 | b, mixed = pair * 0x9e3779b97f4a7c15u;
   return (mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u;
 }
 
-// Each shape chooses the link of the smallest key: the cost of the joint fit, then the larger union, then the mixed
-// ids. Two shapes that choose each other become one. A shape that tolerates the plane of a much larger one joins it
-// without being chosen, so a large shape takes all of these in one round. All unions of a round are independent, then
-// they are fitted and their links tested anew, until no two shapes join. The link of the smallest key is chosen by both
-// of its shapes, so each round has a union as long as there is a link that is accepted. No order matters.
+// Bits that are in the order of the numbers. Both zeros get the same.
+CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)
+{
+  constexpr std::uint64_t sign = std::uint64_t(1) << 63;
+  const double one_zero = value + 0.;
+  std::uint64_t bits;
+  std::memcpy(&bits, &one_zero, sizeof(bits));
+  return bits & sign ? ~bits : bits | sign;
+}
+
+// By what a shape chooses one of its pairs: the smallest cost of the joint fit, then the largest union, then the mixed
+// ids. Two pairs have the same key only if they are of the same shapes.
+struct Union_key {
+  std::uint64_t cost = ~std::uint64_t(0), size = ~std::uint64_t(0), ids = ~std::uint64_t(0);
+};
+
+// Two roots, and what the test says of them. The first one has more points, or as many and the smaller id. Roots are
+// numbered by their places among the live shapes.
+struct Union_pair {
+  std::uint32_t first, second; // equal if the pair has been joined
+  Union_key key;               // the cost is that of `rejected` if the test rejects the pair
+  bool is_taken;               // the second one tolerates the plane of the first one as it is
+
+  static constexpr std::uint64_t rejected = ~std::uint64_t(0);
+  CGAL_TANDEM_HD bool is_accepted() const { return first != second && key.cost != rejected; }
+};
+
+// A root between two rounds. Rounds are counted from 1 here; 0 means none.
+struct Union_root {
+  Union_key chosen;         // the smallest of its pairs
+  std::int32_t takes = 0;   // the last round in which it had chosen a pair that it takes
+  std::int32_t changed = 0; // the last round in which others joined it
+};
+
+// Each shape chooses its pair of the smallest key. Two shapes that choose each other become one. A shape that tolerates
+// the plane of a much larger one joins it without being chosen, so a large shape takes all of these in one round. All
+// unions of a round are independent, then they are fitted and their pairs tested anew, until no two shapes join. The
+// pair of the smallest key is chosen by both of its shapes, so each round has a union as long as a pair is accepted.
+// Only minima, integer sums and values that are the same for all writers are shared, so no order matters.
 template <class Backend>
-class Mutual_unions {
-public:
-  Mutual_unions(Backend& backend, const Shape_table<Backend>& shapes, const Joint_fit_criterion& test)
-    : backend_(backend), shapes_(shapes), test_(test), target_(identity_targets(shapes.size())),
-      whole_(shapes.size(), no_index), choice_(shapes.size(), no_index), is_changed_(shapes.size(), 1)
-  {}
+struct Union_rounds {
+  // One after the other: each needs all of the one before.
+  enum Step { test, choose_size, choose_ids, take, join, fit, number_of_steps };
+  static constexpr int steps = number_of_steps;
 
-  // Returns the number of rounds.
-  int unite_along(const Link_list& links)
+  Joint_fit_criterion criterion;
+  Union_pair* pair;
+  std::size_t pairs, shapes;
+  const std::uint32_t* id; // this and the others by place among the live shapes
+  Fitted_moments* whole;
+  Union_root* root;
+  std::uint32_t* target;  // what it has joined, or itself
+  Shared_moments* joined; // the sums of those that joined in this round, zero between two
+  std::uint32_t* joins;   // how many joined in this round, and in the one before or after: by parity; then the rounds
+
+  // Only tests and fits are worth several threads where there are few.
+  static constexpr std::size_t few(int step) { return step == test || step == fit ? 64 : 4096; }
+
+  CGAL_TANDEM_HD bool is_last(std::size_t round) const { return joins[round % 2] == 0; }
+
+  CGAL_TANDEM_HD void run(int step, std::size_t round, std::size_t lane, std::size_t lanes) const
   {
-    pairs_.resize(links.size());
-    backend_.for_each_on_host(links.size(), [&](std::size_t i) {
-      pairs_[i] = {links[i].first(), links[i].second(), Verdict()};
-    });
-    int rounds = 0;
-    do {
-      ++rounds;
-      test_pairs();
-      choose();
-    } while(join());
-    return rounds;
-  }
-
-  // The next three are valid after unite_along(). Whether other shapes are in the union of this one.
-  bool is_merged(std::uint32_t id) const { return whole_[root(id)] != no_index; }
-
-  std::uint32_t root(std::uint32_t id) const
-  {
-    while(target_[id] != id)
-      id = target_[id];
-    return id;
-  }
-
-  const Fitted_moments& whole(std::uint32_t root) const
-  {
-    return whole_[root] == no_index ? static_cast<const Fitted_moments&>(shapes_[root]) : merged_[whole_[root]];
+    if(step == fit && lane == 0)
+      joins[(round + 1) % 2] = 0;
+    if(step == test && lane == 0)
+      joins[2] = std::uint32_t(round + 1);
+    if(step == fit)
+      for(std::size_t s = lane; s < shapes; s += lanes)
+        fit_whole(std::int32_t(round + 1), s);
+    else
+      for(std::size_t i = lane; i < pairs; i += lanes)
+        run_pair(step, std::int32_t(round + 1), pair[i]);
   }
 
 private:
-  // Two roots, and what the test says of them. The first one has more points, or as many and the smaller id.
-  struct Pair {
-    std::uint32_t first, second;
-    Verdict verdict;
-  };
+  CGAL_TANDEM_HD void run_pair(int step, std::int32_t round, Union_pair& p) const
+  {
+    if(step == test && p.first != p.second)
+      test_pair(round, p);
+    if(!p.is_accepted())
+      return;
+    Union_root &a = root[p.first], &b = root[p.second];
+    switch(step) {
+    case test:
+      Backend::atomic_min(a.chosen.cost, p.key.cost);
+      Backend::atomic_min(b.chosen.cost, p.key.cost);
+      break;
+    case choose_size:
+      for(Union_root* r : {&a, &b})
+        if(r->chosen.cost == p.key.cost)
+          Backend::atomic_min(r->chosen.size, p.key.size);
+      break;
+    case choose_ids:
+      for(Union_root* r : {&a, &b})
+        if(r->chosen.cost == p.key.cost && r->chosen.size == p.key.size)
+          Backend::atomic_min(r->chosen.ids, p.key.ids);
+      break;
+    case take:
+      if(p.is_taken && is_chosen(p, a))
+        Backend::atomic_max(a.takes, round);
+      break;
+    default: // join
+      join_pair(round, p);
+    }
+  }
 
-  // A root with one of its pairs.
-  struct Incidence {
-    std::uint32_t shape, pair;
-  };
+  CGAL_TANDEM_HD static bool is_chosen(const Union_pair& p, const Union_root& r)
+  {
+    return r.chosen.cost == p.key.cost && r.chosen.size == p.key.size && r.chosen.ids == p.key.ids;
+  }
 
   // Pairs of shapes that have changed get new roots and a new verdict.
-  void test_pairs()
+  CGAL_TANDEM_HD void test_pair(std::int32_t round, Union_pair& p) const
   {
-    backend_.for_each_on_host(pairs_.size(), [&](std::size_t i) {
-      Pair& p = pairs_[i];
-      const bool is_old =
-        target_[p.first] == p.first && target_[p.second] == p.second && !is_changed_[p.first] && !is_changed_[p.second];
-      if(is_old)
-        return;
-      p.first = root(p.first);
-      p.second = root(p.second);
-      if(is_before(p.second, p.first))
-        std::swap(p.first, p.second);
-      p.verdict = p.first == p.second ? Verdict() : test_.verdict(whole(p.first), whole(p.second));
-    });
-    pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.first == p.second; }),
-                 pairs_.end());
-    std::fill(is_changed_.begin(), is_changed_.end(), 0);
-  }
-
-  bool is_before(std::uint32_t a, std::uint32_t b) const
-  {
-    const std::int64_t na = whole(a).moments.count, nb = whole(b).moments.count;
-    return na > nb || (na == nb && a < b);
-  }
-
-  // Each shape its pair of the smallest key.
-  void choose()
-  {
-    incidences_.clear();
-    for(std::uint32_t i = 0; i < pairs_.size(); ++i)
-      if(pairs_[i].verdict.is_accepted) {
-        incidences_.push_back({pairs_[i].first, i});
-        incidences_.push_back({pairs_[i].second, i});
-      }
-    backend_.sort_on_host(incidences_.begin(), incidences_.end(), [](const Incidence& a, const Incidence& b) {
-      return std::tie(a.shape, a.pair) < std::tie(b.shape, b.pair);
-    });
-    backend_.for_each_on_host(incidences_.size(), [&](std::size_t first) {
-      const std::uint32_t shape = incidences_[first].shape;
-      if(first > 0 && incidences_[first - 1].shape == shape)
-        return;
-      std::uint32_t best = incidences_[first].pair;
-      for(std::size_t i = first + 1; i < incidences_.size() && incidences_[i].shape == shape; ++i)
-        if(key(incidences_[i].pair) < key(best))
-          best = incidences_[i].pair;
-      choice_[shape] = best;
-    });
-  }
-
-  std::tuple<double, std::int64_t, std::uint64_t> key(std::uint32_t pair) const
-  {
-    const Pair& p = pairs_[pair];
-    return {p.verdict.cost, -whole(p.first).moments.count - whole(p.second).moments.count,
-            mixed_ids(p.first, p.second)};
-  }
-
-  // The unions of the round. Returns whether there was any.
-  bool join()
-  {
-    std::vector<std::uint64_t> joins; // the root that stays << 32 | the one that joins it
-    for(const Incidence& i : incidences_) {
-      const std::uint32_t stays = pairs_[i.pair].first;
-      if(i.pair == choice_[i.shape] && i.shape != stays && is_joined(pairs_[i.pair]))
-        joins.push_back(std::uint64_t(stays) << 32 | i.shape);
+    std::uint32_t a = target[p.first], b = target[p.second];
+    const bool is_old =
+      round > 1 && a == p.first && b == p.second && root[a].changed != round - 1 && root[b].changed != round - 1;
+    if(is_old)
+      return;
+    const std::int64_t na = whole[a].moments.count, nb = whole[b].moments.count;
+    if(na < nb || (na == nb && b < a)) {
+      const std::uint32_t swapped = a;
+      a = b;
+      b = swapped;
     }
-    std::sort(joins.begin(), joins.end());
-    Ids grown;
-    for(std::uint64_t j : joins) {
-      const std::uint32_t stays = std::uint32_t(j >> 32), joining = std::uint32_t(j);
-      if(grown.empty() || grown.back() != stays)
-        grown.push_back(stays);
-      Fitted_moments& joint = own_whole(stays); // may move the others, so it comes before whole()
-      joint.moments += whole(joining).moments;
-      target_[joining] = stays;
-    }
-    backend_.for_each_on_host(grown.size(), [&](std::size_t i) {
-      refit(merged_[whole_[grown[i]]]);
-      is_changed_[grown[i]] = 1;
-    });
-    return !joins.empty();
+    p.first = a;
+    p.second = b;
+    if(a == b)
+      return;
+    const Verdict verdict = criterion.verdict(whole[a], whole[b]);
+    p.is_taken = verdict.is_taken;
+    p.key = {verdict.is_accepted ? ordered_bits(verdict.cost) : Union_pair::rejected, ~std::uint64_t(na + nb),
+             mixed_ids(id[a], id[b])};
   }
 
-  // Whether the second shape of the pair, which has chosen it, joins the first one. That one has chosen it, too, or it
-  // takes shapes in this round: otherwise its plane is about to change.
-  bool is_joined(const Pair& p) const
+  // The second shape joins the first one, if it has chosen the pair, and the first one has chosen it, too, or takes
+  // shapes in this round: otherwise its plane is about to change. Of several links of one pair, one succeeds.
+  CGAL_TANDEM_HD void join_pair(std::int32_t round, const Union_pair& p) const
   {
-    const Pair& choice = pairs_[choice_[p.first]];
-    return choice.first == p.first && (choice.second == p.second || (p.verdict.is_taken && choice.verdict.is_taken));
+    Union_root& stays = root[p.first];
+    if(!is_chosen(p, root[p.second]) || !(is_chosen(p, stays) || (p.is_taken && stays.takes == round)) ||
+       Backend::atomic_exchange_if(target[p.second], p.second, p.first) != p.second)
+      return;
+    atomic_add<Backend>(joined[p.first], whole[p.second].moments, Box());
+    Backend::atomic_max(stays.changed, round);
+    Backend::atomic_add(joins[(round - 1) % 2], 1u);
   }
 
-  Fitted_moments& own_whole(std::uint32_t root)
+  CGAL_TANDEM_HD void fit_whole(std::int32_t round, std::size_t s) const
   {
-    if(whole_[root] == no_index) {
-      whole_[root] = std::uint32_t(merged_.size());
-      merged_.push_back(shapes_[root]);
-    }
-    return merged_[whole_[root]];
+    root[s].chosen = Union_key();
+    if(root[s].changed != round)
+      return;
+    whole[s].moments += joined[s].moments();
+    joined[s] = Shared_moments();
+    refit(whole[s]);
   }
-
-  Backend& backend_;
-  const Shape_table<Backend>& shapes_;
-  const Joint_fit_criterion test_;
-  Targets target_;                    // by shape: what it has joined, or itself
-  std::vector<std::uint32_t> whole_;  // index into merged_, by root
-  std::vector<std::uint32_t> choice_; // index into pairs_, by root
-  std::vector<std::uint8_t> is_changed_;
-  std::vector<Fitted_moments> merged_;
-  std::vector<Pair> pairs_;
-  std::vector<Incidence> incidences_;
 };
+
+// A shape that is in a union with others: the shape whose id stands for the union, and the plane of all.
+struct Union_member {
+  std::uint32_t id, root;
+  Regular_plane plane;
+};
+
+// Takes the members of unions, by place.
+struct Take_members {
+  const std::uint32_t* id; // all by place
+  const Fitted_moments* whole;
+  const Union_root* root;
+  const std::uint32_t* target;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t s) const { return target[s] != s || root[s].changed > 0; }
+
+  CGAL_TANDEM_HD Union_member take(std::uint32_t s) const
+  {
+    std::uint32_t r = s;
+    while(target[r] != r)
+      r = target[r];
+    return {id[s], id[r], whole[r].local};
+  }
+};
+
+struct Start_roots {
+  Union_root* root;
+  std::uint32_t* target;
+
+  CGAL_TANDEM_HD void operator()(std::size_t s) const
+  {
+    root[s] = Union_root();
+    target[s] = std::uint32_t(s);
+  }
+};
+
+struct Union_list {
+  Host_buffer<Union_member> members; // by rising id
+  std::size_t rounds = 0;
+};
+
+// The unions along the links, which may have a pair several times. The sums of the shapes are zero before and
+// afterwards.
+template <class Backend>
+Union_list unite_shapes(Backend& backend, Shape_table<Backend>& shapes, const Joint_fit_criterion& criterion,
+                        const Link_list& links)
+{
+  const std::size_t n = shapes.live.size();
+  std::vector<std::uint32_t> place(shapes.size());
+  std::vector<Fitted_moments> fitted(n);
+  backend.for_each_on_host(n, [&](std::size_t s) {
+    place[shapes.live[s]] = std::uint32_t(s);
+    fitted[s] = shapes[shapes.live[s]];
+  });
+  std::vector<Union_pair> pairs(links.size());
+  backend.for_each_on_host(links.size(), [&](std::size_t i) {
+    pairs[i] = {place[links[i].first()], place[links[i].second()], Union_key(), false};
+  });
+  std::vector<std::uint32_t> joins(3, 0);
+  const auto id = backend.read_access(shapes.live);
+  const auto whole = backend.read_write_access(fitted);
+  const auto pair = backend.read_write_access(pairs);
+  auto counters = backend.read_write_access(joins);
+  typename Backend::template Buffer<Union_root> root(n);
+  typename Backend::template Buffer<std::uint32_t> target(n);
+  backend.for_each(n, Start_roots{root.data(), target.data()});
+  backend.run_rounds(n, (std::max)(n, links.size()),
+                     Union_rounds<Backend>{criterion, pair.data(), links.size(), n, id.data(), whole.data(),
+                                           root.data(), target.data(), start_deltas(backend, shapes, n),
+                                           counters.data()});
+  Union_list result;
+  result.members =
+    backend.template collect<Union_member>(n, Take_members{id.data(), whole.data(), root.data(), target.data()});
+  counters.copy_back();
+  result.rounds = joins[2];
+  return result;
+}
 
 } // namespace internal
 } // namespace Tandem

@@ -28,16 +28,17 @@ Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
                           const Link_list& links, double misfit_share)
 {
   Backend& backend = points.backend;
-  Mutual_unions<Backend> unions(backend, shapes, {options.squared_cosine, options.maximum_distance});
-  unions.unite_along(links);
-  const Ids ids = chosen_shapes(backend, shapes, [&](const Shape&, std::uint32_t id) { return unions.is_merged(id); });
+  const Host_buffer<Union_member> members =
+    unite_shapes(backend, shapes, {options.squared_cosine, options.maximum_distance}, links).members;
   Targets target = identity_targets(shapes.size());
-  if(ids.empty())
+  if(members.size() == 0)
     return target;
+  Ids ids(members.size());
   Regular_planes planes(ids.size());
   std::vector<std::int64_t> sizes(ids.size());
   backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-    planes[i] = unions.whole(unions.root(ids[i])).local;
+    ids[i] = members[i].id;
+    planes[i] = members[i].plane;
     sizes[i] = shapes[ids[i]].moments.count;
   });
   const Unset_vector<double> shares = Misfit_counter<Backend>(points, shapes, options, ids).count(ids, planes);
@@ -45,13 +46,13 @@ Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
   for(std::size_t i = 0; i < ids.size(); ++i) {
     if(shares[i] > misfit_share)
       continue;
-    std::size_t& stays = first[unions.root(ids[i])];
+    std::size_t& stays = first[members[i].root];
     if(stays == ids.size() || sizes[stays] < sizes[i])
       stays = i;
   }
   backend.for_each_on_host(ids.size(), [&](std::size_t i) {
     if(shares[i] <= misfit_share)
-      target[ids[i]] = ids[first[unions.root(ids[i])]];
+      target[ids[i]] = ids[first[members[i].root]];
   });
   return target;
 }

@@ -24,7 +24,7 @@ struct Shared_moments {
   std::uint64_t high[6] = {0, 0, 0, 0, 0, 0};
   Box box;
 
-  Moments moments() const
+  CGAL_TANDEM_HD Moments moments() const
   {
     Moments m;
     m.count = count;

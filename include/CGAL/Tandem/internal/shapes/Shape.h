@@ -33,7 +33,7 @@ struct Fitted_moments {
 };
 
 // Makes all that follows from the moments.
-inline void refit(Fitted_moments& m)
+CGAL_TANDEM_HD inline void refit(Fitted_moments& m)
 {
   m.scatter = make_scatter(m.moments);
   m.fit = fit_plane(m.scatter);

@@ -168,6 +168,25 @@ public:
     return result;
   }
 
+  // Few blocks for many items: barriers get slower with more blocks, and most steps have few items. Not more than run
+  // at the same time, else the barrier would never be passed. Does not wait.
+  template <class Rounds>
+  void run_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
+  {
+    constexpr std::size_t items_of_lane = 64, small_grid = 32;
+    const auto kernel = run_steps<Rounds>;
+    int multiprocessors = 0, blocks = 0; // on each of them at the same time
+    CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
+    CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
+    const std::size_t maximum = std::size_t(multiprocessors) * std::size_t(blocks);
+    const std::size_t useful =
+      (std::max)(items / (item_lanes * items_of_lane), (std::min)(items / item_lanes, small_grid)) + 1;
+    Table_arena::of_thread().flush();
+    void* arguments[] = {&maximum_rounds, &rounds};
+    CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
+                                                 arguments, 0, stream_of_thread()));
+  }
+
   // Most calls have one copy and one wait: as many places are copied as were needed of late. A second copy follows if
   // more items were found, or more than pinned memory holds.
   template <class T, class F>

@@ -9,7 +9,6 @@
 
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/cuda/neighbors/Cuda_neighbors.cuh>
-#include <CGAL/Tandem/internal/cuda/stages/Cuda_label_propagation.cuh>
 #include <CGAL/Tandem/internal/cuda/stages/Cuda_links.cuh>
 #include <CGAL/Tandem/internal/cuda/stages/Cuda_tables.cuh>
 
@@ -20,12 +19,12 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Import and grouping differ for their copies, neighbors and links for speed, propagation for its waits. The cells are
+// Import and grouping differ for their copies, neighbors and links for speed. The cells are
 // used to start large ones first.
 template <>
 struct Stage_overrides<Cuda_backend> : No_stage_overrides {
   static constexpr bool imports_points = true, expects_cells = true, finds_neighbors = true, sums_links = true,
-                        propagates_labels = true, groups_points = true;
+                        groups_points = true;
 
   static Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
   {
@@ -45,11 +44,6 @@ struct Stage_overrides<Cuda_backend> : No_stage_overrides {
                              std::uint32_t minimum)
   {
     return sum_links_cuda(backend, link, n, ids, minimum);
-  }
-
-  static void propagate_labels(Cuda_backend&, std::size_t maximum_rounds, const Label_propagation<Cuda_backend>& rounds)
-  {
-    propagate_labels_cuda(maximum_rounds, rounds);
   }
 
   static void group_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
