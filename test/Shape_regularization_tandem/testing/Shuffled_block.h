@@ -245,6 +245,12 @@ public:
     return result;
   }
 
+  template <class T, class F>
+  Buffer<T> make_buffer(std::size_t n, F f)
+  {
+    return make_buffer_on<T>(*this, n, f);
+  }
+
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {

@@ -81,6 +81,14 @@ public:
   }
 
 protected:
+  template <class T, class Backend, class F>
+  static typename Backend::template Buffer<T> make_buffer_on(Backend& backend, std::size_t n, F f)
+  {
+    typename Backend::template Buffer<T> items(n);
+    backend.for_each_on_host(n, [&](std::size_t i) { items[i] = f(i); });
+    return items;
+  }
+
   // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece(). Counts in pieces, then writes each
   // piece at its place. is_kept is evaluated twice, so it has no side effects.
   template <class Backend, class F>

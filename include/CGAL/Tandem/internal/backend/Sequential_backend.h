@@ -38,6 +38,13 @@ public:
     for_each(n, f);
   }
 
+  // A buffer of f(i) for i in [0, n), where f is evaluated on the host, once for each.
+  template <class T, class F>
+  Buffer<T> make_buffer(std::size_t n, F f)
+  {
+    return make_buffer_on<T>(*this, n, f);
+  }
+
   // By `less`; the order of equal items is not defined.
   template <class Iterator, class Less>
   void sort_on_host(Iterator first, Iterator last, Less less)

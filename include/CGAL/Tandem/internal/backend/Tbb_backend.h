@@ -52,6 +52,12 @@ public:
     });
   }
 
+  template <class T, class F>
+  Buffer<T> make_buffer(std::size_t n, F f)
+  {
+    return make_buffer_on<T>(*this, n, f);
+  }
+
   // The leader of a team sorts with its team: see Host_team.h.
   template <class Iterator, class Less>
   void sort_on_host(Iterator first, Iterator last, Less less)

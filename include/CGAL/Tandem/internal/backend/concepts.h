@@ -71,6 +71,10 @@ struct Sum {
   void operator()(int&) const {}
 };
 
+struct Maker {
+  int operator()(std::size_t) const { return 0; }
+};
+
 struct Rounds {
   static constexpr int steps = 1;
   static constexpr std::size_t few(int) { return 1; }
@@ -159,6 +163,7 @@ struct Is_sort_table<
 //   read_access(table)                a vector of the host for functors to read; it stays as it is meanwhile
 //   read_write_access(table)          the same to read and write; the host has the changes after copy_back()
 //   write_access(table)               the same, if functors write it before they read it
+//   make_buffer<T>(n, f)              a buffer of f(i), i in [0, n), evaluated on the host
 //   to_host(source, n, target), from_host(source, n, target), wait()
 template <class Backend, class = void>
 struct Has_memory : std::false_type {};
@@ -176,6 +181,8 @@ struct Has_memory<
     decltype(std::declval<Backend&>().read_write_access(std::declval<std::vector<int>&>()).copy_back()),
     decltype(static_cast<int*>(std::declval<Backend&>().write_access(std::declval<std::vector<int>&>()).data())),
     decltype(std::declval<Backend&>().write_access(std::declval<std::vector<int>&>()).copy_back()),
+    decltype(typename Backend::template Buffer<int>(
+      std::declval<Backend&>().template make_buffer<int>(std::size_t(0), archetypes::Maker()))),
     decltype(std::declval<Backend&>().to_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
     decltype(std::declval<Backend&>().from_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
     decltype(std::declval<Backend&>().wait())>> : std::true_type {};

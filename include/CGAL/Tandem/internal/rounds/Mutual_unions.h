@@ -235,19 +235,14 @@ Union_list unite_shapes(Backend& backend, Shape_table<Backend>& shapes, const Jo
 {
   const std::size_t n = shapes.live.size();
   std::vector<std::uint32_t> place(shapes.size());
-  std::vector<Fitted_moments> fitted(n);
-  backend.for_each_on_host(n, [&](std::size_t s) {
-    place[shapes.live[s]] = std::uint32_t(s);
-    fitted[s] = shapes[shapes.live[s]];
-  });
-  std::vector<Union_pair> pairs(links.size());
-  backend.for_each_on_host(links.size(), [&](std::size_t i) {
-    pairs[i] = {place[links[i].first()], place[links[i].second()], Union_key(), false};
+  backend.for_each_on_host(n, [&](std::size_t s) { place[shapes.live[s]] = std::uint32_t(s); });
+  auto whole = backend.template make_buffer<Fitted_moments>(
+    n, [&](std::size_t s) { return static_cast<const Fitted_moments&>(shapes[shapes.live[s]]); });
+  auto pair = backend.template make_buffer<Union_pair>(links.size(), [&](std::size_t i) {
+    return Union_pair{place[links[i].first()], place[links[i].second()], Union_key(), false};
   });
   std::vector<std::uint32_t> joins(3, 0);
   const auto id = backend.read_access(shapes.live);
-  const auto whole = backend.read_write_access(fitted);
-  const auto pair = backend.read_write_access(pairs);
   auto counters = backend.read_write_access(joins);
   typename Backend::template Buffer<Union_root> root(n);
   typename Backend::template Buffer<std::uint32_t> target(n);

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <new>
 #include <type_traits>
 #include <vector>
 
@@ -232,6 +233,22 @@ public:
   Device_write_access<T> write_access(std::vector<T>& table)
   {
     return Device_write_access<T>(table, false);
+  }
+
+  // The items are made in pinned memory, and are on their way when this returns.
+  template <class T, class F>
+  Buffer<T> make_buffer(std::size_t n, F f)
+  {
+    Buffer<T> items(n);
+    constexpr std::size_t maximum = Pinned_block::bytes / 2 / sizeof(T);
+    for(std::size_t first = 0; first < n; first += maximum) {
+      const std::size_t size = (std::min)(maximum, n - first);
+      T* const piece = reinterpret_cast<T*>(Staging::of_thread().take(size * sizeof(T)));
+      host_.for_each_on_host(size, [&](std::size_t i) { new(piece + i) T(f(first + i)); });
+      CGAL_TANDEM_CUDA(
+        cudaMemcpyAsync(items.data() + first, piece, size * sizeof(T), cudaMemcpyHostToDevice, stream_of_thread()));
+    }
+    return items;
   }
 
   void wait() { synchronize(); }
