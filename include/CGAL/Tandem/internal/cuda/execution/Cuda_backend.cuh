@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/cuda/runtime/Host_side.h>
 #include <CGAL/Tandem/internal/cuda/execution/cub_calls.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/range_sort.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/rounds.cuh>
 
 #include <cub/device/device_select.cuh>
 #include <thrust/iterator/counting_iterator.h>
@@ -27,37 +28,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// f.has() as a predicate for CUB.
-template <class F>
-struct Has_item {
-  F f;
-
-  __device__ bool operator()(std::uint32_t i) const { return f.has(i); }
-};
-
-// Item i of the first *size that were found goes to place 1 + i; place 0 holds their number. So one copy brings both to
-// the host. Other places that are copied become T(), so that no uninitialized bytes are copied.
-template <class T, class F>
-struct Take_items {
-  F f;
-  const std::int64_t* size;
-  const std::uint32_t* found;
-  std::size_t copied;
-  T* item;
-
-  __device__ void operator()(std::size_t i) const
-  {
-    if(std::int64_t(i) < *size)
-      item[1 + i] = f.take(found[i]);
-    else if(i < copied)
-      item[1 + i] = T();
-    if(i == 0) {
-      item[0] = T();
-      memcpy(item, size, sizeof(*size));
-    }
-  }
-};
 
 // Used by one thread at a time. Functors are copied to the device with a launch, so they hold pointers to its memory
 // only. Memory is released in the order of the stream: buffers may end while kernels that use them still run.
@@ -169,23 +139,12 @@ public:
     return result;
   }
 
-  // Few blocks for many items: barriers get slower with more blocks, and most steps have few items. Not more than run
-  // at the same time, else the barrier would never be passed. Does not wait.
+  // Does not wait.
   template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
+  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
-    constexpr std::size_t items_of_lane = 64, small_grid = 32;
-    const auto kernel = run_steps<Rounds>;
-    int multiprocessors = 0, blocks = 0; // on each of them at the same time
-    CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
-    CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
-    const std::size_t maximum = std::size_t(multiprocessors) * std::size_t(blocks);
-    const std::size_t useful =
-      (std::max)(items / (item_lanes * items_of_lane), (std::min)(items / item_lanes, small_grid)) + 1;
     Table_arena::of_thread().flush();
-    void* arguments[] = {&maximum_rounds, &rounds};
-    CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
-                                                 arguments, 0, stream_of_thread()));
+    launch_rounds(maximum_rounds, items, rounds);
   }
 
   // Most calls have one copy and one wait: as many places are copied as were needed of late. A second copy follows if

@@ -9,8 +9,6 @@
 
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_block.cuh>
 
-#include <cooperative_groups.h>
-
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -56,24 +54,6 @@ __global__ void __launch_bounds__(cell_lanes) run_cells_in_turns(std::uint32_t c
   Cuda_block<cell_lanes> block;
   for(std::uint32_t c = blockIdx.x; c < cells; c += gridDim.x)
     body(block, scratch[blockIdx.x], c);
-}
-
-// All rounds in one kernel: launches and waits between the steps would take longer. A cooperative launch: all blocks run
-// at the same time, and wait for each other after each step. A barrier also makes the writes of a step visible to all
-// blocks. All lanes leave in the same round, since they read the same numbers.
-template <class Rounds>
-__global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_rounds, const Rounds rounds)
-{
-  const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
-  const std::size_t lanes = std::size_t(gridDim.x) * item_lanes;
-  const std::size_t lane = std::size_t(blockIdx.x) * item_lanes + threadIdx.x;
-  for(std::size_t round = 0; round < maximum_rounds; ++round)
-    for(int step = 0; step < Rounds::steps; ++step) {
-      if(step + 1 == Rounds::steps && rounds.is_last(round))
-        return;
-      rounds.run(step, round, lane, lanes);
-      grid.sync();
-    }
 }
 
 } // namespace internal
