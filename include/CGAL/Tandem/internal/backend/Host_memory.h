@@ -9,7 +9,6 @@
 
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
-#include <algorithm>
 #include <cstring>
 #include <numeric>
 #include <vector>
@@ -127,12 +126,13 @@ protected:
     return items;
   }
 
+  // Lanes beyond these cost more than they balance.
+  static constexpr std::size_t maximum_lanes = 4096;
+
   // Steps one after the other; functors on the host, so what is_last() reads is there.
   template <class Backend, class Rounds>
-  static void run_rounds_on(Backend& backend, std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  static void run_rounds_on(Backend& backend, std::size_t maximum_rounds, std::size_t lanes, const Rounds& rounds)
   {
-    constexpr std::size_t maximum_lanes = std::size_t(1) << 18;
-    const std::size_t lanes = (std::min)(items, maximum_lanes);
     for(std::size_t round = 0; round < maximum_rounds; ++round)
       for(int step = 0; step < Rounds::steps; ++step) {
         if(step + 1 == Rounds::steps && rounds.is_last(round))

@@ -92,9 +92,9 @@ public:
   // round the loop ends, if rounds.is_last(round), and it ends after so many rounds. rounds.few(step): fewer items of
   // a step are not worth a second thread.
   template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  void run_rounds(std::size_t maximum_rounds, std::size_t, const Rounds& rounds)
   {
-    run_rounds_on(*this, maximum_rounds, items, rounds);
+    run_rounds_on(*this, maximum_rounds, 1, rounds);
   }
 
   // f.take(i) of the i in [0, n) with f.has(i), ascending, for the host. has() of all before any take(). T: plain data
