@@ -142,15 +142,16 @@ Outcome unite(Backend& backend, int unevenness, unsigned seed)
 {
   Shape_table<Backend> shapes;
   make_fragments(backend, shapes, unevenness);
-  const Union_list unions = unite_shapes(backend, shapes, criterion, make_links(seed));
+  std::uint32_t rounds = 0;
+  const Host_buffer<Union_member> unions = unite_shapes(backend, shapes, criterion, make_links(seed), &rounds);
   Outcome outcome;
-  outcome.rounds = int(unions.rounds);
+  outcome.rounds = int(rounds);
   for(const std::uint32_t id : shapes.live) {
     outcome.root.push_back(id);
     outcome.plane.push_back(shapes[id].local);
   }
   std::map<std::uint32_t, int> members;
-  for(const Union_member& member : unions.members) {
+  for(const Union_member& member : unions) {
     outcome.root[member.id] = member.root;
     outcome.plane[member.id] = member.plane;
     ++members[member.root];
@@ -231,11 +232,12 @@ void check_row()
     if(i > 0)
       links.push_back(link(std::size_t(i) - 1, std::size_t(i)));
   }
-  const Union_list unions = unite_shapes(backend, shapes, criterion, links);
-  CHECK_AT(unions.rounds < 300, std::to_string(unions.rounds) + " rounds");
-  check_equal(unions.members.size(), std::size_t(n), "members of a row");
-  for(const Union_member& member : unions.members)
-    check_equal(member.root, unions.members[0].root, "root of a row");
+  std::uint32_t rounds = 0;
+  const Host_buffer<Union_member> unions = unite_shapes(backend, shapes, criterion, links, &rounds);
+  CHECK_AT(rounds < 300, std::to_string(rounds) + " rounds");
+  check_equal(unions.size(), std::size_t(n), "members of a row");
+  for(const Union_member& member : unions)
+    check_equal(member.root, unions[0].root, "root of a row");
 }
 
 // In each of many groups, two shapes unite first, and their union joins one that was in no union before.
@@ -254,9 +256,9 @@ void check_groups()
     links.push_back(link(first, first + 1));
     links.push_back(link(first + 1, first + 2));
   }
-  const Union_list unions = unite_shapes(backend, shapes, criterion, links);
-  check_equal(unions.members.size(), std::size_t(3 * n), "members of groups");
-  for(const Union_member& member : unions.members)
+  const Host_buffer<Union_member> unions = unite_shapes(backend, shapes, criterion, links);
+  check_equal(unions.size(), std::size_t(3 * n), "members of groups");
+  for(const Union_member& member : unions)
     check_equal(member.root, member.id / 3 * 3, "root of a group");
 }
 

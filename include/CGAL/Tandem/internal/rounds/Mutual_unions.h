@@ -222,16 +222,12 @@ struct Start_roots {
   }
 };
 
-struct Union_list {
-  Host_buffer<Union_member> members; // by rising id
-  std::size_t rounds = 0;
-};
-
-// The unions along the links, which may have a pair several times. The sums of the shapes are zero before and
-// afterwards.
+// The members of all unions along the links, by rising id. A pair may have several links. The sums of the shapes are
+// zero before and afterwards. Writes the number of rounds, if that is asked for.
 template <class Backend>
-Union_list unite_shapes(Backend& backend, Shape_table<Backend>& shapes, const Joint_fit_criterion& criterion,
-                        const Link_list& links)
+Host_buffer<Union_member> unite_shapes(Backend& backend, Shape_table<Backend>& shapes,
+                                       const Joint_fit_criterion& criterion, const Link_list& links,
+                                       std::uint32_t* rounds = nullptr)
 {
   const std::size_t n = shapes.live.size();
   std::vector<std::uint32_t> place(shapes.size());
@@ -251,12 +247,11 @@ Union_list unite_shapes(Backend& backend, Shape_table<Backend>& shapes, const Jo
                      Union_rounds<Backend>{criterion, pair.data(), links.size(), n, id.data(), whole.data(),
                                            root.data(), target.data(), start_deltas(backend, shapes, n),
                                            counters.data()});
-  Union_list result;
-  result.members =
-    backend.template collect<Union_member>(n, Take_members{id.data(), whole.data(), root.data(), target.data()});
-  counters.copy_back();
-  result.rounds = joins[2];
-  return result;
+  if(rounds != nullptr) {
+    counters.copy_back();
+    *rounds = joins[2];
+  }
+  return backend.template collect<Union_member>(n, Take_members{id.data(), whole.data(), root.data(), target.data()});
 }
 
 } // namespace internal

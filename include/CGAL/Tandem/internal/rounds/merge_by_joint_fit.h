@@ -29,7 +29,7 @@ Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& 
 {
   Backend& backend = points.backend;
   const Host_buffer<Union_member> members =
-    unite_shapes(backend, shapes, {options.squared_cosine, options.maximum_distance}, links).members;
+    unite_shapes(backend, shapes, {options.squared_cosine, options.maximum_distance}, links);
   Targets target = identity_targets(shapes.size());
   if(members.size() == 0)
     return target;

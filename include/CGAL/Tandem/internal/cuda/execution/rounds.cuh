@@ -30,7 +30,10 @@ __global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_roun
       if(step + 1 == Rounds::steps && rounds.is_last(round))
         return;
       rounds.run(step, round, lane, lanes);
-      grid.sync();
+      if(gridDim.x == 1)
+        __syncthreads(); // takes less time
+      else
+        grid.sync();
     }
 }
 
@@ -39,14 +42,15 @@ __global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_roun
 template <class Rounds>
 void launch_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
 {
-  constexpr std::size_t items_of_lane = 64, small_grid = 32;
+  constexpr std::size_t items_of_lane = 64, small_grid = 32, items_of_small_grid = 2;
   const auto kernel = run_steps<Rounds>;
   int multiprocessors = 0, blocks = 0; // on each of them at the same time
   CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
   CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
   const std::size_t maximum = std::size_t(multiprocessors) * std::size_t(blocks);
-  const std::size_t useful =
-    (std::max)(items / (item_lanes * items_of_lane), (std::min)(items / item_lanes, small_grid)) + 1;
+  const std::size_t useful = (std::max)(items / (item_lanes * items_of_lane),
+                                        (std::min)(items / (item_lanes * items_of_small_grid), small_grid)) +
+                             1;
   void* arguments[] = {&maximum_rounds, &rounds};
   CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
                                                arguments, 0, stream_of_thread()));
