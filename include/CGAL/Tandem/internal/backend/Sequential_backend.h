@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
+#include <boost/sort/pdqsort/pdqsort.hpp>
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
@@ -109,7 +110,7 @@ public:
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
     for(std::size_t c = 0; c < ranges; ++c)
-      std::sort(key + range[c].first, key + range[c].last);
+      boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last);
   }
 
   // target += value, from functors that run at the same time; returns the old target. Integers only: sums of floats

@@ -12,6 +12,8 @@
 #include <CGAL/Tandem/internal/backend/Host_team.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
+#include <boost/sort/pdqsort/pdqsort.hpp>
+
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -111,7 +113,7 @@ public:
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
-    run(ranges, [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
+    run(ranges, [&](std::size_t c) { boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last); });
   }
 
   // Relaxed order suffices: functors of a loop do not synchronize, and the end of the loop does.

@@ -68,6 +68,14 @@ struct Propose_label {
       make(s, q);
   }
 
+  // The same in later rounds. There most points around q propose the same shape. Its distance does not change, so once
+  // is enough.
+  CGAL_TANDEM_HD void to_once(std::uint32_t q, std::uint32_t s) const
+  {
+    if(label[q] >= first_mark && std::uint32_t(Backend::atomic_load(proposal[q])) != s)
+      make(s, q);
+  }
+
 private:
   // The item that makes the first proposal to a point appends the point to the list of the round.
   CGAL_TANDEM_HD void make(std::uint32_t s, std::uint32_t i) const
@@ -95,7 +103,7 @@ struct Propose_again {
     for(std::size_t at = i; at < size * k; at += items) {
       const std::uint32_t p = accepted.point[first + at / k], q = proposal.cloud.row(p)[at % k];
       if(q != no_index)
-        proposal.to(q, proposal.label[p]);
+        proposal.to_once(q, proposal.label[p]);
     }
   }
 };

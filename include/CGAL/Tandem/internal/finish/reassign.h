@@ -40,22 +40,38 @@ struct Choose_largest {
     chosen[i] = s;
     if(s >= first_mark || (state[i] & interior_bit) || !(may_lose[s] || marks_interior))
       return;
+    // Most points have neighbors of their own shape only, or also free ones: they have no choice.
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
-    bool all_same = true;
-    const std::uint32_t nearest = may_lose[s] ? nearest_shape(i, s) : s;
-    std::uint32_t best = are_one_surface(s, nearest, i) ? s : nearest;
+    bool all_same = true, has_choice = false;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]];
       all_same = all_same && t == s;
-      if(may_lose[s] && t < first_mark && is_larger(t, best) && may_take(t, i) && are_one_surface(t, nearest, i))
-        best = t;
+      has_choice = has_choice || (t < first_mark && t != s);
     }
-    chosen[i] = best;
     if(marks_interior && all_same)
       state[i] |= interior_bit;
+    if(has_choice && may_lose[s])
+      chosen[i] = choose(i, s);
   }
 
 private:
+  // For a point of shape s. A neighbor with the label of the one before would not change the choice.
+  CGAL_TANDEM_HD std::uint32_t choose(std::size_t i, std::uint32_t s) const
+  {
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    const std::uint32_t nearest = nearest_shape(i, s);
+    std::uint32_t best = are_one_surface(s, nearest, i) ? s : nearest, last = s;
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = label[row[j]];
+      if(t >= first_mark || t == last)
+        continue;
+      last = t;
+      if(is_larger(t, best) && may_take(t, i) && are_one_surface(t, nearest, i))
+        best = t;
+    }
+    return best;
+  }
+
   CGAL_TANDEM_HD bool is_larger(std::uint32_t a, std::uint32_t b) const
   {
     return size[a] > size[b] || (size[a] == size[b] && a < b);
@@ -77,10 +93,13 @@ private:
   CGAL_TANDEM_HD std::uint32_t nearest_shape(std::size_t i, std::uint32_t s) const
   {
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
-    std::uint32_t nearest = s;
+    std::uint32_t nearest = s, last = s;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]];
-      if(t >= first_mark || t == nearest || !may_take(t, i))
+      if(t >= first_mark || t == nearest || t == last)
+        continue;
+      last = t;
+      if(!may_take(t, i))
         continue;
       const std::int64_t d = distance(t, i), least = distance(nearest, i);
       if(d < least || (d == least && t < nearest))

@@ -19,6 +19,11 @@ struct List_scratch {
   std::uint32_t shape[slots];
 };
 
+// The shape that a lane has met last. Neighbors on the curve mostly share their shape, which is then looked up once.
+struct Last_shape {
+  std::uint32_t shape = no_index;
+};
+
 // Makes the list of a cell from the labels of its points. Lanes append in any order: only membership is read.
 struct List_shapes {
   const Range* cells;
@@ -32,14 +37,20 @@ struct List_shapes {
     Cell_shapes& shapes = list[c];
     block.single([&] { shapes.size = 0; });
     block.for_each(List_scratch::slots, [&](std::uint32_t i) { scratch.shape[i] = no_index; });
-    block.for_each(cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t s = label[cell.first + at];
-      if(s < first_mark && is_new(block, scratch, s)) {
+    block.template accumulate<Last_shape>(
+      cell.size(),
+      [&](std::uint32_t at, Last_shape& last) {
+        const std::uint32_t s = label[cell.first + at];
+        if(s >= first_mark || s == last.shape)
+          return;
+        last.shape = s;
+        if(!is_new(block, scratch, s))
+          return;
         const std::uint32_t place = block.append(shapes.size);
         if(place < Cell_shapes::capacity)
           shapes.shape[place] = s;
-      }
-    });
+      },
+      [](const Last_shape&) {});
   }
 
 private:
