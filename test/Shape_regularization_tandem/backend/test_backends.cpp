@@ -19,27 +19,6 @@
 
 using namespace CGAL::Tandem::internal;
 
-// Sums up to each item, by distances that double in each round: a step needs all of the one before.
-struct Prefix_sums {
-  static constexpr int steps = 2;
-  static constexpr std::size_t few(int) { return 3; }
-
-  std::uint32_t *sum, *next;
-  std::size_t size, last_round;
-
-  bool is_last(std::size_t round) const { return round == last_round; }
-
-  void run(int step, std::size_t round, std::size_t lane, std::size_t lanes) const
-  {
-    const std::size_t distance = std::size_t(1) << round;
-    for(std::size_t i = lane; i < size; i += lanes)
-      if(step == 0)
-        next[i] = sum[i] + (i < distance ? 0 : sum[i - distance]);
-      else
-        sum[i] = next[i];
-  }
-};
-
 template <class Backend>
 class Backend_steps {
 public:
@@ -49,7 +28,6 @@ public:
   {
     test_searches();
     test_compact();
-    test_rounds();
     test_order();
     test_border();
     test_deltas();
@@ -84,27 +62,6 @@ private:
             expected.push_back(i);
         const auto kept = backend_.compact(n, [step](std::uint32_t i) { return i % step == step - 1; });
         check_lists(to_vector(kept), expected, name_ + ": compact");
-      }
-  }
-
-  // With fewer lanes than items, and the end by is_last(), before the last step, or by the number of rounds.
-  void test_rounds()
-  {
-    constexpr std::uint32_t n = 700;
-    const auto made =
-      backend_.template make_buffer<std::uint32_t>(n, [](std::size_t i) { return std::uint32_t(i % 7); });
-    const std::pair<std::size_t, std::size_t> ends[] = {{12, 99}, {99, 12}, {3, 99}, {99, 3}, {0, 99}};
-    for(const auto& end : ends)
-      for(std::size_t lanes : {std::size_t(1), std::size_t(100), std::size_t(n), std::size_t(2 * n)}) {
-        std::vector<std::uint32_t> sum(to_vector(made)), next(n, 0), expected(n, 0);
-        backend_.run_rounds(end.first, lanes, Prefix_sums{sum.data(), next.data(), n, end.second});
-        const std::uint32_t reach = 1u << (std::min)(end.first, end.second);
-        for(std::uint32_t i = 0; i < n; ++i)
-          for(std::uint32_t j = 0; j < reach && j <= i; ++j)
-            expected[i] += (i - j) % 7;
-        check_lists(sum, expected, name_ + ": rounds of steps");
-        if(end.second < end.first) // the step before the last one has run
-          CHECK_AT(next[n - 1] >= sum[n - 1] && (reach > n || next[n - 1] > sum[n - 1]), name_ + ": last round");
       }
   }
 

@@ -91,8 +91,7 @@ struct Without_pieces : Sequential_backend {
 static_assert(Is_backend<Without_pieces>::value && !Is_host_backend<Without_pieces>::value, "for_each_piece");
 
 // The archetype replaces the stages that need memory of the host; who replaces nothing has no flag set.
-static_assert(Stage_overrides<archetypes::Backend>::groups_points &&
-                !Stage_overrides<archetypes::Backend>::sums_links,
+static_assert(Stage_overrides<archetypes::Backend>::groups_points && !Stage_overrides<archetypes::Backend>::sums_links,
               "overrides of the archetype");
 static_assert(!Stage_overrides<Sequential_backend>::finds_neighbors &&
                 !Stage_overrides<Sequential_backend>::groups_points,

@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
+#include <algorithm>
 #include <cstring>
 #include <numeric>
 #include <vector>
@@ -129,16 +130,21 @@ protected:
   // Lanes beyond these cost more than they balance.
   static constexpr std::size_t maximum_lanes = 4096;
 
-  // Steps one after the other; functors on the host, so what is_last() reads is there.
+  // Steps one after the other; functors on the host, so what is_last() reads is there. Where the items of a step are
+  // few, one thread has all lanes.
   template <class Backend, class Rounds>
-  static void run_rounds_on(Backend& backend, std::size_t maximum_rounds, std::size_t lanes, const Rounds& rounds)
+  static void run_rounds_on(Backend& backend, std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
+    const std::size_t lanes = (std::max)((std::min)(items, maximum_lanes), std::size_t(1));
     for(std::size_t round = 0; round < maximum_rounds; ++round)
       for(int step = 0; step < Rounds::steps; ++step) {
         if(step + 1 == Rounds::steps && rounds.is_last(round))
           return;
-        backend.for_each_on_host(
-          lanes, [&](std::size_t lane) { rounds.run(step, round, lane, lanes); }, Rounds::few(step));
+        const std::size_t grain = items < Rounds::few(step) ? lanes : (lanes + 63) / 64;
+        backend.for_each_piece(lanes, grain, [&](std::size_t first, std::size_t last) {
+          for(std::size_t lane = first; lane < last; ++lane)
+            rounds.run(step, round, lane, lanes);
+        });
       }
   }
 

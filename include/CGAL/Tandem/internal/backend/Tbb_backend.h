@@ -102,7 +102,7 @@ public:
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
-    run_rounds_on(*this, maximum_rounds, (std::min)(items, maximum_lanes), rounds);
+    run_rounds_on(*this, maximum_rounds, items, rounds);
   }
 
   template <class T, class F>

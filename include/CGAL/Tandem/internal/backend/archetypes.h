@@ -180,7 +180,7 @@ struct Backend {
   Buffer<T> make_buffer(std::size_t, F f)
   {
     if(false)
-      T item = f(std::size_t(0));
+      static_cast<void>(T(f(std::size_t(0))));
     return {};
   }
   template <class Rounds>

@@ -25,7 +25,10 @@ struct Regular_plane {
   double offset;
 };
 
-CGAL_TANDEM_HD inline Regular_plane plane_through(const Vector& normal, const Vector& point) { return {normal, dot(normal, point)}; }
+CGAL_TANDEM_HD inline Regular_plane plane_through(const Vector& normal, const Vector& point)
+{
+  return {normal, dot(normal, point)};
+}
 
 // The integer plane for tests of points: through the foot of the perpendicular from the origin.
 inline Plane rounded(const Regular_plane& p) { return make_plane(p.normal, p.offset * p.normal); }

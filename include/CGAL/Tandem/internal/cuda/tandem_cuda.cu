@@ -71,13 +71,15 @@ std::string missing_for_cuda()
 {
   if(!has_fused_multiply_add())
     return "the processor lacks the instruction FMA (see the CMake option TANDEM_CUDA_WITH_FMA)";
-  int devices = 0, device = 0, has_pools = 0;
+  int devices = 0, device = 0, has_pools = 0, is_cooperative = 0;
   cudaFuncAttributes attributes; // of a kernel: the device can run it
   cudaError_t error = cudaGetDeviceCount(&devices);
   if(error == cudaSuccess)
     error = cudaGetDevice(&device);
   if(error == cudaSuccess)
     error = cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, device);
+  if(error == cudaSuccess)
+    error = cudaDeviceGetAttribute(&is_cooperative, cudaDevAttrCooperativeLaunch, device);
   std::string missing;
   if(error == cudaErrorInsufficientDriver)
     missing = "there is no NVIDIA driver, or one that is too old for CUDA " + to_text(CUDART_VERSION / 1000) + '.' +
@@ -88,6 +90,8 @@ std::string missing_for_cuda()
     missing = "there is none";
   else if(has_pools == 0)
     missing = "the device has no memory pools";
+  else if(is_cooperative == 0)
+    missing = "the device has no cooperative launches";
   else if(cudaFuncGetAttributes(&attributes, reinterpret_cast<const void*>(&run_items<Clear_interior>)) != cudaSuccess)
     missing = "the library has no code for the device: name its compute capability in CMAKE_CUDA_ARCHITECTURES";
   static_cast<void>(cudaGetLastError());

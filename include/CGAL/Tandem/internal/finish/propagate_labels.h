@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
 
+#include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
@@ -89,22 +90,22 @@ private:
   }
 };
 
-// Later rounds: new proposals can come only from points that were labeled in the round before. `items` lanes share
+// Later rounds: new proposals can come only from points that were labeled in the round before. Lanes share
 // their rows, because the host does not know how many there are.
 template <class Backend>
 struct Propose_again {
   Propose_label<Backend> proposal;
   Proposed_points accepted; // the points that the last round labeled
-  std::size_t items;        // number of items of the loop
+  std::size_t lanes;        // number of items of the loop
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD void operator()(std::size_t lane) const
   {
     const std::size_t first = accepted.end[0], size = accepted.end[1] - first, k = std::size_t(proposal.cloud.k);
-    for(std::size_t at = i; at < size * k; at += items) {
+    for_items_of_lane(lane, lanes, size * k, [&](std::size_t at) {
       const std::uint32_t p = accepted.point[first + at / k], q = proposal.cloud.row(p)[at % k];
       if(q != no_index)
         proposal.to_once(q, proposal.label[p]);
-    }
+    });
   }
 };
 
@@ -121,19 +122,19 @@ struct Accept_proposals {
   Labels_view labels;
   std::uint64_t* proposal;
   Proposed_points proposed;
-  std::size_t items; // number of items of the loop, each with every items-th point
+  std::size_t lanes; // number of items of the loop
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD void operator()(std::size_t lane) const
   {
     const std::size_t first = proposed.end[0], last = proposed.end[1];
-    if(i == 0)
+    if(lane == 0)
       proposed.end[2] = proposed.end[1];
-    for(std::size_t at = first + i; at < last; at += items) {
-      const std::uint32_t p = proposed.point[at];
+    for_items_of_lane(lane, lanes, last - first, [&](std::size_t at) {
+      const std::uint32_t p = proposed.point[first + at];
       labels.label[p] = std::uint32_t(proposal[p]);
       labels.state[p] &= std::uint8_t(~interior_bit);
       proposal[p] = no_proposal;
-    }
+    });
   }
 };
 

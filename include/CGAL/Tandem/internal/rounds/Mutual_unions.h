@@ -8,10 +8,15 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 
+#include <CGAL/Tandem/internal/backend/lanes.h>
+#include <CGAL/Tandem/internal/memory/Host_buffer.h>
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
 #include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -28,7 +33,7 @@ CGAL_TANDEM_HD inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)
   return (mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u;
 }
 
-// Bits that are in the order of the numbers. Both zeros get the same.
+// Bits that are in the order of the numbers. Both zeros get the same. Never NaN: a pair whose fit is none is rejected.
 CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)
 {
   constexpr std::uint64_t sign = std::uint64_t(1) << 63;
@@ -69,7 +74,7 @@ struct Union_root {
 // Only minima, integer sums and values that are the same for all writers are shared, so no order matters.
 template <class Backend>
 struct Union_rounds {
-  // One after the other: each needs all of the one before.
+  // One after the other: each needs all of the one before. `test` also chooses by cost.
   enum Step { test, choose_size, choose_ids, take, join, fit, number_of_steps };
   static constexpr int steps = number_of_steps;
 
@@ -95,11 +100,9 @@ struct Union_rounds {
     if(step == test && lane == 0)
       joins[2] = std::uint32_t(round + 1);
     if(step == fit)
-      for(std::size_t s = lane; s < shapes; s += lanes)
-        fit_whole(std::int32_t(round + 1), s);
+      for_items_of_lane(lane, lanes, shapes, [&](std::size_t s) { fit_whole(std::int32_t(round + 1), s); });
     else
-      for(std::size_t i = lane; i < pairs; i += lanes)
-        run_pair(step, std::int32_t(round + 1), pair[i]);
+      for_items_of_lane(lane, lanes, pairs, [&](std::size_t i) { run_pair(step, std::int32_t(round + 1), pair[i]); });
   }
 
 private:
@@ -222,13 +225,15 @@ struct Start_roots {
   }
 };
 
-// The members of all unions along the links, by rising id. A pair may have several links. The sums of the shapes are
+// The members of all unions along the links between live shapes, by rising id. A pair may have several links. The sums of the shapes are
 // zero before and afterwards. Writes the number of rounds, if that is asked for.
 template <class Backend>
 Host_buffer<Union_member> unite_shapes(Backend& backend, Shape_table<Backend>& shapes,
                                        const Joint_fit_criterion& criterion, const Link_list& links,
                                        std::uint32_t* rounds = nullptr)
 {
+  if(links.empty())
+    return {};
   const std::size_t n = shapes.live.size();
   std::vector<std::uint32_t> place(shapes.size());
   backend.for_each_on_host(n, [&](std::size_t s) { place[shapes.live[s]] = std::uint32_t(s); });

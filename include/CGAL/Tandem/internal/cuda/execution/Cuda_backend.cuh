@@ -194,7 +194,7 @@ public:
     return Device_write_access<T>(table, false);
   }
 
-  // The items are made in pinned memory, and are on their way when this returns.
+  // The items are made in pinned memory, and are on their way when this returns. Waits where that is full.
   template <class T, class F>
   Buffer<T> make_buffer(std::size_t n, F f)
   {

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Import and grouping differ for their copies, neighbors and links for speed. The cells are
-// used to start large ones first.
+// Import and grouping differ for their copies, neighbors and links for speed. The cells are used to start large ones
+// first.
 template <>
 struct Stage_overrides<Cuda_backend> : No_stage_overrides {
   static constexpr bool imports_points = true, expects_cells = true, finds_neighbors = true, sums_links = true,
