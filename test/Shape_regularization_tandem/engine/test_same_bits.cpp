@@ -57,8 +57,8 @@ struct Case {
 
 const Case cases[] = {{1, 12, 0, 0, 0xc88120642b06bf14},
                       {2, 12, .002, 0, 0xbd3c6993cd46a408},
-                      {3, 20, .01, 0, 0x2d2b97af3a071fe7},
-                      {4, 6, .02, 0, 0x690ebbe24598b439},
+                      {3, 20, .01, 0, 0xc33e839c401e8a3d},
+                      {4, 6, .02, 0, 0x698bcdedb56577c9},
                       {5, 4, .002, 20000, 0x4b6bf56a40ab8ca5}};
 
 template <class Tag>
