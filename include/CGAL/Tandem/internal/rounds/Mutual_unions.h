@@ -225,8 +225,8 @@ struct Start_roots {
   }
 };
 
-// The members of all unions along the links between live shapes, by rising id. A pair may have several links. The sums of the shapes are
-// zero before and afterwards. Writes the number of rounds, if that is asked for.
+// The members of all unions along the links between live shapes, by rising id. A pair may have several links. The sums
+// of the shapes are zero before and afterwards. Writes the number of rounds, if that is asked for and there are links.
 template <class Backend>
 Host_buffer<Union_member> unite_shapes(Backend& backend, Shape_table<Backend>& shapes,
                                        const Joint_fit_criterion& criterion, const Link_list& links,
