@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// f(i) for the items of one lane; all lanes together have [0, n). On a device, lanes beside each other read items beside
-// each other. On the host, where a thread has one lane after the other, the items of a lane are consecutive.
+// f(i) for the items of one lane; all lanes together have [0, n). On a device, lanes beside each other read items
+// beside each other. On the host, where a thread has one lane after the other, the items of a lane are consecutive.
 template <class F>
 CGAL_TANDEM_HD void for_items_of_lane(std::size_t lane, std::size_t lanes, std::size_t n, F f)
 {

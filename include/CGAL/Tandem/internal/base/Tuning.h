@@ -210,8 +210,8 @@ namespace verification {
 // again); larger: coverage falls.
 constexpr double misfit_share = 0.2;
 // ... or, while shapes grow, when more points misfit than so many of the smallest shapes have: a plane that turns loses
-// a strip at either end. More: strips beside large faces; fewer: more directions. A strip has at least this share of the
-// shape, since a sample tells no less.
+// a strip at either end. More: strips beside large faces; fewer: more directions. A strip has at least this share of
+// the shape, since a sample tells no less.
 constexpr std::int64_t strips_of_turned_shape = 2;
 constexpr double strip_share = 0.005;
 // ... or when it adds more than this to the distance of the points, in epsilons (rms, in quadrature). Larger: false
@@ -356,9 +356,9 @@ constexpr std::size_t points_per_late_point = 100000;
 // Rounds of reassignment to the largest neighbor that fits. Shapes below this share of the minimum size lose no points.
 constexpr int reassignment_rounds = 4;
 constexpr Share safe_size = {3, 2};
-// A point may go to a plane that is farther than the nearest one by one in so many epsilons, or is at most this far from
-// that plane at the point, in epsilons. Otherwise both are layers there. Larger distances: layers are swallowed. Smaller:
-// parts of a surface that bends keep points that its largest plane explains.
+// A point may go to a plane that is farther than the nearest one by one in so many epsilons, or is at most this far
+// from that plane at the point, in epsilons. Otherwise both are layers there. Larger distances: layers are swallowed.
+// Smaller: parts of a surface that bends keep points that its largest plane explains.
 constexpr std::int64_t distance_per_farther_plane = 4;
 constexpr Share layer_distance = {9, 10};
 
@@ -381,8 +381,8 @@ constexpr double squared_alpha_per_error = 9;
 
 } // namespace sides
 
-// Large planes take what they explain of smaller shapes, in the loop and after it. Measured on aerial, indoor, street and
-// image-matched scans and on scenes with known faces.
+// Large planes take what they explain of smaller shapes, in the loop and after it. Measured on aerial, indoor, street
+// and image-matched scans and on scenes with known faces.
 namespace transfer {
 
 // A plane takes points of a smaller shape if it explains at least this share of it. Smaller: planes cut through noise,
@@ -397,8 +397,8 @@ constexpr Share better_plane = {501, 500};
 constexpr double layer_distance = 0.8;
 constexpr double layer_variance = 2.25;
 constexpr Share layer_share = {3, 5};
-// Rounds, at most: one in each round of the loop after the first ones, more after the loop. A round that moves less than
-// one point of so many of the cloud is the last one.
+// Rounds, at most: one in each round of the loop after the first ones, more after the loop. A round that moves less
+// than one point of so many of the cloud is the last one.
 constexpr int maximum_rounds_in_loop = 1;
 constexpr int maximum_rounds = 2;
 constexpr std::size_t points_per_moved_point = 2000;
