@@ -108,8 +108,8 @@ private:
     return nearest;
   }
 
-  // Whether a shape is about as near as the nearest one, or their planes are close to each other at the point. Otherwise
-  // they are layers there.
+  // Whether a shape is about as near as the nearest one, or their planes are close to each other at the point.
+  // Otherwise they are layers there.
   CGAL_TANDEM_HD bool are_one_surface(std::uint32_t t, std::uint32_t nearest, std::size_t i) const
   {
     constexpr tuning::Share layers = tuning::end_game::layer_distance;

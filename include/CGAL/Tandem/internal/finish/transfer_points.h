@@ -78,8 +78,8 @@ void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, con
                                                        changed.data(), plane.data(), tolerance});
 }
 
-// How points are transferred: whether planes are fitted anew or stay as they are, and how often. Shapes that are smaller
-// afterwards are dissolved; in the loop, that is left to the next round, since they may still grow.
+// How points are transferred: whether planes are fitted anew or stay as they are, and how often. Shapes that are
+// smaller afterwards are dissolved; in the loop, that is left to the next round, since they may still grow.
 struct Transfer {
   Planes planes;
   int maximum_rounds;

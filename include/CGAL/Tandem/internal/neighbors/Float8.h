@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Eight floats side by side, for filters whose close cases are decided in integers: last bits do not matter. SSE2 is
-// part of every x86-64; elsewhere plain loops do the same. Intrinsics stay, since the vector extensions of the compilers
-// make the search for neighbors slower.
+// part of every x86-64; elsewhere plain loops do the same. Intrinsics stay, since the vector extensions of the
+// compilers make the search for neighbors slower.
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_FLOAT8_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_FLOAT8_H

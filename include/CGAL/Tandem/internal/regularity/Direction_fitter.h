@@ -3,8 +3,8 @@
 //
 // Decides which shapes are parallel, and the direction of each group. Groups are clusters of the Gauss map, made
 // orthogonal by frames, and verified: bounds are in Verified_planes.h. Rejected shapes are clustered again within
-// smaller angles, level by level. The result is a list of groups; shapes are only read. See the manual, "Gauss Map Clustering" and "Verification and
-// Rollback".
+// smaller angles, level by level. The result is a list of groups; shapes are only read. See the manual, "Gauss Map
+// Clustering" and "Verification and Rollback".
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_FITTER_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_FITTER_H

@@ -3,7 +3,8 @@
 //
 // The regularity step: shapes become parallel, orthogonal and coplanar where verification accepts it (section 4 of the
 // paper). Directions are fixed first (Direction_fitter.h), then offsets (Coplanar_classes.h); Verified_planes.h decides
-// what is rejected. Input are moments and counts of misfits, the result is Relations. Neither labels nor shapes change here; rounds/regularize_shapes.h applies the result.
+// what is rejected. Input are moments and counts of misfits, the result is Relations. Neither labels nor shapes change
+// here; rounds/regularize_shapes.h applies the result.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which shapes touch: the edges of the neighbor graph between their points. Sets the interior bits of points, and clears
-// is_changed of shapes where only links of changed shapes are asked for; nothing else.
+// Which shapes touch: the edges of the neighbor graph between their points. Sets the interior bits of points, and
+// clears is_changed of shapes where only links of changed shapes are asked for; nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
