@@ -258,6 +258,20 @@ void test_eigen_system()
   check_eigen_system({1e20, 1, 0, 1e-20, 0, 1}, "graded matrix");
 }
 
+// The eigenvalues of a turned diagonal matrix are known.
+void test_bound_of_eigenvalues()
+{
+  const Vector u = unit({1, 2, 3}), v = unit(cross(u, {1, 0, 0})), w = cross(u, v);
+  const auto along = [](double s, const Vector& n) {
+    return Symmetric_matrix{s * n.x * n.x, s * n.x * n.y, s * n.x * n.z, s * n.y * n.y, s * n.y * n.z, s * n.z * n.z};
+  };
+  const Symmetric_matrix m = along(2, u) + along(5, v) + along(7e3, w);
+  CHECK(has_eigenvalues_above(m, 1.999));
+  for(const double value : {2.001, 4., 6., 7.1e3})
+    CHECK_AT(!has_eigenvalues_above(m, value), std::to_string(value));
+  CHECK(!has_eigenvalues_above({0, 0, 0, 0, 0, 0}, 0));
+}
+
 int main()
 {
   test_normals();
@@ -270,5 +284,6 @@ int main()
   test_carry();
   test_fit();
   test_eigen_system();
+  test_bound_of_eigenvalues();
   return report();
 }

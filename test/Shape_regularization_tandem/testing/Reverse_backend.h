@@ -20,7 +20,7 @@ struct Reverse_tag {};
 
 namespace internal {
 
-class Reverse_backend : public Host_memory {
+class Reverse_backend : public Host_operations<Reverse_backend> {
 public:
   static const char* name() { return "reverse"; }
 
@@ -68,30 +68,6 @@ public:
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
     for_each(ranges, [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
-  }
-
-  template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
-  {
-    return compact_on(*this, n, is_kept);
-  }
-
-  template <class T, class F>
-  Buffer<T> make_buffer(std::size_t n, F f)
-  {
-    return make_buffer_on<T>(*this, n, f);
-  }
-
-  template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
-  {
-    run_rounds_on(*this, maximum_rounds, items, rounds);
-  }
-
-  template <class T, class F>
-  Host_buffer<T> collect(std::size_t n, F f)
-  {
-    return collect_on<T>(*this, n, f);
   }
 
   template <class T>

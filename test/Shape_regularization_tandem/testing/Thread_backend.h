@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-class Thread_backend : public Host_memory {
+class Thread_backend : public Host_operations<Thread_backend> {
 public:
   explicit Thread_backend(unsigned threads = 3) : threads_(threads) {}
 
@@ -77,30 +77,6 @@ public:
     using Entry = Sort_table::Entry;
     std::reverse(table.begin(), table.end());
     std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
-  }
-
-  template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
-  {
-    return compact_on(*this, n, is_kept);
-  }
-
-  template <class T, class F>
-  Buffer<T> make_buffer(std::size_t n, F f)
-  {
-    return make_buffer_on<T>(*this, n, f);
-  }
-
-  template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
-  {
-    run_rounds_on(*this, maximum_rounds, items, rounds);
-  }
-
-  template <class T, class F>
-  Host_buffer<T> collect(std::size_t n, F f)
-  {
-    return collect_on<T>(*this, n, f);
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The memory of back ends whose functors run on the host. Their tables are what the host has, so access to them copies
-// nothing. Also compaction, which both of these back ends share.
+// nothing. Also the operations that such back ends share.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
@@ -155,6 +155,39 @@ private:
     if(n > 0)
       std::memcpy(target, source, n * sizeof(T));
   }
+};
+
+// The operations that are made of others in the same way on every back end of the host with several threads or another
+// order. Sequential_backend has them one by one, and says what they do.
+template <class Backend>
+class Host_operations : public Host_memory {
+public:
+  template <class T, class F>
+  auto make_buffer(std::size_t n, F f)
+  {
+    return make_buffer_on<T>(self(), n, f);
+  }
+
+  template <class F>
+  auto compact(std::size_t n, F is_kept)
+  {
+    return compact_on(self(), n, is_kept);
+  }
+
+  template <class T, class F>
+  auto collect(std::size_t n, F f)
+  {
+    return collect_on<T>(self(), n, f);
+  }
+
+  template <class Rounds>
+  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  {
+    run_rounds_on(self(), maximum_rounds, items, rounds);
+  }
+
+private:
+  Backend& self() { return static_cast<Backend&>(*this); }
 };
 
 } // namespace internal

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-class Tbb_backend : public Host_memory {
+class Tbb_backend : public Host_operations<Tbb_backend> {
 public:
   static const char* name() { return "parallel"; }
 
@@ -52,12 +52,6 @@ public:
       for(std::size_t i = first; i < last; ++i)
         f(i);
     });
-  }
-
-  template <class T, class F>
-  Buffer<T> make_buffer(std::size_t n, F f)
-  {
-    return make_buffer_on<T>(*this, n, f);
   }
 
   // The leader of a team sorts with its team: see Host_team.h.
@@ -91,24 +85,6 @@ public:
   {
     using Entry = Sort_table::Entry;
     sort_on_host(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
-  }
-
-  template <class F>
-  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
-  {
-    return compact_on(*this, n, is_kept);
-  }
-
-  template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
-  {
-    run_rounds_on(*this, maximum_rounds, items, rounds);
-  }
-
-  template <class T, class F>
-  Host_buffer<T> collect(std::size_t n, F f)
-  {
-    return collect_on<T>(*this, n, f);
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
