@@ -8,7 +8,7 @@
 
 #include "testing/body_fixture.h"
 
-#include <CGAL/Tandem/internal/finish/components.h>
+#include <CGAL/Tandem/internal/finish/relabel_components.h>
 
 #include <map>
 #include <set>
@@ -269,6 +269,27 @@ private:
     find_border(points);
     find_components(points, cell_size, f_.label.data(), component.data());
     check_lists(component, expected, name_ + ": components");
+    test_small_components(points, component);
+  }
+
+  // Points of components of less than three points become free; nothing else changes.
+  void test_small_components(Labeled_cloud<Backend>& points, const std::vector<std::uint32_t>& component)
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::uint32_t> label = f_.label, expected = f_.label;
+    std::vector<std::uint8_t> state(n, interior_bit | tried_seed_bit);
+    std::map<std::uint32_t, std::uint32_t> size; // by root
+    for(std::uint32_t i = 0; i < n; ++i)
+      size[component[i]] += f_.label[i] < first_mark;
+    for(std::uint32_t i = 0; i < n; ++i)
+      if(expected[i] < first_mark && size[component[i]] < 3)
+        expected[i] = free_label;
+    const auto sizes = component_sizes(points, label.data(), component.data());
+    backend_.for_each(
+      n, Free_small_components{component.data(), sizes.data(), 3, Labels_view{label.data(), state.data()}});
+    check_lists(label, expected, name_ + ": labels without small components");
+    CHECK_AT(label != f_.label, name_ + ": no component is small");
+    check_lists(state, std::vector<std::uint8_t>(n, tried_seed_bit), name_ + ": states without small components");
   }
 
   void test_sums()

@@ -104,16 +104,21 @@ void add_floor(Cloud& cloud, std::size_t points, double noise, Height height, Sl
 }
 
 // A least squares fit of the points that it explains holds x^2 < 3 / 2 epsilon / sag of a parabola. The largest shape
-// has nearly as many.
+// has nearly as many, on average: where the surface is cut first depends on the points.
 void test_bent_floor(double sag)
 {
-  Cloud cloud;
-  add_floor(
-    cloud, 30000, epsilon / 20, [&](double x) { return -sag * epsilon * x * x; },
-    [&](double x) { return -2 * sag * epsilon * x; });
-  const Shapes shapes = detect(cloud, make_parameters(epsilon, 200));
   const double fitted = std::sqrt((std::min)(1., 1.5 / sag));
-  const double share = shapes.number_of_shapes() == 0 ? 0 : double(shapes.points(0).size()) / double(cloud.size());
+  const std::size_t clouds = 6;
+  double share = 0;
+  for(std::size_t c = 0; c < clouds; ++c) {
+    Cloud cloud;
+    add_floor(
+      cloud, 30000 + c, epsilon / 20, [&](double x) { return -sag * epsilon * x * x; },
+      [&](double x) { return -2 * sag * epsilon * x; });
+    const Shapes shapes = detect(cloud, make_parameters(epsilon, 200));
+    if(shapes.number_of_shapes() > 0)
+      share += double(shapes.points(0).size()) / double(cloud.size() * clouds);
+  }
   CHECK_AT(share > .88 * fitted, "floor that sags by " + std::to_string(sag) + " epsilon: the largest shape has " +
                                    std::to_string(share) + " of the points, a fitted plane " + std::to_string(fitted));
 }
@@ -167,8 +172,7 @@ void test_noisy_layers()
                2 * c.second > (std::max)(size[face], shapes.points(shape).size());
     }
   }
-  CHECK_AT(double(found) > .78 * double(faces),
-           std::to_string(found) + " of " + std::to_string(faces) + " noisy faces");
+  CHECK_AT(double(found) > .9 * double(faces), std::to_string(found) + " of " + std::to_string(faces) + " noisy faces");
 }
 
 } // namespace

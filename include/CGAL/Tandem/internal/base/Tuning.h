@@ -209,11 +209,13 @@ namespace verification {
 // A relation is rolled back when so many points of a shape newly misfit. Smaller: more directions (.1: half as many
 // again); larger: coverage falls.
 constexpr double misfit_share = 0.2;
-// ... or, while shapes grow, when more points misfit than so many of the smallest shapes have: a plane that turns loses
-// a strip at either end. More: strips beside large faces; fewer: more directions. A strip has at least this share of
-// the shape, since a sample tells no less.
+// ... or when more points misfit than so many of the smallest shapes have: a plane that turns loses a strip at either
+// end. More: strips beside large faces, and free points; fewer: more directions.
 constexpr std::int64_t strips_of_turned_shape = 2;
+// A strip has at least this share of the shape: in the loop, since a sample tells no less; at the end, where nothing
+// grows beside the shape any more, since a relation is worth some points.
 constexpr double strip_share = 0.005;
+constexpr double strip_share_at_end = 0.05;
 // ... or when it adds more than this to the distance of the points, in epsilons (rms, in quadrature). Larger: false
 // parallels of faces turned by 4 to 7 degrees.
 constexpr double rms_share = 0.6;
@@ -350,6 +352,9 @@ namespace end_game {
 constexpr int consolidation_rounds = 2;
 constexpr Share kept_shapes = {49, 50};
 constexpr Share grown_points = {1001, 1000};
+// Share of the minimum size that a shape needs to last until planes are final: it may still get points. Larger: faces
+// near the minimum size are lost under noise. Smaller: more planes through clutter.
+constexpr Share lasting_size = {2, 3};
 // Rounds of label propagation; it ends when at most one point of so many has got a label in a round.
 constexpr std::size_t propagation_rounds = 16;
 constexpr std::size_t points_per_late_point = 100000;

@@ -75,6 +75,18 @@ struct Gather_components {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = {root[i], label[root[i]], size[root[i]]}; }
 };
 
+// By root: the number of labeled points of its component; 0 for all other entries.
+template <class Backend>
+typename Backend::template Buffer<std::uint32_t>
+component_sizes(Labeled_cloud<Backend>& points, const std::uint32_t* label, const std::uint32_t* component)
+{
+  typename Backend::template Buffer<std::uint32_t> size(points.cloud.size());
+  points.backend.for_each(size.size(), Fill{size.data(), 0});
+  points.backend.template for_each_cell<Count_scratch>(
+    points.number_of_cells(), Count_components<Backend>{points.cells.data(), label, component, size.data()});
+  return size;
+}
+
 // By falling number of points, then by position of the root: a total order, since roots differ.
 template <class Backend>
 std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
@@ -82,10 +94,7 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
-  typename Backend::template Buffer<std::uint32_t> size(n);
-  backend.for_each(n, Fill{size.data(), 0});
-  backend.template for_each_cell<Count_scratch>(
-    points.number_of_cells(), Count_components<Backend>{points.cells.data(), label, component, size.data()});
+  const auto size = component_sizes(points, label, component);
   const auto root = backend.compact(n, Is_large_root{label, component, size.data(), std::uint64_t(minimum_size)});
   typename Backend::template Buffer<Component> buffer(root.size());
   backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});

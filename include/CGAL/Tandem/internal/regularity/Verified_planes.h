@@ -30,7 +30,7 @@ class Verified_planes {
 public:
   Verified_planes(const Shape_fits& shapes, const Regularity_options& options, Verify& verify)
     : shapes(shapes), maximum_distance(options.maximum_distance), points_of_strips(options.points_of_strips),
-      verify(verify)
+      strip_share(options.strip_share), minimum_size(options.minimum_size), verify(verify)
   {
     accepted.resize(shapes.size());
     for_each(shapes.size(),
@@ -94,8 +94,9 @@ public:
       verify(selected, selected_planes, counts);
     for_each(selected.size(), [&](std::size_t a) {
       const double misfits = double(counts[a]), size = shapes[selected[a]].scatter.count;
-      const double strips = (std::max)(points_of_strips, tuning::verification::strip_share * size);
-      const bool is_rejected = misfits > (std::min)({limit.share * size, limit.points, strips});
+      const double strips = (std::max)(points_of_strips, strip_share * size);
+      const double spare = size >= minimum_size ? size - minimum_size : size;
+      const bool is_rejected = misfits > (std::min)({limit.share * size, limit.points, strips, spare});
       verdict[position[a]] = is_rejected ? rejected : still;
       if(!is_rejected)
         accepted[selected[a]] = selected_planes[a];
@@ -121,7 +122,7 @@ private:
   }
 
   const Shape_fits& shapes;
-  double maximum_distance, points_of_strips;
+  double maximum_distance, points_of_strips, strip_share, minimum_size;
   Verify& verify;
   Regular_planes accepted;
 };

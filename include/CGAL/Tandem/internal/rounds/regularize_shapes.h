@@ -151,8 +151,9 @@ Shape_relations find_relations(Labeled_cloud<Backend>& points, Shape_table<Backe
   Point_verifier<Backend> verify(points, shapes, options, ids);
   Regularity_options regularity = options.regularity;
   regularity.is_last = step.is_last;
-  if(!step.is_last)
-    regularity.points_of_strips = double(tuning::verification::strips_of_turned_shape * options.minimum_region_size);
+  regularity.points_of_strips = double(tuning::verification::strips_of_turned_shape * options.minimum_region_size);
+  regularity.strip_share = step.is_last ? tuning::verification::strip_share_at_end : tuning::verification::strip_share;
+  regularity.minimum_size = step.is_last ? double(options.minimum_region_size) : 0; // in the loop it grows again
   Shape_relations r;
   r.id = ids;
   r.relations = regularize(fits, is_excluded, regularity, verify);

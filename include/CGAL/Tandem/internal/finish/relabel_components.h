@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Small components go to the shapes around them. A component of less than the minimum number of points is no shape of
+// the result, and its points would be lost, though they may fit a neighbor. Changes labels, states and counts; planes
+// stay. See the manual, "Small Components".
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
+#define CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
+
+#include <CGAL/Tandem/internal/finish/components.h>
+#include <CGAL/Tandem/internal/finish/large_components.h>
+#include <CGAL/Tandem/internal/finish/propagate_labels.h>
+#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Points of small components are free. An item reads the size of its component and writes its own point, so points may
+// come in any order.
+struct Free_small_components {
+  const std::uint32_t* component;
+  const std::uint32_t* size; // by root
+  std::uint64_t minimum;
+  Labels_view labels;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    labels.state[i] &= std::uint8_t(~interior_bit);
+    if(labels.label[i] < first_mark && size[component[i]] < minimum)
+      labels.label[i] = free_label;
+  }
+};
+
+// Moments are those of the points at the end, and shapes of less than the minimum size are dropped.
+template <class Backend>
+void relabel_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+{
+  const std::size_t n = points.cloud.size();
+  {
+    typename Backend::template Buffer<std::uint32_t> component(n);
+    find_components(points, options.growth.cell_size, points.label.data(), component.data());
+    const auto size = component_sizes(points, points.label.data(), component.data());
+    points.backend.for_each(n, Free_small_components{component.data(), size.data(),
+                                                     std::uint64_t(options.minimum_region_size), points.labels()});
+  }
+  propagate_labels(points, shapes.plane, options.growth.tolerance);
+  recount(points, shapes);
+  drop_small(points, shapes, options.minimum_region_size);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
