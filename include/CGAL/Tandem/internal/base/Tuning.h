@@ -352,8 +352,8 @@ namespace end_game {
 constexpr int consolidation_rounds = 2;
 constexpr Share kept_shapes = {49, 50};
 constexpr Share grown_points = {1001, 1000};
-// Share of the minimum size that a shape needs to last until planes are final: it may still get points. Larger: faces
-// near the minimum size are lost under noise. Smaller: more planes through clutter.
+// Share of the minimum size that a shape needs to last until the reassignment: it may still get points. Larger: faces
+// near the minimum size are lost under noise. Smaller: strips beside faces that a relation has turned last, too.
 constexpr Share lasting_size = {2, 3};
 // Rounds of label propagation; it ends when at most one point of so many has got a label in a round.
 constexpr std::size_t propagation_rounds = 16;

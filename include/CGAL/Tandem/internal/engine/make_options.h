@@ -50,8 +50,10 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.maximum_distance = p.maximum_distance / step;
   o.squared_cosine = cosine * cosine;
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
-  o.minimum_regular_size = (std::min)(o.minimum_region_size, tuning::loop::minimum_regular_size);
-  o.minimum_related_size = (std::max)(o.minimum_regular_size, tuning::loop::related_share.of(o.minimum_region_size));
+  o.lasting_size = (std::max)(std::int64_t(3), tuning::end_game::lasting_size.of(o.minimum_region_size));
+  o.minimum_regular_size = (std::min)(o.lasting_size, tuning::loop::minimum_regular_size);
+  o.minimum_related_size = (std::max)((std::min)(o.minimum_region_size, tuning::loop::minimum_regular_size),
+                                      tuning::loop::related_share.of(o.minimum_region_size));
   o.minimum_fragment_size =
     (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_share.of(o.minimum_region_size));
   o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));

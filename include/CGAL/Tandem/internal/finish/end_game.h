@@ -103,13 +103,6 @@ void consolidate(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   }
 }
 
-// Shapes of fewer points are dropped before planes are final. Others may still get points; those that do not reach the
-// minimum size are dropped with the last labels.
-inline std::int64_t lasting_size(const Options& options)
-{
-  return tuning::end_game::lasting_size.of(options.minimum_region_size);
-}
-
 // One regularization of all shapes, with labels and shapes that follow from it. The moments have to be those of the
 // points before, and are afterwards. Returns the relations, by shape; `before` has those of the last such step, which
 // are kept where little has changed.
@@ -127,7 +120,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   detach_misfits(points, shapes, {all_shapes(shapes.size()), tolerance});
   propagate_labels(points, shapes.plane, tolerance);
   recount(points, shapes);
-  drop_small(points, shapes, lasting_size(options));
+  drop_small(points, shapes, options.lasting_size);
   return relations;
 }
 
@@ -185,12 +178,12 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
 {
   clear_interior(points);
   consolidate(points, shapes, options);
-  drop_small(points, shapes, lasting_size(options));
+  drop_small(points, shapes, options.lasting_size);
   const Shape_relations first = regularize_finally(points, shapes, options, round, {});
   const int rounds = tuning::transfer::maximum_rounds;
-  transfer_points(points, shapes, options, first, {Planes::may_change, rounds, lasting_size(options)});
+  transfer_points(points, shapes, options, first, {Planes::may_change, rounds, options.lasting_size});
   Shape_relations relations = regularize_finally(points, shapes, options, round, first);
-  transfer_points(points, shapes, options, relations, {Planes::are_fixed, rounds, lasting_size(options)});
+  transfer_points(points, shapes, options, relations, {Planes::are_fixed, rounds, options.lasting_size});
   clear_interior(points);
   reassign_to_larger(points, shapes, options);
   if(options.has_estimated_normals)

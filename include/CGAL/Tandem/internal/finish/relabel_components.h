@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Small components go to the shapes around them. A component of less than the minimum number of points is no shape of
-// the result, and its points would be lost, though they may fit a neighbor. Changes labels, states and counts; planes
-// stay. See the manual, "Small Components".
+// the result, and its points would be lost, though they may fit a neighbor. Changes labels, states and moments, and
+// drops shapes that are too small; planes stay. See the manual, "Small Components".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Points of small components are free. An item reads the size of its component and writes its own point, so points may
-// come in any order.
+// Points of small components become free. Interior bits are out of date after the stages before, and label propagation
+// relies on them, so all are cleared. An item writes its own point only, so points may come in any order.
 struct Free_small_components {
   const std::uint32_t* component;
   const std::uint32_t* size; // by root
@@ -33,7 +33,7 @@ struct Free_small_components {
   }
 };
 
-// Moments are those of the points at the end, and shapes of less than the minimum size are dropped.
+// Afterwards moments are right, and no shape is below the minimum size.
 template <class Backend>
 void relabel_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {

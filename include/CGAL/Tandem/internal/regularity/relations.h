@@ -39,10 +39,11 @@ struct Regularity_options {
   double maximum_distance;    // epsilon
   bool parallelism, orthogonality, coplanarity;
   bool is_last; // growth has ended: everything that is rejected is tried again, and leftovers join directions
-  // A relation may not cost a shape more points, whatever their share: they would grow again as strips beside it.
+  // The most misfits by which a shape accepts a relation, whatever their share: in the loop they would grow again as
+  // strips beside it. But never less than strip_share of its points.
   double points_of_strips = std::numeric_limits<double>::infinity();
-  double strip_share = 0;  // of a shape: what it may lose in any case
-  double minimum_size = 0; // nor may it cost so many that a shape of this size falls below it
+  double strip_share = 0;
+  double minimum_size = 0; // misfits may not leave less of a shape that has as many points
 
   // Whether `pending` of n shapes, rejected `tries` times, are tried again. That costs as much as for all shapes. So in
   // the loop few of them keep their local planes. Those rejected by points wait as after a rollback.
