@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Small components go to the shapes around them. A component of less than the minimum number of points is no shape of
-// the result, and its points would be lost, though they may fit a neighbor. Changes labels, states and moments, and
-// drops shapes that are too small; planes stay. See the manual, "Small Components".
+// the result, and its points would be lost, though they may fit a neighbor. Changes labels and states; planes stay. See
+// the manual, "Small Components".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
@@ -11,7 +11,7 @@
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/finish/large_components.h>
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
-#include <CGAL/Tandem/internal/shapes/update_shapes.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -33,9 +33,10 @@ struct Free_small_components {
   }
 };
 
-// Afterwards moments are right, and no shape is below the minimum size.
+// All shapes have to be of the minimum size. Afterwards each has it still, or no point at all. Moments are out of date.
 template <class Backend>
-void relabel_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+void relabel_small_components(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
+                              const Options& options)
 {
   const std::size_t n = points.cloud.size();
   {
@@ -46,8 +47,6 @@ void relabel_small_components(Labeled_cloud<Backend>& points, Shape_table<Backen
                                                      std::uint64_t(options.minimum_region_size), points.labels()});
   }
   propagate_labels(points, shapes.plane, options.growth.tolerance);
-  recount(points, shapes);
-  drop_small(points, shapes, options.minimum_region_size);
 }
 
 } // namespace internal
