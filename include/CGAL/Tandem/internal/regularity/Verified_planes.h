@@ -29,8 +29,7 @@ template <class Verify>
 class Verified_planes {
 public:
   Verified_planes(const Shape_fits& shapes, const Regularity_options& options, Verify& verify)
-    : shapes(shapes), maximum_distance(options.maximum_distance), points_of_strips(options.points_of_strips),
-      strip_share(options.strip_share), minimum_size(options.minimum_size), verify(verify)
+    : shapes(shapes), options(options), verify(verify)
   {
     accepted.resize(shapes.size());
     for_each(shapes.size(),
@@ -47,7 +46,7 @@ public:
   // Whether a direction adds too much to the distances of the points. It takes moments only, so it costs no count.
   bool is_too_far(int shape, const Vector& n) const
   {
-    const double allowed = tuning::verification::rms_share * maximum_distance;
+    const double allowed = tuning::verification::rms_share * options.maximum_distance;
     return added(shape, n) > allowed * allowed * shapes[shape].scatter.count;
   }
 
@@ -62,7 +61,7 @@ public:
   bool is_shifted_too_far(int shape, const Regular_plane& plane) const
   {
     return std::fabs(dot(plane.normal, shapes[shape].scatter.centroid) - plane.offset) >
-           tuning::verification::rms_share * maximum_distance;
+           tuning::verification::rms_share * options.maximum_distance;
   }
 
   // Tests candidates[k] against planes[k], with one call of the callback. Entry k of the result: whether it rejects the
@@ -74,7 +73,7 @@ public:
     std::vector<char> verdict(candidates.size());
     for_each(candidates.size(), [&](std::size_t k) {
       const int i = candidates[k];
-      const bool is_still = motion(i, planes[k]) <= tuning::verification::still_share * maximum_distance;
+      const bool is_still = motion(i, planes[k]) <= tuning::verification::still_share * options.maximum_distance;
       verdict[k] = is_shifted_too_far(i, planes[k]) ? rejected : is_still ? still : open;
     });
     std::vector<int> selected;
@@ -93,10 +92,7 @@ public:
     if(!selected.empty())
       verify(selected, selected_planes, counts);
     for_each(selected.size(), [&](std::size_t a) {
-      const double misfits = double(counts[a]), size = shapes[selected[a]].scatter.count;
-      const double strips = (std::max)(points_of_strips, strip_share * size);
-      const double spare = size >= minimum_size ? size - minimum_size : size;
-      const bool is_rejected = misfits > (std::min)({limit.share * size, limit.points, strips, spare});
+      const bool is_rejected = double(counts[a]) > maximum_misfits(shapes[selected[a]].scatter.count, limit);
       verdict[position[a]] = is_rejected ? rejected : still;
       if(!is_rejected)
         accepted[selected[a]] = selected_planes[a];
@@ -107,6 +103,14 @@ public:
   }
 
 private:
+  // The largest number of misfits with which a shape of so many points accepts a plane.
+  double maximum_misfits(double size, const Misfit_limit& limit) const
+  {
+    const double strips = (std::max)(options.points_of_strips, options.strip_share * size);
+    const double spare = size >= options.minimum_size ? size - options.minimum_size : size;
+    return (std::min)({limit.share * size, limit.points, strips, spare});
+  }
+
   // A bound on the distance between the plane and the accepted one, within two standard deviations of the shape. They
   // are taken along its longest axis.
   double motion(int shape, const Regular_plane& plane) const
@@ -122,7 +126,7 @@ private:
   }
 
   const Shape_fits& shapes;
-  double maximum_distance, points_of_strips, strip_share, minimum_size;
+  const Regularity_options& options;
   Verify& verify;
   Regular_planes accepted;
 };
