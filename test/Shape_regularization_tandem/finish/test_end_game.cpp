@@ -63,7 +63,7 @@ void test_free_points()
   std::iota(index.begin(), index.end(), std::size_t(0));
   const Point_of point_of = CGAL::make_property_map(static_cast<const std::vector<Kernel::Point_3>&>(point));
   Search::Tree tree(index.begin(), index.end(), Search::Splitter(), Traits(point_of));
-  const double cosine = std::cos(parameters.maximum_angle * .017453292519943295);
+  const double cosine = CGAL::Tandem::internal::cosine_deg(parameters.maximum_angle);
   std::size_t free = 0, near = 0;
   for(std::size_t i = 0; i < cloud.size(); ++i) {
     if(shapes.shape_index(i) >= 0)

@@ -8,7 +8,7 @@
 
 #include "testing/body_fixture.h"
 
-#include <CGAL/Tandem/internal/finish/relabel_components.h>
+#include <CGAL/Tandem/internal/finish/end_game.h>
 
 #include <map>
 #include <set>
@@ -272,7 +272,7 @@ private:
     test_small_components(points, component);
   }
 
-  // Points of components of less than three points become free; nothing else changes.
+  // Points of components of less than three points become free; before that, interior bits are cleared, and no others.
   void test_small_components(Labeled_cloud<Backend>& points, const std::vector<std::uint32_t>& component)
   {
     const std::uint32_t n = f_.cloud.size;
@@ -285,8 +285,8 @@ private:
       if(expected[i] < first_mark && size[component[i]] < 3)
         expected[i] = free_label;
     const auto sizes = component_sizes(points, label.data(), component.data());
-    backend_.for_each(
-      n, Free_small_components{component.data(), sizes.data(), 3, Labels_view{label.data(), state.data()}});
+    backend_.for_each(n, Clear_interior{state.data()});
+    backend_.for_each(n, Free_small_components{component.data(), sizes.data(), 3, label.data()});
     check_lists(label, expected, name_ + ": labels without small components");
     CHECK_AT(label != f_.label, name_ + ": no component is small");
     check_lists(state, std::vector<std::uint8_t>(n, tried_seed_bit), name_ + ": states without small components");

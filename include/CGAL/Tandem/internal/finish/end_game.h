@@ -188,6 +188,7 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   reassign_to_larger(points, shapes, options);
   if(options.has_estimated_normals)
     sharpen_edges(points, shapes, options);
+  clear_interior(points);
   relabel_small_components(points, shapes, options);
   return relations;
 }

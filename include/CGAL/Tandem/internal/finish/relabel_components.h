@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Small components go to the shapes around them. A component of less than the minimum number of points is no shape of
-// the result, and its points would be lost, though they may fit a neighbor. Changes labels and states; planes stay. See
-// the manual, "Small Components".
+// the result, and its points would be lost, though they may fit a neighbor. Changes labels, and interior bits of points
+// that get one; planes stay. See the manual, "Small Components".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_RELABEL_COMPONENTS_H
@@ -11,40 +11,40 @@
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/finish/large_components.h>
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Points of small components become free. Interior bits are out of date after the stages before, and label propagation
-// relies on them, so all are cleared. An item writes its own point only, so points may come in any order.
+// Points of small components become free. An item writes its own label only, so points may come in any order.
 struct Free_small_components {
   const std::uint32_t* component;
   const std::uint32_t* size; // by root
   std::uint64_t minimum;
-  Labels_view labels;
+  std::uint32_t* label;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    labels.state[i] &= std::uint8_t(~interior_bit);
-    if(labels.label[i] < first_mark && size[component[i]] < minimum)
-      labels.label[i] = free_label;
+    if(label[i] < first_mark && size[component[i]] < minimum)
+      label[i] = free_label;
   }
 };
 
-// All shapes have to be of the minimum size. Afterwards each has it still, or no point at all. Moments are out of date.
+// All shapes have to be of the minimum size, and interior bits have to be clear. Afterwards each shape has that size
+// still, or no point at all. Moments are out of date.
 template <class Backend>
 void relabel_small_components(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
                               const Options& options)
 {
   const std::size_t n = points.cloud.size();
-  {
+  { // these buffers are released before the labels are propagated, which needs memory itself
     typename Backend::template Buffer<std::uint32_t> component(n);
     find_components(points, options.growth.cell_size, points.label.data(), component.data());
     const auto size = component_sizes(points, points.label.data(), component.data());
     points.backend.for_each(n, Free_small_components{component.data(), size.data(),
-                                                     std::uint64_t(options.minimum_region_size), points.labels()});
+                                                     std::uint64_t(options.minimum_region_size), points.label.data()});
   }
   propagate_labels(points, shapes.plane, options.growth.tolerance);
 }
