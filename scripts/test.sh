@@ -161,7 +161,7 @@ run_asan()
 run_tsan()
 {
   configuration tsan 'threads|program|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF \
-    "-DTANDEM_TESTS=test_(host_team|thread_backend|bad_input)" "-DTANDEM_EXAMPLES=$examples" \
+    "-DTANDEM_TESTS=test_(thread_backend|bad_input)" "-DTANDEM_EXAMPLES=$examples" \
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
 }
 

@@ -1,21 +1,21 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the steps before and after the loop are made of, against naive versions, on
-// several back ends: compaction, the order along the curve, cells, the border, sums
-// of shapes, sizes of components, the exact check, what is measured and handed over.
+// The operations of back ends, and what the steps before and after the loop are made of,
+// against naive versions, on several back ends: loops, compaction, collection, sums, buffers;
+// the order along the curve, cells, the border, sums of shapes, sizes of components, the exact
+// check, what is measured and handed over.
 
 #undef NDEBUG
 
+#include "testing/Reverse_backend.h"
+#include "testing/backend_operations.h"
 #include "testing/block_searches.h"
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
 #include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
-
-#include <map>
-#include <set>
 
 using namespace CGAL::Tandem::internal;
 
@@ -27,7 +27,6 @@ public:
   void run()
   {
     test_searches();
-    test_compact();
     test_order();
     test_border();
     test_deltas();
@@ -38,10 +37,13 @@ public:
   }
 
 private:
-  template <class Buffer>
-  static std::vector<std::uint32_t> to_vector(const Buffer& buffer)
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+  template <class T>
+  std::vector<T> read(const Buffer<T>& buffer)
   {
-    return std::vector<std::uint32_t>(buffer.begin(), buffer.end());
+    return to_vector(backend_, buffer.data(), buffer.size());
   }
 
   void test_searches()
@@ -50,19 +52,6 @@ private:
       for(std::uint32_t most : search_sizes)
         CHECK_AT(count_wrong_searches(backend_, start, most) == 0,
                  name_ + ": searches from " + std::to_string(start) + " on for " + std::to_string(most) + " items");
-  }
-
-  void test_compact()
-  {
-    for(std::uint32_t n : {0u, 1u, 16384u, 16385u, 50000u})
-      for(std::uint32_t step : {1u, 3u, 20000u, 100000u}) {
-        std::vector<std::uint32_t> expected;
-        for(std::uint32_t i = 0; i < n; ++i)
-          if(i % step == step - 1)
-            expected.push_back(i);
-        const auto kept = backend_.compact(n, [step](std::uint32_t i) { return i % step == step - 1; });
-        check_lists(to_vector(kept), expected, name_ + ": compact");
-      }
   }
 
   // Many points of one code: each point 1 to 4 times, and the points between far outliers.
@@ -122,7 +111,7 @@ private:
     take_cloud(f_, points);
     find_border(points);
     const auto& border = points.border;
-    check_lists(to_vector(border.point), expected, name_ + ": border");
+    check_lists(read(border.point), expected, name_ + ": border");
     for(std::size_t c = 0; c < f_.cells.size(); ++c)
       for(std::uint32_t b = border.range[c].first; b < border.range[c].last; ++b)
         CHECK_AT(border.point[b] >= f_.cells[c].first && border.point[b] < f_.cells[c].last,
@@ -130,29 +119,43 @@ private:
     CHECK_AT(border.range[f_.cells.size() - 1].last == expected.size(), name_ + ": border of the last cell");
   }
 
-  // Twice: what has been taken is zero again.
+  // Twice: what has been added to the shapes is zero again.
   void test_deltas()
   {
     Shape_table<Backend> shapes;
-    shapes.shape.resize(backend_, f_.plane.size() + 5);
-    std::map<std::uint32_t, std::int64_t> expected, got;
-    for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
-      if(f_.label[i] < first_mark)
-        expected[f_.label[i]] -= 1;
+    shapes.size = f_.plane.size() + 5;
+    shapes.shape = filled_buffer(backend_, shapes.size, Shape());
+    std::vector<Shared_moments> expected(shapes.size);
     for(int pass = 0; pass < 2; ++pass) {
-      Shared_moments* sums = start_deltas(backend_, shapes, shapes.size());
-      for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
-        if(f_.label[i] < first_mark)
-          add_point(sums[f_.label[i]], f_.point[i], -1);
-      got.clear();
-      std::uint32_t last = 0;
-      for(const Shape_delta& delta : take_deltas(backend_, shapes, shapes.size())) {
-        CHECK_AT(got.empty() || delta.id > last, name_ + ": order of deltas");
-        got[last = delta.id] = delta.sums.count;
+      const std::string where = name_ + ": deltas of pass " + std::to_string(pass);
+      std::vector<char> is_any_expected(shapes.size, 0);
+      for(Shape& shape : shapes.shape)
+        shape.is_dirty = false;
+      Shared_moments* sums = start_deltas(backend_, shapes, shapes.size);
+      for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+        const std::uint32_t s = f_.label[i];
+        if(s >= first_mark || (pass == 1 && s % 3 == 0))
+          continue;
+        is_any_expected[s] = 1;
+        add_point(sums[s], f_.point[i], -1);
+        add_point(expected[s], f_.point[i], -1);
       }
-      CHECK_AT(got == expected && !got.empty(), name_ + ": deltas of pass " + std::to_string(pass));
+      const std::size_t number = std::size_t(std::count(is_any_expected.begin(), is_any_expected.end(), 1));
+      check_equal(count_deltas(backend_, shapes), number, where);
+      add_deltas(backend_, shapes);
+      check_equal(count_deltas(backend_, shapes), 0u, where + ", added");
+      CHECK_AT(number > 0, where + ": there are none");
+      std::vector<Shared_moments> got(shapes.size);
+      for(std::size_t s = 0; s < shapes.size; ++s) {
+        atomic_add<Sequential_backend>(got[s], shapes.shape[s].moments, shapes.shape[s].box);
+        CHECK_AT(shapes.shape[s].is_dirty == (is_any_expected[s] != 0), where + ": shapes to be fitted");
+      }
+      check_moments(got, expected, where);
     }
-    CHECK_AT(take_deltas(backend_, shapes, shapes.size()).size() == 0, name_ + ": deltas without a pass");
+    const std::size_t more = 2 * shapes.delta.size();
+    const Shared_moments* const sums = start_deltas(backend_, shapes, more);
+    CHECK_AT(shapes.delta.size() >= more, name_ + ": room for deltas");
+    CHECK_AT(std::none_of(sums, sums + more, is_any), name_ + ": deltas that are not zero");
   }
 
   void test_component_sizes()
@@ -284,10 +287,26 @@ void test_values()
     }
 }
 
+template <class Backend>
+void test_operations(Backend backend)
+{
+  for(const std::string& wrong : Backend_operations<Backend>(backend).run())
+    CHECK_AT(false, backend.name() + std::string(": ") + wrong);
+}
+
 int main()
 {
+  test_operations(Sequential_backend());
+  test_operations(Reverse_backend());
+  for(unsigned threads : {2u, 8u})
+    test_operations(Thread_backend(threads));
+#ifdef CGAL_LINKED_WITH_TBB
+  test_operations(Tbb_backend());
+#endif
+  test_operations(Shuffled_backend());
   test_values<float>();
   test_values<double>();
   test_on_all_backends<Backend_steps>();
+  test_on<Backend_steps>(Reverse_backend());
   return report();
 }

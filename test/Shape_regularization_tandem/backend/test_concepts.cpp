@@ -56,11 +56,9 @@ TANDEM_WITHOUT(Is_block, Block, add_moments);
 TANDEM_WITHOUT(Is_block, Block, add_box);
 TANDEM_WITHOUT(Is_backend, Backend, keeps_pages);
 TANDEM_WITHOUT(Is_backend, Backend, name);
-TANDEM_WITHOUT(Is_backend, Backend, read_access);
-TANDEM_WITHOUT(Is_backend, Backend, read_write_access);
-TANDEM_WITHOUT(Is_backend, Backend, write_access);
+TANDEM_WITHOUT(Is_backend, Backend, concurrency);
+TANDEM_WITHOUT(Is_backend, Backend, make_buffer);
 TANDEM_WITHOUT(Is_backend, Backend, to_host);
-TANDEM_WITHOUT(Is_backend, Backend, from_host);
 TANDEM_WITHOUT(Is_backend, Backend, wait);
 TANDEM_WITHOUT(Is_backend, Backend, for_each);
 TANDEM_WITHOUT(Is_backend, Backend, for_each_cell);
@@ -68,8 +66,9 @@ TANDEM_WITHOUT(Is_backend, Backend, sort);
 TANDEM_WITHOUT(Is_backend, Backend, sort_ranges);
 TANDEM_WITHOUT(Is_backend, Backend, compact);
 TANDEM_WITHOUT(Is_backend, Backend, collect);
+TANDEM_WITHOUT(Is_backend, Backend, sum);
+TANDEM_WITHOUT(Is_backend, Backend, run_rounds);
 TANDEM_WITHOUT(Is_backend, Backend, for_each_on_host);
-TANDEM_WITHOUT(Is_backend, Backend, sort_on_host);
 TANDEM_WITHOUT(Is_backend, Backend, atomic_add);
 TANDEM_WITHOUT(Is_backend, Backend, atomic_min);
 TANDEM_WITHOUT(Is_backend, Backend, atomic_max);
@@ -85,13 +84,41 @@ struct Other_sort_table : archetypes::Backend {
 };
 static_assert(!Is_backend<Other_buffer>::value && !Is_backend<Other_sort_table>::value, "tables");
 
+// Operations that lack an argument, or return what is on the host.
+struct Without_grain : archetypes::Backend {
+  template <class F>
+  void for_each(std::size_t, F)
+  {}
+};
+struct Collects_on_host : archetypes::Backend {
+  template <class T, class F>
+  Host_buffer<T> collect(std::size_t, F)
+  {
+    return {};
+  }
+};
+struct Sums_to_buffer : archetypes::Backend {
+  template <int N, class F>
+  archetypes::Buffer<std::int64_t> sum(std::size_t, F)
+  {
+    return {};
+  }
+};
+struct Without_large_exchange : archetypes::Backend {
+  static std::uint32_t atomic_exchange_if(std::uint32_t& target, std::uint32_t, std::uint32_t) { return target; }
+};
+static_assert(!Is_backend<Without_grain>::value && !Is_backend<Collects_on_host>::value &&
+                !Is_backend<Sums_to_buffer>::value && !Is_backend<Without_large_exchange>::value,
+              "operations");
+
 struct Without_pieces : Sequential_backend {
   Nothing_callable for_each_piece;
 };
 static_assert(Is_backend<Without_pieces>::value && !Is_host_backend<Without_pieces>::value, "for_each_piece");
 
 // The archetype replaces the stages that need memory of the host; who replaces nothing has no flag set.
-static_assert(Stage_overrides<archetypes::Backend>::groups_points && !Stage_overrides<archetypes::Backend>::sums_links,
+static_assert(Stage_overrides<archetypes::Backend>::groups_points &&
+                !Stage_overrides<archetypes::Backend>::expects_cells,
               "overrides of the archetype");
 static_assert(!Stage_overrides<Sequential_backend>::finds_neighbors &&
                 !Stage_overrides<Sequential_backend>::groups_points,

@@ -29,7 +29,7 @@ int main()
       for(std::uint32_t most : search_sizes) {
         Cuda_backend cuda;
         if(is_expected)
-          cuda.expect_cells(expected);
+          cuda.expect_cells(to_buffer(cuda, expected));
         const int wrong = count_wrong_searches(cuda, start, most);
         if(wrong != 0)
           std::fprintf(stderr, "%d searches from %u on for %u items differ\n", wrong, start, most);

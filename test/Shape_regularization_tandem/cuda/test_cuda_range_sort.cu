@@ -5,6 +5,7 @@
 
 #undef NDEBUG
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
 
 #include <algorithm>
@@ -28,13 +29,10 @@ bool is_sorted_alike(const std::vector<std::uint32_t>& sizes, std::uint64_t keys
     k = random() % 10 == 0 ? ~std::uint64_t(0) : random() % keys;
 
   Cuda_backend cuda;
-  Device_buffer<std::uint64_t> keys_there(key.size());
-  Device_buffer<Range> ranges_there(ranges.size());
-  cuda.from_host(key.data(), key.size(), keys_there.data());
-  cuda.from_host(ranges.data(), ranges.size(), ranges_there.data());
+  Device_buffer<std::uint64_t> keys_there = to_buffer(cuda, key);
+  const Device_buffer<Range> ranges_there = to_buffer(cuda, ranges);
   cuda.sort_ranges(keys_there.data(), ranges_there.data(), ranges.size(), key.size(), largest);
-  std::vector<std::uint64_t> sorted(key.size());
-  cuda.to_host(keys_there.data(), sorted.size(), sorted.data());
+  const std::vector<std::uint64_t> sorted = to_vector(cuda, keys_there.data(), key.size());
 
   for(const Range& r : ranges)
     std::sort(key.begin() + r.first, key.begin() + r.last);

@@ -94,18 +94,23 @@ cudaError_t cudaGetDriverEntryPoint(const char*, void**, unsigned long long, cud
 
 } // extern "C"
 
+void copy_to_device(int source, int* target)
+{
+  CGAL::Tandem::internal::make_on_device(
+    1, [&](std::size_t) { return source; }, target);
+}
+
 // As after the constructor of an engine that throws: nobody waits for the first device before the second one is used.
 void test_devices_in_turns()
 {
-  using CGAL::Tandem::internal::copy_to_device;
   using CGAL::Tandem::internal::synchronize;
   const int source[2] = {1, 2};
   int target[2] = {0, 0};
   cudaSetDevice(0);
-  copy_to_device(&source[0], 1, &target[0]);
+  copy_to_device(source[0], &target[0]);
   cudaSetDevice(1);
   synchronize();
-  copy_to_device(&source[1], 1, &target[1]);
+  copy_to_device(source[1], &target[1]);
   synchronize();
   cudaSetDevice(0);
   check_equal(target[0], 0, "what has not been waited for");
@@ -117,13 +122,12 @@ void test_devices_in_turns()
 // A thread that ends waits on both devices, since its pinned memory goes to the next one.
 void test_end_of_thread()
 {
-  using CGAL::Tandem::internal::copy_to_device;
   const int source[2] = {3, 4};
   int target[2] = {0, 0};
   std::thread([&] {
     for(int device = 0; device < 2; ++device) {
       cudaSetDevice(device);
-      copy_to_device(&source[device], 1, &target[device]);
+      copy_to_device(source[device], &target[device]);
     }
   }).join();
   check_equal(target[0], 3, "copy to the first device of a thread that has ended");

@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The whole method on Shuffled_backend: after each round, and at the end, the bits
-// of the sequential one. A difference is reported with the round in which it comes up.
+// The whole method on Late_backend, which shuffles, and works as late as it may: after each
+// round, and at the end, the bits of the sequential one. A difference is reported with the
+// round in which it comes up.
 //   test_shuffled_engine [SEED]   or only that random case, to try it again
 
 #undef NDEBUG
-#define CGAL_TANDEM_POISONS_MEMORY // see Unset_vector.h
+#define CGAL_TANDEM_POISONS_MEMORY // see Host_buffer.h
 
-#include "testing/Shuffled_block.h"
+#include "testing/Late_backend.h"
 #include "testing/patches_cloud.h"
 #include "testing/random_case.h"
 
@@ -21,7 +22,7 @@ using Sequential_traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, Point_map
 
 template <class Normal_map>
 struct Shuffled_traits : Sequential_traits<Normal_map> {
-  using Backend = CGAL::Tandem::internal::Shuffled_backend;
+  using Backend = CGAL::Tandem::internal::Late_backend;
   using Engine = CGAL::Tandem::internal::Engine<Backend>;
   explicit Shuffled_traits(std::uint64_t seed = 1) : seed(seed) {}
   Backend backend() const { return Backend(seed); }

@@ -26,10 +26,15 @@ public:
   {
     test_proposals();
     test_rounds();
-    test_reassignment();
+    test_propagation();
+    test_reassignment(false);
+    test_reassignment(true);
     test_take_chosen();
+    test_take_chosen_of_shapes();
     test_components();
-    test_sums();
+    for(std::uint32_t parts : {1u, 3u, 16u})
+      test_sums(parts);
+    test_recount();
   }
 
 private:
@@ -167,6 +172,26 @@ private:
     }
   }
 
+  // The whole of it, with the numbers of rounds and of points of the end game.
+  void test_propagation()
+  {
+    const std::uint32_t n = f_.cloud.size;
+    std::vector<std::uint32_t> sparse(n, free_label);
+    for(std::uint32_t i = 0; i < n; i += 61)
+      sparse[i] = f_.label[i];
+    Labeled_cloud<Backend> points(backend_);
+    take_cloud(f_, points);
+    points.label = to_buffer(backend_, sparse);
+    points.state = filled_buffer(backend_, n, std::uint8_t(tried_seed_bit));
+    Shape_table<Backend> shapes;
+    shapes.size = f_.plane.size();
+    shapes.plane = to_buffer(backend_, f_.plane);
+    propagate_labels(points, shapes, f_.tolerance);
+    std::vector<std::uint32_t> expected = sparse;
+    propagate_naively(expected, tuning::end_game::propagation_rounds, n / tuning::end_game::points_per_late_point);
+    check_lists(to_vector(backend_, points.label.data(), n), expected, name_ + ": propagation");
+  }
+
   // The distance of two planes along their normals, where they are nearest to a point.
   std::int64_t distance_of_planes(std::uint32_t s, std::uint32_t t, std::uint32_t i) const
   {
@@ -176,28 +201,35 @@ private:
     return std::abs(cosine < 0 ? e + f : e - f);
   }
 
-  // The largest of the shapes that are no layers beside the nearest one.
-  void test_reassignment()
+  // The largest of the shapes that are no layers beside the nearest one. Interior points stay, and points become
+  // interior if that is asked for.
+  void test_reassignment(bool marks_interior)
   {
     const std::uint32_t n = f_.cloud.size;
-    std::vector<std::int64_t> size;
-    std::vector<std::uint8_t> may_lose, may_receive, state(n, 0);
-    for(std::size_t s = 0; s < f_.plane.size(); ++s) {
-      size.push_back(std::int64_t(s * 7 % 10));
+    std::vector<Shape> shape(f_.plane.size());
+    std::vector<std::uint8_t> may_lose, state(n, 0);
+    for(std::size_t s = 0; s < shape.size(); ++s) {
+      shape[s].moments.count = std::int64_t(s * 7 % 10);
       may_lose.push_back(s % 3 != 0);
-      may_receive.push_back(s % 4 != 0);
     }
+    for(std::uint32_t i = 0; i < n; i += 9)
+      state[i] = interior_bit | tried_seed_bit;
+    std::vector<std::uint8_t> expected_state = state;
     std::vector<std::uint32_t> chosen(n), expected = f_.label;
     for(std::uint32_t i = 0; i < n; ++i) {
       const std::uint32_t own = f_.label[i];
-      if(own >= first_mark || !may_lose[own])
-        continue;
+      bool is_inside = own < first_mark;
       std::set<std::uint32_t> shapes = {own};
       f_.for_each_neighbor(i, [&](std::uint32_t q) {
         const std::uint32_t t = f_.label[q];
-        if(t < first_mark && may_receive[t] && f_.fits(t, i))
+        is_inside = is_inside && t == own;
+        if(t < first_mark && f_.fits(t, i))
           shapes.insert(t);
       });
+      if(marks_interior && is_inside)
+        expected_state[i] |= interior_bit;
+      if(own >= first_mark || !may_lose[own] || i % 9 == 0)
+        continue;
       std::set<std::pair<std::int64_t, std::uint32_t>> nearest, choice;
       for(std::uint32_t t : shapes)
         nearest.emplace(f_.distance(t, i), t);
@@ -205,12 +237,14 @@ private:
       for(std::uint32_t t : shapes)
         if(std::int64_t(f_.distance(t, i)) <= least + epsilon / 4 ||
            10 * distance_of_planes(nearest.begin()->second, t, i) <= 9 * epsilon)
-          choice.emplace(-size[t], t);
+          choice.emplace(-shape[t].moments.count, t);
       expected[i] = choice.begin()->second;
     }
-    backend_.for_each(n, Choose_largest{f_.cloud, f_.label.data(), state.data(), f_.plane.data(), size.data(),
-                                        may_lose.data(), may_receive.data(), chosen.data(), f_.tolerance});
+    backend_.for_each(n, Choose_largest{f_.cloud, f_.label.data(), state.data(), f_.plane.data(), shape.data(),
+                                        may_lose.data(), chosen.data(), f_.tolerance, marks_interior});
     check_lists(chosen, expected, name_ + ": reassignment");
+    check_lists(state, expected_state, name_ + ": states after a reassignment");
+    CHECK_AT(n < 100 || chosen != f_.label, name_ + ": nothing is reassigned");
   }
 
   // Every third point goes to the next shape.
@@ -233,6 +267,54 @@ private:
     check_lists(label, chosen, name_ + ": labels that were chosen");
     check_lists(state, expected_state, name_ + ": states of points that change");
     check_moments(change, expected, name_ + ": points that change");
+  }
+
+  // The same points, with the table of shapes. Boxes do not shrink; then nothing changes any more.
+  void test_take_chosen_of_shapes()
+  {
+    Labeled_cloud<Backend> points(backend_);
+    take_cloud(f_, points);
+    points.label = to_buffer(backend_, f_.label);
+    points.state = to_buffer(backend_, f_.state);
+    std::vector<std::uint32_t> chosen = f_.label;
+    std::vector<Shape> shape(f_.plane.size());
+    std::vector<Shared_moments> expected(shape.size());
+    std::vector<char> is_other(shape.size(), 0);
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const std::uint32_t s = f_.label[i];
+      if(s >= first_mark)
+        continue;
+      shape[s].moments.add(f_.point[i], 1);
+      shape[s].box.add(f_.point[i]);
+      expected[s].box.add(f_.point[i]);
+      chosen[i] = i % 3 == 0 ? (s + 1) % std::uint32_t(shape.size()) : s;
+      add_point(expected[chosen[i]], f_.point[i], 1);
+      if(chosen[i] != s)
+        is_other[s] = is_other[chosen[i]] = 1;
+    }
+    for(Shape& s : shape)
+      s.is_dirty = false;
+    Shape_table<Backend> shapes;
+    shapes.size = shape.size();
+    shapes.shape = to_buffer(backend_, shape);
+    const bool is_any = chosen != f_.label;
+    check_equal(take_chosen(points, shapes, chosen.data()), is_any, name_ + ": whether any label has changed");
+    check_lists(to_vector(backend_, points.label.data(), points.label.size()), chosen, name_ + ": chosen labels");
+    check_shapes(shapes, expected, name_ + ": shapes of chosen labels");
+    for(std::size_t s = 0; s < shape.size(); ++s)
+      check_equal(shapes.shape[s].is_dirty, is_other[s] != 0, name_ + ": shapes to be fitted");
+    CHECK_AT(!take_chosen(points, shapes, chosen.data()), name_ + ": labels that are chosen already");
+    check_shapes(shapes, expected, name_ + ": shapes of the same labels");
+  }
+
+  void check_shapes(const Shape_table<Backend>& shapes, const std::vector<Shared_moments>& expected,
+                    const std::string& name)
+  {
+    std::vector<Shared_moments> got(shapes.size);
+    for(std::size_t s = 0; s < shapes.size; ++s)
+      atomic_add<Sequential_backend>(got[s], shapes.shape[s].moments, shapes.shape[s].box);
+    check_moments(got, expected, name);
+    CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), name + ": deltas that stay");
   }
 
   // By repeated propagation of the smallest position.
@@ -292,15 +374,47 @@ private:
     check_lists(state, std::vector<std::uint8_t>(n, tried_seed_bit), name_ + ": states without small components");
   }
 
-  void test_sums()
+  // Cells are in parts.
+  void test_sums(std::uint32_t parts)
   {
     std::vector<Shared_moments> sum(f_.plane.size()), expected(f_.plane.size());
     for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
       if(f_.label[i] < first_mark)
         add_point(expected[f_.label[i]], f_.point[i], 1);
     backend_.template for_each_cell<Moment_table>(
-      f_.cells.size(), Sum_moments<Backend>{f_.cloud, f_.cells.data(), f_.label.data(), sum.data()});
+      f_.cells.size() * parts, Sum_moments<Backend>{f_.cloud, f_.parts_view(parts), f_.label.data(), sum.data()});
     check_moments(sum, expected, name_ + ": sums");
+  }
+
+  // Moments and boxes that were wrong are those of the labels, also of shapes that have no point any more.
+  void test_recount()
+  {
+    Labeled_cloud<Backend> points(backend_);
+    take_cloud(f_, points);
+    points.label = to_buffer(backend_, f_.label);
+    points.cell_shapes.reset(f_.cells.size());
+    std::vector<Shape> shape(f_.plane.size() + 3);
+    std::vector<Shared_moments> expected(shape.size());
+    for(Shape& s : shape) {
+      s.moments.add({1 << 28, 5, 6, no_normal}, 1);
+      s.box.add(Grid_point{1 << 28, 5, 6, no_normal});
+    }
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+      if(f_.label[i] < first_mark)
+        add_point(expected[f_.label[i]], f_.point[i], 1);
+    Shape_table<Backend> shapes;
+    shapes.size = shape.size();
+    shapes.shape = to_buffer(backend_, shape);
+    recount(points, shapes);
+    for(std::size_t s = 0; s < shape.size(); ++s)
+      if(expected[s].count == 0) // the box of no points does not matter
+        expected[s].box = shapes.shape[s].box;
+    check_shapes(shapes, expected, name_ + ": shapes that are counted again");
+    CHECK_AT(!shapes.shape[shape.size() - 1].is_live(), name_ + ": a shape without points");
+    const std::uint32_t overflown = Cell_shapes::capacity + 1; // or more
+    for(std::size_t c = 0; c < f_.cells.size(); ++c)
+      check_equal((std::min)(points.cell_shapes[c].size, overflown), (std::min)(f_.lists[c].size, overflown),
+                  name_ + ": lists of cells");
   }
 
   Backend& backend_;

@@ -1,22 +1,18 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tables of the host: pages that are kept, tables that grow, tables that are shared, lists that are parted.
+// Tables of the host: pages that are kept, tables that are shared, memory that is filled for tests.
 
 #undef NDEBUG
+#define CGAL_TANDEM_POISONS_MEMORY // see Host_buffer.h
 
-#include "testing/Thread_backend.h"
-#include "testing/test_support.h"
+#include "testing/checks.h"
 
-#include <CGAL/Tandem/internal/memory/Growing_table.h>
-#include <CGAL/Tandem/internal/backend/host_loops.h>
+#include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
-#include <string>
+#include <cstddef>
 #include <utility>
-#include <vector>
 
 using namespace CGAL::Tandem::internal;
 
@@ -58,27 +54,6 @@ void test_kept_pages()
   CHECK(Kept_pages::take(160000).memory == nullptr);
 }
 
-// Items keep their values when the table moves; new ones are T().
-void test_growing_table()
-{
-  struct Item {
-    int value = 7;
-  };
-  Thread_backend backend(3);
-  Growing_table<Item> table;
-  table.resize(backend, 3);
-  for(int i = 0; i < 3; ++i)
-    table[std::size_t(i)].value = i;
-  table.resize(backend, 5000);
-  CHECK(table.size() == 5000 && table[1].value == 1 && table[2].value == 2 && table[3].value == 7 &&
-        table[4999].value == 7);
-  table[4000].value = 11;
-  table.keep(backend, {2, 5, 4000});
-  CHECK(table.size() == 3 && table[0].value == 2 && table[1].value == 7 && table[2].value == 11);
-  table.resize(backend, 4);
-  CHECK(table.size() == 4 && table[2].value == 11 && table[3].value == 7);
-}
-
 // Copies share the items.
 void test_shared_table()
 {
@@ -91,52 +66,28 @@ void test_shared_table()
   CHECK(copy.data() == table.data() && copy.size() == 3 && copy[2] == 2 && copy.end() - copy.begin() == 3);
 }
 
-// Only items without a value are left as they are.
-void test_unset_vector()
+// Tests that fill unset memory rely on it: new memory, kept pages, and what is set again.
+void test_poison()
 {
-  Unset_vector<int> table(3, 7);
-  table.resize(5, 8);
-  table.push_back(9);
-  CHECK((std::vector<int>(table.begin(), table.end()) == std::vector<int>{7, 7, 7, 8, 8, 9}));
-  table.reserve(100);
-  const int* const memory = table.data();
-  table.clear();
-  table.resize(6); // as they were; of no use but here
-  CHECK(table.data() == memory && table[0] == 7 && table[5] == 9);
-}
-
-// In the order of the list, each tested once, with lists of any size.
-template <class Backend>
-void test_parted_lists(Backend& backend)
-{
-  for(std::size_t n : {0, 1, 63, 64, 65, 255, 256, 1000, 5001}) {
-    std::vector<int> calls(n, 0);
-    const auto id = [](std::size_t i) { return std::uint32_t(3 * i + 1); };
-    const auto is_chosen = [](std::uint32_t k) { return k * 2654435761u >> 30 == 1; };
-    const Parted_ids parted = part_on_host(backend, n, id, [&](std::uint32_t k) {
-      ++calls[k / 3];
-      return is_chosen(k);
-    });
-    Ids all, chosen, others;
-    for(std::size_t i = 0; i < n; ++i)
-      all.push_back(id(i));
-    std::partition_copy(all.begin(), all.end(), std::back_inserter(chosen), std::back_inserter(others), is_chosen);
-    CHECK_AT(parted.chosen == chosen && parted.others == others, "a list of " + std::to_string(n));
-    CHECK_AT(std::count(calls.begin(), calls.end(), 1) == std::ptrdiff_t(n), "calls for " + std::to_string(n));
-    const std::int64_t sum = sum_on_host(backend, n, [&](std::size_t i) { return id(i); });
-    CHECK_AT(sum == std::accumulate(all.begin(), all.end(), std::int64_t(0)), "a sum of " + std::to_string(n));
-  }
+  const auto is_filled = [](const Host_buffer<unsigned char>& buffer) {
+    return std::count(buffer.begin(), buffer.end(), 0xa5) == std::ptrdiff_t(buffer.size());
+  };
+  Host_buffer<unsigned char> buffer(5000);
+  CHECK(is_filled(buffer));
+  const void* const memory = buffer.data();
+  std::fill(buffer.begin(), buffer.end(), 7);
+  buffer.keep_pages();
+  buffer.release();
+  buffer.reset(5000);
+  CHECK(buffer.data() == memory && is_filled(buffer));
+  buffer.reset(100000);
+  CHECK(is_filled(buffer));
 }
 
 int main()
 {
   test_kept_pages();
-  test_growing_table();
   test_shared_table();
-  test_unset_vector();
-  Sequential_backend sequential;
-  test_parted_lists(sequential);
-  Thread_backend threads(3);
-  test_parted_lists(threads);
+  test_poison();
   return report();
 }

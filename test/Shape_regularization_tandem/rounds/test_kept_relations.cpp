@@ -12,6 +12,8 @@
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <random>
 
@@ -36,10 +38,10 @@ public:
   // Returns its id.
   std::uint32_t add_wall(int n)
   {
-    const std::uint32_t id = std::uint32_t(shapes.size()), wall = std::uint32_t(offset_.size());
-    shapes.shape.resize(backend_, id + 1);
-    shapes.is_restarted.resize(id + 1, 0);
-    shapes.live.push_back(id);
+    const std::uint32_t id = std::uint32_t(shapes.size), wall = std::uint32_t(offset_.size());
+    std::vector<Shape> all = to_vector(backend_, shapes.shape.data(), shapes.size);
+    all.emplace_back();
+    take_shapes(all);
     offset_.push_back(int(wall) * 20000);
     tilt_.push_back(int(random_() % 41) - 20); // thousandths
     add_points(id, wall, n);
@@ -49,7 +51,7 @@ public:
   // Points of a wall that belong to the shape of that id.
   void add_points(std::uint32_t id, std::uint32_t wall, int n)
   {
-    Shape& shape = shapes[id];
+    Shape& shape = shapes.shape[id];
     for(int i = 0; i < n; ++i) {
       const int u = int(random_() % 40000), v = int(random_() % 40000);
       const int w = offset_[wall] + u * tilt_[wall] / 1000 + int(random_() % 200);
@@ -57,23 +59,13 @@ public:
       shape.moments.add(p, 1);
       shape.box.add(p);
     }
-    shapes.assigned += std::size_t(n);
     refit(shape);
   }
 
-  void remove(std::uint32_t id)
-  {
-    shapes.assigned -= std::size_t(shapes[id].moments.count);
-    shapes.clear(id);
-    shapes.live.erase(std::find(shapes.live.begin(), shapes.live.end(), id));
-  }
+  void remove(std::uint32_t id) { shapes.shape[id].moments = Moments(); }
 
   // As where most ids have gone out of use.
-  void renumber()
-  {
-    shapes.shape.keep(backend_, shapes.live);
-    std::iota(shapes.live.begin(), shapes.live.end(), 0u);
-  }
+  void renumber() { take_shapes(live()); }
 
   Shape_relations regularize(bool is_last, const Shape_relations& before)
   {
@@ -83,12 +75,27 @@ public:
   Regular_planes planes() const
   {
     Regular_planes result;
-    for(std::uint32_t id : shapes.live)
-      result.push_back(shapes[id].plane);
+    for(const Shape& shape : live())
+      result.push_back(shape.plane);
+    return result;
+  }
+
+  // By rising id.
+  std::vector<Shape> live() const
+  {
+    std::vector<Shape> result;
+    std::copy_if(shapes.shape.begin(), shapes.shape.end(), std::back_inserter(result),
+                 [](const Shape& shape) { return shape.is_live(); });
     return result;
   }
 
 private:
+  void take_shapes(const std::vector<Shape>& all)
+  {
+    shapes.size = all.size();
+    shapes.shape = to_buffer(backend_, all);
+  }
+
   Sequential_backend backend_;
   std::mt19937 random_{9};
   std::vector<int> offset_, tilt_; // by wall
@@ -106,16 +113,22 @@ bool are_same(const Regular_planes& a, const Regular_planes& b)
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
 }
 
-// The tables agree with the shapes.
+// The tables agree with the shapes. Those without an entry have no plane of the relations.
 void check_tables(const Shape_table<Sequential_backend>& shapes, const Shape_relations& r, const std::string& where)
 {
   CHECK_AT(r.relations.plane_of.size() == r.id.size() && r.relations.direction_of.size() == r.id.size(), where);
+  std::vector<int> plane_number(shapes.size, -1);
   for(std::size_t i = 0; i < r.id.size(); ++i) {
     const Regular_plane& plane = r.relations.planes.at(std::size_t(r.relations.plane_of[i]));
-    CHECK_AT(is_same(plane, shapes[r.id[i]].plane), where + ": plane");
+    const Shape& shape = shapes.shape[r.id[i]];
+    plane_number[r.id[i]] = r.relations.plane_of[i];
+    CHECK_AT(is_same(plane, shape.plane), where + ": plane");
+    check_equal(shape.entry, int(i), where + ": entry");
     CHECK_AT(plane.normal == r.relations.directions.at(std::size_t(r.relations.direction_of[i])),
              where + ": direction");
   }
+  for(std::size_t id = 0; id < shapes.size; ++id)
+    check_equal(shapes.shape[id].plane_number, plane_number[id], where + ": number of the plane");
 }
 
 std::size_t number_of_directions(const Regular_planes& planes)
@@ -137,7 +150,7 @@ int main()
   CHECK(number_of_directions(before) < 6);
 
   walls.add_points(3, 3, 100); // a thousandth of all points
-  CHECK(!is_same(shapes[3].local, before[3]));
+  CHECK(!is_same(shapes.shape[3].local, before[3]));
   r = walls.regularize(false, r);
   check_tables(shapes, r, "few points more");
   CHECK(are_same(walls.planes(), before));
@@ -154,10 +167,10 @@ int main()
   const std::uint32_t fresh = walls.add_wall(45), tiny = walls.add_wall(39);
   r = walls.regularize(false, r);
   check_tables(shapes, r, "others change");
-  CHECK(r.id.size() == shapes.live.size() - 1 && r.id.back() == fresh);
+  CHECK(r.id.size() == walls.live().size() - 1 && r.id.back() == fresh);
   for(std::uint32_t id : {same, fresh})
-    CHECK(shapes[id].plane.normal == canonical(shapes[id].fit.normal));
-  CHECK(is_same(shapes[tiny].plane, shapes[tiny].local));
+    CHECK(shapes.shape[id].plane.normal == canonical(shapes.shape[id].fit.normal));
+  CHECK(is_same(shapes.shape[tiny].plane, shapes.shape[tiny].local));
   before.resize(Walls::large);
   Regular_planes after = walls.planes();
   after.resize(Walls::large);
@@ -184,13 +197,13 @@ int main()
   // The end game starts on its own, and holds what it has found, also a shape that has changed much by itself.
   const Shape_relations last = walls.regularize(true, {});
   check_tables(shapes, last, "last");
-  CHECK(last.id.size() == shapes.live.size());
+  CHECK(last.id.size() == walls.live().size());
   before = walls.planes();
   walls.add_points(5, 5, 2500); // less than three percent
   walls.add_points(tiny, tiny + 1, 10);
   const std::uint32_t late = walls.add_wall(45);
   check_tables(shapes, walls.regularize(true, last), "last again");
-  CHECK(shapes[late].plane.normal == canonical(shapes[late].fit.normal));
+  CHECK(shapes.shape[late].plane.normal == canonical(shapes.shape[late].fit.normal));
   after = walls.planes();
   after.resize(before.size());
   CHECK(are_same(after, before));

@@ -10,6 +10,8 @@
 
 #include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <random>
 #include <set>
@@ -33,20 +35,22 @@ std::int32_t height(int x, int y, int unevenness, std::mt19937& random)
   return slope + step + int(random() % 60);
 }
 
+using Link_list = std::vector<Link>;
+
 template <class Backend>
 void make_fragments(Backend& backend, Shape_table<Backend>& shapes, int unevenness, std::int32_t shift = 0)
 {
   std::mt19937 random(3);
-  shapes.shape.resize(backend, columns * rows);
+  shapes.size = columns * rows;
+  shapes.shape = filled_buffer(backend, shapes.size, Shape());
   for(int id = 0; id < columns * rows; ++id) {
-    Shape& shape = shapes[std::size_t(id)];
+    Shape& shape = shapes.shape[std::size_t(id)];
     const int size = unevenness == level ? 20 + 30 * int(random() % 3) * int(random() % 3) : 20 + int(random() % 200);
     for(int i = 0; i < size; ++i) {
       const int x = id % columns * width + int(random() % width), y = id / columns * width + int(random() % width);
       shape.moments.add({x + shift, y + shift, height(x, y, unevenness, random) + shift, no_normal}, 1);
     }
     refit(shape);
-    shapes.live.push_back(std::uint32_t(id));
   }
 }
 
@@ -76,9 +80,9 @@ public:
   template <class Backend>
   Slow_unions(const Shape_table<Backend>& shapes, const Link_list& links)
   {
-    for(const std::uint32_t id : shapes.live) {
+    for(std::uint32_t id = 0; id < shapes.size; ++id) {
       root_.push_back(id);
-      whole_[id] = shapes[id];
+      whole_[id] = shapes.shape[id];
     }
     while(unite(links))
       ++rounds_;
@@ -136,26 +140,36 @@ private:
 };
 
 template <class Backend>
+Shape_unions<Backend> unite(Backend& backend, Shape_table<Backend>& shapes, const Link_list& links,
+                            std::uint32_t* rounds = nullptr)
+{
+  Shape_unions<Backend> unions = unite_shapes(backend, shapes, criterion, to_buffer(backend, links), rounds);
+  CHECK(std::is_sorted(unions.member.begin(), unions.member.end(), std::less_equal<std::uint32_t>()));
+  for(const Shared_moments& d : shapes.delta)
+    CHECK(d.count == 0 && d.sum[0] == 0 && d.low[5] == 0 && d.high[5] == 0);
+  std::map<std::uint32_t, int> members;
+  for(const std::uint32_t id : unions.member)
+    ++members[root_of(unions.target.data(), id)];
+  for(const auto& m : members)
+    CHECK(m.second > 1 && std::binary_search(unions.member.begin(), unions.member.end(), m.first));
+  for(std::uint32_t id = 0; id < shapes.size; ++id)
+    CHECK(std::binary_search(unions.member.begin(), unions.member.end(), id) || unions.target[id] == id);
+  return unions;
+}
+
+template <class Backend>
 Outcome unite(Backend& backend, int unevenness, unsigned seed)
 {
   Shape_table<Backend> shapes;
   make_fragments(backend, shapes, unevenness);
   std::uint32_t rounds = 0;
-  const Host_buffer<Union_member> unions = unite_shapes(backend, shapes, criterion, make_links(seed), &rounds);
+  const Shape_unions<Backend> unions = unite(backend, shapes, make_links(seed), &rounds);
   Outcome outcome;
   outcome.rounds = int(rounds);
-  for(const std::uint32_t id : shapes.live) {
-    outcome.root.push_back(id);
-    outcome.plane.push_back(shapes[id].local);
+  for(std::uint32_t id = 0; id < shapes.size; ++id) {
+    outcome.root.push_back(root_of(unions.target.data(), id));
+    outcome.plane.push_back(unions.whole[outcome.root.back()].local);
   }
-  std::map<std::uint32_t, int> members;
-  for(const Union_member& member : unions) {
-    outcome.root[member.id] = member.root;
-    outcome.plane[member.id] = member.plane;
-    ++members[member.root];
-  }
-  for(const auto& m : members)
-    CHECK(m.second > 1 && outcome.root[m.first] == m.first);
   return outcome;
 }
 
@@ -177,7 +191,7 @@ void check_apart(std::int32_t shift)
   make_fragments(backend, shapes, 0, shift);
   int rejected = 0, apart = 0;
   for(const Link& link : make_links(5)) {
-    const Shape &a = shapes[link.first()], &b = shapes[link.second()];
+    const Shape &a = shapes.shape[link.first()], &b = shapes.shape[link.second()];
     Fitted_moments joint;
     const bool is_rejected = !criterion.fit(a, b, joint), is_apart = criterion.are_apart(a, b);
     rejected += is_rejected;
@@ -188,29 +202,29 @@ void check_apart(std::int32_t shift)
   CHECK_AT(rejected > 200 && 3 * apart > rejected, std::to_string(apart) + " of " + std::to_string(rejected));
 }
 
-// A square fragment, exactly level.
+// A square fragment, exactly level. The table has room for it.
 void add_fragment(Shape_table<Sequential_backend>& shapes, int x, int y, int z, int size)
 {
-  std::mt19937 random(unsigned(shapes.live.size()));
-  const std::uint32_t id = std::uint32_t(shapes.live.size());
+  std::mt19937 random(unsigned(shapes.size));
+  Shape& shape = shapes.shape[shapes.size++];
+  shape = Shape();
   for(int i = 0; i < size; ++i)
-    shapes[id].moments.add({x + int(random() % width), y + int(random() % width), z, no_normal}, 1);
-  refit(shapes[id]);
-  shapes.live.push_back(id);
+    shape.moments.add({x + int(random() % width), y + int(random() % width), z, no_normal}, 1);
+  refit(shape);
 }
 
 Link link(std::size_t a, std::size_t b) { return {std::uint64_t(a) << 32 | b, 1}; }
 
 // The plane of a union is that of the points of all its members.
-void check_planes(const Shape_table<Sequential_backend>& shapes, const Host_buffer<Union_member>& unions)
+void check_planes(const Shape_table<Sequential_backend>& shapes, const Shape_unions<Sequential_backend>& unions)
 {
   std::map<std::uint32_t, Fitted_moments> whole;
-  for(const Union_member& member : unions)
-    whole[member.root].moments += shapes[member.id].moments;
-  for(auto& w : whole)
+  for(const std::uint32_t id : unions.member)
+    whole[root_of(unions.target.data(), id)].moments += shapes.shape[id].moments;
+  for(auto& w : whole) {
     refit(w.second);
-  for(const Union_member& member : unions)
-    CHECK(is_same(member.plane, whole[member.root].local));
+    CHECK(is_same(unions.whole[w.first].local, w.second.local));
+  }
 }
 
 // Equal shapes in a row: all costs are 0, and most unions of a size. A number of rounds like that of the shapes would be
@@ -220,7 +234,7 @@ void check_row()
   constexpr int n = 2000;
   Sequential_backend backend;
   Shape_table<Sequential_backend> shapes;
-  shapes.shape.resize(backend, n);
+  shapes.shape.reset(n);
   Link_list links;
   for(int i = 0; i < n; ++i) {
     add_fragment(shapes, i * width, 0, 0, 50);
@@ -228,11 +242,11 @@ void check_row()
       links.push_back(link(std::size_t(i) - 1, std::size_t(i)));
   }
   std::uint32_t rounds = 0;
-  const Host_buffer<Union_member> unions = unite_shapes(backend, shapes, criterion, links, &rounds);
+  const Shape_unions<Sequential_backend> unions = unite(backend, shapes, links, &rounds);
   CHECK_AT(rounds < 300, std::to_string(rounds) + " rounds");
-  check_equal(unions.size(), std::size_t(n), "members of a row");
-  for(const Union_member& member : unions)
-    check_equal(member.root, unions[0].root, "root of a row");
+  check_equal(unions.member.size(), std::size_t(n), "members of a row");
+  for(const std::uint32_t id : unions.member)
+    check_equal(root_of(unions.target.data(), id), root_of(unions.target.data(), 0), "root of a row");
   check_planes(shapes, unions);
 }
 
@@ -242,7 +256,7 @@ void check_groups()
   constexpr int n = 1000;
   Sequential_backend backend;
   Shape_table<Sequential_backend> shapes;
-  shapes.shape.resize(backend, 3 * n);
+  shapes.shape.reset(3 * n);
   Link_list links;
   for(int g = 0; g < n; ++g) {
     add_fragment(shapes, 0, 3 * g * width, 5, 100);
@@ -252,10 +266,10 @@ void check_groups()
     links.push_back(link(first, first + 1));
     links.push_back(link(first + 1, first + 2));
   }
-  const Host_buffer<Union_member> unions = unite_shapes(backend, shapes, criterion, links);
-  check_equal(unions.size(), std::size_t(3 * n), "members of groups");
-  for(const Union_member& member : unions)
-    check_equal(member.root, member.id / 3 * 3, "root of a group");
+  const Shape_unions<Sequential_backend> unions = unite(backend, shapes, links);
+  check_equal(unions.member.size(), std::size_t(3 * n), "members of groups");
+  for(const std::uint32_t id : unions.member)
+    check_equal(root_of(unions.target.data(), id), id / 3 * 3, "root of a group");
   check_planes(shapes, unions);
 }
 

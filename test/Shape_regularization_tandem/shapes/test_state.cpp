@@ -3,6 +3,7 @@
 //
 // After each round the table of shapes and the labels of the points agree:
 // labels are live shapes or marks, counts, sums and boxes are those of the points, which see the planes of the shapes.
+// Where most ids are out of use, shapes get new ones and stay what they are.
 
 #undef NDEBUG
 
@@ -64,35 +65,70 @@ bool is_same(const Plane& a, const Plane& b) { return a.nx == b.nx && a.ny == b.
 void check_state(const State& t, const std::string& where)
 {
   const std::map<std::uint32_t, Sums> sums = sums_of_labels(t);
-  CHECK_AT(std::is_sorted(t.shapes.live.begin(), t.shapes.live.end(), std::less_equal<std::uint32_t>()), where);
-  check_equal(t.shapes.live.size(), sums.size(), where + ": live shapes");
+  const Shape_table<Sequential_backend>& shapes = t.shapes;
+  for(std::size_t size : {shapes.shape.size(), shapes.plane.size(), shapes.steps.size(), shapes.is_restarted.size()})
+    CHECK_AT(size >= shapes.size, where + ": a table is too small");
   std::size_t assigned = 0;
   for(const auto& s : sums) {
     const std::string shape = where + ", shape " + std::to_string(s.first);
-    if(!std::binary_search(t.shapes.live.begin(), t.shapes.live.end(), s.first)) {
+    if(s.first >= shapes.size || !shapes.shape[s.first].is_live()) {
       CHECK_AT(false, shape + " has " + std::to_string(s.second.moments.count) + " points, but is not live");
       continue;
     }
-    CHECK_AT(is_same(t.shapes[s.first].moments, s.second.moments), shape + ": moments");
-    CHECK_AT(contains(t.shapes[s.first].box, s.second.box), shape + ": box");
-    CHECK_AT(is_same(t.shapes.plane[s.first], rounded(t.shapes[s.first].plane)), shape + ": plane");
+    CHECK_AT(is_same(shapes.shape[s.first].moments, s.second.moments), shape + ": moments");
+    CHECK_AT(contains(shapes.shape[s.first].box, s.second.box), shape + ": box");
+    CHECK_AT(is_same(shapes.plane[s.first], rounded(shapes.shape[s.first].plane)), shape + ": plane");
     assigned += std::size_t(s.second.moments.count);
   }
-  check_equal(t.shapes.assigned, assigned, where + ": assigned points");
-  for(std::uint32_t id = 0; id < t.shapes.size(); ++id)
-    CHECK_AT(sums.count(id) > 0 || t.shapes[id].moments.count == 0, where + ", dead shape " + std::to_string(id));
-  for(const Shared_moments& delta : t.shapes.delta)
-    CHECK_AT(delta.count == 0, where + ": deltas that were not taken");
+  const Shape_counts counts = count_live(t.points.backend, shapes);
+  check_equal(counts.points, assigned, where + ": assigned points");
+  check_equal(counts.shapes, sums.size(), where + ": live shapes");
+  for(std::uint32_t id = 0; id < shapes.size; ++id)
+    CHECK_AT(sums.count(id) > 0 || is_same(shapes.shape[id].moments, Moments()),
+             where + ", dead shape " + std::to_string(id));
+  for(const Shared_moments& delta : shapes.delta)
+    CHECK_AT(!is_any(delta) && is_same(delta.moments(), Moments()), where + ": deltas that were not taken");
 }
 
-// Most shapes go out of use, between two passes of growth: the others get new ids, and stay what they are.
+struct Live {
+  std::vector<Shape> shape;
+  std::vector<Plane> plane;
+};
+
+Live live_shapes(const Shape_table<Sequential_backend>& shapes)
+{
+  Live live;
+  for(std::size_t id = 0; id < shapes.size; ++id)
+    if(shapes.shape[id].is_live()) {
+      live.shape.push_back(shapes.shape[id]);
+      live.plane.push_back(shapes.plane[id]);
+    }
+  return live;
+}
+
+// Most shapes go out of use, between two passes of growth: the others get new ids in the same order, and stay what they
+// are, but for their ages.
 void check_new_ids(State& t, const std::string& where)
 {
-  drop_shapes(t.points, t.shapes, [](const Shape&, std::uint32_t id) { return id % 4 != 0; });
-  Host_buffer<Shape_delta> none;
-  number_shapes(t.points, t.shapes, t.shapes.size(), none);
-  CHECK_AT(t.shapes.size() <= 2 * t.shapes.live.size(), where + ": " + std::to_string(t.shapes.size()) + " ids");
+  Shape_table<Sequential_backend>& shapes = t.shapes;
+  const Shape* const first = shapes.shape.data();
+  drop_shapes(t.points, shapes, [first](const Shape& shape) { return (&shape - first) % 4 != 0; });
+  check_state(t, where + ", most are dropped");
+  const Live before = live_shapes(shapes);
+  const std::size_t size = shapes.size;
+  check_equal(take_growth(t.points, shapes, shapes.size), 0u, where + ": new points");
+  list_shapes(t.points);
   check_state(t, where);
+  check_equal(shapes.size, 2 * before.shape.size() < size ? before.shape.size() : size, where + ": ids");
+  const Live after = live_shapes(shapes);
+  check_equal(after.shape.size(), before.shape.size(), where + ": live shapes");
+  for(std::size_t i = 0; i < before.shape.size() && i < after.shape.size(); ++i) {
+    const Shape &a = after.shape[i], &b = before.shape[i];
+    CHECK_AT(is_same(a.moments, b.moments) && is_same(after.plane[i], before.plane[i]) && a.entry == b.entry &&
+               a.rollbacks == b.rollbacks && a.plane_number == b.plane_number,
+             where + ": the order of the shapes");
+    CHECK_AT(a.age == b.age + 1 && !a.is_active, where + ": age");
+  }
 }
 
 // Returns the number of rounds.

@@ -23,9 +23,10 @@ namespace internal {
 class Reverse_backend : public Host_operations<Reverse_backend> {
 public:
   static const char* name() { return "reverse"; }
+  std::size_t concurrency() const { return 1; }
 
   template <class F>
-  void for_each(std::size_t n, F f)
+  void for_each(std::size_t n, F f, std::size_t = 0)
   {
     while(n > 0)
       f(--n);
@@ -41,12 +42,6 @@ public:
   void for_each_on_host(std::size_t n, F f, std::size_t = 0)
   {
     for_each(n, f);
-  }
-
-  template <class Iterator, class Less>
-  void sort_on_host(Iterator first, Iterator last, Less less)
-  {
-    std::sort(first, last, less);
   }
 
   template <class Scratch, class Body>

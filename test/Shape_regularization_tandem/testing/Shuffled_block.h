@@ -3,8 +3,7 @@
 //
 // Models of Backend and Block that take all the liberties that the concepts give:
 // items and pieces run in random order, new memory and scratch hold
-// garbage, equal keys are sorted anyhow, what is written to a table is copied back. What comes out
-// must not change.
+// garbage, equal keys are sorted anyhow. What comes out must not change.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SHUFFLED_BLOCK_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SHUFFLED_BLOCK_H
@@ -12,10 +11,11 @@
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
 #include <random>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -152,30 +152,6 @@ public:
   }
 };
 
-// As on a device, the functors have a table of their own, so what they write is
-// not seen before copy_back(), nor what the host writes after it has given access.
-template <class T>
-class Copied_access {
-  using Item = std::remove_const_t<T>;
-
-public:
-  enum Contents { copied, garbage };
-
-  Copied_access(T* table, std::size_t size, Contents contents) : table_(table), copy_(size)
-  {
-    if(contents == copied)
-      std::copy(table, table + size, copy_.data());
-  }
-
-  T* data() const { return copy_.get(); }
-
-  void copy_back() { std::copy(copy_.begin(), copy_.end(), table_); }
-
-private:
-  T* table_;
-  Garbage_buffer<Item> copy_;
-};
-
 class Shuffled_backend : public Sequential_backend {
 public:
   template <class T>
@@ -185,16 +161,13 @@ public:
 
   static const char* name() { return "shuffled"; }
 
+  // So many that cells of small clouds are parted.
+  std::size_t concurrency() const { return 20; }
+
   template <class F>
-  void for_each(std::size_t n, F f)
+  void for_each(std::size_t n, F f, std::size_t = 0)
   {
     dice_.visit(0, n, f);
-  }
-
-  template <class Iterator, class Less>
-  void sort_on_host(Iterator first, Iterator last, Less less)
-  {
-    std::sort(first, last, less);
   }
 
   template <class F>
@@ -258,27 +231,15 @@ public:
   }
 
   template <class T, class F>
-  Host_buffer<T> collect(std::size_t n, F f)
+  Buffer<T> collect(std::size_t n, F f)
   {
     return collect_on<T>(*this, n, f);
   }
 
-  template <class T, class Allocator>
-  Copied_access<const T> read_access(const std::vector<T, Allocator>& table)
+  template <int N, class F>
+  std::array<std::int64_t, N> sum(std::size_t n, F f)
   {
-    return {table.data(), table.size(), Copied_access<const T>::copied};
-  }
-
-  template <class T>
-  Copied_access<T> read_write_access(std::vector<T>& table)
-  {
-    return {table.data(), table.size(), Copied_access<T>::copied};
-  }
-
-  template <class T>
-  Copied_access<T> write_access(std::vector<T>& table)
-  {
-    return {table.data(), table.size(), Copied_access<T>::garbage};
+    return sum_on<N>(*this, n, f);
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)

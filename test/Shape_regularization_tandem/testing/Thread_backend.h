@@ -27,19 +27,17 @@ public:
 
   static const char* name() { return "threads"; }
 
+  // Many more than there are threads, so that cells are parted.
+  std::size_t concurrency() const { return 500; }
+
+  // Pieces are far smaller than they should be, so that threads meet.
   template <class F>
-  void for_each(std::size_t n, F f)
+  void for_each(std::size_t n, F f, std::size_t grain = 4096)
   {
-    for_each_piece(n, 256, [&](std::size_t first, std::size_t last) {
+    for_each_piece(n, grain / 16 + 1, [&](std::size_t first, std::size_t last) {
       for(std::size_t i = first; i < last; ++i)
         f(i);
     });
-  }
-
-  template <class Iterator, class Less>
-  void sort_on_host(Iterator first, Iterator last, Less less)
-  {
-    std::sort(first, last, less);
   }
 
   template <class F>

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BLOCK_SEARCHES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BLOCK_SEARCHES_H
 
-#include <CGAL/Tandem/internal/base/types.h>
+#include <CGAL/Tandem/internal/backend/buffers.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -58,22 +58,19 @@ int count_wrong_searches(Backend& backend, std::uint32_t start, std::uint32_t mo
         is_hit.push_back(one_of != 0 && random() % one_of == 0);
     }
   const std::uint32_t untouched = 0x5a5a5a5au;
-  std::vector<std::uint32_t> found(cells.size() * most, untouched), size(cells.size()), first(cells.size());
-  std::vector<std::uint32_t> visits(cells.size(), 0);
-  {
-    const auto ranges = backend.read_access(cells);
-    const auto hits = backend.read_access(is_hit);
-    auto founds = backend.read_write_access(found), sizes = backend.read_write_access(size),
-         firsts = backend.read_write_access(first);
-    auto visited = backend.read_write_access(visits);
-    backend.template for_each_cell<std::uint32_t>(cells.size(),
-                                                  Search_cells{ranges.data(), hits.data(), start, most, founds.data(),
-                                                               sizes.data(), firsts.data(), visited.data()});
-    founds.copy_back();
-    sizes.copy_back();
-    firsts.copy_back();
-    visited.copy_back();
-  }
+  const auto ranges = to_buffer(backend, cells);
+  const auto hits = to_buffer(backend, is_hit);
+  auto founds = filled_buffer(backend, cells.size() * most, untouched);
+  auto sizes = filled_buffer(backend, cells.size(), untouched),
+       firsts = filled_buffer(backend, cells.size(), untouched),
+       visited = filled_buffer(backend, cells.size(), std::uint32_t(0));
+  backend.template for_each_cell<std::uint32_t>(
+    cells.size(),
+    Search_cells{ranges.data(), hits.data(), start, most, founds.data(), sizes.data(), firsts.data(), visited.data()});
+  const std::vector<std::uint32_t> found = to_vector(backend, founds.data(), founds.size()),
+                                   size = to_vector(backend, sizes.data(), sizes.size()),
+                                   first = to_vector(backend, firsts.data(), firsts.size()),
+                                   visits = to_vector(backend, visited.data(), visited.size());
   int wrong = 0;
   for(std::size_t c = 0; c < cells.size(); ++c) {
     std::vector<std::uint32_t> expected;

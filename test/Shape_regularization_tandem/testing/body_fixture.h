@@ -38,7 +38,8 @@ struct Fixture {
 
   bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane[s], point[i], tolerance); }
 
-  Cells_view cells_view() const { return {cells.data(), lists.data()}; }
+  // A pass over so many parts of each cell.
+  Cells_view parts_view(std::uint32_t parts) const { return {cells.data(), lists.data(), parts}; }
 
   std::vector<Cell_shapes> list_shapes(const std::vector<std::uint32_t>& labels) const
   {

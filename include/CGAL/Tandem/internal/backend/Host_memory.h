@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The memory of back ends whose functors run on the host. Their tables are what the host has, so access to them copies
-// nothing. Also the operations that such back ends share.
+// The memory of back ends whose functors run on the host. Also the operations that such back ends share.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
@@ -10,6 +9,7 @@
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <numeric>
 #include <vector>
@@ -17,21 +17,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Access of functors to a table of the host: here, the same memory.
-template <class T>
-class Host_access {
-public:
-  explicit Host_access(T* data) : data_(data) {}
-
-  T* data() const { return data_; }
-
-  // Afterwards the host has what the functors wrote. Here it has it already.
-  void copy_back() {}
-
-private:
-  T* data_;
-};
 
 // The operations that concepts.h lists under "Backend, memory".
 class Host_memory {
@@ -43,41 +28,15 @@ public:
   using Buffer = Host_buffer<T>;
   using Sort_table = Host_sort_table;
 
-  // The table must stay as it is while the access exists.
-  template <class T, class Allocator>
-  Host_access<const T> read_access(const std::vector<T, Allocator>& table)
-  {
-    return Host_access<const T>(table.data());
-  }
-
-  // The host must not use the table before copy_back().
-  template <class T>
-  Host_access<T> read_write_access(std::vector<T>& table)
-  {
-    return Host_access<T>(table.data());
-  }
-
-  // The same, where functors write each entry before they read it: nothing has to be copied to them.
-  template <class T>
-  Host_access<T> write_access(std::vector<T>& table)
-  {
-    return Host_access<T>(table.data());
-  }
-
   // Waits for all work that was started. Here nothing is pending.
   void wait() {}
 
-  // n items from a buffer to the host; from_host() copies them back.
+  // n items from a buffer to the host.
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
   {
-    copy(source, n, target);
-  }
-
-  template <class T>
-  void from_host(const T* source, std::size_t n, T* target)
-  {
-    copy(source, n, target);
+    if(n > 0)
+      std::memcpy(target, source, n * sizeof(T));
   }
 
 protected:
@@ -127,6 +86,25 @@ protected:
     return items;
   }
 
+  // N sums of what f(i, sums) adds for i in [0, n). Each piece has sums of its own.
+  template <int N, class Backend, class F>
+  static std::array<std::int64_t, N> sum_on(Backend& backend, std::size_t n, F f)
+  {
+    constexpr std::size_t grain = 1024;
+    std::vector<std::array<std::int64_t, N>> of_piece((n + grain - 1) / grain);
+    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
+      std::array<std::int64_t, N> sums = {};
+      for(std::size_t i = first; i < last; ++i)
+        f(i, sums.data());
+      of_piece[first / grain] = sums;
+    });
+    std::array<std::int64_t, N> total = {};
+    for(const auto& sums : of_piece)
+      for(std::size_t k = 0; k < sums.size(); ++k)
+        total[k] += sums[k];
+    return total;
+  }
+
   // Lanes beyond these cost more than they balance.
   static constexpr std::size_t maximum_lanes = 4096;
 
@@ -146,14 +124,6 @@ protected:
             rounds.run(step, round, lane, lanes);
         });
       }
-  }
-
-private:
-  template <class T>
-  static void copy(const T* source, std::size_t n, T* target)
-  {
-    if(n > 0)
-      std::memcpy(target, source, n * sizeof(T));
   }
 };
 
@@ -178,6 +148,12 @@ public:
   auto collect(std::size_t n, F f)
   {
     return collect_on<T>(self(), n, f);
+  }
+
+  template <int N, class F>
+  auto sum(std::size_t n, F f)
+  {
+    return sum_on<N>(self(), n, f);
   }
 
   template <class Rounds>

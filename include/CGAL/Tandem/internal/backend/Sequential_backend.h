@@ -24,9 +24,12 @@ class Sequential_backend : public Host_memory {
 public:
   static const char* name() { return "sequential"; }
 
-  // f(i) for i in [0, n), in any order.
+  // About how many bodies run at the same time.
+  std::size_t concurrency() const { return 1; }
+
+  // f(i) for i in [0, n), in any order. About `grain` items are worth a thread.
   template <class F>
-  void for_each(std::size_t n, F f)
+  void for_each(std::size_t n, F f, std::size_t = 4096)
   {
     for(std::size_t i = 0; i < n; ++i)
       f(i);
@@ -44,13 +47,6 @@ public:
   Buffer<T> make_buffer(std::size_t n, F f)
   {
     return make_buffer_on<T>(*this, n, f);
-  }
-
-  // By `less`; the order of equal items is not defined.
-  template <class Iterator, class Less>
-  void sort_on_host(Iterator first, Iterator last, Less less)
-  {
-    std::sort(first, last, less);
   }
 
   // f(first, last) for the pieces of [0, n) that begin at the multiples of `grain`.
@@ -98,12 +94,18 @@ public:
     run_rounds_on(*this, maximum_rounds, 1, rounds);
   }
 
-  // f.take(i) of the i in [0, n) with f.has(i), ascending, for the host. has() of all before any take(). T: plain data
-  // of at least 8 bytes.
+  // f.take(i) of the i in [0, n) with f.has(i), ascending. has() of all before any take().
   template <class T, class F>
   Host_buffer<T> collect(std::size_t n, F f)
   {
     return collect_on<T>(*this, n, f);
+  }
+
+  // N sums, for the host, to which f(i, sums) adds for i in [0, n).
+  template <int N, class F>
+  std::array<std::int64_t, N> sum(std::size_t n, F f)
+  {
+    return sum_on<N>(*this, n, f);
   }
 
   // In each of the ranges, ascending. Together they are [0, size); none has more than `largest` items.

@@ -19,7 +19,7 @@ struct No_stage_overrides {
   // The caller's points on the grid, in their order. Generic form: engine/sort_points.h.
   static constexpr bool imports_points = false;
 
-  // void expect_cells(Backend&, const std::vector<Range>& cells)
+  // void expect_cells(Backend&, const Buffer<Range>& cells)
   // Most loops will be over these cells. Only a hint for the order of cells: the generic form does nothing.
   static constexpr bool expects_cells = false;
 
@@ -27,10 +27,6 @@ struct No_stage_overrides {
   // The k smallest (squared distance, index) of each point. Generic form: neighbors/find_neighbors.h. It needs host
   // memory, so a device has to replace it.
   static constexpr bool finds_neighbors = false;
-
-  // Link_list sum_links(Backend&, const Link* link, std::size_t n, std::size_t ids, std::uint32_t minimum)
-  // The sums by pair of ids, sorted. Generic form: shapes/links.h.
-  static constexpr bool sums_links = false;
 
   // void group_points(Backend&, Buffer<std::int32_t>&& shape_of, std::size_t shapes, Engine_result& result)
   // Fills the shape of each point and the points of each shape. Generic form: finish/group_points.h. It needs host

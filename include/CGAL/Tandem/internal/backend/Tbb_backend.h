@@ -9,7 +9,6 @@
 #define CGAL_TANDEM_INTERNAL_BACKEND_TBB_BACKEND_H
 
 #include <CGAL/Tandem/internal/backend/Host_memory.h>
-#include <CGAL/Tandem/internal/backend/Host_team.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 
 #include <boost/sort/pdqsort/pdqsort.hpp>
@@ -32,11 +31,13 @@ class Tbb_backend : public Host_operations<Tbb_backend> {
 public:
   static const char* name() { return "parallel"; }
 
+  std::size_t concurrency() const { return std::size_t(tbb::this_task_arena::max_concurrency()); }
+
   // Pieces are large enough that taking one costs little beside its items.
   template <class F>
-  void for_each(std::size_t n, F f)
+  void for_each(std::size_t n, F f, std::size_t grain = 4096)
   {
-    for_each_piece(n, 4096, [&](std::size_t first, std::size_t last) {
+    for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
       for(std::size_t i = first; i < last; ++i)
         f(i);
     });
@@ -52,16 +53,6 @@ public:
       for(std::size_t i = first; i < last; ++i)
         f(i);
     });
-  }
-
-  // The leader of a team sorts with its team: see Host_team.h.
-  template <class Iterator, class Less>
-  void sort_on_host(Iterator first, Iterator last, Less less)
-  {
-    if(Host_team* const team = Host_team::of_leader())
-      team->sort(first, last, less);
-    else
-      isolated(1, [&](std::size_t) { tbb::parallel_sort(first, last, less); }); // in the context of this task
   }
 
   template <class F>
@@ -84,7 +75,9 @@ public:
   void sort(Sort_table& table)
   {
     using Entry = Sort_table::Entry;
-    sort_on_host(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    isolated(1, [&](std::size_t) { // in the context of this task
+      tbb::parallel_sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    });
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
@@ -137,8 +130,6 @@ private:
       return;
     if(n == 1)
       f(0);
-    else if(Host_team* const team = Host_team::of_leader())
-      team->run(n, f);
     else
       isolated(n, f);
   }

@@ -109,13 +109,6 @@ struct Sort_table {
 };
 
 // What the access functions of the back end return.
-template <class T>
-struct Access {
-  T* data() const { return nullptr; }
-  void copy_back() {}
-};
-
-// Has no for_each_piece(), since that is for back ends of the host only.
 struct Backend {
   template <class T>
   using Buffer = archetypes::Buffer<T>;
@@ -124,32 +117,15 @@ struct Backend {
   static constexpr bool keeps_pages = false;
 
   static const char* name() { return "archetype"; }
+  std::size_t concurrency() const { return 1; }
 
-  template <class T, class Allocator>
-  Access<const T> read_access(const std::vector<T, Allocator>&)
-  {
-    return {};
-  }
-  template <class T>
-  Access<T> read_write_access(std::vector<T>&)
-  {
-    return {};
-  }
-  template <class T>
-  Access<T> write_access(std::vector<T>&)
-  {
-    return {};
-  }
   template <class T>
   void to_host(const T*, std::size_t, T*)
-  {}
-  template <class T>
-  void from_host(const T*, std::size_t, T*)
   {}
   void wait() {}
 
   template <class F>
-  void for_each(std::size_t, F f)
+  void for_each(std::size_t, F f, std::size_t = 0)
   {
     if(false)
       f(std::size_t(0));
@@ -170,11 +146,19 @@ struct Backend {
     return Buffer<std::uint32_t>(std::size_t(false && f(0u)));
   }
   template <class T, class F>
-  Host_buffer<T> collect(std::size_t, F f)
+  Buffer<T> collect(std::size_t, F f)
   {
     if(false && f.has(0u))
       f.take(0u);
     return {};
+  }
+  template <int N, class F>
+  std::array<std::int64_t, N> sum(std::size_t, F f)
+  {
+    std::array<std::int64_t, N> sums = {};
+    if(false)
+      f(std::size_t(0), sums.data());
+    return sums;
   }
   template <class T, class F>
   Buffer<T> make_buffer(std::size_t, F f)
@@ -195,12 +179,6 @@ struct Backend {
     if(false)
       f(std::size_t(0));
   }
-  template <class Iterator, class Less>
-  void sort_on_host(Iterator first, Iterator, Less less)
-  {
-    static_cast<void>(false && less(*first, *first));
-  }
-
   template <class T>
   static T atomic_add(T& target, T)
   {

@@ -18,10 +18,9 @@
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
 
-#include <functional>
+#include <array>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -69,6 +68,10 @@ struct Summand {
 
 struct Sum {
   void operator()(int&) const {}
+};
+
+struct Summed {
+  void operator()(std::size_t, std::int64_t*) const {}
 };
 
 struct Maker {
@@ -160,46 +163,38 @@ struct Is_sort_table<
 // Backend, memory:
 //   Buffer<T>, Sort_table             see above
 //   keeps_pages                       whether the next engine takes over the memory of large tables of the host
-//   read_access(table)                a vector of the host for functors to read; it stays as it is meanwhile
-//   read_write_access(table)          the same to read and write; the host has the changes after copy_back()
-//   write_access(table)               the same, if functors write it before they read it
 //   make_buffer<T>(n, f)              a buffer of f(i), i in [0, n), evaluated on the host
-//   to_host(source, n, target), from_host(source, n, target), wait()
+//   to_host(source, n, target)        waits for the items
+//   wait()                            for all work that was started
 template <class Backend, class = void>
 struct Has_memory : std::false_type {};
 
 template <class Backend>
 struct Has_memory<
   Backend,
-  std::void_t<
-    typename std::enable_if<Is_buffer<typename Backend::template Buffer<std::uint32_t>>::value>::type,
-    typename std::enable_if<Is_sort_table<typename Backend::Sort_table>::value>::type,
-    decltype(bool(Backend::keeps_pages)),
-    decltype(static_cast<const int*>(
-      std::declval<Backend&>().read_access(std::declval<const std::vector<int>&>()).data())),
-    decltype(static_cast<int*>(std::declval<Backend&>().read_write_access(std::declval<std::vector<int>&>()).data())),
-    decltype(std::declval<Backend&>().read_write_access(std::declval<std::vector<int>&>()).copy_back()),
-    decltype(static_cast<int*>(std::declval<Backend&>().write_access(std::declval<std::vector<int>&>()).data())),
-    decltype(std::declval<Backend&>().write_access(std::declval<std::vector<int>&>()).copy_back()),
-    decltype(typename Backend::template Buffer<int>(
-      std::declval<Backend&>().template make_buffer<int>(std::size_t(0), archetypes::Maker()))),
-    decltype(std::declval<Backend&>().to_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
-    decltype(std::declval<Backend&>().from_host(std::declval<const int*>(), std::size_t(0), std::declval<int*>())),
-    decltype(std::declval<Backend&>().wait())>> : std::true_type {};
+  std::void_t<typename std::enable_if<Is_buffer<typename Backend::template Buffer<std::uint32_t>>::value>::type,
+              typename std::enable_if<Is_sort_table<typename Backend::Sort_table>::value>::type,
+              decltype(bool(Backend::keeps_pages)),
+              decltype(typename Backend::template Buffer<int>(
+                std::declval<Backend&>().template make_buffer<int>(std::size_t(0), archetypes::Maker()))),
+              decltype(std::declval<Backend&>().to_host(std::declval<const int*>(), std::size_t(0),
+                                                        std::declval<int*>())),
+              decltype(std::declval<Backend&>().wait())>> : std::true_type {};
 
 // Backend, execution:
 //   name()
-//   for_each(n, f)                               f(i) for i in [0, n), in any order
+//   concurrency()                                about how many bodies run at the same time
+//   for_each(n, f, grain)                        f(i) for i in [0, n), in any order; so many are worth a thread
 //   for_each_cell<Scratch>(cells, body)          body(block, scratch, c) for c in [0, cells), in any order
 //   sort(table)                                  ascending by key; keys have 63 bits
 //   sort_ranges(key, range, ranges, n, largest)  in each range, ascending; together they are [0, n)
 //   compact(n, is_kept)                          the i with is_kept(i), ascending; is_kept may be called twice
-//   collect<T>(n, f)                             f.take(i) of the i with f.has(i), ascending, for the host;
-//                                                T is plain data of at least 8 bytes, all has() precede any take()
+//   collect<T>(n, f)                             a buffer of f.take(i) of the i with f.has(i), ascending;
+//                                                all has() precede any take()
+//   sum<N>(n, f)                                 N sums, for the host, to which f(i, sums) adds for i in [0, n)
 //   run_rounds(maximum, n, rounds)               rounds.run(step, round, lane, lanes) for all lanes, step by step;
 //                                                ends before the last step of a round with rounds.is_last(round)
 //   for_each_on_host(n, f, few)                  f(i) on the host; fewer items than `few` are left to one thread
-//   sort_on_host(first, last, less)
 template <class Backend, class = void>
 struct Has_execution : std::false_type {};
 
@@ -208,7 +203,9 @@ struct Has_execution<
   Backend,
   std::void_t<
     decltype(static_cast<const char*>(Backend::name())),
+    decltype(std::size_t(std::declval<const Backend&>().concurrency())),
     decltype(std::declval<Backend&>().for_each(std::size_t(0), archetypes::Item_functor())),
+    decltype(std::declval<Backend&>().for_each(std::size_t(0), archetypes::Item_functor(), std::size_t(0))),
     decltype(std::declval<Backend&>().template for_each_cell<archetypes::Scratch>(std::size_t(0),
                                                                                   archetypes::Cell_body())),
     decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
@@ -216,13 +213,14 @@ struct Has_execution<
                                                   std::size_t(0), std::size_t(0), std::size_t(0))),
     decltype(typename Backend::template Buffer<std::uint32_t>(
       std::declval<Backend&>().compact(std::size_t(0), archetypes::Predicate()))),
-    decltype(Host_buffer<std::int64_t>(
+    decltype(typename Backend::template Buffer<std::int64_t>(
       std::declval<Backend&>().template collect<std::int64_t>(std::size_t(0), archetypes::Taker()))),
+    decltype(std::array<std::int64_t, 2>(
+      std::declval<Backend&>().template sum<2>(std::size_t(0), archetypes::Summed()))),
     decltype(std::declval<Backend&>().run_rounds(std::size_t(0), std::size_t(0), archetypes::Rounds())),
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor(), std::size_t(0))),
-    decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor())),
-    decltype(std::declval<Backend&>().sort_on_host(std::declval<int*>(), std::declval<int*>(), std::less<int>()))>>
-  : std::true_type {};
+    decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor()))>> : std::true_type {
+};
 
 // Backend, for functors that run at the same time; integers only:
 //   atomic_add(target, value), atomic_min(target, value)   return the old target
@@ -242,8 +240,9 @@ struct Has_atomics<
                        decltype(std::uint64_t(Backend::atomic_min(std::declval<std::uint64_t&>(), std::uint64_t(0)))),
                        decltype(Backend::atomic_max(std::declval<std::int32_t&>(), std::int32_t(0))),
                        decltype(std::uint32_t(Backend::atomic_load(std::declval<const std::uint32_t&>()))),
-                       decltype(std::uint32_t(Backend::atomic_exchange_if(std::declval<std::uint32_t&>(), 0u, 0u)))>>
-  : std::true_type {};
+                       decltype(std::uint32_t(Backend::atomic_exchange_if(std::declval<std::uint32_t&>(), 0u, 0u))),
+                       decltype(std::uint64_t(Backend::atomic_exchange_if(
+                         std::declval<std::uint64_t&>(), std::uint64_t(0), std::uint64_t(0))))>> : std::true_type {};
 
 template <class Backend>
 struct Is_backend : std::integral_constant<bool, Has_memory<Backend>::value && Has_execution<Backend>::value &&

@@ -328,8 +328,11 @@ constexpr int bins = 64;
 constexpr int bins_per_distance = 16;
 // A Gaussian of sigma = epsilon / 6, at the distance of 0, 1, 2 ... bins, in thousandths. Wider: it hides the gap
 // between layers of noise that are 1.1 epsilon apart.
-constexpr int kernel_size = 8;
-constexpr std::int64_t kernel[kernel_size] = {1000, 932, 755, 531, 325, 172, 80, 32};
+struct Kernel {
+  static constexpr int size = 8;
+  std::int64_t weight[size];
+};
+constexpr Kernel kernel = {{1000, 932, 755, 531, 325, 172, 80, 32}};
 // A peak counts when it is so much higher than the middle.
 constexpr Share peak_height = {3, 2};
 // A shape is suspicious when its points' normals lean to one side of its plane by more than about 4 degrees (sine), or

@@ -26,6 +26,10 @@ CGAL_TANDEM_HD inline double dot(const Vector& a, const Vector& b)
   return std::fma(a.x, b.x, std::fma(a.y, b.y, a.z * b.z));
 }
 
+CGAL_TANDEM_HD inline bool operator==(const Vector& a, const Vector& b)
+{
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 CGAL_TANDEM_HD inline Vector operator-(const Vector& a) { return {-a.x, -a.y, -a.z}; }
 CGAL_TANDEM_HD inline Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 CGAL_TANDEM_HD inline Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

@@ -31,11 +31,11 @@ CGAL_TANDEM_HD inline Regular_plane plane_through(const Vector& normal, const Ve
 }
 
 // The integer plane for tests of points: through the foot of the perpendicular from the origin.
-inline Plane rounded(const Regular_plane& p) { return make_plane(p.normal, p.offset * p.normal); }
+CGAL_TANDEM_HD inline Plane rounded(const Regular_plane& p) { return make_plane(p.normal, p.offset * p.normal); }
 
 // Bounds, over all points of a box, the change of the distance when a plane moves from a to b. In steps. The
 // difference of both distances is linear, so its extremes are at two opposite corners. Signs of normals are ignored.
-inline double bound_motion(const Box& box, const Regular_plane& a, const Regular_plane& b)
+CGAL_TANDEM_HD inline double bound_motion(const Box& box, const Regular_plane& a, const Regular_plane& b)
 {
   const double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;
   const Vector v = add_scaled(a.normal, -sign, b.normal);

@@ -190,11 +190,10 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point
     return order;
   typename Backend::template Buffer<Tied_point> buffer(place.size());
   backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
-  std::vector<Tied_point> tied(place.size());
-  backend.to_host(buffer.data(), tied.size(), tied.data());
+  std::vector<Tied_point> tied = to_vector(backend, buffer.data(), place.size());
   sort_tied(backend, tied, ties);
-  backend.from_host(tied.data(), tied.size(), buffer.data());
-  backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), buffer.data()});
+  const auto sorted = to_buffer(backend, tied);
+  backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), sorted.data()});
   return order;
 }
 
@@ -240,12 +239,11 @@ private:
   void split(int level, std::vector<Range>& open)
   {
     using Table = typename Backend::Sort_table::View;
-    std::vector<std::uint32_t> bound(9 * open.size());
-    auto ranges = backend_.read_access(open);
-    auto bounds = backend_.write_access(bound);
-    backend_.for_each(bound.size(),
+    const auto ranges = to_buffer(backend_, open);
+    typename Backend::template Buffer<std::uint32_t> bounds(9 * open.size());
+    backend_.for_each(bounds.size(),
                       Find_octants<Table>{order_, ranges.data(), 3 * (curve_bits - level), bounds.data()});
-    bounds.copy_back();
+    const std::vector<std::uint32_t> bound = to_vector(backend_, bounds.data(), bounds.size());
     std::vector<Range> next;
     for(std::size_t i = 0; i < bound.size(); ++i)
       if(i % 9 < 8)

@@ -17,13 +17,13 @@ namespace internal {
 
 namespace {
 
-// Calls f with a team, on the current device. Waits for all work that f has queued, also when f throws. So another
+// Calls f on the current device. Waits for all work that f has queued, also when f throws. So another
 // thread, with another stream, may call next, and no copy reads memory that the caller frees.
 template <class F>
 void run_and_wait(F f)
 {
   try {
-    with_host_team(f);
+    f();
     synchronize();
   } catch(...) {
     // The exception of f counts, not an error of this wait.
@@ -162,7 +162,6 @@ std::shared_ptr<Uploaded_values> Cuda_upload::finish()
   return std::move(values_);
 }
 
-// The preparation has many loops of the host, too, so it has a team.
 Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
 {
   require_device();
@@ -219,6 +218,7 @@ std::string cuda_device_report()
 void release_cuda_memory()
 {
   Kept_pages::release();
+  Small_blocks::of_thread().release();
   Copy_streams::release();
   Pinned_block::release();
   Memory_pools::trim();

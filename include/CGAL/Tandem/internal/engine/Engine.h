@@ -17,7 +17,6 @@
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_by_joint_fit.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
-#include <CGAL/Tandem/internal/rounds/split_layers.h>
 
 #include <algorithm>
 #include <utility>
@@ -117,49 +116,84 @@ std::size_t Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cel
   return new_points;
 }
 
+struct Count_points_of_large {
+  const Shape* shape;
+  std::int64_t minimum_size;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
+  {
+    if(shape[id].moments.count >= minimum_size)
+      sum[0] += shape[id].moments.count;
+  }
+};
+
 // How much the number of points in shapes of at least the minimum size exceeds the largest one before. Fragments are
 // not counted, as they come and go in every round. Not called in young rounds, so the first call counts all these
 // points.
 template <class Backend>
 std::size_t Engine<Backend>::growth_of_large_shapes()
 {
-  std::size_t large = 0;
-  for(std::uint32_t id : state_.shapes.live)
-    if(state_.shapes[id].moments.count >= state_.options.minimum_region_size)
-      large += std::size_t(state_.shapes[id].moments.count);
+  const auto sums = state_.points.backend.template sum<1>(
+    state_.shapes.size, Count_points_of_large{state_.shapes.shape.data(), state_.options.minimum_region_size});
+  const std::size_t large = std::size_t(sums[0]);
   const std::size_t best_before = std::exchange(maximum_large_, (std::max)(maximum_large_, large));
   return maximum_large_ - best_before;
 }
+
+struct Is_fragment {
+  std::int64_t minimum_size;
+
+  CGAL_TANDEM_HD bool operator()(const Shape& shape) const
+  {
+    return !shape.is_active && shape.age > 1 && shape.moments.count < minimum_size;
+  }
+};
 
 // Dissolves shapes of more than one pass that stopped growing while they are small. Their points are free for other
 // shapes, but are no seeds any more.
 template <class Backend>
 void Engine<Backend>::drop_fragments()
 {
-  drop_shapes(state_.points, state_.shapes, [&](const Shape& shape, std::uint32_t) {
-    return !shape.is_active && shape.age > 1 && shape.moments.count < state_.options.minimum_fragment_size;
-  });
+  drop_shapes(state_.points, state_.shapes, Is_fragment{state_.options.minimum_fragment_size});
 }
+
+struct Count_cells_with_seeds {
+  const std::uint32_t* cursor;
+  const std::uint32_t* count;
+
+  CGAL_TANDEM_HD void operator()(std::size_t c, std::int64_t* sum) const { sum[0] += cursor[c] < count[c]; }
+};
+
+struct Count_restarted {
+  const Shape* shape;
+  const std::uint8_t* is_restarted;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
+  {
+    sum[0] += shape[id].is_live() && is_restarted[id];
+  }
+};
 
 // Whether another round may change something: points got a shape, seeds are left, or a shape restarts. Linear in the
 // numbers of cells and shapes.
 template <class Backend>
 bool Engine<Backend>::is_going_on(std::size_t new_points) const
 {
+  if(is_idle_ || state_.round >= tuning::loop::maximum_rounds)
+    return false;
+  Backend& backend = state_.points.backend;
   const Seeds<Backend>& seeds = state_.seeds;
-  bool is_alive = new_points > 0;
-  for(std::size_t c = 0; c < seeds.count.size(); ++c)
-    is_alive = is_alive || seeds.cursor[c] < seeds.count[c];
-  for(std::uint32_t id : state_.shapes.live)
-    is_alive = is_alive || state_.shapes.is_restarted[id];
-  return is_alive && !is_idle_ && state_.round < tuning::loop::maximum_rounds;
+  const Shape_table<Backend>& shapes = state_.shapes;
+  const auto count = [&](std::size_t n, auto f) { return backend.template sum<1>(n, f)[0]; };
+  return new_points > 0 ||
+         count(seeds.count.size(), Count_cells_with_seeds{seeds.cursor.data(), seeds.count.data()}) > 0 ||
+         count(shapes.size, Count_restarted{shapes.shape.data(), shapes.is_restarted.data()}) > 0;
 }
 
 // The order matters. Small fragments go first, so that they need no links. Fragments merge before relations are found,
-// so that their unions have relations. Layers are split after that, since the new planes are tested, and before
-// coplanar shapes merge. Labels follow at once for merged fragments, and in apply_planes() for coplanar shapes. Large
-// planes take what they explain when shapes are no longer young, so that the relations of the next round see whole
-// surfaces.
+// so that their unions have relations. Labels follow at once for merged fragments, and in apply_planes() for coplanar
+// shapes. Large planes take what they explain when shapes are no longer young, so that the relations of the next round
+// see whole surfaces.
 template <class Backend>
 bool Engine<Backend>::iterate()
 {
@@ -174,17 +208,16 @@ bool Engine<Backend>::iterate()
 
   Stage_timer regularity(times_.regularity);
   drop_fragments();
-  Link_list links = collect_links(points, shapes, Links::changed, [&] { refit_shapes(points.backend, shapes); });
+  refit_shapes(points.backend, shapes);
+  auto links = collect_links(points, shapes, Links::changed);
   merge_by_joint_fit(points, shapes, options, links, tuning::merging::misfit_share);
   relations_ = regularize_shapes(points, shapes, options, {state_.round, false}, relations_);
-  split_layers(points, shapes, options, relations_);
-  const Targets target = coplanar_targets(points.backend, shapes, relations_, links);
+  const Targets<Backend> target = coplanar_targets(points.backend, shapes, links);
   merge_shapes(points.backend, shapes, target);
   apply_planes(points, shapes, options, target);
   points.sample.reset(0); // others need the memory
   if(state_.round >= tuning::loop::young_rounds)
-    transfer_points(points, shapes, options, relations_,
-                    {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, 1});
+    transfer_points(points, shapes, options, {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, 1});
   ++state_.round;
   return is_going_on(new_points);
 }

@@ -58,10 +58,9 @@ void sort_points(Backend& backend, Import& in, std::size_t cell_size, Sorted_clo
     backend, imported.data(), n, frame,
     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, [&] { in.drop_upload(); }));
   const std::vector<Range> ranges = split_cells(backend, sorted, frame, cell_size);
-  cells.reset(ranges.size());
-  backend.from_host(ranges.data(), ranges.size(), cells.data());
+  cells = to_buffer(backend, ranges);
   if constexpr(Stage_overrides<Backend>::expects_cells)
-    Stage_overrides<Backend>::expect_cells(backend, ranges);
+    Stage_overrides<Backend>::expect_cells(backend, cells);
   cloud.order.reset(n);
   cloud.point.reset(n);
   using Table = typename Backend::Sort_table::View;

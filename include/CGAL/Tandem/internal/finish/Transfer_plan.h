@@ -13,10 +13,8 @@
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
 
-#include <algorithm>
-#include <functional>
-#include <utility>
-#include <vector>
+#include <cmath>
+#include <cstdint>
 
 namespace CGAL {
 namespace Tandem {
@@ -24,22 +22,19 @@ namespace internal {
 
 enum class Planes { may_change, are_fixed };
 
-// What a plan is made of, beside points and shapes.
-struct Transfer_input {
-  const Link_list& links;
-  const std::vector<int>& plane_of; // by shape: those of one number, but -1, exchange no points
-  Planes planes;
-};
-
+template <class Backend>
 struct Transfer_plan {
-  std::vector<std::uint32_t> target;    // by shape: where points that fit go; itself if it gives none
-  std::vector<std::uint8_t> is_changed; // by shape: whether it takes its local plane
-  bool is_any = false;                  // otherwise nothing would change
+  Targets<Backend> target; // by shape: where points that fit go; itself if it gives none
+  typename Backend::template Buffer<std::uint8_t> is_changed; // by shape: whether it takes its local plane
+  bool is_any = false;                                        // otherwise nothing would change
 };
 
-// The plane of a shape, and its local plane.
+// Two shapes: points of the first may go to the second, which comes before it in the order by falling number of points,
+// then by id. So nothing goes in circles. Where planes may change, a shape that may take points has a query with
+// itself, too: for the points that its planes keep.
 struct Transfer_query {
-  Plane before, after;
+  std::uint32_t from, to;
+  Plane before, after; // the plane of the second one, and its local plane
 };
 
 // For each cell: how many points of a shape fit the planes of its queries. The counts of query q are at 2 q and
@@ -58,7 +53,7 @@ struct Count_fitting {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return queries_of[s].size() > 0; }))
+    if(!cells.may_have(block, c, [&](std::uint32_t s) { return queries_of[s].size() > 0; }))
       return;
     const Range cell = cells[c];
     scratch.clear(block);
@@ -78,175 +73,284 @@ struct Count_fitting {
   }
 };
 
-// The making of one plan. All moments have to be right and fitted. A query is a pair of shapes: points of the first may
-// go to the second, which comes before it in the order by falling number of points, then by id. So nothing goes in
-// circles.
-template <class Backend>
-class Transfer_planner {
-  struct Query {
-    std::uint32_t from, to;
-  };
+// The tests of a shape against the plane of another one. All lengths are grid steps.
+struct Transfer_criterion {
+  const Shape* shape;
+  double maximum_distance;
+  bool may_change; // planes
 
-public:
-  Transfer_planner(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
-                   const Transfer_input& in)
-    : points_(points), shapes_(shapes), options_(options), in_(in)
-  {}
-
-  Transfer_plan plan()
+  CGAL_TANDEM_HD bool is_before(std::uint32_t a, std::uint32_t b) const
   {
-    Transfer_plan plan;
-    plan.target = identity_targets(shapes_.size());
-    plan.is_changed.assign(shapes_.size(), 0);
-    list_queries();
-    if(query_.empty())
-      return plan;
-    count_points();
-    if(may_change())
-      choose_planes(plan);
-    choose_targets(plan);
-    return plan;
-  }
-
-private:
-  bool may_change() const { return in_.planes == Planes::may_change; }
-
-  bool is_before(std::uint32_t a, std::uint32_t b) const
-  {
-    const std::int64_t na = shapes_[a].moments.count, nb = shapes_[b].moments.count;
+    const std::int64_t na = shape[a].moments.count, nb = shape[b].moments.count;
     return na > nb || (na == nb && a < b);
   }
 
+  // Whether shape s may take points of t: by its plane, or by its local plane if planes may change.
+  CGAL_TANDEM_HD bool may_take(std::uint32_t s, std::uint32_t t) const
+  {
+    const bool are_of_one_plane = shape[t].plane_number >= 0 && shape[t].plane_number == shape[s].plane_number;
+    return !are_of_one_plane && (may_explain(t, shape[s].plane) || (may_change && may_explain(t, shape[s].local)));
+  }
+
+  // The points that the first shape of a query would give, of so many that fit: none if they are too few, or a layer.
+  // after: to the local plane of the second one.
+  CGAL_TANDEM_HD std::int64_t explained(const Transfer_query& q, bool after, std::uint32_t fitting) const
+  {
+    if(q.from == q.to)
+      return fitting;
+    const Regular_plane& plane = after ? shape[q.to].local : shape[q.to].plane;
+    constexpr tuning::Share of_layer = tuning::transfer::layer_share, of_other = tuning::transfer::explained_share;
+    const tuning::Share least = is_layer(q.from, plane) ? of_layer : of_other;
+    return least.is_reached(fitting, shape[q.from].moments.count) ? fitting : 0;
+  }
+
+private:
   // Squared distances from the plane: of the centroid, and the variance about it; in steps^2.
   struct Distances {
     double centroid2, variance;
   };
 
-  Distances distances(std::uint32_t t, const Regular_plane& plane) const
+  CGAL_TANDEM_HD Distances distances(std::uint32_t t, const Regular_plane& plane) const
   {
-    const Scatter& s = shapes_[t].scatter;
+    const Scatter& s = shape[t].scatter;
     const double e = dot(plane.normal, s.centroid) - plane.offset;
     return {e * e, quadratic_form(s.matrix, plane.normal) / s.count};
   }
 
   // Whether enough points of t may be within epsilon, by Cantelli's inequality: at most v / (v + (e - epsilon)^2) of
   // them are, for a centroid at a distance e > epsilon and a variance v. No point is read.
-  bool may_explain(std::uint32_t t, const Regular_plane& plane) const
+  CGAL_TANDEM_HD bool may_explain(std::uint32_t t, const Regular_plane& plane) const
   {
-    using tuning::transfer::explained_share;
-    const double epsilon = options_.maximum_distance;
+    constexpr tuning::Share share = tuning::transfer::explained_share;
     const Distances d = distances(t, plane);
-    const double e = std::sqrt(d.centroid2) - epsilon;
-    const double rest = double(explained_share.denominator - explained_share.numerator);
-    return e <= 0 || d.variance * rest * 1.000001 >= e * e * double(explained_share.numerator);
+    const double e = std::sqrt(d.centroid2) - maximum_distance;
+    const double rest = double(share.denominator - share.numerator);
+    return e <= 0 || d.variance * rest * 1.000001 >= e * e * double(share.numerator);
   }
 
   // Whether t lies beside the plane, as thin as its local plane has it: then it may be a layer of its own.
-  bool is_layer(std::uint32_t t, const Regular_plane& plane) const
+  CGAL_TANDEM_HD bool is_layer(std::uint32_t t, const Regular_plane& plane) const
   {
-    using namespace tuning::transfer;
-    const double epsilon = layer_distance * options_.maximum_distance;
+    const double epsilon = tuning::transfer::layer_distance * maximum_distance;
     const Distances d = distances(t, plane);
-    const Shape& shape = shapes_[t];
-    return d.centroid2 > epsilon * epsilon && d.variance * shape.scatter.count <= layer_variance * shape.fit.smallest;
+    return d.centroid2 > epsilon * epsilon &&
+           d.variance * shape[t].scatter.count <= tuning::transfer::layer_variance * shape[t].fit.smallest;
+  }
+};
+
+// By link: giving shape << 32 | taking shape, or no_query.
+constexpr std::uint64_t no_query = ~std::uint64_t(0);
+
+template <class Backend>
+struct Find_query {
+  Transfer_criterion criterion;
+  const Link* link;
+  std::uint64_t* query;
+  std::int32_t* takes; // by shape; null if planes do not change
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    std::uint32_t t = link[i].first(), s = link[i].second();
+    if(criterion.is_before(t, s)) {
+      const std::uint32_t swapped = t;
+      t = s;
+      s = swapped;
+    }
+    query[i] = criterion.may_take(s, t) ? std::uint64_t(t) << 32 | s : no_query;
+    if(query[i] != no_query && takes != nullptr)
+      Backend::atomic_max(takes[s], 1);
+  }
+};
+
+// The queries of links, then those of shapes with themselves.
+struct Take_queries {
+  const std::uint64_t* query;
+  std::uint32_t links;
+  const std::int32_t* takes;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return i < links ? query[i] != no_query : takes[i - links] != 0; }
+  CGAL_TANDEM_HD std::uint64_t take(std::uint32_t i) const
+  {
+    return i < links ? query[i] : std::uint64_t(i - links) << 32 | (i - links);
+  }
+};
+
+template <class Table>
+struct Fill_table {
+  const std::uint64_t* key;
+  Table table;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { table.set(i, key[i], std::uint32_t(i)); }
+};
+
+// Queries from their sorted keys; those of one giving shape are a range.
+template <class Table>
+struct Make_query {
+  Table table;
+  std::size_t queries;
+  const Shape* shape;
+  const Plane* plane;
+  Transfer_query* query;
+  Range* queries_of; // by giving shape
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t from = std::uint32_t(table.key(i) >> 32), to = std::uint32_t(table.key(i));
+    query[i] = {from, to, plane[to], rounded(shape[to].local)};
+    if(i == 0 || table.key(i - 1) >> 32 != from)
+      queries_of[from].first = std::uint32_t(i);
+    if(i + 1 == queries || table.key(i + 1) >> 32 != from)
+      queries_of[from].last = std::uint32_t(i + 1);
+  }
+};
+
+// How many points the two planes of a shape explain.
+struct Explained {
+  std::int64_t before = 0, after = 0;
+};
+
+template <class Backend>
+struct Sum_explained {
+  Transfer_criterion criterion;
+  const Transfer_query* query;
+  const std::uint32_t* count; // two by query
+  Explained* explained;       // by shape
+
+  CGAL_TANDEM_HD void operator()(std::size_t q) const
+  {
+    Explained& e = explained[query[q].to];
+    Backend::atomic_add(e.before, criterion.explained(query[q], false, count[2 * q]));
+    Backend::atomic_add(e.after, criterion.explained(query[q], true, count[2 * q + 1]));
+  }
+};
+
+// A shape takes its local plane if that explains more.
+struct Choose_plane {
+  const Explained* explained;
+  std::uint8_t* is_changed;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    constexpr tuning::Share share = tuning::transfer::better_plane;
+    is_changed[id] = share.is_exceeded(explained[id].after, explained[id].before);
+  }
+};
+
+// A shape gives to the first one, in their order, that explains enough of it.
+struct Choose_target {
+  Transfer_criterion criterion;
+  const Transfer_query* query;
+  const Range* queries_of;
+  const std::uint32_t* count;
+  const std::uint8_t* is_changed;
+  std::uint32_t* target;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    std::uint32_t chosen = std::uint32_t(id);
+    for(std::uint32_t q = queries_of[id].first; q < queries_of[id].last; ++q) {
+      const std::uint32_t s = query[q].to;
+      const bool after = is_changed[s] != 0;
+      if(s != id && (chosen == id || criterion.is_before(s, chosen)) &&
+         criterion.explained(query[q], after, count[2 * q + after]) > 0)
+        chosen = s;
+    }
+    target[id] = chosen;
+  }
+};
+
+struct Count_transfers {
+  const std::uint32_t* target;
+  const std::uint8_t* is_changed;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
+  {
+    sum[0] += target[id] != id || is_changed[id] != 0;
+  }
+};
+
+// The making of one plan. All moments have to be right and fitted.
+template <class Backend>
+class Transfer_planner {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+public:
+  Transfer_planner(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
+                   Planes planes)
+    : points_(points), backend_(points.backend), shapes_(shapes),
+      options_(options), criterion_{shapes.shape.data(), options.maximum_distance, planes == Planes::may_change}
+  {}
+
+  Transfer_plan<Backend> plan(const Buffer<Link>& links)
+  {
+    Transfer_plan<Backend> plan;
+    list_queries(links);
+    if(query_.size() == 0)
+      return plan;
+    count_points();
+    plan.is_changed = filled_buffer(backend_, shapes_.size, std::uint8_t(0));
+    plan.target.reset(shapes_.size);
+    if(criterion_.may_change)
+      choose_planes(plan);
+    for_each_shape(backend_, shapes_,
+                   Choose_target{criterion_, query_.data(), queries_of_.data(), count_.data(), plan.is_changed.data(),
+                                 plan.target.data()});
+    plan.is_any =
+      backend_.template sum<1>(shapes_.size, Count_transfers{plan.target.data(), plan.is_changed.data()})[0] > 0;
+    return plan;
   }
 
-  // Queries by the shape that gives, then by the order of those that take. Where planes may change, shapes that may
-  // take points have queries to themselves, which count the points that their planes keep.
-  void list_queries()
+private:
+  void list_queries(const Buffer<Link>& links)
   {
-    std::vector<std::uint32_t> rank(shapes_.size()), order(shapes_.live.begin(), shapes_.live.end());
-    points_.backend.sort_on_host(order.begin(), order.end(),
-                                 [&](std::uint32_t a, std::uint32_t b) { return is_before(a, b); });
-    for(std::size_t r = 0; r < order.size(); ++r)
-      rank[order[r]] = std::uint32_t(r);
-    std::vector<std::uint64_t> keys; // giving shape << 32 | rank of the taking one
-    std::vector<std::uint8_t> takes(shapes_.size(), 0);
-    for(const Link& link : in_.links) {
-      std::uint32_t t = link.first(), s = link.second();
-      if(is_before(t, s))
-        std::swap(t, s);
-      const bool is_one_plane = in_.plane_of[t] >= 0 && in_.plane_of[t] == in_.plane_of[s];
-      if(is_one_plane || !(may_explain(t, shapes_[s].plane) || (may_change() && may_explain(t, shapes_[s].local))))
-        continue;
-      keys.push_back(std::uint64_t(t) << 32 | rank[s]);
-      takes[s] = may_change();
-    }
-    for(std::uint32_t id : shapes_.live)
-      if(takes[id])
-        keys.push_back(std::uint64_t(id) << 32 | rank[id]);
-    points_.backend.sort_on_host(keys.begin(), keys.end(), std::less<std::uint64_t>());
-    for(std::uint64_t key : keys)
-      query_.push_back({std::uint32_t(key >> 32), order[std::uint32_t(key)]});
+    using Table = typename Backend::Sort_table::View;
+    Buffer<std::uint64_t> of_link(links.size());
+    Buffer<std::int32_t> takes;
+    if(criterion_.may_change)
+      takes = filled_buffer(backend_, shapes_.size, std::int32_t(0));
+    backend_.for_each(
+      links.size(),
+      Find_query<Backend>{criterion_, links.data(), of_link.data(), criterion_.may_change ? takes.data() : nullptr},
+      shapes_per_thread);
+    const auto keys = backend_.template collect<std::uint64_t>(
+      links.size() + takes.size(), Take_queries{of_link.data(), std::uint32_t(links.size()), takes.data()});
+    typename Backend::Sort_table table(keys.size());
+    backend_.for_each(keys.size(), Fill_table<Table>{keys.data(), table.view()});
+    backend_.sort(table);
+    query_.reset(keys.size());
+    queries_of_ = filled_buffer(backend_, shapes_.size, Range{0, 0});
+    backend_.for_each(keys.size(),
+                      Make_query<Table>{table.view(), keys.size(), shapes_.shape.data(), shapes_.plane.data(),
+                                        query_.data(), queries_of_.data()},
+                      shapes_per_thread);
   }
 
   void count_points()
   {
-    Backend& backend = points_.backend;
-    std::vector<Range> queries_of(shapes_.size(), Range{0, 0});
-    std::vector<Transfer_query> planes(query_.size());
-    for(std::uint32_t q = 0; q < query_.size(); ++q) {
-      Range& range = queries_of[query_[q].from];
-      range = {range.size() > 0 ? range.first : q, q + 1};
-      const Shape& taking = shapes_[query_[q].to];
-      planes[q] = {shapes_.plane[query_[q].to], may_change() ? rounded(taking.local) : Plane()};
-    }
-    count_.assign(2 * query_.size(), 0);
-    const auto ranges = backend.read_access(queries_of);
-    const auto queries = backend.read_access(planes);
-    auto counts = backend.read_write_access(count_);
-    backend.template for_each_cell<Count_scratch>(
-      points_.number_of_cells(),
-      Count_fitting<Backend>{points_.cloud.view(), points_.cells_view(), points_.label.data(), ranges.data(),
-                             queries.data(), counts.data(), options_.growth.tolerance, may_change()});
-    counts.copy_back();
+    count_ = filled_buffer(backend_, 2 * query_.size(), std::uint32_t(0));
+    backend_.template for_each_cell<Count_scratch>(
+      points_.number_of_parts(),
+      Count_fitting<Backend>{points_.cloud.view(), points_.parts_view(), points_.label.data(), queries_of_.data(),
+                             query_.data(), count_.data(), options_.growth.tolerance, criterion_.may_change});
   }
 
-  // The points that the first shape of a query would give; none if they are too few, or a layer. after: to the local
-  // plane of the second one.
-  std::int64_t explained(std::size_t q, bool after) const
+  void choose_planes(Transfer_plan<Backend>& plan)
   {
-    const std::uint32_t t = query_[q].from, s = query_[q].to;
-    const std::int64_t fitting = count_[2 * q + std::size_t(after)], size = shapes_[t].moments.count;
-    if(t == s)
-      return fitting;
-    const Regular_plane& plane = after ? shapes_[s].local : shapes_[s].plane;
-    const tuning::Share least = is_layer(t, plane) ? tuning::transfer::layer_share : tuning::transfer::explained_share;
-    return least.is_reached(fitting, size) ? fitting : 0;
-  }
-
-  // A shape takes its local plane if that explains more.
-  void choose_planes(Transfer_plan& plan) const
-  {
-    std::vector<std::int64_t> before(shapes_.size(), 0), after(shapes_.size(), 0);
-    for(std::size_t q = 0; q < query_.size(); ++q) {
-      before[query_[q].to] += explained(q, false);
-      after[query_[q].to] += explained(q, true);
-    }
-    for(std::uint32_t id : shapes_.live) {
-      plan.is_changed[id] = tuning::transfer::better_plane.is_exceeded(after[id], before[id]);
-      plan.is_any = plan.is_any || plan.is_changed[id];
-    }
-  }
-
-  // Each shape gives to the first one, in their order, that explains enough of it.
-  void choose_targets(Transfer_plan& plan) const
-  {
-    for(std::size_t q = 0; q < query_.size(); ++q) {
-      const std::uint32_t t = query_[q].from, s = query_[q].to;
-      if(t == s || plan.target[t] != t || explained(q, plan.is_changed[s]) == 0)
-        continue;
-      plan.target[t] = s;
-      plan.is_any = true;
-    }
+    auto explained = filled_buffer(backend_, shapes_.size, Explained());
+    backend_.for_each(query_.size(), Sum_explained<Backend>{criterion_, query_.data(), count_.data(), explained.data()},
+                      shapes_per_thread);
+    for_each_shape(backend_, shapes_, Choose_plane{explained.data(), plan.is_changed.data()});
   }
 
   Labeled_cloud<Backend>& points_;
+  Backend& backend_;
   const Shape_table<Backend>& shapes_;
   const Options& options_;
-  const Transfer_input& in_;
-  std::vector<Query> query_;
-  std::vector<std::uint32_t> count_; // two by query
+  const Transfer_criterion criterion_;
+  Buffer<Transfer_query> query_; // by giving shape
+  Buffer<Range> queries_of_;     // by giving shape: its queries
+  Buffer<std::uint32_t> count_;  // two by query
 };
 
 } // namespace internal

@@ -25,56 +25,103 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// By id: 1 for live shapes of less than `size` points, 0 for all other entries.
+struct Mark_below {
+  const Shape* shape;
+  std::int64_t size;
+  std::uint8_t* is_below;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    is_below[id] = shape[id].is_live() && shape[id].moments.count < size;
+  }
+};
+
+// By id.
 template <class Backend>
-std::vector<std::uint8_t> shapes_below(Backend& backend, const Shape_table<Backend>& shapes, std::int64_t size)
+using Marks = typename Backend::template Buffer<std::uint8_t>;
+
+// 1 for live shapes of less than `size` points, 0 for all other entries.
+template <class Backend>
+Marks<Backend> shapes_below(Backend& backend, const Shape_table<Backend>& shapes, std::int64_t size)
 {
-  std::vector<std::uint8_t> is_below(shapes.size(), 0);
-  backend.for_each_on_host(
-    shapes.live.size(), [&](std::size_t l) { is_below[shapes.live[l]] = shapes[shapes.live[l]].moments.count < size; });
+  Marks<Backend> is_below(shapes.size);
+  for_each_shape(backend, shapes, Mark_below{shapes.shape.data(), size, is_below.data()});
   return is_below;
 }
 
 // The table that selects every shape.
-inline std::vector<std::uint8_t> all_shapes(std::size_t shapes) { return std::vector<std::uint8_t>(shapes, 1); }
+template <class Backend>
+Marks<Backend> all_shapes(Backend& backend, const Shape_table<Backend>& shapes)
+{
+  return filled_buffer(backend, shapes.size, std::uint8_t(1));
+}
+
+struct Round_plane {
+  Shape* shape;
+  Plane* plane;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    if(!shape[id].is_live())
+      return;
+    plane[id] = rounded(shape[id].plane);
+    shape[id].checked = shape[id].plane;
+  }
+};
 
 // Rounds the planes of all live shapes for the tests of points. Then points of the checked shapes that do not fit
 // become free, and the moments of these shapes follow.
 template <class Backend>
-void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Point_check& check)
+void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Marks<Backend>& is_checked,
+                    const Tolerance& tolerance)
 {
-  points.backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
-    Shape& shape = shapes[shapes.live[l]];
-    shapes.plane[shapes.live[l]] = rounded(shape.plane);
-    shape.checked = shape.plane;
-  });
-  update_points(points, shapes, identity_targets(shapes.size()), check);
+  for_each_shape(points.backend, shapes, Round_plane{shapes.shape.data(), shapes.plane.data()});
+  update_points(points, shapes, identity_targets(points.backend, shapes.size), is_checked.data(), tolerance);
 }
+
+struct Take_local {
+  Shape* shape;
+  const std::uint8_t* is_fragment;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    if(is_fragment[id])
+      shape[id].plane = shape[id].local;
+  }
+};
 
 // Fits all shapes whose points have changed. Fragments take their local planes, as after a rollback.
 template <class Backend>
-void refit_fragments(Backend& backend, Shape_table<Backend>& shapes, const std::vector<std::uint8_t>& is_fragment)
+void refit_fragments(Backend& backend, Shape_table<Backend>& shapes, const Marks<Backend>& is_fragment)
 {
   refit_shapes(backend, shapes);
-  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
-    if(is_fragment[shapes.live[l]])
-      shapes[shapes.live[l]].plane = shapes[shapes.live[l]].local;
-  });
+  for_each_shape(backend, shapes, Take_local{shapes.shape.data(), is_fragment.data()});
 }
+
+struct Take_links_of_fragments {
+  const Link* link;
+  const std::uint8_t* is_fragment;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const
+  {
+    return is_fragment[link[i].first()] && is_fragment[link[i].second()];
+  }
+  CGAL_TANDEM_HD Link take(std::uint32_t i) const { return link[i]; }
+};
 
 // Merges linked fragments by joint fit: see merge_by_joint_fit.h. Larger shapes take no part here; they take points of
 // fragments in the reassignment that follows. More misfits are tolerated than in the loop, because fragments that stay
 // small are dropped.
 template <class Backend>
 void join_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                    const std::vector<std::uint8_t>& is_fragment)
+                    const Marks<Backend>& is_fragment)
 {
-  Link_list links = collect_links(points, shapes, Links::all, [&] { refit_shapes(points.backend, shapes); });
-  links.erase(std::remove_if(links.begin(), links.end(),
-                             [&](const Link& l) { return !is_fragment[l.first()] || !is_fragment[l.second()]; }),
-              links.end());
+  Backend& backend = points.backend;
+  refit_shapes(backend, shapes);
+  const auto all = collect_links(points, shapes, Links::all);
+  auto links = backend.template collect<Link>(all.size(), Take_links_of_fragments{all.data(), is_fragment.data()});
   if(merge_by_joint_fit(points, shapes, options, links, tuning::merging::final_misfit_share))
-    refit_fragments(points.backend, shapes, is_fragment);
+    refit_fragments(backend, shapes, is_fragment);
   points.sample.reset(0); // others need the memory
 }
 
@@ -88,17 +135,18 @@ void consolidate(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   const Tolerance& tolerance = options.growth.tolerance;
   for(int round = 0; round < consolidation_rounds; ++round) {
     const auto is_fragment = shapes_below(points.backend, shapes, options.minimum_region_size);
-    const std::size_t shapes_before = shapes.live.size(), assigned_before = shapes.assigned;
+    const Shape_counts before = count_live(points.backend, shapes);
     refit_fragments(points.backend, shapes, is_fragment);
-    detach_misfits(points, shapes, {is_fragment, tolerance});
+    detach_misfits(points, shapes, is_fragment, tolerance);
     join_fragments(points, shapes, options, is_fragment);
-    detach_misfits(points, shapes, {is_fragment, tolerance});
-    propagate_labels(points, shapes.plane, tolerance);
+    detach_misfits(points, shapes, is_fragment, tolerance);
+    propagate_labels(points, shapes, tolerance);
     const auto may_lose = shapes_below(points.backend, shapes, options.minimum_region_size);
-    reassign(points, shapes, tolerance, {may_lose, all_shapes(shapes.size()), false});
+    reassign(points, shapes, tolerance, may_lose.data(), false);
     recount(points, shapes);
-    if(kept_shapes.is_reached(std::int64_t(shapes.live.size()), std::int64_t(shapes_before)) &&
-       !grown_points.is_reached(std::int64_t(shapes.assigned), std::int64_t(assigned_before)))
+    const Shape_counts now = count_live(points.backend, shapes);
+    if(kept_shapes.is_reached(std::int64_t(now.shapes), std::int64_t(before.shapes)) &&
+       !grown_points.is_reached(std::int64_t(now.points), std::int64_t(before.points)))
       break;
   }
 }
@@ -115,28 +163,38 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   refit_shapes(backend, shapes);
   Shape_relations relations = regularize_shapes(points, shapes, options, {round, true}, before);
   points.sample.reset(0); // others need the memory
-  const Link_list links = collect_links(points, shapes, Links::all);
-  merge_points(points, shapes, coplanar_targets(backend, shapes, relations, links));
-  detach_misfits(points, shapes, {all_shapes(shapes.size()), tolerance});
-  propagate_labels(points, shapes.plane, tolerance);
+  const auto links = collect_links(points, shapes, Links::all);
+  merge_points(points, shapes, coplanar_targets(backend, shapes, links));
+  detach_misfits(points, shapes, all_shapes(backend, shapes), tolerance);
+  propagate_labels(points, shapes, tolerance);
   recount(points, shapes);
   drop_small(points, shapes, options.lasting_size);
   return relations;
 }
+
+struct Mark_safe {
+  const Shape* shape;
+  std::int64_t minimum_size;
+  std::uint8_t* is_safe;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    constexpr tuning::Share safe_size = tuning::end_game::safe_size;
+    is_safe[id] = safe_size.is_reached(shape[id].moments.count, minimum_size);
+  }
+};
 
 // Points go to the largest shape that they fit: see Choose_largest. Planes stay, since none is fitted afterwards.
 // Only shapes well above the minimum size lose points; those that fall below it all the same are dropped.
 template <class Backend>
 void reassign_to_larger(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
-  using namespace tuning::end_game;
+  Marks<Backend> may_lose(shapes.size);
   bool is_any = true;
-  for(int round = 0; round < reassignment_rounds && is_any; ++round) {
-    std::vector<std::uint8_t> may_lose(shapes.size(), 1);
-    for(std::uint32_t id : shapes.live)
-      may_lose[id] = safe_size.is_reached(shapes[id].moments.count, options.minimum_region_size);
-    is_any = reassign(points, shapes, options.growth.tolerance, {may_lose, all_shapes(shapes.size()), true});
-    drop_empty_shapes(points.backend, shapes);
+  for(int round = 0; round < tuning::end_game::reassignment_rounds && is_any; ++round) {
+    for_each_shape(points.backend, shapes,
+                   Mark_safe{shapes.shape.data(), options.minimum_region_size, may_lose.data()});
+    is_any = reassign(points, shapes, options.growth.tolerance, may_lose.data(), true);
   }
   list_shapes(points);
   drop_small(points, shapes, options.minimum_region_size);
@@ -151,7 +209,7 @@ void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   choose_sides(points, shapes, tolerance);
   list_shapes(points);
   fit_normals_to_shapes(points, shapes, tolerance);
-  detach_misfits(points, shapes, {all_shapes(shapes.size()), tolerance});
+  detach_misfits(points, shapes, all_shapes(points.backend, shapes), tolerance);
   drop_small(points, shapes, options.minimum_region_size);
 }
 
@@ -181,9 +239,9 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   drop_small(points, shapes, options.lasting_size);
   const Shape_relations first = regularize_finally(points, shapes, options, round, {});
   const int rounds = tuning::transfer::maximum_rounds;
-  transfer_points(points, shapes, options, first, {Planes::may_change, rounds, options.lasting_size});
+  transfer_points(points, shapes, options, {Planes::may_change, rounds, options.lasting_size});
   Shape_relations relations = regularize_finally(points, shapes, options, round, first);
-  transfer_points(points, shapes, options, relations, {Planes::are_fixed, rounds, options.lasting_size});
+  transfer_points(points, shapes, options, {Planes::are_fixed, rounds, options.lasting_size});
   clear_interior(points);
   reassign_to_larger(points, shapes, options);
   if(options.has_estimated_normals)

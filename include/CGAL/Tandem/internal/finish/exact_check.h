@@ -103,12 +103,10 @@ void check_exactly(Backend& backend, const Points_to_check& points, const Plane*
   typename Backend::template Buffer<Uncertain_point> buffer(place.size());
   backend.for_each(place.size(),
                    Gather_uncertain{points.point, points.label, points.origin, place.data(), buffer.data()});
-  std::vector<Uncertain_point> uncertain(place.size());
-  backend.to_host(buffer.data(), uncertain.size(), uncertain.data());
-  std::vector<std::uint8_t> is_rejected(uncertain.size());
-  backend.for_each_on_host(uncertain.size(), [&](std::size_t i) { is_rejected[i] = !check.is_within(uncertain[i]); });
-  const auto rejected = backend.read_access(is_rejected);
-  backend.for_each(place.size(), Lock_rejected{place.data(), rejected.data(), points.label});
+  const std::vector<Uncertain_point> uncertain = to_vector(backend, buffer.data(), place.size());
+  const auto is_rejected = backend.template make_buffer<std::uint8_t>(
+    uncertain.size(), [&](std::size_t i) { return std::uint8_t(!check.is_within(uncertain[i])); });
+  backend.for_each(place.size(), Lock_rejected{place.data(), is_rejected.data(), points.label});
 }
 
 } // namespace internal

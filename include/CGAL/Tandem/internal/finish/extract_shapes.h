@@ -32,6 +32,29 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
   return planes;
 }
 
+struct Number_entries {
+  const std::uint32_t* id;
+  std::uint32_t* entry_of; // by shape
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { entry_of[id[i]] = std::uint32_t(i); }
+};
+
+// Of the distances of the points to the regular plane of an entry, in epsilons. From the moments of the shape: its
+// local fit, and what its regular plane adds to it.
+struct Measure_rms {
+  const Shape* shape;
+  const std::uint32_t* id;
+  double maximum_distance;
+  double* rms;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const Shape& s = shape[id[i]];
+    const double squares = excess(s.scatter, s.fit, s.plane) + s.fit.smallest;
+    rms[i] = std::sqrt((std::max)(squares, 0.) / (std::max)(s.scatter.count, 1.)) / maximum_distance;
+  }
+};
+
 // From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their points are
 // free.
 struct Map_to_entries {
@@ -115,11 +138,14 @@ private:
   // Fills label_; from here on no step reads the labels of the loop.
   void take_entries()
   {
-    std::vector<std::uint32_t> entry_of(shapes_.size(), no_index);
-    for(std::uint32_t i = 0; i < relations_.id.size(); ++i)
-      entry_of[relations_.id[i]] = i;
-    const auto entries = backend_.read_access(entry_of);
-    backend_.for_each(label_.size(), Map_to_entries{points_.label.data(), entries.data(), label_.data()});
+    auto entry_of = filled_buffer(backend_, shapes_.size, no_index);
+    const auto id = to_buffer(backend_, relations_.id);
+    backend_.for_each(id.size(), Number_entries{id.data(), entry_of.data()});
+    backend_.for_each(label_.size(), Map_to_entries{points_.label.data(), entry_of.data(), label_.data()});
+    Buffer<double> rms(id.size());
+    backend_.for_each(id.size(), Measure_rms{shapes_.shape.data(), id.data(), options_.maximum_distance, rms.data()},
+                      shapes_per_thread);
+    rms_ = to_vector(backend_, rms.data(), rms.size());
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
@@ -128,44 +154,31 @@ private:
   {
     const Relations& relations = relations_.relations;
     const std::vector<Coefficients> planes = caller_planes(relations, in_.grid);
-    for(std::size_t i = 0; i < relations_.id.size(); ++i) {
-      plane_.push_back(rounded(relations.planes[std::size_t(relations.plane_of[i])]));
+    for(std::size_t i = 0; i < relations_.id.size(); ++i)
       coefficients_.push_back(planes[std::size_t(relations.plane_of[i])]);
-    }
+    plane_ = backend_.template make_buffer<Plane>(relations_.id.size(), [&](std::size_t i) {
+      return rounded(relations.planes[std::size_t(relations.plane_of[i])]);
+    });
     const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
-    const auto plane = backend_.read_access(plane_);
-    check_exactly(backend_, {points_.cloud.point.data(), order(), label_.data(), label_.size()}, plane.data(),
+    check_exactly(backend_, {points_.cloud.point.data(), order(), label_.data(), label_.size()}, plane_.data(),
                   options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
-  }
-
-  // Of the distances of the points to the regular plane of an entry, in epsilons. From the moments of the shape: its
-  // local fit, and what its regular plane adds to it.
-  double rms(std::size_t entry) const
-  {
-    const Shape& shape = shapes_[relations_.id[entry]];
-    const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
-    return std::sqrt((std::max)(squares, 0.) / (std::max)(shape.scatter.count, 1.)) / options_.maximum_distance;
   }
 
   // Shapes are judged before they are split into components, so a small component counts with all of its shape.
   void drop_clutter()
   {
-    std::vector<Neighbor_counts> counts(plane_.size());
-    std::vector<std::uint8_t> is_crisp(plane_.size()), is_dropped(plane_.size());
-    for(std::size_t i = 0; i < plane_.size(); ++i)
-      is_crisp[i] = rms(i) < tuning::clutter::crisp_rms;
-    const auto plane = backend_.read_access(plane_);
-    const auto crisp = backend_.read_access(is_crisp);
-    auto sums = backend_.read_write_access(counts);
+    const std::size_t n = plane_.size();
+    auto sums = filled_buffer(backend_, n, Neighbor_counts());
+    const auto is_crisp = backend_.template make_buffer<std::uint8_t>(
+      n, [&](std::size_t i) { return std::uint8_t(rms_[i] < tuning::clutter::crisp_rms); });
     backend_.template for_each_cell<Neighbor_scratch>(
       points_.number_of_cells(),
-      Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane.data(), crisp.data(),
-                               sums.data(), options_.growth.tolerance.distance});
-    sums.copy_back();
-    for(std::size_t i = 0; i < plane_.size(); ++i)
-      is_dropped[i] = is_clutter(counts[i], rms(i));
-    const auto dropped = backend_.read_access(is_dropped);
-    backend_.for_each(label_.size(), Free_dropped{dropped.data(), label_.data()});
+      Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
+                               is_crisp.data(), sums.data(), options_.growth.tolerance.distance});
+    const std::vector<Neighbor_counts> counts = to_vector(backend_, sums.data(), n);
+    const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
+      n, [&](std::size_t i) { return std::uint8_t(is_clutter(counts[i], rms_[i])); });
+    backend_.for_each(label_.size(), Free_dropped{is_dropped.data(), label_.data()});
   }
 
   // Components of the remaining labels become shapes: by falling number of points, ties by position of the root.
@@ -178,9 +191,8 @@ private:
     const std::vector<Component> components =
       large_components(points_, options_.minimum_region_size, label_.data(), component.data());
     number_groups(components, result);
-    Buffer<std::uint32_t> number(n);
-    backend_.for_each(n, Fill{number.data(), no_index});
-    const auto named = backend_.read_access(components);
+    auto number = filled_buffer(backend_, n, no_index);
+    const auto named = to_buffer(backend_, components);
     backend_.for_each(components.size(), Number_roots{named.data(), number.data()});
     measure_shapes(component.data(), number.data(), result);
     Buffer<std::int32_t> shape_of(n);
@@ -210,17 +222,14 @@ private:
   // not oriented.
   void measure_shapes(const std::uint32_t* component, const std::uint32_t* number, Engine_result& result)
   {
-    std::vector<std::uint32_t> opposed(result.shapes.size(), 0);
-    std::vector<std::uint64_t> distance(1, 0);
-    const auto plane = backend_.read_access(plane_);
-    auto opposed_sums = backend_.read_write_access(opposed);
-    auto distance_sum = backend_.read_write_access(distance);
+    auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint32_t(0));
+    auto distance_sum = filled_buffer(backend_, 1, std::uint64_t(0));
     backend_.template for_each_cell<Measure_scratch>(
       points_.number_of_cells(),
-      Measure_points<Backend>{points_.cloud.point.data(), points_.cells.data(), label_.data(), plane.data(), component,
+      Measure_points<Backend>{points_.cloud.point.data(), points_.cells.data(), label_.data(), plane_.data(), component,
                               number, options_.growth.tolerance.distance, opposed_sums.data(), distance_sum.data()});
-    opposed_sums.copy_back();
-    distance_sum.copy_back();
+    const auto opposed = to_vector(backend_, opposed_sums.data(), opposed_sums.size());
+    const auto distance = to_vector(backend_, distance_sum.data(), 1);
     std::size_t points = 0;
     for(std::size_t s = 0; s < result.shapes.size(); ++s) {
       points += result.shapes[s].size;
@@ -258,9 +267,10 @@ private:
   const Options& options_;
   const Shape_relations& relations_;
   const Import& in_;
-  Buffer<std::uint32_t> label_;            // entry of the relations
-  std::vector<Plane> plane_;               // by entry
-  std::vector<Coefficients> coefficients_; // by entry
+  Buffer<std::uint32_t> label_; // entry of the relations; the others are by entry
+  Buffer<Plane> plane_;
+  std::vector<double> rms_;
+  std::vector<Coefficients> coefficients_;
 };
 
 template <class Backend>

@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/shapes/Count_scratch.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
@@ -16,14 +17,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Sets every entry to one value.
-struct Fill {
-  std::uint32_t* target;
-  std::uint32_t value;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = value; }
-};
 
 // Adds the labeled points of each cell to their components: size[r] for the root r. Counts are gathered in the cell
 // first, because all points of a face have the same root. Integer sums, so the order does not matter.
@@ -80,8 +73,7 @@ template <class Backend>
 typename Backend::template Buffer<std::uint32_t>
 component_sizes(Labeled_cloud<Backend>& points, const std::uint32_t* label, const std::uint32_t* component)
 {
-  typename Backend::template Buffer<std::uint32_t> size(points.cloud.size());
-  points.backend.for_each(size.size(), Fill{size.data(), 0});
+  auto size = filled_buffer(points.backend, points.cloud.size(), std::uint32_t(0));
   points.backend.template for_each_cell<Count_scratch>(
     points.number_of_cells(), Count_components<Backend>{points.cells.data(), label, component, size.data()});
   return size;
@@ -98,8 +90,7 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int
   const auto root = backend.compact(n, Is_large_root{label, component, size.data(), std::uint64_t(minimum_size)});
   typename Backend::template Buffer<Component> buffer(root.size());
   backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
-  std::vector<Component> components(root.size());
-  backend.to_host(buffer.data(), components.size(), components.data());
+  std::vector<Component> components = to_vector(backend, buffer.data(), root.size());
   std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
     return a.size != b.size ? a.size > b.size : a.root < b.root;
   });

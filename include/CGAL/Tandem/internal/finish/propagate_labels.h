@@ -172,21 +172,20 @@ struct Label_propagation {
 // Labels free points until a round labels hardly any, or after a number of rounds. Proposals that are still open then
 // are dropped. plane: by shape, as rounded for the tests of points.
 template <class Backend>
-void propagate_labels(Labeled_cloud<Backend>& points, const std::vector<Plane>& plane, const Tolerance& tolerance)
+void propagate_labels(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Tolerance& tolerance)
 {
   constexpr std::size_t maximum_rounds = tuning::end_game::propagation_rounds;
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size(), few = n / tuning::end_game::points_per_late_point;
   typename Backend::template Buffer<std::uint64_t> proposal(n);
   typename Backend::template Buffer<std::uint32_t> proposed(n);
-  std::vector<std::uint32_t> end(maximum_rounds + 2, 0); // not copied back: the host does not need it
-  const auto planes = backend.read_access(plane);
-  const auto ends = backend.read_write_access(end);
+  auto end = filled_buffer(backend, maximum_rounds + 2, std::uint32_t(0));
   backend.for_each(n, Clear_proposals{proposal.data()});
-  const Propose_label<Backend> first = {points.cloud.view(), points.label.data(), points.state.data(), planes.data(),
-                                        proposal.data(),     tolerance,           proposed.data(),     ends.data() + 1};
+  const Propose_label<Backend> first = {points.cloud.view(), points.label.data(), points.state.data(),
+                                        shapes.plane.data(), proposal.data(),     tolerance,
+                                        proposed.data(),     end.data() + 1};
   backend.for_each(n, first);
-  const Label_propagation<Backend> rounds = {first, points.labels(), {proposed.data(), ends.data()}, few};
+  const Label_propagation<Backend> rounds = {first, points.labels(), {proposed.data(), end.data()}, few};
   backend.run_rounds(maximum_rounds, n, rounds);
 }
 

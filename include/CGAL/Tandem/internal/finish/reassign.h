@@ -27,12 +27,11 @@ struct Choose_largest {
   const std::uint32_t* label;
   std::uint8_t* state;
   const Plane* plane;
-  const std::int64_t* size; // by shape, as are these
-  const std::uint8_t* may_lose;
-  const std::uint8_t* may_receive;
-  std::uint32_t* chosen; // by point: its next label
+  const Shape* shape;
+  const std::uint8_t* may_lose; // by shape
+  std::uint32_t* chosen;        // by point: its next label
   Tolerance tolerance;
-  bool marks_interior = false;
+  bool marks_interior;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
@@ -74,12 +73,13 @@ private:
 
   CGAL_TANDEM_HD bool is_larger(std::uint32_t a, std::uint32_t b) const
   {
-    return size[a] > size[b] || (size[a] == size[b] && a < b);
+    const std::int64_t na = shape[a].moments.count, nb = shape[b].moments.count;
+    return na > nb || (na == nb && a < b);
   }
 
   CGAL_TANDEM_HD bool may_take(std::uint32_t t, std::size_t i) const
   {
-    return may_receive[t] && fits(plane[t], cloud.point[i], tolerance);
+    return fits(plane[t], cloud.point[i], tolerance);
   }
 
   // To the plane of shape s, in 2^-28 grid steps.
@@ -153,12 +153,6 @@ struct Apply_chosen {
   }
 };
 
-// Which shapes take part, by id: those that may lose points, and those that may get them.
-struct Reassignment {
-  std::vector<std::uint8_t> may_lose, may_receive;
-  bool marks_interior;
-};
-
 // Points take the chosen labels, by position. Moments stay right if they were; boxes may be too large, because a lost
 // point does not shrink them. Shapes may become empty. Returns whether any label has changed.
 template <class Backend>
@@ -167,34 +161,22 @@ bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   Backend& backend = points.backend;
   backend.template for_each_cell<Moment_table>(
     points.number_of_cells(), Apply_chosen<Backend>{points.cloud.view(), points.cells.data(), chosen, points.labels(),
-                                                    start_deltas(backend, shapes, shapes.size())});
-  const Host_buffer<Shape_delta> changes = take_deltas(backend, shapes, shapes.size());
-  backend.for_each_on_host(changes.size(), [&](std::size_t c) {
-    Shape& shape = shapes[changes[c].id];
-    shape.moments += changes[c].sums.moments();
-    shape.box.add(changes[c].sums.box);
-    shape.is_dirty = true;
-  });
-  return changes.size() > 0;
+                                                    start_deltas(backend, shapes, shapes.size)});
+  const bool is_any = count_deltas(backend, shapes) > 0;
+  add_deltas(backend, shapes);
+  return is_any;
 }
 
-// One round, computed from the labels of the round before (Jacobi): see take_chosen().
+// One round, computed from the labels of the round before (Jacobi): see take_chosen(). may_lose: by id.
 template <class Backend>
 bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance,
-              const Reassignment& which)
+              const std::uint8_t* may_lose, bool marks_interior)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
-  const Cloud_view cloud = points.cloud.view();
-  std::vector<std::int64_t> size(shapes.size(), 0);
-  backend.for_each_on_host(shapes.live.size(),
-                           [&](std::size_t l) { size[shapes.live[l]] = shapes[shapes.live[l]].moments.count; });
   typename Backend::template Buffer<std::uint32_t> chosen(n);
-  const auto plane = backend.read_access(shapes.plane);
-  const auto sizes = backend.read_access(size);
-  const auto losing = backend.read_access(which.may_lose), receiving = backend.read_access(which.may_receive);
-  backend.for_each(n, Choose_largest{cloud, points.label.data(), points.state.data(), plane.data(), sizes.data(),
-                                     losing.data(), receiving.data(), chosen.data(), tolerance, which.marks_interior});
+  backend.for_each(n, Choose_largest{points.cloud.view(), points.label.data(), points.state.data(), shapes.plane.data(),
+                                     shapes.shape.data(), may_lose, chosen.data(), tolerance, marks_interior});
   return take_chosen(points, shapes, chosen.data());
 }
 
@@ -203,7 +185,7 @@ bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, cons
 template <class Backend>
 struct Sum_moments {
   Cloud_view cloud;
-  const Range* cells;
+  Cells_view cells;
   const std::uint32_t* label;
   Shared_moments* sum;
 
@@ -211,6 +193,8 @@ struct Sum_moments {
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
   {
     const Range cell = cells[c];
+    if(cell.size() == 0)
+      return;
     const Grid_point& base = cloud.point[cell.first];
     const Cell_sums sums = {base, sum};
     const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, sums); };
@@ -233,26 +217,31 @@ struct Sum_moments {
   }
 };
 
-// Sums moments and boxes of all shapes again from the labels, and drops empty shapes. Needed where labels have changed
-// without their deltas, and to shrink boxes.
+struct Set_sums {
+  Shape* shape;
+  Shared_moments* sum;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    shape[id].moments = Moments();
+    if(is_any(sum[id]))
+      shape[id].box = Box();
+    Add_deltas{shape, sum}(id);
+  }
+};
+
+// Sums moments and boxes of all shapes again from the labels. Needed where labels have changed without their deltas,
+// and to shrink boxes.
 template <class Backend>
 void recount(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
   Backend& backend = points.backend;
+  Shared_moments* const sums = start_deltas(backend, shapes, shapes.size);
   backend.template for_each_cell<Moment_table>(
-    points.number_of_cells(), Sum_moments<Backend>{points.cloud.view(), points.cells.data(), points.label.data(),
-                                                   start_deltas(backend, shapes, shapes.size())});
+    points.number_of_parts(),
+    Sum_moments<Backend>{points.cloud.view(), points.parts_view(), points.label.data(), sums});
   list_shapes(points);
-  const Host_buffer<Shape_delta> sums = take_deltas(backend, shapes, shapes.size());
-  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) { shapes[shapes.live[l]].moments = Moments(); });
-  shapes.assigned = std::size_t(sum_on_host(backend, sums.size(), [&](std::size_t s) {
-    Shape& shape = shapes[sums[s].id];
-    shape.moments = sums[s].sums.moments();
-    shape.box = sums[s].sums.box;
-    shape.is_dirty = true;
-    return sums[s].sums.count;
-  }));
-  drop_empty_shapes(backend, shapes);
+  for_each_shape(backend, shapes, Set_sums{shapes.shape.data(), sums});
 }
 
 } // namespace internal

@@ -13,11 +13,7 @@
 #include <CGAL/Tandem/internal/finish/Transfer_plan.h>
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>
-#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
-
-#include <cstdlib>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -47,36 +43,63 @@ struct Transfer_point {
   }
 };
 
-// By id: the number of the plane in the relations, -1 for shapes without one.
-inline std::vector<int> planes_of(std::size_t shapes, const Shape_relations& r)
-{
-  std::vector<int> plane_of(shapes, -1);
-  for(std::size_t i = 0; i < r.id.size(); ++i)
-    plane_of[r.id[i]] = r.relations.plane_of[i];
-  return plane_of;
-}
+struct Take_changed_plane {
+  Shape* shape;
+  Plane* plane;
+  const std::uint8_t* is_changed;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    Shape& s = shape[id];
+    if(!is_changed[id])
+      return;
+    s.plane = s.checked = s.local;
+    s.regular_count = 0;
+    plane[id] = rounded(s.plane);
+  }
+};
 
 // The shapes take their local planes, and the points follow. Shapes with a new plane have no relations any more.
 template <class Backend>
-void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Transfer_plan& plan,
+void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Transfer_plan<Backend>& plan,
                const Tolerance& tolerance)
 {
-  Backend& backend = points.backend;
-  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
-    const std::uint32_t id = shapes.live[l];
-    Shape& shape = shapes[id];
-    if(!plan.is_changed[id])
-      return;
-    shape.plane = shape.checked = shape.local;
-    shape.regular_count = 0;
-    shapes.plane[id] = rounded(shape.plane);
-  });
-  const auto target = backend.read_access(plan.target);
-  const auto changed = backend.read_access(plan.is_changed);
-  const auto plane = backend.read_access(shapes.plane);
-  backend.for_each(points.cloud.size(), Transfer_point{points.cloud.view(), points.labels(), target.data(),
-                                                       changed.data(), plane.data(), tolerance});
+  for_each_shape(points.backend, shapes,
+                 Take_changed_plane{shapes.shape.data(), shapes.plane.data(), plan.is_changed.data()});
+  points.backend.for_each(points.cloud.size(), Transfer_point{points.cloud.view(), points.labels(), plan.target.data(),
+                                                              plan.is_changed.data(), shapes.plane.data(), tolerance});
 }
+
+struct Copy_sizes {
+  const Shape* shape;
+  std::int64_t* size;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const { size[id] = shape[id].moments.count; }
+};
+
+struct Mark_changed {
+  Shape* shape;
+  const std::int64_t* before;
+  const std::uint8_t* is_changed;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    if(is_changed[id] || shape[id].moments.count != before[id])
+      shape[id].is_changed = true;
+  }
+};
+
+// Twice the number of points that have come or gone.
+struct Sum_moved {
+  const Shape* shape;
+  const std::int64_t* before;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
+  {
+    const std::int64_t change = shape[id].moments.count - before[id];
+    sum[0] += change < 0 ? -change : change;
+  }
+};
 
 // How points are transferred: whether planes are fitted anew or stay as they are, and how often. Shapes that are
 // smaller afterwards are dissolved; in the loop, that is left to the next round, since they may still grow.
@@ -90,30 +113,26 @@ struct Transfer {
 // rounded in the table; afterwards they still do. Shapes of one plane of the relations exchange no points.
 template <class Backend>
 void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                     const Shape_relations& relations, const Transfer& transfer)
+                     const Transfer& transfer)
 {
   Backend& backend = points.backend;
   const Tolerance& tolerance = options.growth.tolerance;
-  const std::vector<int> plane_of = planes_of(shapes.size(), relations);
+  typename Backend::template Buffer<std::int64_t> before(shapes.size);
   for(int round = 0; round < transfer.maximum_rounds; ++round) {
-    const Link_list links = collect_links(points, shapes, Links::all, [&] { refit_shapes(backend, shapes); });
-    const Transfer_plan plan =
-      Transfer_planner<Backend>(points, shapes, options, {links, plane_of, transfer.planes}).plan();
+    refit_shapes(backend, shapes);
+    const auto links = collect_links(points, shapes, Links::all);
+    const auto plan = Transfer_planner<Backend>(points, shapes, options, transfer.planes).plan(links);
     if(!plan.is_any)
       return;
-    std::vector<std::int64_t> before(shapes.size(), 0);
-    for(std::uint32_t id : shapes.live)
-      before[id] = shapes[id].moments.count;
+    for_each_shape(backend, shapes, Copy_sizes{shapes.shape.data(), before.data()});
     carry_out(points, shapes, plan, tolerance);
-    propagate_labels(points, shapes.plane, tolerance);
+    propagate_labels(points, shapes, tolerance);
     recount(points, shapes);
-    const std::int64_t moved = sum_on_host(backend, before.size(), [&](std::size_t id) {
-      const std::int64_t change = std::abs(shapes[id].moments.count - before[id]);
-      shapes[id].is_changed = shapes[id].is_changed || change > 0 || plan.is_changed[id];
-      return change;
-    });
+    for_each_shape(backend, shapes, Mark_changed{shapes.shape.data(), before.data(), plan.is_changed.data()});
+    const std::int64_t moved =
+      backend.template sum<1>(shapes.size, Sum_moved{shapes.shape.data(), before.data()})[0] / 2;
     drop_small(points, shapes, transfer.minimum_size);
-    if(moved / 2 < std::int64_t(points.cloud.size() / tuning::transfer::points_per_moved_point))
+    if(moved < std::int64_t(points.cloud.size() / tuning::transfer::points_per_moved_point))
       return;
   }
 }

@@ -13,7 +13,6 @@
 #include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -74,7 +73,7 @@ struct Grow_cells {
   Labels_view labels;
   Growth_options options;
   Cell_tables tables;
-  const std::uint32_t* new_shape; // by cell: the first of the ids for what begins there
+  std::uint32_t first_new; // the ids from here on are those of new shapes, so many for each cell as may start there
 
   template <class Block, class Scratch>
   CGAL_TANDEM_HD void operator()(Block& block, Scratch& scratch, std::uint32_t c) const
@@ -88,67 +87,72 @@ struct Grow_cells {
       tables.seed + tables.cells[c].first,
       tables.seed_count[c],
       tables.seed_cursor + c,
-      new_shape[c],
-      tables.cells.shapes[c].may_have(block, [&](std::uint32_t s) { return shapes.is_restarted[s] != 0; })};
+      first_new + c * std::uint32_t(options.seeds_in_flight),
+      tables.cells.may_have(block, c, [&](std::uint32_t s) { return shapes.is_restarted[s] != 0; })};
     Cell_growth<Backend, Block, Scratch>(block, scratch, {job, cloud, shapes, labels, options}).run();
   }
 };
 
-// By cell: the first id for shapes that start there, and at last the end of all ids. Each cell has ids for as many as
-// may start: not more than it has seeds left. So new ids follow from the order of cells and seeds, and cells need no
-// common counter.
-template <class Backend>
-std::vector<std::uint32_t> new_ids(const Seeds<Backend>& seeds, std::size_t shapes, int seeds_in_flight)
-{
-  std::vector<std::uint32_t> first(seeds.count.size() + 1);
-  first[0] = std::uint32_t(shapes);
-  for(std::size_t c = 0; c < seeds.count.size(); ++c)
-    first[c + 1] = first[c] + (std::min)(std::uint32_t(seeds_in_flight), seeds.count[c] - seeds.cursor[c]);
-  return first;
-}
+// Copies what growth reads of the shapes, as there has to be room for new ones.
+struct Copy_for_growth {
+  const Plane* plane;
+  const std::uint16_t* steps;
+  const std::uint8_t* is_restarted;
+  std::size_t shapes;
+  Shapes_view copy;
+  std::uint8_t* is_restarted_copy;
 
-// One pass. first_id: of new_ids(). The tables of planes and steps are copied, as they need room for all these ids.
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    if(id < shapes) {
+      copy.plane[id] = plane[id];
+      copy.steps[id] = steps[id];
+    }
+    is_restarted_copy[id] = id < shapes ? is_restarted[id] : 0;
+  }
+};
+
+// One pass. Returns the end of the ids: each cell has some of its own for shapes that may start, so that cells need no
+// common counter, and new ids follow from the order of cells and seeds.
 template <class Backend>
-void grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
-                const Growth_options& options, const std::vector<std::uint32_t>& first_id)
+std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
+                       const Growth_options& options)
 {
   Backend& backend = points.backend;
   Border<Backend>& border = points.border;
-  const std::size_t ids = first_id.back(), cells = points.number_of_cells();
+  const std::size_t cells = points.number_of_cells();
+  const std::size_t ids = shapes.size + cells * std::size_t(options.seeds_in_flight);
   const Cloud_view cloud = points.cloud.view();
   typename Backend::template Buffer<Plane> plane(ids);
   typename Backend::template Buffer<std::uint16_t> steps(ids);
-  backend.from_host(shapes.plane.data(), shapes.plane.size(), plane.data());
-  backend.from_host(shapes.steps.data(), shapes.steps.size(), steps.data());
-  shapes.is_restarted.resize(ids, 0);
-  auto cursor = backend.read_write_access(seeds.cursor);
-  const auto is_restarted = backend.read_access(shapes.is_restarted);
-  const auto seed_count = backend.read_access(seeds.count);
-  const auto first = backend.read_access(first_id);
+  typename Backend::template Buffer<std::uint8_t> is_restarted(ids);
+  const Shapes_view view = {plane.data(), steps.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
+  backend.for_each(ids, Copy_for_growth{shapes.plane.data(), shapes.steps.data(), shapes.is_restarted.data(),
+                                        shapes.size, view, is_restarted.data()});
   backend.for_each(border.point.size(), Propose{cloud, points.label.data(), plane.data(), border.point.data(),
                                                 border.proposal.data(), options.tolerance});
-  const Shapes_view view = {plane.data(), steps.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
   const Cell_tables tables = {points.cells_view(), border.range.data(), border.point.data(), border.proposal.data(),
-                              seeds.seed.data(),   seed_count.data(),   cursor.data()};
-  const Grow_cells<Backend> body = {cloud, view, points.labels(), options, tables, first.data()};
+                              seeds.seed.data(),   seeds.count.data(),  seeds.cursor.data()};
+  const Grow_cells<Backend> body = {cloud, view, points.labels(), options, tables, std::uint32_t(shapes.size)};
   // Large cells need a larger queue, which does not fit into the fast memory of a device.
   if(options.cell_size <= small_cell)
     backend.template for_each_cell<Growth_scratch<small_cell>>(cells, body);
   else
     backend.template for_each_cell<Growth_scratch<largest_cell>>(cells, body);
-  cursor.copy_back();
+  return ids;
 }
 
 // Whether a cell has many untried seeds: as many as the smallest shape has points, or more than a share of its points.
 // Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
+template <class Backend>
 struct Find_untried_cells {
   Labels_view labels;
   Cells_view cells;
   const std::uint32_t* seed;       // by position
-  const std::uint32_t* seed_count; // by cell, as are these
+  const std::uint32_t* seed_count; // by cell, as is the next one
   const std::uint32_t* seed_cursor;
   std::uint32_t smallest_shape; // points
-  std::uint8_t* is_found;       // by cell
+  std::uint32_t* found;         // number of cells
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, std::uint32_t& untried, std::uint32_t c) const
@@ -160,7 +164,10 @@ struct Find_untried_cells {
       if(labels.is_untried(seed[first + at]))
         block.append(untried);
     });
-    block.single([&] { is_found[c] = untried >= (share < smallest_shape ? share : smallest_shape); });
+    block.single([&] {
+      if(untried >= (share < smallest_shape ? share : smallest_shape))
+        Backend::atomic_add(*found, 1u);
+    });
   }
 };
 
@@ -169,16 +176,13 @@ template <class Backend>
 std::size_t count_untried_cells(Labeled_cloud<Backend>& points, const Seeds<Backend>& seeds,
                                 std::int64_t minimum_region_size)
 {
-  std::vector<std::uint8_t> is_untried(points.number_of_cells());
-  const auto count = points.backend.read_access(seeds.count);
-  const auto cursor = points.backend.read_access(seeds.cursor);
-  auto found = points.backend.write_access(is_untried);
+  auto found = filled_buffer(points.backend, 1, std::uint32_t(0));
   const std::uint32_t smallest = std::uint32_t((std::min)(minimum_region_size, std::int64_t(points.cloud.size())));
   points.backend.template for_each_cell<std::uint32_t>(
-    is_untried.size(), Find_untried_cells{points.labels(), points.cells_view(), seeds.seed.data(), count.data(),
-                                          cursor.data(), smallest, found.data()});
-  found.copy_back();
-  return std::size_t(std::count(is_untried.begin(), is_untried.end(), 1));
+    points.number_of_cells(),
+    Find_untried_cells<Backend>{points.labels(), points.cells_view(), seeds.seed.data(), seeds.count.data(),
+                                seeds.cursor.data(), smallest, found.data()});
+  return to_vector(points.backend, found.data(), 1).front();
 }
 
 } // namespace internal

@@ -10,9 +10,7 @@
 #include <CGAL/Tandem/internal/growth/grow_cells.h>
 #include <CGAL/Tandem/internal/shapes/cell_shapes.h>
 
-#include <algorithm>
-#include <numeric>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -30,83 +28,125 @@ struct Replace_ids {
   }
 };
 
-// The shapes of a table with few live ones get new ids, in the same order; new_id is filled by old id. As ties are
-// broken by id, keeping the order keeps all results.
-template <class Backend>
-void renumber_live_shapes(Backend& backend, Shape_table<Backend>& shapes, std::vector<std::uint32_t>& new_id)
-{
-  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) { new_id[shapes.live[l]] = std::uint32_t(l); });
-  shapes.shape.keep(backend, shapes.live);
-  for(std::size_t l = 0; l < shapes.live.size(); ++l)
-    shapes.plane[l] = shapes.plane[shapes.live[l]]; // l <= live[l]
-  std::iota(shapes.live.begin(), shapes.live.end(), 0u);
-}
+// Shapes that started in the pass have a delta: their core.
+struct Has_started {
+  const Shared_moments* delta; // from the first new id on
 
-// New shapes, which are those of the deltas from the old ids on, get consecutive ids behind the others. Labels, deltas
-// and tables follow. Where most ids are out of use, all shapes get new ones, in the same order. So the tables stay
-// proportional to the live shapes. Labels are rewritten only if some id is new.
-template <class Backend>
-void number_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids,
-                   Host_buffer<Shape_delta>& deltas)
-{
-  Backend& backend = points.backend;
-  const std::size_t old_ids = shapes.size();
-  const bool is_sparse = 2 * shapes.live.size() < old_ids;
-  std::vector<std::uint32_t> new_id(ids, free_label);
-  if(is_sparse)
-    renumber_live_shapes(backend, shapes, new_id);
-  else
-    backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) { new_id[shapes.live[l]] = shapes.live[l]; });
-  const std::size_t kept = shapes.size();
-  // Each shape that started has a delta: its core. Deltas ascend, so those of new shapes are the last ones.
-  const Shape_delta* const started =
-    std::partition_point(deltas.begin(), deltas.end(), [&](const Shape_delta& delta) { return delta.id < old_ids; });
-  const std::size_t first_started = std::size_t(started - deltas.begin()), next = kept + deltas.size() - first_started;
-  backend.for_each_on_host(deltas.size(), [&](std::size_t d) {
-    std::uint32_t& id = new_id[deltas[d].id];
-    if(d >= first_started)
-      id = std::uint32_t(kept + (d - first_started));
-    deltas[d].id = id;
-  });
-  if(is_sparse || next > kept) {
-    const auto numbers = backend.read_access(new_id);
-    backend.for_each(points.cloud.size(), Replace_ids{numbers.data(), points.label.data()});
-  }
-  shapes.live.reserve(shapes.live.size() + (next - kept));
-  for(std::size_t id = kept; id < next; ++id)
-    shapes.live.push_back(std::uint32_t(id));
-  shapes.shape.resize(backend, next);
-  shapes.plane.resize(next);
-  shapes.steps.resize(next);
-  shapes.is_restarted.assign(next, 0);
-}
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return is_any(delta[i]); }
+};
+
+struct Is_live {
+  const Shape* shape;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live(); }
+};
 
 // The breadth-first steps of a shape in its next pass, from its age in passes. Doubling lets planes mature before they
 // spread over noise. The age of a live shape is at least 1.
-inline std::uint16_t next_steps(int age)
+CGAL_TANDEM_HD inline std::uint16_t next_steps(int age)
 {
   return std::uint16_t(age < tuning::growth::doubling_passes ? 1 << age : tuning::growth::maximum_steps);
 }
 
-// Adds the points of the pass to moments and boxes, and prepares all live shapes for the next pass. A delta belongs to
-// one shape, so threads write different ones.
+// Makes the entries of the new table, those of new shapes last, adds the points of the pass to them, and prepares them
+// for the next pass.
+struct Take_growth {
+  const Shape* old_shape; // may be the new table: then ids stay
+  const Plane* old_plane;
+  Shape* shape;
+  Plane* plane;
+  std::uint16_t* steps;
+  std::uint8_t* is_restarted;
+  Shared_moments* delta;        // by old id
+  const std::uint32_t* kept;    // old ids; null if all are kept
+  const std::uint32_t* started; // after the first new id
+  std::uint32_t number_kept, first_new;
+  std::uint32_t* new_id; // by old id
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const bool is_new = i >= number_kept;
+    const std::uint32_t old = is_new            ? first_new + started[i - number_kept]
+                              : kept != nullptr ? kept[i]
+                                                : std::uint32_t(i);
+    Shape& s = shape[i];
+    if(is_new) {
+      s = Shape();
+      plane[i] = Plane();
+    } else if(old_shape != shape) {
+      s = old_shape[old];
+      plane[i] = old_plane[old];
+    }
+    new_id[old] = std::uint32_t(i);
+    is_restarted[i] = 0;
+    steps[i] = 0;
+    if(!is_new && !s.is_live())
+      return;
+    s.is_active = is_any(delta[old]);
+    ++s.age;
+    steps[i] = next_steps(s.age);
+    if(!s.is_active)
+      return;
+    s.moments += delta[old].moments();
+    s.box.add(delta[old].box);
+    s.is_dirty = s.is_changed = true;
+    delta[old] = Shared_moments();
+  }
+};
+
+struct Count_grown {
+  const Shape* shape;
+  const Shared_moments* delta;
+  std::size_t shapes;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
+  {
+    sum[0] += delta[id].count;
+    sum[1] += id < shapes && shape[id].is_live();
+  }
+};
+
+// The table after a pass, of which `ids` is the end of the ids. New shapes get consecutive ids behind the others. Where
+// most ids are out of use, all shapes get new ones, in the same order: ties are broken by id, so that keeps all
+// results. So the tables stay proportional to the live shapes. Labels are rewritten only if some id is new. Returns the
+// number of points that got a shape.
 template <class Backend>
-void apply_deltas(Backend& backend, Shape_table<Backend>& shapes, const Host_buffer<Shape_delta>& deltas)
+std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids)
 {
-  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
-    const std::uint32_t id = shapes.live[l];
-    Shape& shape = shapes[id];
-    shape.is_active = false;
-    ++shape.age;
-    shapes.steps[id] = next_steps(shape.age);
-  });
-  shapes.assigned += std::size_t(sum_on_host(backend, deltas.size(), [&](std::size_t d) {
-    Shape& shape = shapes[deltas[d].id];
-    shape.moments += deltas[d].sums.moments();
-    shape.box.add(deltas[d].sums.box);
-    shape.is_active = shape.is_dirty = shape.is_changed = true;
-    return deltas[d].sums.count;
-  }));
+  using Ids = typename Backend::template Buffer<std::uint32_t>;
+  Backend& backend = points.backend;
+  const std::size_t first_new = shapes.size;
+  Shared_moments* const delta = shapes.delta.data();
+  const auto sums = backend.template sum<2>(ids, Count_grown{shapes.shape.data(), delta, first_new});
+  const std::size_t live = std::size_t(sums[1]);
+  const bool is_sparse = 2 * live < first_new;
+  const Ids kept = is_sparse ? backend.compact(first_new, Is_live{shapes.shape.data()}) : Ids();
+  const Ids started = backend.compact(ids - first_new, Has_started{delta + first_new});
+  const std::size_t number_kept = is_sparse ? live : first_new, size = number_kept + started.size();
+  typename Backend::template Buffer<Shape> shape;
+  typename Backend::template Buffer<Plane> plane;
+  const bool moves = is_sparse || size > shapes.shape.size();
+  if(moves) {
+    shape.reset(size + size / 2);
+    plane.reset(size + size / 2);
+    shapes.steps.reset(size + size / 2);
+    shapes.is_restarted.reset(size + size / 2);
+  }
+  Ids new_id(ids);
+  backend.for_each(size,
+                   Take_growth{shapes.shape.data(), shapes.plane.data(), moves ? shape.data() : shapes.shape.data(),
+                               moves ? plane.data() : shapes.plane.data(), shapes.steps.data(),
+                               shapes.is_restarted.data(), delta, is_sparse ? kept.data() : nullptr, started.data(),
+                               std::uint32_t(number_kept), std::uint32_t(first_new), new_id.data()},
+                   shapes_per_thread);
+  if(moves) {
+    shapes.shape = std::move(shape);
+    shapes.plane = std::move(plane);
+  }
+  shapes.size = size;
+  if(is_sparse || started.size() > 0)
+    backend.for_each(points.cloud.size(), Replace_ids{new_id.data(), points.label.data()});
+  return std::size_t(sums[0]);
 }
 
 // One pass, from proposals to lists of the cells. Returns the number of points that were free before.
@@ -114,29 +154,32 @@ template <class Backend>
 std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
                         const Growth_options& options)
 {
-  const std::size_t before = shapes.assigned;
-  const std::vector<std::uint32_t> first_id = new_ids(seeds, shapes.size(), options.seeds_in_flight);
-  grow_cells(points, shapes, seeds, options, first_id);
-  Host_buffer<Shape_delta> deltas = take_deltas(points.backend, shapes, first_id.back());
-  number_shapes(points, shapes, first_id.back(), deltas);
-  apply_deltas(points.backend, shapes, deltas);
+  const std::size_t new_points = take_growth(points, shapes, grow_cells(points, shapes, seeds, options));
   list_shapes(points);
-  return shapes.assigned - before;
+  return new_points;
 }
+
+struct Take_local_plane {
+  Shape* shape;
+  Plane* plane;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    Shape& s = shape[id];
+    if(!s.is_live() || s.age != 1)
+      return;
+    refit_if_dirty(s);
+    plane[id] = rounded(s.local);
+    s.restarted = s.local;
+  }
+};
 
 // Between two passes of a round: shapes that started in the last one take their local planes. So they can go on before
 // they have relations. They are on the frontier as a whole, so they need no restart.
 template <class Backend>
 void take_local_planes(Backend& backend, Shape_table<Backend>& shapes)
 {
-  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
-    Shape& shape = shapes[shapes.live[l]];
-    if(shape.age != 1)
-      return;
-    refit_if_dirty(shape);
-    shapes.plane[shapes.live[l]] = rounded(shape.local);
-    shape.restarted = shape.local;
-  });
+  for_each_shape(backend, shapes, Take_local_plane{shapes.shape.data(), shapes.plane.data()});
 }
 
 } // namespace internal

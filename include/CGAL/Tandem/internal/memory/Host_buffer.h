@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -42,6 +43,9 @@ public:
       block = {allocate_pages(bytes), bytes};
     if(block.memory == nullptr)
       throw std::bad_alloc();
+#ifdef CGAL_TANDEM_POISONS_MEMORY
+    std::memset(block.memory, 0xa5, bytes); // so that tests see who reads it
+#endif
     data_ = std::unique_ptr<T[], Free>(static_cast<T*>(block.memory), Free{block.bytes, false});
     size_ = size;
   }

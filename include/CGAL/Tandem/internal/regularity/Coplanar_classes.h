@@ -54,8 +54,8 @@ public:
   }
 
 private:
-  // Loops over fewer items run on one thread: more would cost more time than they save.
-  static constexpr std::size_t few_directions = 8, few_classes = 32;
+  // Loops over fewer directions run on one thread: more would cost more time than they save.
+  static constexpr std::size_t few_directions = 64;
 
   // Shapes of one direction that share a plane. A shape is in one class at most.
   struct Class {
@@ -114,7 +114,8 @@ private:
         if(c.size() > 1)
           classes.push_back({c, direction[c.front()], 0});
       }
-    verified.for_each(classes.size(), [&](std::size_t c) { classes[c].offset = mean_offset(classes[c], plane); });
+    for(Class& c : classes)
+      c.offset = mean_offset(c, plane);
   }
 
   // Weighted by points, in the order of the members.
@@ -163,14 +164,13 @@ private:
     if(pairs.empty())
       return;
     // Classes change only after all pairs are verified, in one call.
-    std::vector<Class> joints(pairs.size());
-    const auto join = [&](std::size_t p) {
-      const Class &a = classes[pairs[p]], &b = classes[pairs[p] + 1];
-      joints[p] = {a.members, a.direction, 0};
-      joints[p].members.insert(joints[p].members.end(), b.members.begin(), b.members.end());
-      joints[p].offset = mean_offset(joints[p], plane);
-    };
-    verified.for_each(pairs.size(), join, few_classes);
+    std::vector<Class> joints;
+    for(std::size_t p : pairs) {
+      const Class &a = classes[p], &b = classes[p + 1];
+      joints.push_back({a.members, a.direction, 0});
+      joints.back().members.insert(joints.back().members.end(), b.members.begin(), b.members.end());
+      joints.back().offset = mean_offset(joints.back(), plane);
+    }
     const std::vector<char> is_rejected = test(verified, joints, plane);
     auto rejected_member = is_rejected.begin();
     for(std::size_t p = 0; p < pairs.size(); ++p) {
@@ -195,18 +195,13 @@ private:
   static std::vector<char> test(Verified& verified, const std::vector<Class>& candidates_of,
                                 const Regular_planes& plane)
   {
-    std::vector<std::size_t> first(candidates_of.size() + 1, 0);
-    for(std::size_t c = 0; c < candidates_of.size(); ++c)
-      first[c + 1] = first[c] + candidates_of[c].members.size();
-    std::vector<int> candidates(first.back());
-    Regular_planes planes(first.back());
-    const auto list = [&](std::size_t c) {
-      for(std::size_t m = 0; m < candidates_of[c].members.size(); ++m) {
-        candidates[first[c] + m] = candidates_of[c].members[m];
-        planes[first[c] + m] = {plane[std::size_t(candidates_of[c].members[m])].normal, candidates_of[c].offset};
+    std::vector<int> candidates;
+    Regular_planes planes;
+    for(const Class& c : candidates_of)
+      for(int i : c.members) {
+        candidates.push_back(i);
+        planes.push_back({plane[std::size_t(i)].normal, c.offset});
       }
-    };
-    verified.for_each(candidates_of.size(), list, few_classes);
     return verified.test(candidates, planes);
   }
 

@@ -65,9 +65,6 @@ public:
   }
 
 private:
-  // Loops over fewer groups run on one thread.
-  static constexpr std::size_t few_groups = 16;
-
   // Prepares a level: groups that have lost members are fitted again, and get the smaller angle for right angles. At
   // the last level, without right angles, the other groups keep their directions.
   void freeze(double right_sine)
@@ -165,13 +162,9 @@ private:
   {
     if(std::find(is_dirty.begin(), is_dirty.end(), char(1)) == is_dirty.end())
       return;
-    verified.for_each(
-      groups.size(),
-      [&](std::size_t g) {
-        if(is_dirty[g])
-          refit(groups[g]);
-      },
-      few_groups);
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      if(is_dirty[g])
+        refit(groups[g]);
     std::fill(is_dirty.begin(), is_dirty.end(), char(0));
   }
 
@@ -224,21 +217,21 @@ private:
   {
     const Members m = all_members();
     Regular_planes planes(m.shape.size());
-    verified.for_each(planes.size(), [&](std::size_t k) {
+    for(std::size_t k = 0; k < planes.size(); ++k)
       planes[k] = through_centroid(shapes[m.shape[k]], groups[m.group[k]].direction);
-    });
     std::vector<int> rejected;
     remove_members(verified.test(m.shape, planes), rejected);
     return rejected;
   }
 
-  // Takes out members with is_rejected(shape, group), which runs in parallel.
+  // Takes out members with is_rejected(shape, group).
   template <class Predicate>
   void remove_rejected(Predicate is_rejected, std::vector<int>& rejected)
   {
     const Members m = all_members();
     std::vector<char> is_out(m.shape.size());
-    verified.for_each(is_out.size(), [&](std::size_t k) { is_out[k] = is_rejected(m.shape[k], groups[m.group[k]]); });
+    for(std::size_t k = 0; k < is_out.size(); ++k)
+      is_out[k] = is_rejected(m.shape[k], groups[m.group[k]]);
     remove_members(is_out, rejected);
   }
 

@@ -89,7 +89,7 @@ public:
 
 private:
   // Loops over fewer followers run on one thread.
-  static constexpr std::size_t few_followers = 8;
+  static constexpr std::size_t few_followers = 256;
 
   // Groups by falling number of points; ties are broken by the first member, which is in no other group.
   std::vector<int> by_weight() const

@@ -72,24 +72,28 @@ public:
   double density(const Position& x) const
   {
     double sum = 0;
-    index.near(x, [&](std::size_t i, double q) { sum = std::fma(weight[i], kernel(q), sum); });
+    weigh(x, [&](std::size_t i, double k) { sum = std::fma(weight[i], k, sum); });
     return sum;
   }
 
 private:
   // Loops over fewer items run on one thread.
-  static constexpr std::size_t few_densities = 64, few_climbs = 8;
+  static constexpr std::size_t few_densities = 1024, few_climbs = 64;
 
   struct Mode {
     Position position;
     double density;
   };
 
-  // q: squared distance. The exponent q / (2 sigma^2) is 2 q / radius^2.
-  double kernel(double q) const
+  // Calls f(i, kernel) for what is within reach. The exponent q / (2 sigma^2) of a squared distance q is
+  // 2 q / radius^2.
+  template <class F>
+  void weigh(const Position& x, F f) const
   {
     constexpr double sigma = tuning::clustering::sigma;
-    return gaussian(q / (2 * sigma * sigma * (radius * radius)));
+    const double twice_variance = 2 * sigma * sigma * (radius * radius);
+    index.weigh(
+      x, [twice_variance](double q) { return gaussian(q / twice_variance); }, f);
   }
 
   // Local maxima of the density among the positions within sigma, as every mode is reached from one of them. Of equal
@@ -127,7 +131,7 @@ private:
     const double small = tuning::clustering::squared_rest * radius * radius;
     for(int step = 0; step < tuning::clustering::maximum_steps; ++step) {
       typename Index::Mean mean(x);
-      index.near(x, [&](std::size_t i, double q) { mean.add(position[i], weight[i] * kernel(q)); });
+      weigh(x, [&](std::size_t i, double k) { mean.add(position[i], weight[i] * k); });
       const Position next = mean.value();
       const double moved = Index::squared_distance(x, next);
       x = next;

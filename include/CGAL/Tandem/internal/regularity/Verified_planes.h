@@ -32,13 +32,13 @@ public:
     : shapes(shapes), options(options), verify(verify)
   {
     accepted.resize(shapes.size());
-    for_each(shapes.size(),
-             [&](std::size_t i) { accepted[i] = through_centroid(shapes[i], canonical(shapes[i].fit.normal)); });
+    for(std::size_t i = 0; i < shapes.size(); ++i)
+      accepted[i] = through_centroid(shapes[i], canonical(shapes[i].fit.normal));
   }
 
   // The executor of the regularity step.
   template <class F>
-  void for_each(std::size_t n, F f, std::size_t few = 256) const
+  void for_each(std::size_t n, F f, std::size_t few = 8192) const
   {
     verify.for_each(n, f, few);
   }
@@ -71,11 +71,11 @@ public:
   {
     enum : char { still, rejected, open }; // only open cases are counted
     std::vector<char> verdict(candidates.size());
-    for_each(candidates.size(), [&](std::size_t k) {
+    for(std::size_t k = 0; k < candidates.size(); ++k) {
       const int i = candidates[k];
       const bool is_still = motion(i, planes[k]) <= tuning::verification::still_share * options.maximum_distance;
       verdict[k] = is_shifted_too_far(i, planes[k]) ? rejected : is_still ? still : open;
-    });
+    }
     std::vector<int> selected;
     Regular_planes selected_planes;
     std::vector<std::size_t> position;
@@ -91,12 +91,12 @@ public:
     std::vector<std::int64_t> counts(selected.size(), 0);
     if(!selected.empty())
       verify(selected, selected_planes, counts);
-    for_each(selected.size(), [&](std::size_t a) {
+    for(std::size_t a = 0; a < selected.size(); ++a) {
       const bool is_rejected = double(counts[a]) > maximum_misfits(shapes[selected[a]].scatter.count, limit);
       verdict[position[a]] = is_rejected ? rejected : still;
       if(!is_rejected)
         accepted[selected[a]] = selected_planes[a];
-    });
+    }
     for(char& a : verdict)
       a = a == rejected;
     return verdict;

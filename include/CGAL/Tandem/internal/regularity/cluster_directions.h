@@ -29,8 +29,6 @@ inline Vector canonical(const Vector& n)
   return {m.x + 0.0, m.y + 0.0, m.z + 0.0};
 }
 
-inline bool operator==(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 // A normal on a grid of 2^-24, which is less than 4e-6 degrees. Products of coordinates, of their differences and with
 // float weights are exact then. So contraction cannot change a sum, and no std::fma is needed: a call on plain x86-64.
 inline Vector rounded_normal(const Vector& n)
@@ -84,32 +82,80 @@ public:
     entries.reserve(2 * normals.size());
     for(std::size_t i = 0; i < normals.size(); ++i) {
       const Vector n = rounded_normal(canonical(normals[i]));
-      entries.push_back({n, i});
+      entries.push_back({n, std::uint32_t(i)});
       if(n.z <= chord)
-        entries.push_back({-n, i});
+        entries.push_back({-n, std::uint32_t(i)});
     }
     sort_into_cubes(entries);
   }
 
-  // Calls f(i, squared sine) for the normals within the radius, in the order of the cubes, then of the input. Cubes are
-  // at least as wide as the radius, so those beside the query suffice.
+  // Calls f(i, squared sine) for the normals within the radius, in the order of the cubes, then of the input.
   template <class Function>
   void near(const Vector& normal, Function f) const
   {
+    for_each_piece(normal, [&](const Piece& piece) {
+      for(int k = 0; k < piece.size; ++k)
+        f(piece.index[k], piece.squared_sine[k]);
+    });
+  }
+
+  // Calls f(i, kernel(squared sine)) for the same, in the same order.
+  template <class Kernel, class Function>
+  void weigh(const Vector& normal, Kernel kernel, Function f) const
+  {
+    for_each_piece(normal, [&](Piece& piece) {
+      for(int k = 0; k < piece.size; ++k) // a loop of its own, for vector instructions
+        piece.squared_sine[k] = kernel(piece.squared_sine[k]);
+      for(int k = 0; k < piece.size; ++k)
+        f(piece.index[k], piece.squared_sine[k]);
+    });
+  }
+
+private:
+  // Some of the normals near a query.
+  struct Piece {
+    static constexpr int capacity = 64;
+    double squared_sine[capacity];
+    std::uint32_t index[capacity];
+    int size;
+  };
+
+  struct Entry {
+    Vector normal;
+    std::uint32_t index;
+  };
+
+  // Calls f(piece) for the normals within the radius. Cubes are at least as wide as the radius, so those beside the
+  // query suffice. No branch depends on a normal, as it would be mispredicted often.
+  template <class Function>
+  void for_each_piece(const Vector& normal, Function f) const
+  {
+    Piece piece;
     const Vector n = rounded_normal(canonical(normal));
     const int x = slot(n.x), y = slot(n.y), z0 = (std::max)(slot(n.z) - 1, 0), z1 = (std::min)(slot(n.z) + 1, size - 1);
     for(int cx = (std::max)(x - 1, 0); cx <= (std::min)(x + 1, size - 1); ++cx)
       for(int cy = (std::max)(y - 1, 0); cy <= (std::min)(y + 1, size - 1); ++cy) {
         const std::size_t row = (std::size_t(cx) * size + cy) * size;
-        visit(n, first[row + z0], first[row + z1 + 1], f);
+        for(std::uint32_t begin = first[row + z0], end = first[row + z1 + 1]; begin < end; begin += Piece::capacity) {
+          fill(piece, n, begin, (std::min)(end, begin + Piece::capacity));
+          f(piece);
+        }
       }
   }
 
-private:
-  struct Entry {
-    Vector normal;
-    std::size_t index;
-  };
+  // The normals of [begin, end), at most Piece::capacity, that are within the radius.
+  void fill(Piece& piece, const Vector& n, std::uint32_t begin, std::uint32_t end) const
+  {
+    int size = 0;
+    for(std::uint32_t i = begin; i < end; ++i) {
+      const Vector d = n - sorted[i].normal;
+      const double q = rounded_dot(d, d);
+      piece.index[size] = sorted[i].index;
+      piece.squared_sine[size] = q * (1 - 0.25 * q);
+      size += int(q <= squared_chord);
+    }
+    piece.size = size;
+  }
 
   // |a - b| of two unit vectors whose acute angle has this sine; that of a right angle reaches all of them.
   static double chord_of(double sine)
@@ -141,17 +187,6 @@ private:
     sorted.resize(entries.size());
     for(const Entry& e : entries)
       sorted[next[cube(e.normal)]++] = e;
-  }
-
-  template <class Function>
-  void visit(const Vector& n, std::uint32_t begin, std::uint32_t end, Function& f) const
-  {
-    for(std::uint32_t i = begin; i < end; ++i) {
-      const Vector d = n - sorted[i].normal;
-      const double q = rounded_dot(d, d);
-      if(q <= squared_chord)
-        f(sorted[i].index, q * (1 - 0.25 * q)); // the squared sine
-    }
   }
 
   double chord, squared_chord;

@@ -54,6 +54,13 @@ public:
       f(i->second, squared_distance(x, i->first));
   }
 
+  // Calls f(i, kernel(squared distance)) for the same.
+  template <class Kernel, class Function>
+  void weigh(double x, Kernel kernel, Function f) const
+  {
+    near(x, [&](std::size_t i, double q) { f(i, kernel(q)); });
+  }
+
 private:
   double radius;
   std::vector<std::pair<double, std::size_t>> sorted;

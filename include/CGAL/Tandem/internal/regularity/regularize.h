@@ -10,7 +10,6 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H
 
 #include <CGAL/Tandem/internal/regularity/Direction_fitter.h>
-#include <CGAL/Tandem/internal/memory/Unset_vector.h>
 #include <CGAL/Tandem/internal/regularity/Coplanar_classes.h>
 
 #include <tuple>
@@ -80,13 +79,15 @@ Relations regularize(const Shape_fits& shapes, const std::vector<char>& is_exclu
   Verified_planes<Verify> verified(shapes, options, verify);
   Direction_fitter<Verify> fitter(shapes, options, verified);
   fitter.fit(active);
-  Unset_vector<Vector> normal(shapes.size());
-  verified.for_each(shapes.size(), [&](std::size_t i) { normal[i] = canonical(shapes[i].fit.normal); });
+  std::vector<Vector> normal(shapes.size());
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    normal[i] = canonical(shapes[i].fit.normal);
   for(const Direction_group& g : fitter.result())
     for(int i : g.members)
       normal[i] = g.direction;
   Regular_planes plane(shapes.size());
-  verified.for_each(shapes.size(), [&](std::size_t i) { plane[i] = through_centroid(shapes[i], normal[i]); });
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    plane[i] = through_centroid(shapes[i], normal[i]);
   const std::vector<int> direction = shared_directions(fitter.result(), shapes.size());
   std::vector<int> coplanar(shapes.size(), -1);
   if(options.coplanarity && options.maximum_offset > 0)

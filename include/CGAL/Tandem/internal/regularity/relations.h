@@ -10,7 +10,6 @@
 #include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/base/planes.h>
-#include <CGAL/Tandem/internal/memory/Unset_vector.h>
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 
 #include <cstdint>
@@ -28,7 +27,7 @@ struct Shape_fit {
   Fit fit;
 };
 
-using Shape_fits = Unset_vector<Shape_fit>;
+using Shape_fits = std::vector<Shape_fit>;
 
 // For a given normal, the plane with the least sum of squared distances.
 inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
@@ -53,7 +52,7 @@ struct Regularity_options {
   }
 };
 
-using Regular_planes = Unset_vector<Regular_plane>;
+using Regular_planes = std::vector<Regular_plane>;
 
 // direction_of and plane_of index the tables of directions and planes.
 struct Relations {

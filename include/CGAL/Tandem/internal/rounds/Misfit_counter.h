@@ -2,29 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Counts how many points of a shape would no longer fit, if a plane replaced the local one. Decides nothing. Changes
-// the samples of the cloud and last_misfits of the shapes. See the manual, "Verification and Rollback".
+// the samples of the cloud, and last_misfits of shapes. See the manual, "Verification and Rollback".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MISFIT_COUNTER_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MISFIT_COUNTER_H
 
-#include <CGAL/Tandem/internal/memory/Unset_vector.h>
-#include <CGAL/Tandem/internal/regularity/cluster_directions.h>
 #include <CGAL/Tandem/internal/shapes/Count_scratch.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
+#include <CGAL/Tandem/internal/shapes/Tested_shape.h>
 
-#include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Which points of a shape are counted: those whose position has no bit of its mask, so all, every second one, every
-// fourth one ... Positions follow the curve, so a sample is spread over the shape. This mask means: none.
-constexpr std::uint32_t no_sample = 0xffffffffu;
 
 // Copies the points that may be counted, those of a cell to one range. Ranges and points come in any order, which does
 // not change the counts. Each cell is passed twice: its points have to be counted before its range is known.
@@ -33,22 +26,23 @@ struct Collect_samples {
   Cloud_view cloud;
   Cells_view cells;
   const std::uint32_t* label;
-  const std::uint32_t* mask; // by shape
+  const std::uint32_t* place_of; // by shape: its place among the tested ones, or no_index
+  const std::uint32_t* mask;     // by place
   Sample* sample;
   std::uint32_t* size; // of all
-  Range* range;        // by cell: where its samples are, in any order
+  Range* range;        // by part of a cell: where its samples are, in any order
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
     block.single([&] { range[c] = {0, 0}; });
-    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return mask[s] != no_sample; }))
+    if(!cells.may_have(block, c, [&](std::uint32_t s) { return place_of[s] != no_index; }))
       return;
     const Range cell = cells[c];
     std::uint32_t& count = scratch.count[0];
     block.single([&] { count = 0; });
     block.for_each(cell.size(), [&](std::uint32_t at) {
-      if(is_selected(cell.first + at))
+      if(selected_place(cell.first + at) != no_index)
         block.append(count);
     });
     std::uint32_t& place = scratch.count[1];
@@ -57,14 +51,19 @@ struct Collect_samples {
       range[c] = {place, place + count};
     });
     block.for_each(cell.size(), [&](std::uint32_t at) {
-      const std::uint32_t i = cell.first + at;
-      if(is_selected(i))
-        sample[block.append(place)] = {cloud.point[i], label[i]};
+      const std::uint32_t i = cell.first + at, p = selected_place(i);
+      if(p != no_index)
+        sample[block.append(place)] = {cloud.point[i], p};
     });
   }
 
 private:
-  CGAL_TANDEM_HD bool is_selected(std::uint32_t i) const { return label[i] < first_mark && (i & mask[label[i]]) == 0; }
+  // That of the shape of a point, if it is in the sample.
+  CGAL_TANDEM_HD std::uint32_t selected_place(std::uint32_t i) const
+  {
+    const std::uint32_t p = label[i] < first_mark ? place_of[label[i]] : no_index;
+    return p != no_index && (i & mask[p]) == 0 ? p : no_index;
+  }
 };
 
 // The local plane of a shape, and the candidate.
@@ -78,8 +77,9 @@ template <class Backend>
 struct Count_misfits {
   Cells_view cells;
   const Sample* sample;
-  const Range* ranges;           // of samples, by cell
-  const std::uint32_t* query_of; // by shape, no_index if it is not tested
+  const Range* ranges;           // of samples, by part of a cell
+  const std::uint32_t* place_of; // by shape
+  const std::uint32_t* query_of; // by place, no_index if the shape has none
   const Misfit_query* query;
   std::uint32_t* count; // by query
   Tolerance tolerance;
@@ -87,130 +87,160 @@ struct Count_misfits {
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return query_of[s] != no_index; }))
-      return;
     const Range range = ranges[c];
+    if(range.size() == 0 || !cells.may_have(block, c, [&](std::uint32_t s) { return has_query(s); }))
+      return;
     scratch.clear(block);
     block.for_each(range.size(), [&](std::uint32_t at) {
       const Grid_point& p = sample[range.first + at].point;
-      const std::uint32_t q = query_of[sample[range.first + at].shape];
+      const std::uint32_t q = query_of[sample[range.first + at].place];
       if(q != no_index && !fits(query[q].after, p, tolerance) && fits(query[q].before, p, tolerance))
         scratch.template add<Backend>(block, q, count);
     });
     scratch.template flush<Backend>(block, count);
   }
+
+private:
+  CGAL_TANDEM_HD bool has_query(std::uint32_t s) const
+  {
+    return place_of[s] != no_index && query_of[place_of[s]] != no_index;
+  }
 };
 
-// The largest mask that still selects about sample_size points; 0, which selects all, below twice as many.
-inline std::uint32_t sample_mask(const Shape& shape)
-{
-  std::uint32_t mask = 0;
-  while(shape.moments.count / (2 * (std::int64_t(mask) + 1)) >= tuning::verification::sample_size)
-    mask = 2 * mask + 1;
-  return mask;
-}
+struct Start_sample {
+  const Shape* shape;
+  const std::uint32_t* id;
+  std::uint32_t* place_of; // by id
+  std::uint32_t* mask;
 
-// Planes that hardly move need no count, and the last count of nearly the same planes is used again. Samples are
-// collected once, since the same shapes are tested several times in a step.
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    place_of[id[i]] = std::uint32_t(i);
+    mask[i] = sample_mask(shape[id[i]].moments.count);
+  }
+};
+
+// A query for each of the shapes whose share of misfits is not known. All but the shape are by place.
+struct Start_query {
+  const Shape* shape;
+  const std::uint32_t* id;
+  const Regular_plane* candidate;
+  double maximum_distance;
+  double* share;
+  Misfit_query* query;
+  std::uint32_t* query_of;
+  std::uint32_t* count;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const Shape& s = shape[id[i]];
+    const bool is_known = tested(s).knows_share(candidate[i], maximum_distance, share[i]);
+    query_of[i] = is_known ? no_index : std::uint32_t(i);
+    count[i] = 0;
+    if(!is_known)
+      query[i] = {rounded(s.local), rounded(candidate[i])};
+  }
+};
+
+struct Finish_query {
+  Shape* shape;
+  const std::uint32_t* id;
+  const Regular_plane* candidate;
+  const std::uint32_t* query_of;
+  const std::uint32_t* count;
+  double* share;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(query_of[i] == no_index)
+      return;
+    Tested_shape s = tested(shape[id[i]]);
+    share[i] = s.take_count(candidate[i], count[i]);
+    shape[id[i]].last_misfits = s.last;
+  }
+};
+
+// Samples are collected once, since the same shapes are tested several times in a step.
 template <class Backend>
 class Misfit_counter {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
 public:
-  // ids: the shapes that may be tested. Points keep their labels until the last test.
-  Misfit_counter(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options, const Ids& ids)
-    : points_(points), shapes_(shapes), options_(options), mask_(shapes.size(), no_sample),
-      query_of_(shapes.size(), no_index), range_(points.number_of_cells())
+  // ids: the shapes that may be tested; their places in this list are those below. Points keep their labels until the
+  // last test.
+  Misfit_counter(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
+                 const Buffer<std::uint32_t>& ids)
+    : points_(points), options_(options), tested_(ids.size())
   {
-    if(!ids.empty())
-      collect_samples(ids);
+    if(tested_ > 0)
+      collect_samples(shapes, ids);
   }
 
-  // For each listed shape, the share of its points that fits its local plane, but not the candidate. No shape is listed
-  // twice.
-  Unset_vector<double> count(const Ids& ids, const Regular_planes& candidates)
+  // The misfits of each query. query_of: by place, no_index for shapes that are not tested.
+  std::vector<std::uint32_t> count(const std::vector<std::uint32_t>& query_of, const std::vector<Misfit_query>& query)
   {
-    Unset_vector<double> shares(ids.size());
-    Unset_vector<Misfit_query> query(ids.size());
-    const std::int64_t selected = sum_on_host(points_.backend, ids.size(), [&](std::size_t i) {
-      const Shape& shape = shapes_[ids[i]];
-      shares[i] = 0;
-      if(is_still(shape, shape.local, candidates[i]) || reuse_last_count(shape, candidates[i], shares[i]))
-        return 0;
-      query_of_[ids[i]] = std::uint32_t(i);
-      query[i] = {rounded(shape.local), rounded(candidates[i])};
-      return 1;
-    });
-    if(selected == 0)
-      return shares;
-    const std::vector<std::uint32_t> misfits = count_samples(query);
-    // By all threads: each one writes to the cache lines of its own shapes.
-    points_.backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-      if(std::exchange(query_of_[ids[i]], no_index) == no_index)
-        return;
-      Shape& shape = shapes_[ids[i]];
-      shares[i] = double(misfits[i]) * (double(mask_[ids[i]]) + 1) / double(shape.moments.count);
-      shape.last_misfits = {shape.local, candidates[i], shape.moments.count, shares[i]};
-    });
-    return shares;
+    Backend& backend = points_.backend;
+    // The counts, which begin at zero, travel with the numbers of the queries.
+    auto numbers = backend.template make_buffer<std::uint32_t>(
+      tested_ + query.size(), [&](std::size_t i) { return i < tested_ ? query_of[i] : 0; });
+    const auto queries = to_buffer(backend, query);
+    std::uint32_t* const misfits = numbers.data() + tested_;
+    count_samples(numbers.data(), queries.data(), misfits);
+    return to_vector(backend, misfits, query.size());
+  }
+
+  // By place: the share of the points of each shape that fits its local plane, but not the candidate.
+  Buffer<double> shares(Shape_table<Backend>& shapes, const Buffer<std::uint32_t>& ids,
+                        const Buffer<Regular_plane>& candidates)
+  {
+    Backend& backend = points_.backend;
+    Buffer<double> share(tested_);
+    Buffer<Misfit_query> query(tested_);
+    Buffer<std::uint32_t> query_of(tested_), misfits(tested_);
+    backend.for_each(tested_,
+                     Start_query{shapes.shape.data(), ids.data(), candidates.data(), options_.maximum_distance,
+                                 share.data(), query.data(), query_of.data(), misfits.data()},
+                     shapes_per_thread);
+    count_samples(query_of.data(), query.data(), misfits.data());
+    backend.for_each(
+      tested_,
+      Finish_query{shapes.shape.data(), ids.data(), candidates.data(), query_of.data(), misfits.data(), share.data()},
+      shapes_per_thread);
+    return share;
   }
 
 private:
   // Memory for all points, as the number of samples is not known before.
-  void collect_samples(const Ids& ids)
+  void collect_samples(const Shape_table<Backend>& shapes, const Buffer<std::uint32_t>& ids)
   {
     Backend& backend = points_.backend;
     if(points_.sample.size() == 0)
       points_.sample.reset(points_.cloud.size());
-    backend.for_each_on_host(ids.size(), [&](std::size_t i) { mask_[ids[i]] = sample_mask(shapes_[ids[i]]); });
-    std::vector<std::uint32_t> size(1, 0);
-    const auto mask = backend.read_access(mask_);
-    const auto counter = backend.read_write_access(size);
+    range_.reset(points_.number_of_parts());
+    place_of_ = filled_buffer(backend, shapes.size, no_index);
+    Buffer<std::uint32_t> mask(tested_);
+    backend.for_each(tested_, Start_sample{shapes.shape.data(), ids.data(), place_of_.data(), mask.data()});
+    auto size = filled_buffer(backend, 1, std::uint32_t(0));
     backend.template for_each_cell<Count_scratch>(
-      points_.number_of_cells(),
-      Collect_samples<Backend>{points_.cloud.view(), points_.cells_view(), points_.label.data(), mask.data(),
-                               points_.sample.data(), counter.data(), range_.data()});
+      points_.number_of_parts(),
+      Collect_samples<Backend>{points_.cloud.view(), points_.parts_view(), points_.label.data(), place_of_.data(),
+                               mask.data(), points_.sample.data(), size.data(), range_.data()});
   }
 
-  // The misfits by query: one pass over the samples for all of them.
-  std::vector<std::uint32_t> count_samples(const Unset_vector<Misfit_query>& query)
+  void count_samples(const std::uint32_t* query_of, const Misfit_query* query, std::uint32_t* misfits)
   {
-    Backend& backend = points_.backend;
-    std::vector<std::uint32_t> misfits(query.size(), 0);
-    const auto index = backend.read_access(query_of_);
-    const auto queries = backend.read_access(query);
-    auto counts = backend.read_write_access(misfits);
-    backend.template for_each_cell<Count_scratch>(points_.number_of_cells(),
-                                                  Count_misfits<Backend>{points_.cells_view(), points_.sample.data(),
-                                                                         range_.data(), index.data(), queries.data(),
-                                                                         counts.data(), options_.growth.tolerance});
-    counts.copy_back();
-    return misfits;
-  }
-
-  // Whether the distances of all points to both planes are the same, up to a negligible part of epsilon.
-  bool is_still(const Shape& shape, const Regular_plane& a, const Regular_plane& b) const
-  {
-    const bool is_same = a.normal == b.normal && a.offset == b.offset;
-    return is_same || bound_motion(shape.box, a, b) <= tuning::motion::negligible * options_.maximum_distance;
-  }
-
-  // Whether the last count is of nearly the same points and planes.
-  bool reuse_last_count(const Shape& shape, const Regular_plane& candidate, double& share) const
-  {
-    const Misfit_record& last = shape.last_misfits;
-    const std::int64_t change = shape.moments.count - last.points;
-    if((change < 0 ? -change : change) * tuning::verification::points_per_change > last.points ||
-       !is_still(shape, candidate, last.candidate) || !is_still(shape, shape.local, last.local))
-      return false;
-    share = last.misfit_share;
-    return true;
+    points_.backend.template for_each_cell<Count_scratch>(
+      points_.number_of_parts(),
+      Count_misfits<Backend>{points_.parts_view(), points_.sample.data(), range_.data(), place_of_.data(), query_of,
+                             query, misfits, options_.growth.tolerance});
   }
 
   Labeled_cloud<Backend>& points_;
-  Shape_table<Backend>& shapes_;
   const Options& options_;
-  std::vector<std::uint32_t> mask_;                // by shape
-  std::vector<std::uint32_t> query_of_;            // by shape, no_index between two counts
-  typename Backend::template Buffer<Range> range_; // of the samples of each cell
+  std::size_t tested_;
+  Buffer<std::uint32_t> place_of_; // by id
+  Buffer<Range> range_;            // of the samples of each part of a cell
 };
 
 } // namespace internal

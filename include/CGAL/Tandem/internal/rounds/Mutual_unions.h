@@ -9,7 +9,6 @@
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 
 #include <CGAL/Tandem/internal/backend/lanes.h>
-#include <CGAL/Tandem/internal/memory/Host_buffer.h>
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
@@ -19,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -49,8 +47,7 @@ struct Union_key {
   std::uint64_t cost = ~std::uint64_t(0), size = ~std::uint64_t(0), ids = ~std::uint64_t(0);
 };
 
-// Two roots, and what the test says of them. The first one has more points, or as many and the smaller id. Roots are
-// numbered by their places among the live shapes.
+// Two roots, and what the test says of them. The first one has more points, or as many and the smaller id.
 struct Union_pair {
   std::uint32_t first, second; // equal if the pair has been joined
   Union_key key;               // the cost is that of `rejected` if the test rejects the pair
@@ -81,8 +78,7 @@ struct Union_rounds {
   Joint_fit_criterion criterion;
   Union_pair* pair;
   std::size_t pairs, shapes;
-  const std::uint32_t* id; // this and the others by place among the live shapes
-  Fitted_moments* whole;
+  Fitted_moments* whole; // this and the others by id
   Union_root* root;
   std::uint32_t* target;  // what it has joined, or itself
   Shared_moments* joined; // the sums of those that joined in this round, zero between two
@@ -163,7 +159,7 @@ private:
     const Verdict verdict = criterion.verdict(whole[a], whole[b]);
     p.is_taken = verdict.is_taken;
     p.key = {verdict.is_accepted ? ordered_bits(verdict.cost) : Union_pair::rejected, ~std::uint64_t(na + nb),
-             mixed_ids(id[a], id[b])};
+             mixed_ids(a, b)};
   }
 
   // The second shape joins the first one, if it has chosen the pair, and the first one has chosen it, too, or takes
@@ -190,73 +186,84 @@ private:
   }
 };
 
-// A shape that is in a union with others: the shape whose id stands for the union, and the plane of all.
-struct Union_member {
-  std::uint32_t id, root;
-  Regular_plane plane;
-};
-
-// Takes the members of unions, by place.
-struct Take_members {
-  const std::uint32_t* id; // all by place
-  const Fitted_moments* whole;
+// Whether a shape is in a union with others.
+struct Is_member {
   const Union_root* root;
   const std::uint32_t* target;
 
-  CGAL_TANDEM_HD bool has(std::uint32_t s) const { return target[s] != s || root[s].changed > 0; }
-
-  CGAL_TANDEM_HD Union_member take(std::uint32_t s) const
-  {
-    std::uint32_t r = s;
-    while(target[r] != r)
-      r = target[r];
-    return {id[s], id[r], whole[r].local};
-  }
+  CGAL_TANDEM_HD bool operator()(std::uint32_t s) const { return target[s] != s || root[s].changed > 0; }
 };
 
-struct Start_roots {
+struct Start_root {
+  const Shape* shape;
+  Fitted_moments* whole;
   Union_root* root;
   std::uint32_t* target;
 
   CGAL_TANDEM_HD void operator()(std::size_t s) const
   {
+    whole[s] = shape[s];
     root[s] = Union_root();
     target[s] = std::uint32_t(s);
   }
 };
 
-// The members of all unions along the links between live shapes, by rising id. A pair may have several links. The sums
-// of the shapes are zero before and afterwards. Writes the number of rounds, if that is asked for and there are links.
-template <class Backend>
-Host_buffer<Union_member> unite_shapes(Backend& backend, Shape_table<Backend>& shapes,
-                                       const Joint_fit_criterion& criterion, const Link_list& links,
-                                       std::uint32_t* rounds = nullptr)
-{
-  if(links.empty())
-    return {};
-  const std::size_t n = shapes.live.size();
-  std::vector<std::uint32_t> place(shapes.size());
-  backend.for_each_on_host(n, [&](std::size_t s) { place[shapes.live[s]] = std::uint32_t(s); });
-  auto whole = backend.template make_buffer<Fitted_moments>(
-    n, [&](std::size_t s) { return static_cast<const Fitted_moments&>(shapes[shapes.live[s]]); });
-  auto pair = backend.template make_buffer<Union_pair>(links.size(), [&](std::size_t i) {
-    return Union_pair{place[links[i].first()], place[links[i].second()], Union_key(), false};
-  });
-  std::vector<std::uint32_t> joins(3, 0);
-  const auto id = backend.read_access(shapes.live);
-  auto counters = backend.read_write_access(joins);
-  typename Backend::template Buffer<Union_root> root(n);
-  typename Backend::template Buffer<std::uint32_t> target(n);
-  backend.for_each(n, Start_roots{root.data(), target.data()});
-  backend.run_rounds(n, (std::max)(n, links.size()),
-                     Union_rounds<Backend>{criterion, pair.data(), links.size(), n, id.data(), whole.data(),
-                                           root.data(), target.data(), start_deltas(backend, shapes, n),
-                                           counters.data()});
-  if(rounds != nullptr) {
-    counters.copy_back();
-    *rounds = joins[2];
+struct Start_pair {
+  const Link* link;
+  Union_pair* pair;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    pair[i] = {link[i].first(), link[i].second(), Union_key(), false};
   }
-  return backend.template collect<Union_member>(n, Take_members{id.data(), whole.data(), root.data(), target.data()});
+};
+
+// What a shape has joined, in one or more steps.
+CGAL_TANDEM_HD inline std::uint32_t root_of(const std::uint32_t* target, std::uint32_t s)
+{
+  while(target[s] != s)
+    s = target[s];
+  return s;
+}
+
+// The unions along the links. By id: what a shape has joined, in one or more steps up to the root of its union, and the
+// moments and the plane of the union of a root. `member`: the shapes that are in a union with others, ascending.
+template <class Backend>
+struct Shape_unions {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+  Buffer<std::uint32_t> member;
+  Buffer<std::uint32_t> target;
+  Buffer<Fitted_moments> whole;
+};
+
+// All live shapes have to be fitted. A pair may have several links. The sums of the shapes are zero before and
+// afterwards. Writes the number of rounds, if that is asked for and there are links.
+template <class Backend>
+Shape_unions<Backend> unite_shapes(Backend& backend, Shape_table<Backend>& shapes, const Joint_fit_criterion& criterion,
+                                   const typename Backend::template Buffer<Link>& links,
+                                   std::uint32_t* rounds = nullptr)
+{
+  Shape_unions<Backend> unions;
+  if(links.size() == 0)
+    return unions;
+  const std::size_t n = shapes.size;
+  unions.whole.reset(n);
+  unions.target.reset(n);
+  typename Backend::template Buffer<Union_root> root(n);
+  typename Backend::template Buffer<Union_pair> pair(links.size());
+  auto joins = filled_buffer(backend, 3, std::uint32_t(0));
+  for_each_shape(backend, shapes,
+                 Start_root{shapes.shape.data(), unions.whole.data(), root.data(), unions.target.data()});
+  backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
+  backend.run_rounds(n, (std::max)(n, links.size()),
+                     Union_rounds<Backend>{criterion, pair.data(), links.size(), n, unions.whole.data(), root.data(),
+                                           unions.target.data(), start_deltas(backend, shapes, n), joins.data()});
+  if(rounds != nullptr)
+    *rounds = to_vector(backend, joins.data() + 2, 1).front();
+  unions.member = backend.compact(n, Is_member{root.data(), unions.target.data()});
+  return unions;
 }
 
 } // namespace internal

@@ -12,67 +12,75 @@
 
 #include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
 #include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
+#include <CGAL/Tandem/internal/rounds/join_members.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
-
-#include <algorithm>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The targets of a joint-fit merge along the links. A shape is left out of its union if the share of its misfits
-// exceeds the given one. The largest of the others stays, of equal ones that with the smallest id.
+struct Make_candidate {
+  const std::uint32_t* member;
+  const std::uint32_t* target; // of the unions
+  const Fitted_moments* whole;
+  Regular_plane* candidate;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { candidate[i] = whole[root_of(target, member[i])].local; }
+};
+
+// Whether a member accepts the plane of its union.
+struct Accepts_plane {
+  const double* share; // by member
+  double misfit_share;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return share[i] <= misfit_share; }
+};
+
+// The shapes of `links` that become one: the members that accept the plane of their union. The largest of these stays,
+// of equal ones that with the smallest id.
 template <class Backend>
-Targets joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                          const Link_list& links, double misfit_share)
+Targets<Backend> joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                                   const Shape_unions<Backend>& unions, double misfit_share)
 {
   Backend& backend = points.backend;
-  const Host_buffer<Union_member> members =
-    unite_shapes(backend, shapes, {options.squared_cosine, options.maximum_distance}, links);
-  Targets target = identity_targets(shapes.size());
-  if(members.size() == 0)
-    return target;
-  Ids ids(members.size());
-  Regular_planes planes(ids.size());
-  std::vector<std::int64_t> sizes(ids.size());
-  backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-    ids[i] = members[i].id;
-    planes[i] = members[i].plane;
-    sizes[i] = shapes[ids[i]].moments.count;
-  });
-  const Unset_vector<double> shares = Misfit_counter<Backend>(points, shapes, options, ids).count(ids, planes);
-  std::vector<std::size_t> first(shapes.size(), ids.size()); // per root: the member that stays
-  for(std::size_t i = 0; i < ids.size(); ++i) {
-    if(shares[i] > misfit_share)
-      continue;
-    std::size_t& stays = first[members[i].root];
-    if(stays == ids.size() || sizes[stays] < sizes[i])
-      stays = i;
-  }
-  backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-    if(shares[i] <= misfit_share)
-      target[ids[i]] = ids[first[members[i].root]];
-  });
-  return target;
+  const std::size_t n = unions.member.size();
+  typename Backend::template Buffer<Regular_plane> candidates(n);
+  backend.for_each(n,
+                   Make_candidate{unions.member.data(), unions.target.data(), unions.whole.data(), candidates.data()},
+                   shapes_per_thread);
+  const auto shares =
+    Misfit_counter<Backend>(points, shapes, options, unions.member).shares(shapes, unions.member, candidates);
+  return join_members(backend, shapes, unions.member, unions.target.data(), Accepts_plane{shares.data(), misfit_share});
 }
 
-// Joint-fit merge of all touching shapes. Returns whether there was any. The links then have the new ids. A pair may
-// have several links, or become a pair of one shape with itself.
+struct Relabel_link {
+  const std::uint32_t* target;
+  Link* link;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t a = target[link[i].first()], b = target[link[i].second()];
+    link[i].pair = a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;
+  }
+};
+
+// Joint-fit merge of all touching shapes, which have to be fitted. Returns whether there was any. The links then have
+// the new ids. A pair may have several links, or become a pair of one shape with itself.
 template <class Backend>
 bool merge_by_joint_fit(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                        Link_list& links, double misfit_share)
+                        typename Backend::template Buffer<Link>& links, double misfit_share)
 {
-  const Targets target = joint_fit_targets(points, shapes, options, links, misfit_share);
-  if(std::all_of(shapes.live.begin(), shapes.live.end(), [&](std::uint32_t id) { return target[id] == id; }))
+  Backend& backend = points.backend;
+  const Shape_unions<Backend> unions =
+    unite_shapes(backend, shapes, {options.squared_cosine, options.maximum_distance}, links);
+  if(unions.member.size() == 0)
     return false;
+  const Targets<Backend> target = joint_fit_targets(points, shapes, options, unions, misfit_share);
+  const bool is_any = is_any_joined(backend, target);
   merge_points(points, shapes, target);
-  refit_shapes(points.backend, shapes);
-  points.backend.for_each_on_host(links.size(), [&](std::size_t i) {
-    const std::uint32_t a = target[links[i].first()], b = target[links[i].second()];
-    links[i].pair = a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;
-  });
-  return true;
+  refit_shapes(backend, shapes);
+  backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
+  return is_any;
 }
 
 } // namespace internal

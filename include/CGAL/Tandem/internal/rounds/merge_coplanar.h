@@ -7,48 +7,48 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_COPLANAR_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_COPLANAR_H
 
-#include <CGAL/Tandem/internal/rounds/Unions.h>
-#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
+#include <CGAL/Tandem/internal/backend/Union_find.h>
+#include <CGAL/Tandem/internal/rounds/join_members.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
-
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The targets of that merge. The shape with most points, then the one with the smallest id, is the root. Planes are
-// compared by their number in the relations, so equal ones are the same bits.
+struct Shares_plane {
+  const Shape* shape;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live() && shape[id].plane_number >= 0; }
+};
+
+// Unites the shapes of a link that have one plane.
 template <class Backend>
-Targets coplanar_targets(Backend& backend, const Shape_table<Backend>& shapes, const Shape_relations& r,
-                         const Link_list& links)
-{
-  std::vector<int> plane_of(shapes.size(), -1);
-  for(std::size_t i = 0; i < r.id.size(); ++i)
-    plane_of[r.id[i]] = r.relations.plane_of[i];
-  // All threads find the links within a plane. One thread makes the unions, in the order of the links.
-  const auto itself = [](std::size_t i) { return std::uint32_t(i); };
-  const Ids coplanar = part_on_host(backend, links.size(), itself, [&](std::uint32_t i) {
-                         const int plane = plane_of[links[i].first()];
-                         return plane >= 0 && plane == plane_of[links[i].second()]; // what is united has one plane
-                       }).chosen;
-  Unions unions(shapes.size());
-  std::vector<std::uint32_t> united;
-  for(std::uint32_t i : coplanar) {
-    std::uint32_t a = unions.root(links[i].first()), b = unions.root(links[i].second());
-    if(a == b)
-      continue;
-    const std::int64_t na = shapes[a].moments.count, nb = shapes[b].moments.count;
-    if(na < nb || (na == nb && b < a))
-      std::swap(a, b);
-    unions.set_parent(b, a);
-    united.push_back(b);
+struct Unite_coplanar {
+  const Shape* shape;
+  const Link* link;
+  std::uint32_t* set;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t a = link[i].first(), b = link[i].second();
+    if(shape[a].plane_number >= 0 && shape[a].plane_number == shape[b].plane_number)
+      Union_find<Shared_parents<Backend>>{{set}}.unite(a, b);
   }
-  Targets target = identity_targets(shapes.size());
-  for(std::uint32_t id : united)
-    target[id] = unions.root(id);
-  return target;
+};
+
+struct Join_always {
+  CGAL_TANDEM_HD bool operator()(std::uint32_t) const { return true; }
+};
+
+// The targets of that merge. Planes are compared by their number in the relations, so equal ones are the same bits.
+template <class Backend>
+Targets<Backend> coplanar_targets(Backend& backend, const Shape_table<Backend>& shapes,
+                                  const typename Backend::template Buffer<Link>& links)
+{
+  const auto member = backend.compact(shapes.size, Shares_plane{shapes.shape.data()});
+  Targets<Backend> set = identity_targets(backend, shapes.size);
+  backend.for_each(links.size(), Unite_coplanar<Backend>{shapes.shape.data(), links.data(), set.data()});
+  return join_members(backend, shapes, member, set.data(), Join_always());
 }
 
 } // namespace internal

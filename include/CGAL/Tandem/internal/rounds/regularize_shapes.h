@@ -11,9 +11,11 @@
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 #include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
 #include <CGAL/Tandem/internal/rounds/Shape_relations.h>
+#include <CGAL/Tandem/internal/rounds/split_layers.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -27,32 +29,104 @@ struct Regularity_step {
 
 // A shape that was rolled back takes part again when it has grown, or after 2, 4, 8 ... rounds. Otherwise each round
 // would test it in vain.
-inline void schedule_retry(Shape& shape, int round)
+CGAL_TANDEM_HD inline void schedule_retry(Shape& shape, int round)
 {
-  shape.rollbacks = (std::min)(shape.rollbacks + 1, tuning::verification::maximum_rollbacks);
+  if(shape.rollbacks < tuning::verification::maximum_rollbacks)
+    ++shape.rollbacks;
   shape.retry_round = round + (1 << shape.rollbacks);
   shape.retry_count = shape.moments.count + shape.moments.count / tuning::verification::retry_growth_divisor;
 }
 
-// The verification of planes by the points, as the regularity step calls it: see Verified_planes.h. That step numbers
-// shapes by entry, the counter by id.
+// All shapes are at their local planes afterwards; those that are too small to have relations lose theirs.
+struct Reset_plane {
+  Shape* shape;
+  std::int64_t minimum_size;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    shape[id].plane = shape[id].local;
+    shape[id].plane_number = -1;
+    if(shape[id].moments.count < minimum_size)
+      shape[id].regular_count = 0;
+  }
+};
+
+struct Has_points {
+  const Shape* shape;
+  std::int64_t minimum_size; // at least 1
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].moments.count >= minimum_size; }
+};
+
+struct Summarize_shape {
+  const Shape* shape;
+  const std::uint32_t* id;
+  int round;
+  Shape_summary* summary;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const Shape& s = shape[id[i]];
+    const bool is_waiting = round < s.retry_round && s.moments.count < s.retry_count;
+    summary[i] = {id[i], s.entry, is_waiting, s.regular_count, s.layered_count, {s.scatter, s.fit}, tested(s)};
+  }
+};
+
+struct Apply_relation {
+  Shape* shape;
+  const std::uint32_t* id;
+  const Regular_shape* regular;
+  int round;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    Shape& s = shape[id[i]];
+    s.plane = regular[i].plane;
+    s.plane_number = regular[i].plane_number;
+    s.regular_count = regular[i].regular_count;
+    s.layered_count = regular[i].layered_count;
+    s.last_misfits = regular[i].last_misfits;
+    s.entry = int(i);
+    if(regular[i].is_rolled_back)
+      schedule_retry(s, round);
+  }
+};
+
+using Shape_summaries = std::vector<Shape_summary>;
+
+// The verification of planes by the points, as the regularity step calls it: see Verified_planes.h. Shapes are numbered
+// by entry; the counter has them at the same places.
 template <class Backend>
 class Point_verifier {
 public:
-  // ids: of the shapes of the step.
-  Point_verifier(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options, const Ids& ids)
-    : backend_(points.backend), shapes_(shapes), ids_(ids), misfits_(points, shapes, options, ids)
+  // ids: of the shapes of the step, in the order of their summaries, which keep the last counts.
+  Point_verifier(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
+                 const typename Backend::template Buffer<std::uint32_t>& ids, Shape_summaries& summaries)
+    : backend_(points.backend), options_(options), summaries_(summaries), misfits_(points, shapes, options, ids)
   {}
 
-  // counts: of misfits, by place in `entries`, scaled from the sample to all points.
+  // counts: of misfits, by place in `entries`, scaled from the sample to all points. No entry is listed twice.
   void operator()(const std::vector<int>& entries, const Regular_planes& candidates, std::vector<std::int64_t>& counts)
   {
-    Ids ids(entries.size());
-    for(std::size_t i = 0; i < ids.size(); ++i)
-      ids[i] = ids_[std::size_t(entries[i])];
-    const Unset_vector<double> shares = misfits_.count(ids, candidates);
-    backend_.for_each_on_host(
-      ids.size(), [&](std::size_t i) { counts[i] = std::int64_t(shares[i] * double(shapes_[ids[i]].moments.count)); });
+    std::vector<double> share(entries.size());
+    std::vector<std::uint32_t> query_of(summaries_.size(), no_index);
+    std::vector<std::size_t> open; // places in `entries`
+    std::vector<Misfit_query> query;
+    for(std::size_t i = 0; i < entries.size(); ++i) {
+      const Tested_shape& shape = tested(entries[i]);
+      if(shape.knows_share(candidates[i], options_.maximum_distance, share[i]))
+        continue;
+      query_of[std::size_t(entries[i])] = std::uint32_t(open.size());
+      query.push_back({rounded(shape.local), rounded(candidates[i])});
+      open.push_back(i);
+    }
+    if(!open.empty()) {
+      const std::vector<std::uint32_t> misfits = misfits_.count(query_of, query);
+      for(std::size_t q = 0; q < open.size(); ++q)
+        share[open[q]] = tested(entries[open[q]]).take_count(candidates[open[q]], misfits[q]);
+    }
+    for(std::size_t i = 0; i < entries.size(); ++i)
+      counts[i] = std::int64_t(share[i] * double(tested(entries[i]).points));
   }
 
   template <class F>
@@ -62,126 +136,121 @@ public:
   }
 
 private:
+  Tested_shape& tested(int entry) { return summaries_[std::size_t(entry)].tested; }
+
   Backend& backend_;
-  const Shape_table<Backend>& shapes_;
-  const Ids& ids_;
+  const Options& options_;
+  Shape_summaries& summaries_;
   Misfit_counter<Backend> misfits_;
 };
 
 // Whether a shape keeps its relations while they are not found anew. It does not if it has none, or if it has changed
 // much in the loop. In the end game all of its points fit its plane, so changes do not matter.
-inline bool keeps_relations(const Shape& shape, bool is_last)
+inline bool keeps_relations(const Shape_summary& shape, bool is_last)
 {
   const std::int64_t before = shape.regular_count; // 0 if it has none
-  return is_last ? before > 0
-                 : tuning::relations::points_per_held_change * std::abs(shape.moments.count - before) <= before;
+  return is_last ? before > 0 : tuning::relations::points_per_held_change * std::abs(shape.points() - before) <= before;
 }
 
 // Whether so many points came, went or changed their shape that relations are to be found anew. Until then they are
 // kept, since little changes in late rounds. With a period of more than one round regular_count is 0, so they never
-// are.
-template <class Backend>
-bool have_changed(Backend& backend, const Shape_table<Backend>& shapes, const Ids& ids, std::int64_t points_before,
-                  bool is_last)
+// are. points_before: of the shapes when the relations were found.
+inline bool have_changed(const Shape_summaries& shapes, std::int64_t points_before, std::size_t assigned, bool is_last)
 {
-  const auto change = [&](std::size_t i) { // less the points that are still there
-    const Shape& shape = shapes[ids[i]];
-    return std::abs(shape.moments.count - shape.regular_count) - shape.regular_count;
-  };
-  const std::int64_t changed = points_before + sum_on_host(backend, ids.size(), change);
+  std::int64_t changed = points_before;
+  for(const Shape_summary& s : shapes) // less the points that are still there
+    changed += std::abs(s.points() - s.regular_count) - s.regular_count;
   const double share = is_last ? tuning::relations::changed_share_at_end : tuning::relations::changed_share;
-  return double(changed) > share * double(shapes.assigned);
+  return double(changed) > share * double(assigned);
 }
 
 // Shapes keep the planes of their relations, where keeps_relations(); the others stay at their local planes. Needs
 // no test of points.
-template <class Backend>
-Shape_relations keep_relations(Shape_table<Backend>& shapes, const Ids& ids, const Shape_relations& before,
-                               bool is_last)
+inline Shape_relations keep_relations(const Shape_summaries& shapes, const Shape_relations& before, bool is_last)
 {
-  const std::size_t n = ids.size();
-  Shape_relations r = {ids, before.relations, before.points};
+  const std::size_t n = shapes.size();
+  Shape_relations r = {{}, before.relations, before.points};
   r.relations.direction_of.assign(n, -1);
   r.relations.plane_of.assign(n, -1);
   r.relations.is_rolled_back.assign(n, 0);
   for(std::size_t i = 0; i < n; ++i) {
-    Shape& shape = shapes[ids[i]];
+    const Shape_summary& shape = shapes[i];
     if(keeps_relations(shape, is_last)) {
       r.relations.direction_of[i] = before.relations.direction_of[std::size_t(shape.entry)];
       r.relations.plane_of[i] = before.relations.plane_of[std::size_t(shape.entry)];
     } else {
-      set_own_plane(r.relations, i, plane_through(canonical(shape.fit.normal), shape.scatter.centroid));
+      const Fit& fit = shape.fit.fit;
+      set_own_plane(r.relations, i, plane_through(canonical(fit.normal), shape.fit.scatter.centroid));
     }
-    shape.entry = int(i);
-    shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
   }
   return r;
 }
 
-// All shapes are at their local planes afterwards. Returns those that are large enough to have relations; smaller ones
-// lose theirs.
-template <class Backend>
-Ids reset_planes(Backend& backend, Shape_table<Backend>& shapes, std::int64_t minimum_size)
+// Finds the relations of the shapes; where none are due, only the planes through their centroids. Shapes that wait have
+// entries, too, with planes of their own.
+template <class Verify>
+Shape_relations find_relations(const Shape_summaries& shapes, const Options& options, bool is_due, bool is_last,
+                               Verify& verify)
 {
-  return chosen_shapes(backend, shapes, [&](const Shape&, std::uint32_t id) {
-    Shape& shape = shapes[id];
-    shape.plane = shape.local;
-    if(shape.moments.count < minimum_size)
-      shape.regular_count = 0;
-    return shape.moments.count >= minimum_size;
-  });
-}
-
-// Finds the relations of the listed shapes; in rounds in which none are due, only the planes through their centroids.
-// Shapes that wait have entries, too, with planes of their own.
-template <class Backend>
-Shape_relations find_relations(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                               const Regularity_step& step, const Ids& ids)
-{
-  Backend& backend = points.backend;
-  const bool is_due = step.is_last || (step.round + 1) % options.regularity_period == 0;
-  Shape_fits fits(ids.size());
-  std::vector<char> is_excluded(ids.size());
-  backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-    const Shape& shape = shapes[ids[i]];
-    fits[i] = {shape.scatter, shape.fit};
-    const bool is_waiting = step.round < shape.retry_round && shape.moments.count < shape.retry_count;
-    is_excluded[i] = !is_due || (!step.is_last && is_waiting);
-  });
-  Point_verifier<Backend> verify(points, shapes, options, ids);
-  Regularity_options regularity = options.regularity;
-  regularity.is_last = step.is_last;
-  regularity.points_of_strips = double(tuning::verification::strips_of_turned_shape * options.minimum_region_size);
-  regularity.strip_share = step.is_last ? tuning::verification::strip_share_at_end : tuning::verification::strip_share;
-  regularity.minimum_size = step.is_last ? double(options.minimum_region_size) : 0; // in the loop it grows again
+  Shape_fits fits;
+  std::vector<char> is_excluded;
   Shape_relations r;
-  r.id = ids;
+  for(const Shape_summary& s : shapes) {
+    fits.push_back(s.fit);
+    is_excluded.push_back(!is_due || (!is_last && s.is_waiting));
+    r.points += is_due ? s.points() : 0;
+  }
+  Regularity_options regularity = options.regularity;
+  regularity.is_last = is_last;
+  regularity.points_of_strips = double(tuning::verification::strips_of_turned_shape * options.minimum_region_size);
+  regularity.strip_share = is_last ? tuning::verification::strip_share_at_end : tuning::verification::strip_share;
+  regularity.minimum_size = is_last ? double(options.minimum_region_size) : 0; // in the loop it grows again
   r.relations = regularize(fits, is_excluded, regularity, verify);
-  r.points = sum_on_host(backend, ids.size(), [&](std::size_t i) {
-    Shape& shape = shapes[ids[i]];
-    shape.plane = r.relations.planes[std::size_t(r.relations.plane_of[i])];
-    shape.entry = int(i);
-    shape.regular_count = is_due ? shape.moments.count : 0;
-    if(r.relations.is_rolled_back[i])
-      schedule_retry(shape, step.round);
-    return shape.regular_count;
-  });
   return r;
 }
 
-// The step. `before`: the relations of the last one.
+// The step. `before`: the relations of the last one. All shapes have to be fitted.
 template <class Backend>
 Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                                   const Regularity_step& step, const Shape_relations& before)
 {
   Backend& backend = points.backend;
-  const Ids ids =
-    reset_planes(backend, shapes, step.is_last ? options.minimum_regular_size : options.minimum_related_size);
-  const bool is_due = step.is_last || (step.round + 1) % options.regularity_period == 0;
-  const bool is_first = step.is_last && before.id.empty(); // those of the loop are of other shapes
-  if(is_due && !is_first && !have_changed(backend, shapes, ids, before.points, step.is_last))
-    return keep_relations(shapes, ids, before, step.is_last);
-  return find_relations(points, shapes, options, step, ids);
+  const bool is_last = step.is_last, is_due = is_last || (step.round + 1) % options.regularity_period == 0;
+  const std::int64_t minimum = is_last ? options.minimum_regular_size : options.minimum_related_size;
+  for_each_shape(backend, shapes, Reset_plane{shapes.shape.data(), minimum});
+  const auto ids = backend.compact(shapes.size, Has_points{shapes.shape.data(), minimum});
+  typename Backend::template Buffer<Shape_summary> buffer(ids.size());
+  backend.for_each(ids.size(), Summarize_shape{shapes.shape.data(), ids.data(), step.round, buffer.data()},
+                   shapes_per_thread);
+  Shape_summaries summaries = to_vector(backend, buffer.data(), ids.size());
+  const bool is_first = is_last && before.id.empty(); // those of the loop are of other shapes
+  const bool is_kept =
+    is_due && !is_first && !have_changed(summaries, before.points, count_live(backend, shapes).points, is_last);
+  Shape_relations r;
+  if(is_kept)
+    r = keep_relations(summaries, before, is_last);
+  else {
+    Point_verifier<Backend> verify(points, shapes, options, ids, summaries);
+    r = find_relations(summaries, options, is_due, is_last, verify);
+  }
+  for(Shape_summary& s : summaries) {
+    r.id.push_back(s.id);
+    if(!is_kept)
+      s.regular_count = is_due ? s.points() : 0;
+  }
+  if(!is_last)
+    split_layers(points, shapes, options, summaries, r);
+  const Relations& relations = r.relations;
+  const auto regular = backend.template make_buffer<Regular_shape>(summaries.size(), [&](std::size_t i) {
+    const int plane = relations.plane_of[i];
+    const Shape_summary& shape = summaries[i];
+    return Regular_shape{
+      relations.planes[std::size_t(plane)], shape.regular_count, shape.layered_count, shape.tested.last, plane,
+      relations.is_rolled_back[i] != 0};
+  });
+  backend.for_each(ids.size(), Apply_relation{shapes.shape.data(), ids.data(), regular.data(), step.round},
+                   shapes_per_thread);
+  return r;
 }
 
 } // namespace internal

@@ -17,8 +17,31 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Fewer histograms are the work of one thread.
-constexpr std::size_t few_histograms = 16;
+// A shape of which the points are examined, with a plane.
+struct Examined_shape {
+  std::uint32_t id;
+  std::uint32_t mask; // of the sample
+  Plane plane;
+};
+
+using Examined_shapes = std::vector<Examined_shape>;
+
+struct Number_examined {
+  const Examined_shape* examined;
+  std::uint32_t* number; // by id
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { number[examined[i].id] = std::uint32_t(i); }
+};
+
+// By id: the place among the examined shapes, or no_index.
+template <class Backend>
+typename Backend::template Buffer<std::uint32_t> number_examined(Backend& backend, std::size_t ids,
+                                                                 const Examined_shape* examined, std::size_t n)
+{
+  auto number = filled_buffer(backend, ids, no_index);
+  backend.for_each(n, Number_examined{examined, number.data()});
+  return number;
+}
 
 // Fills the histograms of a cell. Distances are in 2^-28 grid steps and cover [-2, 2) epsilon; what is farther is
 // not counted. Additions are atomic, since many cells share a histogram.
@@ -28,14 +51,14 @@ struct Count_distances {
   Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* histogram_of; // by shape, no_index if not examined
-  const Plane* plane;                // by histogram
+  const Examined_shape* examined;    // by histogram
   std::uint32_t* histogram;          // tuning::layers::bins each
   std::int64_t epsilon;              // in the same unit
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return histogram_of[s] != no_index; }))
+    if(!cells.may_have(block, c, [&](std::uint32_t s) { return histogram_of[s] != no_index; }))
       return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {
@@ -43,7 +66,7 @@ struct Count_distances {
       if(s >= first_mark || histogram_of[s] == no_index)
         return;
       const std::uint32_t h = histogram_of[s];
-      const std::int64_t from_first = signed_distance(plane[h], cloud.point[cell.first + at]) + 2 * epsilon;
+      const std::int64_t from_first = signed_distance(examined[h].plane, cloud.point[cell.first + at]) + 2 * epsilon;
       const std::int64_t bin = from_first / (epsilon / tuning::layers::bins_per_distance);
       if(bin >= 0 && bin < tuning::layers::bins)
         Backend::atomic_add(histogram[h * tuning::layers::bins + std::uint32_t(bin)], 1u);
@@ -51,54 +74,65 @@ struct Count_distances {
   }
 };
 
-// Histograms of the distances of points to a plane, for some shapes. The plane passes through the centroid.
-struct Distance_histograms {
-  std::vector<std::uint32_t> of;    // by shape: its histogram, or no_index
-  std::vector<Plane> plane;         // by histogram
-  std::vector<std::uint32_t> count; // tuning::layers::bins for each
-};
-
-template <class Backend>
-void count_distances(Labeled_cloud<Backend>& points, std::int64_t epsilon, Distance_histograms& histograms)
-{
-  Backend& backend = points.backend;
-  const auto index = backend.read_access(histograms.of);
-  const auto plane = backend.read_access(histograms.plane);
-  auto counts = backend.read_write_access(histograms.count);
-  backend.template for_each_cell<Count_scratch>(
-    points.number_of_cells(), Count_distances<Backend>{points.cloud.view(), points.cells_view(), points.label.data(),
-                                                       index.data(), plane.data(), counts.data(), epsilon});
-  counts.copy_back();
-}
-
 // Where the smoothed histogram has its highest peak, in epsilons; of equal peaks the first one. 0 unless it is clearly
 // higher than the middle, or the shape is known to be crooked. No bin has its center at 0, so 0 means no layer.
-inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
+CGAL_TANDEM_HD inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
 {
-  using namespace tuning::layers;
+  constexpr int bins = tuning::layers::bins;
+  constexpr tuning::layers::Kernel kernel = tuning::layers::kernel;
+  constexpr tuning::Share peak_height = tuning::layers::peak_height;
   const auto density = [&](int bin) {
-    std::int64_t sum = 0;
-    const int first = (std::max)(0, bin - kernel_size + 1), last = (std::min)(bins - 1, bin + kernel_size - 1);
-    for(int b = first; b <= last; ++b)
-      sum += kernel[b < bin ? bin - b : b - bin] * std::int64_t(histogram[b]);
+    std::int64_t sum = kernel.weight[0] * std::int64_t(histogram[bin]);
+    for(int distance = 1; distance < kernel.size; ++distance) {
+      const std::int64_t before = bin >= distance ? histogram[bin - distance] : 0;
+      const std::int64_t after = bin + distance < bins ? histogram[bin + distance] : 0;
+      sum += kernel.weight[distance] * (before + after);
+    }
     return sum;
   };
   const std::int64_t middle = (density(bins / 2 - 1) + density(bins / 2)) / 2;
   std::int64_t highest = 0;
   int peak = 0;
-  for(int bin = 0; bin < bins; ++bin)
-    if(density(bin) > highest) {
-      highest = density(bin);
+  for(int bin = 0; bin < bins; ++bin) {
+    const std::int64_t height = density(bin);
+    if(height > highest) {
+      highest = height;
       peak = bin;
     }
-  return is_crooked || peak_height.is_reached(highest, middle) ? (peak + 0.5) / bins_per_distance - 2 : 0;
+  }
+  return is_crooked || peak_height.is_reached(highest, middle) ? (peak + 0.5) / tuning::layers::bins_per_distance - 2
+                                                               : 0;
 }
 
-// Whether the normals of the points lean to one side of this plane.
-struct Lean_query {
-  std::uint32_t mask; // of the sample
-  Plane plane;
+struct Find_layer {
+  const std::uint32_t* histogram;
+  const std::uint8_t* is_crooked;
+  double* layer;
+
+  CGAL_TANDEM_HD void operator()(std::size_t h) const
+  {
+    layer[h] = find_layer(histogram + h * tuning::layers::bins, is_crooked[h] != 0);
+  }
 };
+
+// By shape: where its histogram has a layer, in epsilons from its plane, or 0. The crooked ones have one for certain.
+template <class Backend>
+std::vector<double> find_layers(Labeled_cloud<Backend>& points, std::size_t ids, std::int64_t epsilon,
+                                const Examined_shapes& shapes, const std::vector<std::uint8_t>& is_crooked)
+{
+  Backend& backend = points.backend;
+  const auto examined = to_buffer(backend, shapes);
+  const auto histogram_of = number_examined(backend, ids, examined.data(), shapes.size());
+  const std::size_t n = shapes.size();
+  auto counts = filled_buffer(backend, n * tuning::layers::bins, std::uint32_t(0));
+  backend.template for_each_cell<Count_scratch>(
+    points.number_of_parts(), Count_distances<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
+                                                       histogram_of.data(), examined.data(), counts.data(), epsilon});
+  const auto crooked = to_buffer(backend, is_crooked);
+  typename Backend::template Buffer<double> layer(n);
+  backend.for_each(n, Find_layer{counts.data(), crooked.data(), layer.data()}, shapes_per_thread);
+  return to_vector(backend, layer.data(), n);
+}
 
 // The sum of the normals of a sample of each shape. Each is turned to the side of the plane, since signs are arbitrary.
 // Components are below 2^15, so integers of 64 bits never overflow.
@@ -108,13 +142,13 @@ struct Sum_normals {
   Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* query_of; // by shape, no_index if not examined
-  const Lean_query* query;
+  const Examined_shape* query;
   std::int64_t* sum; // by query, 3 each
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch&, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return query_of[s] != no_index; }))
+    if(!cells.may_have(block, c, [&](std::uint32_t s) { return query_of[s] != no_index; }))
       return;
     const Range cell = cells[c];
     block.for_each(cell.size(), [&](std::uint32_t at) {
@@ -131,128 +165,89 @@ struct Sum_normals {
   }
 };
 
-// Three sums for each query, in the order of the queries.
+// Three sums for each shape.
 template <class Backend>
-std::vector<std::int64_t> sum_normals(Labeled_cloud<Backend>& points, const std::vector<std::uint32_t>& query_of,
-                                      const std::vector<Lean_query>& query)
+std::vector<std::int64_t> sum_normals(Labeled_cloud<Backend>& points, std::size_t ids, const Examined_shapes& shapes)
 {
   Backend& backend = points.backend;
-  std::vector<std::int64_t> sum(3 * query.size(), 0);
-  const auto index = backend.read_access(query_of);
-  const auto queries = backend.read_access(query);
-  auto sums = backend.read_write_access(sum);
+  const auto examined = to_buffer(backend, shapes);
+  const auto query_of = number_examined(backend, ids, examined.data(), shapes.size());
+  auto sums = filled_buffer(backend, 3 * shapes.size(), std::int64_t(0));
   backend.template for_each_cell<Count_scratch>(
-    points.number_of_cells(), Sum_normals<Backend>{points.cloud.view(), points.cells_view(), points.label.data(),
-                                                   index.data(), queries.data(), sums.data()});
-  sums.copy_back();
-  return sum;
+    points.number_of_parts(), Sum_normals<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
+                                                   query_of.data(), examined.data(), sums.data()});
+  return to_vector(backend, sums.data(), sums.size());
 }
 
-// The entries of shapes that are large enough, and have grown by a tenth since they were examined last. So a shape is
-// examined a few times, not in each round.
-template <class Backend>
-std::vector<std::size_t> entries_to_examine(Backend& backend, const Shape_table<Backend>& shapes, const Ids& ids)
-{
-  std::vector<char> is_chosen(ids.size());
-  backend.for_each_on_host(ids.size(), [&](std::size_t i) {
-    const Shape& shape = shapes[ids[i]];
-    is_chosen[i] = shape.moments.count >= tuning::merging::reliable_normal_size &&
-                   tuning::layers::examined_growth.is_reached(shape.moments.count, shape.layered_count);
-  });
-  std::vector<std::size_t> entries;
-  for(std::size_t i = 0; i < ids.size(); ++i)
-    if(is_chosen[i])
-      entries.push_back(i);
-  return entries;
-}
-
-// The mean normals of the points of these entries, which count as examined from now on.
-template <class Backend>
-std::vector<Vector> mean_normals(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Ids& ids,
-                                 const std::vector<std::size_t>& entries)
-{
-  std::vector<std::uint32_t> query_of(shapes.size(), no_index);
-  for(std::size_t q = 0; q < entries.size(); ++q)
-    query_of[ids[entries[q]]] = std::uint32_t(q);
-  std::vector<Lean_query> query(entries.size());
-  points.backend.for_each_on_host(entries.size(), [&](std::size_t q) {
-    Shape& shape = shapes[ids[entries[q]]];
-    query[q] = {sample_mask(shape), rounded(shape.plane)};
-    shape.layered_count = shape.moments.count;
-  });
-  const std::vector<std::int64_t> sum = sum_normals(points, query_of, query);
-  std::vector<Vector> mean(entries.size());
-  points.backend.for_each_on_host(entries.size(), [&](std::size_t q) {
-    const std::int64_t* s = sum.data() + 3 * q;
-    mean[q] = unit({double(s[0]), double(s[1]), double(s[2])});
-  });
-  return mean;
-}
-
-// A shape that may be two layers.
+// A shape that may be two layers: its entry, and its plane along the mean normal of its points.
 struct Suspect {
   std::size_t entry;
-  Regular_plane plane; // along the mean normal of its points
+  Regular_plane plane;
 };
 
-// Shapes whose mean normal leans, or whose distances are large. Only they get histograms.
-template <class Backend>
-std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Ids& ids,
-                                       double epsilon)
+// Whether the mean normal leans, or the distances to the plane are large.
+inline bool is_suspicious(const Shape_fit& shape, const Regular_plane& plane, const Vector& mean, double epsilon)
 {
+  const double maximum = tuning::layers::suspicious_rms * epsilon;
+  const double squares = excess(shape.scatter, shape.fit, plane) + shape.fit.smallest;
+  return length(cross(mean, plane.normal)) > tuning::layers::suspicious_lean ||
+         squares > maximum * maximum * shape.scatter.count;
+}
+
+// The suspicious ones of the shapes that are large enough, and have grown by a tenth since they were examined last. So
+// a shape is examined a few times, not in each round.
+template <class Backend>
+std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, std::size_t ids, double epsilon,
+                                       std::vector<Shape_summary>& shapes, const Relations& relations)
+{
+  std::vector<std::size_t> entries;
+  Examined_shapes examined;
+  const auto plane_of = [&](std::size_t entry) { return relations.planes[std::size_t(relations.plane_of[entry])]; };
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    if(shapes[i].points() >= tuning::merging::reliable_normal_size &&
+       tuning::layers::examined_growth.is_reached(shapes[i].points(), shapes[i].layered_count)) {
+      entries.push_back(i);
+      examined.push_back({shapes[i].id, sample_mask(shapes[i].points()), rounded(plane_of(i))});
+      shapes[i].layered_count = shapes[i].points();
+    }
   std::vector<Suspect> suspects;
-  const std::vector<std::size_t> entries = entries_to_examine(points.backend, shapes, ids);
   if(entries.empty())
     return suspects;
-  const std::vector<Vector> mean = mean_normals(points, shapes, ids, entries);
-  const double maximum = tuning::layers::suspicious_rms * epsilon;
-  std::vector<char> is_suspicious(entries.size());
-  points.backend.for_each_on_host(entries.size(), [&](std::size_t q) {
-    const Shape& shape = shapes[ids[entries[q]]];
-    const double squares = excess(shape.scatter, shape.fit, shape.plane) + shape.fit.smallest;
-    is_suspicious[q] = length(cross(mean[q], shape.plane.normal)) > tuning::layers::suspicious_lean ||
-                       squares > maximum * maximum * shape.scatter.count;
-  });
-  for(std::size_t q = 0; q < entries.size(); ++q)
-    if(is_suspicious[q])
-      suspects.push_back({entries[q], plane_through(mean[q], shapes[ids[entries[q]]].scatter.centroid)});
+  const std::vector<std::int64_t> sum = sum_normals(points, ids, examined);
+  for(std::size_t q = 0; q < entries.size(); ++q) {
+    const Shape_fit& fit = shapes[entries[q]].fit;
+    const Vector mean = unit({double(sum[3 * q]), double(sum[3 * q + 1]), double(sum[3 * q + 2])});
+    if(is_suspicious(fit, plane_of(entries[q]), mean, epsilon))
+      suspects.push_back({entries[q], plane_through(mean, fit.scatter.centroid)});
+  }
   return suspects;
 }
 
-// Shapes of two layers exchange their relations for the plane of one of them. After the regularity step, as its planes
-// are tested.
+// Shapes of two layers exchange their relations for the plane of one of them. After relations are found, as their
+// planes are tested; before they are applied. `summaries`: of the shapes of the relations.
 template <class Backend>
-void split_layers(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                  Shape_relations& r)
+void split_layers(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
+                  std::vector<Shape_summary>& summaries, Shape_relations& r)
 {
-  std::vector<Suspect> suspects = suspicious_shapes(points, shapes, r.id, options.maximum_distance);
+  std::vector<Suspect> suspects =
+    suspicious_shapes(points, shapes.size, options.maximum_distance, summaries, r.relations);
   if(suspects.empty())
     return;
-  Distance_histograms histograms;
-  histograms.of.assign(shapes.size(), no_index);
-  histograms.count.assign(suspects.size() * tuning::layers::bins, 0);
-  for(std::size_t h = 0; h < suspects.size(); ++h) {
-    histograms.of[r.id[suspects[h].entry]] = std::uint32_t(h);
-    histograms.plane.push_back(rounded(suspects[h].plane));
+  Examined_shapes examined;
+  std::vector<std::uint8_t> is_crooked;
+  for(const Suspect& s : suspects) {
+    const Shape_summary& shape = summaries[s.entry];
+    examined.push_back({shape.id, 0, rounded(s.plane)});
+    is_crooked.push_back(shape.points() >= tuning::layers::minimum_size &&
+                         length(cross(s.plane.normal, shape.fit.fit.normal)) > tuning::layers::certain_lean);
   }
-  count_distances(points, options.growth.tolerance.distance, histograms);
-  std::vector<double> layer(suspects.size());
-  points.backend.for_each_on_host(
-    suspects.size(),
-    [&](std::size_t h) {
-      const Shape& shape = shapes[r.id[suspects[h].entry]];
-      const bool is_crooked =
-        shape.moments.count >= tuning::layers::minimum_size &&
-        length(cross(suspects[h].plane.normal, shape.local.normal)) > tuning::layers::certain_lean;
-      layer[h] = find_layer(histograms.count.data() + h * tuning::layers::bins, is_crooked);
-    },
-    few_histograms);
+  const std::vector<double> layer =
+    find_layers(points, shapes.size, options.growth.tolerance.distance, examined, is_crooked);
   for(std::size_t h = 0; h < suspects.size(); ++h) {
     if(layer[h] == 0)
       continue;
     Regular_plane& plane = suspects[h].plane;
     plane.offset = std::fma(layer[h], options.maximum_distance, plane.offset);
-    shapes[r.id[suspects[h].entry]].plane = plane;
     set_own_plane(r.relations, suspects[h].entry, plane);
   }
 }

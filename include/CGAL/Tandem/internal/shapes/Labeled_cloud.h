@@ -10,6 +10,8 @@
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -32,15 +34,28 @@ struct Cell_shapes {
 // A point that is tested against planes of its shape. A copy, so that repeated tests read consecutive memory.
 struct Sample {
   Grid_point point;
-  std::uint32_t shape;
+  std::uint32_t place; // of its shape among the tested ones
 };
 
-// The cells, as the bodies see them.
+// The cells in equal parts, one after the other, with the shapes of their cells. Passes that look at points one by one
+// are over parts, so that small clouds occupy a whole device.
 struct Cells_view {
   const Range* range;
   const Cell_shapes* shapes;
+  std::uint32_t parts = 1; // of each cell
 
-  CGAL_TANDEM_HD const Range& operator[](std::uint32_t c) const { return range[c]; }
+  CGAL_TANDEM_HD Range operator[](std::uint32_t p) const
+  {
+    const Range cell = range[p / parts];
+    const std::uint32_t part = p % parts;
+    return {cell.first + cell.size() * part / parts, cell.first + cell.size() * (part + 1) / parts};
+  }
+
+  template <class Block, class Predicate>
+  CGAL_TANDEM_HD bool may_have(Block& block, std::uint32_t p, Predicate is_selected) const
+  {
+    return shapes[p / parts].may_have(block, is_selected);
+  }
 };
 
 // The points with a neighbor in another cell, ascending, so cell by cell. Only they can be reached by shapes of other
@@ -66,6 +81,9 @@ struct Labeled_cloud {
 
   std::size_t number_of_cells() const { return cells.size(); }
   Cells_view cells_view() const { return {cells.data(), cell_shapes.data()}; }
+
+  std::size_t number_of_parts() const { return cells.size() * parts_of_cell(); }
+  Cells_view parts_view() const { return {cells.data(), cell_shapes.data(), std::uint32_t(parts_of_cell())}; }
   Labels_view labels() { return {label.data(), state.data()}; }
 
   Backend& backend;
@@ -76,6 +94,14 @@ struct Labeled_cloud {
   Buffer<std::uint32_t> label;
   Buffer<std::uint8_t> state;
   Buffer<Sample> sample; // of a Misfit_counter; between two of them its contents are undefined
+
+private:
+  std::size_t parts_of_cell() const
+  {
+    constexpr std::size_t maximum = 8;
+    const std::size_t bodies = backend.concurrency(), n = (std::max)(cells.size(), std::size_t(1));
+    return (std::min)((bodies + n - 1) / n, maximum);
+  }
 };
 
 } // namespace internal

@@ -11,8 +11,6 @@
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
-#include <vector>
-
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -50,12 +48,12 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
 }
 
 // The candidates of a cell are seed[cell.first] ... seed[cell.first + count[c] - 1]; those before cursor[c] are used
-// up. Candidates stay in their order; growth only moves the cursors. `count` and `cursor` are by cell, on the host.
+// up. Candidates stay in their order; growth only moves the cursors. `count` and `cursor` are by cell.
 template <class Backend>
 struct Seeds {
   typename Backend::template Buffer<std::uint32_t> seed;
-  std::vector<std::uint32_t> count;
-  std::vector<std::uint32_t> cursor;
+  typename Backend::template Buffer<std::uint32_t> count;
+  typename Backend::template Buffer<std::uint32_t> cursor;
 };
 
 // Above all keys of seeds, so these points are sorted to the end of their cell.
@@ -138,15 +136,13 @@ Seeds<Backend> order_seeds(Labeled_cloud<Backend>& points, const Seed_bounds& bo
   typename Backend::template Buffer<std::uint64_t> key(n);
   Seeds<Backend> seeds;
   seeds.seed.reset(n);
-  seeds.count.resize(cells);
-  seeds.cursor.assign(cells, 0);
-  auto count = backend.write_access(seeds.count);
+  seeds.count.reset(cells);
+  seeds.cursor = filled_buffer(backend, cells, std::uint32_t(0));
   backend.template for_each_cell<Box_scratch>(cells,
                                               Rate_seeds{points.cloud.view(), points.cells.data(), key.data(), bounds});
   backend.sort_ranges(key.data(), points.cells.data(), cells, n, bounds.cell_size);
   backend.template for_each_cell<Box_scratch>(
-    cells, Take_seeds{points.cells.data(), key.data(), seeds.seed.data(), count.data()});
-  count.copy_back();
+    cells, Take_seeds{points.cells.data(), key.data(), seeds.seed.data(), seeds.count.data()});
   return seeds;
 }
 

@@ -44,24 +44,29 @@ CGAL_TANDEM_HD inline void refit(Fitted_moments& m)
 // follows the relations, `local` only the points. The box is a bound: it does not shrink when points are detached.
 struct Shape : Fitted_moments {
   Box box;
-  Regular_plane plane = {};     // local or regular
-  Regular_plane checked = {};   // the plane when the points were last checked against it
-  Regular_plane restarted = {}; // the plane when the whole shape was last put on the frontier
-  int age = 0;                  // passes of growth since it began
-  int rollbacks = 0;
-  int retry_round = 0;            // not regularized before this round ...
-  std::int64_t retry_count = 0;   // ... or before it has this many points
+  Regular_plane plane = {};       // local or regular
+  Regular_plane checked = {};     // the plane when the points were last checked against it
+  Regular_plane restarted = {};   // the plane when the whole shape was last put on the frontier
+  std::int64_t retry_count = 0;   // not regularized before it has this many points ...
   std::int64_t layered_count = 0; // points when it was last examined for layers
   std::int64_t regular_count = 0; // points when its relations were found; 0 if it has none yet
-  int entry = 0;                  // its place in the relations, if it has some
   Misfit_record last_misfits;
+  int retry_round = 0; // ... or before this round
+  int age = 0;         // passes of growth since it began
+  int rollbacks = 0;
+  int entry = 0;          // its place in the relations when it last had some
+  int plane_number = -1;  // of `plane` in the relations; -1 if it has none
   bool is_active = false; // the last pass of growth has added points
   bool is_changed = true; // its points or its plane have changed since its links were collected
   bool is_dirty = true;   // its points have changed since it was fitted
+  bool gap = false;       // fills the padding, so that all bytes are defined where shapes are copied
+
+  // Ids without points are out of use.
+  CGAL_TANDEM_HD bool is_live() const { return moments.count > 0; }
 };
 
 // A fit costs an eigenvalue problem, and most shapes do not change in late rounds.
-inline void refit_if_dirty(Shape& shape)
+CGAL_TANDEM_HD inline void refit_if_dirty(Shape& shape)
 {
   if(shape.is_dirty)
     refit(shape);

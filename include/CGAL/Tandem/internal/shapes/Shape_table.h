@@ -1,80 +1,82 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table of shapes. Tables of the size of the shapes belong to the host; functors have access to them during a pass.
+// The table of shapes, in the memory of the back end, where the points are. An id is a place in these tables, and the
+// label of the points of that shape. Ids out of use keep their places until grow_shapes() renumbers all shapes.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H
 
-#include <CGAL/Tandem/internal/backend/host_loops.h>
-#include <CGAL/Tandem/internal/memory/Growing_table.h>
+#include <CGAL/Tandem/internal/backend/buffers.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
-
-#include <numeric>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// An id is a place in these tables, and the label of the points of that shape. Ids out of use keep their places until
-// grow_shapes() renumbers all shapes.
+// So many shapes are worth a thread: an item is a fit, at most.
+constexpr std::size_t shapes_per_thread = 32;
+
+// Loops are over all ids; functors skip those out of use.
 template <class Backend>
 struct Shape_table {
-  // Ids, in use or not.
-  std::size_t size() const { return shape.size(); }
-  Shape& operator[](std::size_t id) { return shape[id]; }
-  const Shape& operator[](std::size_t id) const { return shape[id]; }
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
 
-  // The shape has lost its points. Its other values are undefined from now on; the caller removes it from `live`.
-  void clear(std::uint32_t id)
-  {
-    shape[id].moments = Moments();
-    is_restarted[id] = 0;
-  }
-
-  Growing_table<Shape> shape; // by id, which changes in grow_shapes() only; those not in `live` are empty
-  Ids live;                   // ascending
-  // The next three are by id, and are what growth reads of a shape.
-  std::vector<Plane> plane;                                // rounded, for the tests of points
-  std::vector<std::uint16_t> steps;                        // breadth-first steps of the next pass
-  std::vector<std::uint8_t> is_restarted;                  // grows again from all of its points in the next pass
-  typename Backend::template Buffer<Shared_moments> delta; // of each shape, zero between passes
-  std::size_t assigned = 0;                                // points that have a shape
+  std::size_t size = 0;              // ids, in use or not; the buffers may have room for more
+  Buffer<Shape> shape;               // by id, which changes in grow_shapes() only
+  Buffer<Plane> plane;               // rounded, for the tests of points
+  Buffer<std::uint16_t> steps;       // breadth-first steps of the next pass
+  Buffer<std::uint8_t> is_restarted; // grows again from all of its points in the next pass
+  Buffer<Shared_moments> delta;      // what a pass over the points adds to each shape; zero between passes
 };
 
-// By id: which shape each shape becomes. This is itself, another one, or free_label for a shape that is dissolved.
-using Targets = std::vector<std::uint32_t>;
-
-inline Targets identity_targets(std::size_t shapes)
+template <class Backend, class F>
+void for_each_shape(Backend& backend, const Shape_table<Backend>& shapes, F f)
 {
-  Targets target(shapes);
-  std::iota(target.begin(), target.end(), 0u);
+  backend.for_each(shapes.size, f, shapes_per_thread);
+}
+
+// By id: which shape each shape becomes. This is itself, another one, or free_label for a shape that is dissolved.
+template <class Backend>
+using Targets = typename Backend::template Buffer<std::uint32_t>;
+
+struct Set_identity {
+  std::uint32_t* target;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = std::uint32_t(i); }
+};
+
+template <class Backend>
+Targets<Backend> identity_targets(Backend& backend, std::size_t n)
+{
+  Targets<Backend> target(n);
+  backend.for_each(n, Set_identity{target.data()});
   return target;
 }
 
-// The live shapes with is_chosen(shape, id), ascending. It is evaluated once for each, by several threads, so it may
-// change that shape.
-template <class Backend, class Predicate>
-Ids chosen_shapes(Backend& backend, const Shape_table<Backend>& shapes, Predicate is_chosen)
-{
-  return part_on_host(
-           backend, shapes.live.size(), [&](std::size_t l) { return shapes.live[l]; },
-           [&](std::uint32_t id) { return is_chosen(shapes[id], id); })
-    .chosen;
-}
+struct Shape_counts {
+  std::size_t shapes, points;
+};
 
-// Afterwards `live` lists the shapes with points only. No label changes.
+struct Count_live {
+  const Shape* shape;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const
+  {
+    sum[0] += shape[id].is_live();
+    sum[1] += shape[id].moments.count;
+  }
+};
+
+// How many shapes are live, and how many points they have.
 template <class Backend>
-void drop_empty_shapes(Backend& backend, Shape_table<Backend>& shapes)
+Shape_counts count_live(Backend& backend, const Shape_table<Backend>& shapes)
 {
-  shapes.live = chosen_shapes(backend, shapes, [&](const Shape& shape, std::uint32_t id) {
-    const bool is_empty = shape.moments.count == 0;
-    if(is_empty)
-      shapes.clear(id);
-    return !is_empty;
-  });
+  const auto sums = backend.template sum<2>(shapes.size, Count_live{shapes.shape.data()});
+  return {std::size_t(sums[0]), std::size_t(sums[1])};
 }
 
 } // namespace internal

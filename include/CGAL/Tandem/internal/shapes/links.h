@@ -7,13 +7,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 
-#include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
-
-#include <functional>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -21,25 +17,46 @@ namespace internal {
 
 // A pair of shapes and the number of edges of the neighbor graph between their points.
 struct Link {
-  std::uint64_t pair; // smaller id << 32 | larger id
-  std::uint32_t count;
-  std::uint32_t gap = 0; // fills the padding, so that all bytes are defined where links are copied
+  static constexpr std::uint64_t none = ~std::uint64_t(0);
 
-  std::uint32_t first() const { return std::uint32_t(pair >> 32); }
-  std::uint32_t second() const { return std::uint32_t(pair); }
+  std::uint64_t pair = none; // smaller id << 32 | larger id
+  std::uint32_t count = 0;
+
+  CGAL_TANDEM_HD std::uint32_t first() const { return std::uint32_t(pair >> 32); }
+  CGAL_TANDEM_HD std::uint32_t second() const { return std::uint32_t(pair); }
 };
 
-using Link_list = Unset_vector<Link>;
+// Multiplicative hashing: ids of touching shapes are often close to each other. The factor is 2^64 over the golden
+// ratio; the upper bits are the better ones.
+CGAL_TANDEM_HD inline std::uint64_t hash_of_pair(std::uint64_t pair) { return pair * 0x9e3779b97f4a7c15u; }
 
-// Where cells append in any order. When it is full, it still counts, which gives the capacity of the next attempt.
-struct Link_sink {
+// A hash table that all cells fill at the same time, with the next free slot for pairs of one hash. Where too many
+// slots in a row are taken an addition is lost, and counted: the next attempt has a larger table. The places of the
+// pairs depend on the order of the additions, the counts do not.
+template <class Backend>
+struct Link_set {
   Link* link;
-  std::uint32_t* size;
-  std::uint32_t capacity;
+  std::uint32_t size; // a power of two
+  std::uint32_t* lost;
+
+  CGAL_TANDEM_HD void add(std::uint64_t pair, std::uint32_t count) const
+  {
+    constexpr std::uint32_t maximum_probes = 64;
+    std::uint32_t slot = std::uint32_t(hash_of_pair(pair) >> 32);
+    for(std::uint32_t probe = 0; probe < maximum_probes; ++probe, ++slot) {
+      Link& l = link[slot & (size - 1)];
+      const std::uint64_t old = Backend::atomic_exchange_if(l.pair, +Link::none, pair);
+      if(old == Link::none || old == pair) {
+        Backend::atomic_add(l.count, count);
+        return;
+      }
+    }
+    Backend::atomic_add(*lost, 1u);
+  }
 };
 
-// The links of a cell: one slot for each of 256 hashes. A pair whose slot belongs to another one is appended at once,
-// so a pair may come several times. The sums join these, so results do not depend on it.
+// The links of a cell: one slot for each of 256 hashes. A pair whose slot belongs to another one goes to the links of
+// all cells at once.
 struct Link_scratch {
   static constexpr std::uint32_t slots = 256;
   Link link[slots];
@@ -54,31 +71,24 @@ struct Collect_links {
   Cells_view cells;
   Labels_view labels;
   const std::uint8_t* is_selected; // by shape
-  Link_sink sink;
+  Link_set<Backend> links;
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Link_scratch& scratch, std::uint32_t c) const
   {
-    if(!cells.shapes[c].may_have(block, [&](std::uint32_t s) { return is_selected[s] != 0; }))
+    if(!cells.may_have(block, c, [&](std::uint32_t s) { return is_selected[s] != 0; }))
       return;
     const Range cell = cells[c];
-    block.for_each(Link_scratch::slots, [&](std::uint32_t i) { scratch.link[i] = {~std::uint64_t(0), 0}; });
+    block.for_each(Link_scratch::slots, [&](std::uint32_t i) { scratch.link[i] = Link(); });
     block.for_each(cell.size(), [&](std::uint32_t at) { visit(block, scratch, cell.first + at); });
     block.for_each(Link_scratch::slots, [&](std::uint32_t i) {
       if(scratch.link[i].count > 0)
-        append(scratch.link[i]);
+        links.add(scratch.link[i].pair, scratch.link[i].count);
     });
   }
 
 private:
-  CGAL_TANDEM_HD void append(const Link& link) const
-  {
-    const std::uint32_t place = Backend::atomic_add(*sink.size, 1u);
-    if(place < sink.capacity)
-      sink.link[place] = link;
-  }
-
-  // The point i, by one lane. Multiplicative hashing: ids of touching shapes are often close to each other.
+  // The point i, by one lane. Neighbors of one shape often follow each other.
   template <class Block>
   CGAL_TANDEM_HD void visit(Block& block, Link_scratch& scratch, std::uint32_t i) const
   {
@@ -87,94 +97,87 @@ private:
       return;
     const std::uint32_t* row = cloud.row(i);
     bool all_same = true;
+    std::uint32_t last = s, edges = 0; // in a row to neighbors of shape `last`
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = labels.label[row[j]];
       all_same = all_same && t == s;
-      if(t >= first_mark || t == s)
-        continue;
-      const std::uint64_t pair = s < t ? std::uint64_t(s) << 32 | t : std::uint64_t(t) << 32 | s;
-      const std::uint32_t slot = std::uint32_t((pair * 0x9e3779b97f4a7c15u) >> 56);
-      if(!block.count_pair(scratch.link[slot].pair, scratch.link[slot].count, pair))
-        append({pair, 1});
+      if(t != last) {
+        count(block, scratch, s, last, edges);
+        last = t;
+        edges = 0;
+      }
+      ++edges;
     }
+    count(block, scratch, s, last, edges);
     if(all_same)
       labels.state[i] |= interior_bit;
+  }
+
+  template <class Block>
+  CGAL_TANDEM_HD void count(Block& block, Link_scratch& scratch, std::uint32_t s, std::uint32_t t,
+                            std::uint32_t edges) const
+  {
+    if(t >= first_mark || t == s || edges == 0)
+      return;
+    const std::uint64_t pair = s < t ? std::uint64_t(s) << 32 | t : std::uint64_t(t) << 32 | s;
+    Link& slot = scratch.link[std::uint32_t(hash_of_pair(pair) >> 56)];
+    if(!block.count_pair(slot.pair, slot.count, pair))
+      links.add(pair, edges);
+    else if(edges > 1)
+      block.add(slot.count, edges - 1);
   }
 };
 
 // All touching shapes, or only those of which one has changed since its links were last collected.
 enum class Links { all, changed };
 
-// The sums of n links in the memory of the back end, where a pair may come several times. Kept are pairs with at least
-// `minimum` edges, by falling number of edges, then by ids. This order is total, so that of the input has no influence.
-template <class Backend>
-Link_list sum_links_on_host(Backend& backend, const Link* source, std::size_t n, std::uint32_t minimum)
-{
-  Link_list links(n);
-  backend.to_host(source, n, links.data());
-  backend.sort_on_host(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
-  std::size_t kept = 0;
-  for(std::size_t i = 0; i < n;) {
-    Link sum = {links[i].pair, 0};
-    for(; i < n && links[i].pair == sum.pair; ++i)
-      sum.count += links[i].count;
-    if(sum.count >= minimum)
-      links[kept++] = sum;
-  }
-  std::vector<std::uint64_t> order(kept); // count, most first, then place among the sorted pairs
-  for(std::size_t i = 0; i < kept; ++i)
-    order[i] = std::uint64_t(~links[i].count) << 32 | i;
-  backend.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
-  Link_list sorted(kept);
-  backend.for_each_on_host(kept, [&](std::size_t i) { sorted[i] = links[std::uint32_t(order[i])]; });
-  return sorted;
-}
+struct Select_shape {
+  Shape* shape;
+  bool selects_all;
+  std::uint8_t* is_selected;
 
-// The same, or what the back end has in its place. ids: more than the largest id.
-template <class Backend>
-Link_list sum_links(Backend& backend, const Link* source, std::size_t n, std::size_t ids, std::uint32_t minimum)
-{
-  if constexpr(Stage_overrides<Backend>::sums_links)
-    return Stage_overrides<Backend>::sum_links(backend, source, n, ids, minimum);
-  else {
-    static_cast<void>(ids);
-    return sum_links_on_host(backend, source, n, minimum);
+  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  {
+    is_selected[id] = shape[id].is_live() && (selects_all || shape[id].is_changed);
+    shape[id].is_changed = shape[id].is_changed && selects_all;
   }
-}
+};
 
-// The links between live shapes with enough edges to touch, by falling number of edges, then by ids. While a device
-// counts edges, the host does `meanwhile`. That changes neither labels nor which shapes are live or changed. If the
-// links do not fit, the cells are counted again with room for them. Interior points found by then have no links, so
-// none is lost.
-template <class Backend, class Work = Nothing>
-Link_list collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Links which,
-                        Work meanwhile = Work())
+// Takes the links of enough edges from the table. If any was lost all slots are taken, which says so by their number.
+struct Take_links {
+  const Link* link;
+  const std::uint32_t* lost;
+  std::uint32_t minimum;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return *lost > 0 || link[i].count >= minimum; }
+  CGAL_TANDEM_HD Link take(std::uint32_t i) const { return link[i]; }
+};
+
+// The links between live shapes with enough edges to touch, in any order. If the table is too small the cells are
+// counted again with a larger one. Interior points found by then have no links, so none is lost.
+template <class Backend>
+typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                                      Links which)
 {
   Backend& backend = points.backend;
-  std::vector<std::uint8_t> is_selected(shapes.size(), 0);
-  backend.for_each_on_host(shapes.live.size(), [&](std::size_t l) {
-    Shape& shape = shapes[shapes.live[l]];
-    is_selected[shapes.live[l]] = which == Links::all || shape.is_changed;
-    shape.is_changed = shape.is_changed && which == Links::all;
-  });
-  const auto selected = backend.read_access(is_selected);
-  std::size_t capacity = 4 * shapes.live.size() + 64 * points.number_of_cells();
-  for(bool is_first = true;; is_first = false) {
-    typename Backend::template Buffer<Link> links(capacity);
-    std::vector<std::uint32_t> size(1, 0);
-    auto counter = backend.read_write_access(size);
+  typename Backend::template Buffer<std::uint8_t> is_selected(shapes.size);
+  for_each_shape(backend, shapes, Select_shape{shapes.shape.data(), which == Links::all, is_selected.data()});
+  std::size_t size = 1024;
+  while(size < 16 * shapes.size)
+    size *= 2;
+  for(;; size *= 4) {
+    auto table = filled_buffer(backend, size, Link());
+    auto lost = filled_buffer(backend, 1, std::uint32_t(0));
     backend.template for_each_cell<Link_scratch>(
-      points.number_of_cells(), Collect_links<Backend>{points.cloud.view(),
-                                                       points.cells_view(),
+      points.number_of_parts(), Collect_links<Backend>{points.cloud.view(),
+                                                       points.parts_view(),
                                                        points.labels(),
-                                                       selected.data(),
-                                                       {links.data(), counter.data(), std::uint32_t(capacity)}});
-    if(is_first)
-      meanwhile();
-    counter.copy_back();
-    if(size[0] <= capacity)
-      return sum_links(backend, links.data(), size[0], shapes.size(), tuning::merging::minimum_edges);
-    capacity = 2 * std::size_t(size[0]);
+                                                       is_selected.data(),
+                                                       {table.data(), std::uint32_t(size), lost.data()}});
+    auto links =
+      backend.template collect<Link>(size, Take_links{table.data(), lost.data(), tuning::merging::minimum_edges});
+    if(links.size() < size)
+      return links;
   }
 }
 

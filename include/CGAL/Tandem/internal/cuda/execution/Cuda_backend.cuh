@@ -8,7 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
 
-#include <CGAL/Tandem/internal/cuda/runtime/Device_access.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/copy.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/Device_sort_table.cuh>
 #include <CGAL/Tandem/internal/cuda/runtime/Host_side.h>
 #include <CGAL/Tandem/internal/cuda/execution/cub_calls.cuh>
@@ -19,11 +19,9 @@
 #include <thrust/iterator/counting_iterator.h>
 
 #include <algorithm>
-#include <cstring>
-#include <functional>
+#include <array>
 #include <new>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -42,29 +40,30 @@ public:
 
   static const char* name() { return "cuda"; }
 
-  // Tables that the host has changed have to be on the device before the launch: flush().
+  std::size_t concurrency() const
+  {
+    int multiprocessors = 0;
+    CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
+    return std::size_t(multiprocessors) * cell_blocks;
+  }
+
+  // Items that take long are spread over more multiprocessors.
   template <class F>
-  void for_each(std::size_t n, F f)
+  void for_each(std::size_t n, F f, std::size_t grain = 4096)
   {
     if(n == 0)
       return;
-    Table_arena::of_thread().flush();
-    const std::size_t blocks = (std::min)((n + item_lanes - 1) / item_lanes, std::size_t(1) << 20);
-    run_items<<<unsigned(blocks), item_lanes, 0, stream_of_thread()>>>(n, f);
+    const std::size_t lanes = grain < item_lanes ? 32 : item_lanes;
+    const std::size_t blocks = (std::min)((n + lanes - 1) / lanes, std::size_t(1) << 20);
+    run_items<<<unsigned(blocks), unsigned(lanes), 0, stream_of_thread()>>>(n, f);
     CGAL_TANDEM_CUDA_LAUNCHED();
   }
 
-  // Loops over tables of the host; functors on the device may run meanwhile.
+  // Functors on the device may run meanwhile.
   template <class F>
   void for_each_on_host(std::size_t n, F f, std::size_t few = 256)
   {
     host_.for_each_on_host(n, f, few);
-  }
-
-  template <class Iterator, class Less>
-  void sort_on_host(Iterator first, Iterator last, Less less)
-  {
-    host_.sort_on_host(first, last, less);
   }
 
   // Scratch in shared memory if it fits there, else in memory of the pool for a bounded number of blocks.
@@ -73,7 +72,6 @@ public:
   {
     if(cells == 0)
       return;
-    Table_arena::of_thread().flush();
     if constexpr(sizeof(Scratch) <= shared_bytes)
       run_cells<Scratch><<<unsigned(cells), cell_lanes, sizeof(Scratch), stream_of_thread()>>>(
         cells == order_.size() ? order_.data() : nullptr, body);
@@ -89,14 +87,13 @@ public:
   // The order for loops over as many cells as these, whether they are these or others: largest cells first. A loop ends
   // with its slowest block, so the largest should not begin last. Loops where blocks take turns do not use it. Results
   // do not depend on it.
-  void expect_cells(const std::vector<Range>& cells)
+  void expect_cells(const Buffer<Range>& cells)
   {
-    std::vector<std::uint64_t> order(cells.size()); // ~size << 32 | cell
-    host_.for_each_on_host(cells.size(), [&](std::size_t c) { order[c] = std::uint64_t(~cells[c].size()) << 32 | c; });
-    host_.sort_on_host(order.begin(), order.end(), std::less<std::uint64_t>());
-    const std::vector<std::uint32_t> cell(order.begin(), order.end()); // the lower halves
-    order_.reset(cell.size());
-    copy_to_device(cell.data(), cell.size(), order_.data());
+    Sort_table order(cells.size());
+    for_each(cells.size(), Rank_cells<Sort_table::View>{cells.data(), order.view()});
+    sort(order);
+    order_.reset(cells.size());
+    for_each(cells.size(), Take_indices<Sort_table::View>{order.view(), order_.data()});
   }
 
   void sort(Sort_table& table) { table.sort(); }
@@ -107,7 +104,6 @@ public:
   {
     if(ranges == 0)
       return;
-    Table_arena::of_thread().flush();
     std::size_t passes = 0;
     while(keys_of_run << passes < largest)
       ++passes;
@@ -123,106 +119,71 @@ public:
     }
   }
 
-  // Waits, because the host needs the size of the result. The copy to a buffer of that size frees the large one.
+  // Waits, because the host needs the size of the result. A large buffer is copied to one of that size.
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
+    constexpr std::size_t large = std::size_t(1) << 18;
     Buffer<std::uint32_t> kept(n);
-    Buffer<std::int64_t> counter(1);
-    select(n, is_kept, kept.data(), counter.data());
-    std::int64_t size = 0;
-    copy_to_host(counter.data(), 1, &size);
-    Buffer<std::uint32_t> result{std::size_t(size)};
+    const std::size_t size = select(n, is_kept, kept.data());
+    if(n < large) {
+      kept.shrink(size);
+      return kept;
+    }
+    Buffer<std::uint32_t> result(size);
     if(size > 0)
-      CGAL_TANDEM_CUDA(cudaMemcpyAsync(result.data(), kept.data(), std::size_t(size) * sizeof(std::uint32_t),
+      CGAL_TANDEM_CUDA(cudaMemcpyAsync(result.data(), kept.data(), size * sizeof(std::uint32_t),
                                        cudaMemcpyDeviceToDevice, stream_of_thread()));
     return result;
+  }
+
+  template <class T, class F>
+  Buffer<T> collect(std::size_t n, F f)
+  {
+    Buffer<std::uint32_t> found(n);
+    Buffer<T> items(select(n, Has_item<F>{f}, found.data()));
+    for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()});
+    return items;
+  }
+
+  // Each block writes its sums to pinned memory.
+  template <int N, class F>
+  std::array<std::int64_t, N> sum(std::size_t n, F f)
+  {
+    std::array<std::int64_t, N> total = {};
+    if(n == 0)
+      return total;
+    const std::size_t blocks = (std::min)((n + sum_lanes - 1) / sum_lanes, std::size_t(256));
+    auto* const sums = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(blocks * N * sizeof(std::int64_t)));
+    sum_items<N><<<unsigned(blocks), sum_lanes, 0, stream_of_thread()>>>(n, f, sums);
+    CGAL_TANDEM_CUDA_LAUNCHED();
+    synchronize();
+    for(std::size_t i = 0; i < blocks * N; ++i)
+      total[i % N] += sums[i];
+    return total;
   }
 
   // Does not wait.
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
-    Table_arena::of_thread().flush();
     launch_rounds(maximum_rounds, items, rounds);
   }
 
-  // Most calls have one copy and one wait: as many places are copied as were needed of late. A second copy follows if
-  // more items were found, or more than pinned memory holds.
-  template <class T, class F>
-  Host_buffer<T> collect(std::size_t n, F f)
-  {
-    // The number of items has to fit into the place of one item.
-    static_assert(sizeof(T) >= sizeof(std::int64_t) && std::is_trivially_copyable<T>::value, "plain data");
-    constexpr std::size_t few = (std::size_t(128) << 10) / sizeof(T), maximum = Pinned_block::bytes / sizeof(T) - 1;
-    if(n == 0)
-      return {};
-    const std::size_t copied = (std::min)({n, maximum, (std::max)(few, likely_items_)}); // at once, used or not
-    Buffer<std::uint32_t> found(n);
-    Buffer<std::int64_t> counter(1);
-    Buffer<T> buffer(1 + n);
-    select(n, Has_item<F>{f}, found.data(), counter.data());
-    for_each(n, Take_items<T, F>{f, counter.data(), found.data(), copied, buffer.data()});
-    const T* const head = look_at(buffer.data(), 1 + copied);
-    std::int64_t size;
-    std::memcpy(&size, head, sizeof(size));
-    Host_buffer<T> items{std::size_t(size)};
-    const std::size_t there = (std::min)(copied, items.size());
-    copy_on_host(items.data(), head + 1, there * sizeof(T));
-    if(items.size() > there)
-      copy_to_host(buffer.data() + 1 + there, items.size() - there, items.data() + there);
-    likely_items_ = (std::max)(items.size() + items.size() / 4, likely_items_ / 2);
-    return items;
-  }
-
-  // Accesses are copies on the device: see Device_access.cuh.
-  template <class T, class Allocator>
-  Device_read_access<T> read_access(const std::vector<T, Allocator>& table)
-  {
-    return Device_read_access<T>(table.data(), table.size());
-  }
-
-  template <class T>
-  Device_write_access<T> read_write_access(std::vector<T>& table)
-  {
-    return Device_write_access<T>(table, true);
-  }
-
-  template <class T>
-  Device_write_access<T> write_access(std::vector<T>& table)
-  {
-    return Device_write_access<T>(table, false);
-  }
-
-  // The items are made in pinned memory, and are on their way when this returns. Waits where that is full.
   template <class T, class F>
   Buffer<T> make_buffer(std::size_t n, F f)
   {
     Buffer<T> items(n);
-    constexpr std::size_t maximum = Pinned_block::bytes / 2 / sizeof(T);
-    for(std::size_t first = 0; first < n; first += maximum) {
-      const std::size_t size = (std::min)(maximum, n - first);
-      T* const piece = reinterpret_cast<T*>(Staging::of_thread().take(size * sizeof(T)));
-      host_.for_each_on_host(size, [&](std::size_t i) { new(piece + i) T(f(first + i)); });
-      CGAL_TANDEM_CUDA(
-        cudaMemcpyAsync(items.data() + first, piece, size * sizeof(T), cudaMemcpyHostToDevice, stream_of_thread()));
-    }
+    make_on_device(n, f, items.data());
     return items;
   }
 
   void wait() { synchronize(); }
 
-  // to_host() waits for the items. After from_host() the source may be changed.
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
   {
     copy_to_host(source, n, target);
-  }
-
-  template <class T>
-  void from_host(const T* source, std::size_t n, T* target)
-  {
-    copy_to_device(source, n, target);
   }
 
   // Atomics work on memory of the device and on shared memory. Their order is relaxed, as in Tbb_backend.
@@ -260,23 +221,31 @@ public:
 
 private:
   Host_side host_;
-  std::size_t likely_items_ = 0; // how many the next collect() may find
-  Buffer<std::uint32_t> order_;  // cells by falling size: see expect_cells()
+  Buffer<std::uint32_t> order_; // cells by falling size: see expect_cells()
 
   // What a block has on all devices without a further setting, less the shared variables of Cuda_block.
   static constexpr std::size_t shared_bytes = 47 << 10;
   // Bounds the memory of scratches that do not fit there.
   static constexpr std::size_t blocks_in_turns = 512;
 
-  // The i in [0, n) with is_kept(i), ascending, and their number. Both stay on the device, so this does not wait.
+  // The i in [0, n) with is_kept(i), ascending; waits for their number, which the device writes to pinned memory.
   template <class F>
-  static void select(std::size_t n, F is_kept, std::uint32_t* kept, std::int64_t* size)
+  static std::size_t select(std::size_t n, F is_kept, std::uint32_t* kept)
   {
-    Table_arena::of_thread().flush();
-    const thrust::counting_iterator<std::uint32_t> all(0);
-    with_cub_memory([&](void* memory, std::size_t& bytes) {
-      return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
-    });
+    if(n == 0)
+      return 0;
+    auto* const size = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(sizeof(std::int64_t)));
+    if(n <= items_of_one_block) {
+      select_items<<<1, select_lanes, 0, stream_of_thread()>>>(std::uint32_t(n), is_kept, kept, size);
+      CGAL_TANDEM_CUDA_LAUNCHED();
+    } else {
+      const thrust::counting_iterator<std::uint32_t> all(0);
+      with_cub_memory([&](void* memory, std::size_t& bytes) {
+        return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
+      });
+    }
+    synchronize();
+    return std::size_t(*size);
   }
 };
 

@@ -57,6 +57,26 @@ private:
   Device_buffer<std::uint32_t> index_;
 };
 
+// Cells by falling size.
+template <class Table>
+struct Rank_cells {
+  const Range* cells;
+  Table order;
+
+  __device__ void operator()(std::size_t c) const
+  {
+    order.set(c, std::uint64_t(0x7fffffffu - cells[c].size()) << 32 | c, std::uint32_t(c));
+  }
+};
+
+template <class Table>
+struct Take_indices {
+  Table table;
+  std::uint32_t* index;
+
+  __device__ void operator()(std::size_t i) const { index[i] = table.index(i); }
+};
+
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL

@@ -56,27 +56,13 @@ struct Has_item {
   __device__ bool operator()(std::uint32_t i) const { return f.has(i); }
 };
 
-// Item i of the first *size that were found goes to place 1 + i; place 0 holds their number. So one copy brings both to
-// the host. Other places that are copied become T(), so that no uninitialized bytes are copied.
 template <class T, class F>
-struct Take_items {
+struct Take_item {
   F f;
-  const std::int64_t* size;
   const std::uint32_t* found;
-  std::size_t copied;
   T* item;
 
-  __device__ void operator()(std::size_t i) const
-  {
-    if(std::int64_t(i) < *size)
-      item[1 + i] = f.take(found[i]);
-    else if(i < copied)
-      item[1 + i] = T();
-    if(i == 0) {
-      item[0] = T();
-      memcpy(item, size, sizeof(*size));
-    }
-  }
+  __device__ void operator()(std::size_t i) const { item[i] = f.take(found[i]); }
 };
 
 } // namespace internal

@@ -9,6 +9,9 @@
 
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_block.cuh>
 
+#include <cub/block/block_reduce.cuh>
+#include <cub/block/block_scan.cuh>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -21,9 +24,53 @@ constexpr unsigned cell_lanes = 512;
 template <class F>
 __global__ void __launch_bounds__(item_lanes) run_items(std::size_t n, const F f)
 {
-  const std::size_t stride = std::size_t(gridDim.x) * item_lanes;
-  for(std::size_t i = std::size_t(blockIdx.x) * item_lanes + threadIdx.x; i < n; i += stride)
+  const std::size_t stride = std::size_t(gridDim.x) * blockDim.x;
+  for(std::size_t i = std::size_t(blockIdx.x) * blockDim.x + threadIdx.x; i < n; i += stride)
     f(i);
+}
+
+constexpr unsigned sum_lanes = 256;
+
+// Adds what f(i, sums) adds for the items of a block to N sums, and writes them to the place of the block.
+template <int N, class F>
+__global__ void __launch_bounds__(sum_lanes) sum_items(std::size_t n, const F f, std::int64_t* of_block)
+{
+  std::int64_t sums[N] = {};
+  const std::size_t stride = std::size_t(gridDim.x) * sum_lanes;
+  for(std::size_t i = std::size_t(blockIdx.x) * sum_lanes + threadIdx.x; i < n; i += stride)
+    f(i, sums);
+  __shared__ typename cub::BlockReduce<std::int64_t, sum_lanes>::TempStorage memory;
+  for(int k = 0; k < N; ++k) {
+    const std::int64_t sum = cub::BlockReduce<std::int64_t, sum_lanes>(memory).Sum(sums[k]);
+    if(threadIdx.x == 0)
+      of_block[blockIdx.x * N + k] = sum;
+    __syncthreads(); // the memory is used again
+  }
+}
+
+constexpr unsigned select_lanes = 1024;
+constexpr std::size_t items_of_one_block = 32768; // more are left to CUB, which takes several launches
+
+// The i in [0, n) with is_kept(i), ascending, and their number. By one block.
+template <class F>
+__global__ void __launch_bounds__(select_lanes)
+  select_items(std::uint32_t n, const F is_kept, std::uint32_t* kept, std::int64_t* size)
+{
+  using Scan = cub::BlockScan<std::uint32_t, select_lanes>;
+  __shared__ typename Scan::TempStorage memory;
+  std::uint32_t before = 0;
+  for(std::uint32_t first = 0; first < n; first += select_lanes) {
+    const std::uint32_t i = first + threadIdx.x;
+    const std::uint32_t is_in = i < n && is_kept(i);
+    std::uint32_t place, all;
+    Scan(memory).ExclusiveSum(is_in, place, all);
+    if(is_in)
+      kept[before + place] = i;
+    before += all;
+    __syncthreads(); // the memory is used again
+  }
+  if(threadIdx.x == 0)
+    *size = before;
 }
 
 // So many blocks run on a multiprocessor at once, if their scratch leaves room; the compiler uses fewer registers for

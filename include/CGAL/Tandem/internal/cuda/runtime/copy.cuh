@@ -70,7 +70,7 @@ private:
 // As memcpy, by all threads of the host side; a table of one piece by one thread.
 inline void copy_on_host(void* target, const void* source, std::size_t bytes)
 {
-  constexpr std::size_t grain = std::size_t(16) << 10;
+  constexpr std::size_t grain = std::size_t(256) << 10;
   Host_side().for_each_piece(bytes, grain, [&](std::size_t first, std::size_t last) {
     std::memcpy(static_cast<char*>(target) + first, static_cast<const char*>(source) + first, last - first);
   });
@@ -79,23 +79,20 @@ inline void copy_on_host(void* target, const void* source, std::size_t bytes)
 // Waits until all work that this thread has queued is done.
 inline void synchronize() { Staging::of_thread().synchronize(); }
 
-// The source may be changed afterwards. Small tables are copied to pinned memory first, and this does not wait. Large
-// tables are copied from where they are, and this waits.
-template <class T>
-void copy_to_device(const T* source, std::size_t n, T* target)
+// target[i] = f(i) for i in [0, n), where f is evaluated on the host. The items are made in pinned memory, and are on
+// their way when this returns. Waits where that memory is full.
+template <class T, class F>
+void make_on_device(std::size_t n, F f, T* target)
 {
-  if(n == 0)
-    return;
-  const std::size_t bytes = n * sizeof(T);
-  const void* from = source;
-  if(bytes <= Pinned_block::bytes) {
-    char* const memory = Staging::of_thread().take(bytes);
-    copy_on_host(memory, source, bytes);
-    from = memory;
+  constexpr std::size_t maximum = Pinned_block::bytes / 2 / sizeof(T);
+  for(std::size_t first = 0; first < n; first += maximum) {
+    const std::size_t size = (std::min)(maximum, n - first);
+    T* const piece = reinterpret_cast<T*>(Staging::of_thread().take(size * sizeof(T)));
+    Host_side().for_each_on_host(
+      size, [&](std::size_t i) { new(piece + i) T(f(first + i)); }, 4096);
+    CGAL_TANDEM_CUDA(
+      cudaMemcpyAsync(target + first, piece, size * sizeof(T), cudaMemcpyHostToDevice, stream_of_thread()));
   }
-  CGAL_TANDEM_CUDA(cudaMemcpyAsync(target, from, bytes, cudaMemcpyHostToDevice, stream_of_thread()));
-  if(from == source)
-    synchronize();
 }
 
 // Waits for n items, at most Pinned_block::bytes. They remain valid until the next copy of this thread.

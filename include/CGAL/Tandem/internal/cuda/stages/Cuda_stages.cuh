@@ -9,7 +9,6 @@
 
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/cuda/neighbors/Cuda_neighbors.cuh>
-#include <CGAL/Tandem/internal/cuda/stages/Cuda_links.cuh>
 #include <CGAL/Tandem/internal/cuda/stages/Cuda_tables.cuh>
 
 #include <utility>
@@ -19,31 +18,24 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Import and grouping differ for their copies, neighbors and links for speed. The cells are used to start large ones
+// Import and grouping differ for their copies, neighbors for speed. The cells are used to start large ones
 // first.
 template <>
 struct Stage_overrides<Cuda_backend> : No_stage_overrides {
-  static constexpr bool imports_points = true, expects_cells = true, finds_neighbors = true, sums_links = true,
-                        groups_points = true;
+  static constexpr bool imports_points = true, expects_cells = true, finds_neighbors = true, groups_points = true;
 
   static Device_buffer<Grid_point> import_points(Cuda_backend& backend, Import& in)
   {
     return import_points_cuda(backend, in);
   }
 
-  static void expect_cells(Cuda_backend& backend, const std::vector<Range>& cells) { backend.expect_cells(cells); }
+  static void expect_cells(Cuda_backend& backend, const Device_buffer<Range>& cells) { backend.expect_cells(cells); }
 
   // Rows and scratch are memory of the device; the search has not ended when this returns.
   static void find_neighbors(Cuda_backend&, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
   {
     Device_buffer<unsigned char> scratch(neighbor_scratch_bytes(n));
     find_neighbors_cuda({point, n, k, out}, scratch.data(), stream_of_thread());
-  }
-
-  static Link_list sum_links(Cuda_backend& backend, const Link* link, std::size_t n, std::size_t ids,
-                             std::uint32_t minimum)
-  {
-    return sum_links_cuda(backend, link, n, ids, minimum);
   }
 
   static void group_points(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,

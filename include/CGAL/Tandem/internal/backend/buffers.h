@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Buffers of any back end, from and to the host. A copy to the host waits for the work that was started.
+
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_BUFFERS_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_BUFFERS_H
+
+#include <CGAL/Tandem/internal/base/types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class T>
+struct Fill {
+  T* target;
+  T value;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = value; }
+};
+
+template <class T, class Backend>
+typename Backend::template Buffer<T> filled_buffer(Backend& backend, std::size_t n, T value)
+{
+  typename Backend::template Buffer<T> buffer(n);
+  backend.for_each(n, Fill<T>{buffer.data(), value});
+  return buffer;
+}
+
+template <class Backend, class T>
+typename Backend::template Buffer<T> to_buffer(Backend& backend, const std::vector<T>& table)
+{
+  return backend.template make_buffer<T>(table.size(), [&](std::size_t i) { return table[i]; });
+}
+
+// The first n items.
+template <class T, class Backend>
+std::vector<T> to_vector(Backend& backend, const T* items, std::size_t n)
+{
+  std::vector<T> table(n);
+  backend.to_host(items, n, table.data());
+  return table;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_BUFFERS_H

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sets of shapes that become one: the largest stays, of equal ones that with the smallest id. Changes nothing.
+
+#ifndef CGAL_TANDEM_INTERNAL_ROUNDS_JOIN_MEMBERS_H
+#define CGAL_TANDEM_INTERNAL_ROUNDS_JOIN_MEMBERS_H
+
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// What a set of shapes becomes; the order of the members does not matter.
+struct Stays {
+  std::uint64_t size = ~std::uint64_t(0); // ~ of the points of the largest shape
+  std::uint32_t id = no_index;
+};
+
+// Three loops over the members of all sets, since each needs all of the one before.
+template <class Backend, class Predicate>
+struct Join_member {
+  enum Step { largest, smallest_id, join } step;
+  const Shape* shape;
+  const std::uint32_t* member;
+  const std::uint32_t* set; // by id: leads to the root of the set
+  Predicate is_joined;      // by member
+  Stays* stays;             // by root
+  std::uint32_t* target;    // by id
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(!is_joined(std::uint32_t(i)))
+      return;
+    const std::uint32_t id = member[i];
+    std::uint32_t root = id;
+    while(set[root] != root)
+      root = set[root];
+    Stays& s = stays[root];
+    const std::uint64_t size = ~std::uint64_t(shape[id].moments.count);
+    if(step == largest)
+      Backend::atomic_min(s.size, size);
+    else if(step == smallest_id && size == s.size)
+      Backend::atomic_min(s.id, id);
+    else if(step == join)
+      target[id] = s.id;
+  }
+};
+
+// The targets of the members with is_joined(place in `member`); all other shapes stay.
+template <class Backend, class Predicate>
+Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shapes,
+                              const typename Backend::template Buffer<std::uint32_t>& member, const std::uint32_t* set,
+                              Predicate is_joined)
+{
+  using Body = Join_member<Backend, Predicate>;
+  Targets<Backend> target = identity_targets(backend, shapes.size);
+  auto stays = filled_buffer(backend, shapes.size, Stays());
+  for(const auto step : {Body::largest, Body::smallest_id, Body::join})
+    backend.for_each(member.size(),
+                     Body{step, shapes.shape.data(), member.data(), set, is_joined, stays.data(), target.data()});
+  return target;
+}
+
+struct Count_joined {
+  const std::uint32_t* target;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const { sum[0] += target[id] != id; }
+};
+
+template <class Backend>
+bool is_any_joined(Backend& backend, const Targets<Backend>& target)
+{
+  return backend.template sum<1>(target.size(), Count_joined{target.data()})[0] > 0;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ROUNDS_JOIN_MEMBERS_H

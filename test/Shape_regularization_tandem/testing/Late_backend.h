@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A shuffled back end that works as late as it may, as a device does: loops of functors run when the host waits for
+// what they write, and memory is released in the order of the loops. Only data() leads to the items of a buffer. So host
+// code that does not wait, or reads a buffer itself, finds garbage.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LATE_BACKEND_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LATE_BACKEND_H
+
+#include "Shuffled_block.h"
+
+#include <CGAL/Tandem/internal/backend/Stage_overrides.h>
+#include <CGAL/Tandem/internal/finish/group_points.h>
+#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// What is to be done, in its order. There is one list, as a thread has one stream.
+class Late_work {
+public:
+  static void add(std::function<void()> work) { list().push_back(std::move(work)); }
+
+  static void run()
+  {
+    const std::vector<std::function<void()>> all = std::move(list());
+    list().clear();
+    for(const auto& work : all)
+      work();
+  }
+
+private:
+  static std::vector<std::function<void()>>& list()
+  {
+    static std::vector<std::function<void()>> works;
+    return works;
+  }
+};
+
+template <class T>
+class Late_buffer {
+public:
+  Late_buffer() = default;
+  explicit Late_buffer(std::size_t size) { reset(size); }
+  Late_buffer(Host_buffer<T>&& filled) : memory_(std::move(filled)), size_(memory_.size()) {}
+  Late_buffer(Late_buffer&& other) noexcept : memory_(std::move(other.memory_)), size_(std::exchange(other.size_, 0)) {}
+  ~Late_buffer() { release(); }
+
+  Late_buffer& operator=(Late_buffer&& other) noexcept
+  {
+    release();
+    memory_ = std::move(other.memory_);
+    size_ = std::exchange(other.size_, 0);
+    return *this;
+  }
+
+  void reset(std::size_t size)
+  {
+    release();
+    memory_.reset(size);
+    fill_with_garbage(memory_.data(), size);
+    size_ = size;
+  }
+
+  // Loops that have not run may still use the memory.
+  void release()
+  {
+    if(size_ == 0)
+      return;
+    const auto memory = std::make_shared<Host_buffer<T>>(std::move(memory_));
+    const std::size_t size = std::exchange(size_, 0);
+    Late_work::add([memory, size] { fill_with_garbage(memory->data(), size); });
+  }
+
+  T* data() { return memory_.data(); }
+  const T* data() const { return memory_.data(); }
+  std::size_t size() const { return size_; }
+
+private:
+  Host_buffer<T> memory_;
+  std::size_t size_ = 0;
+};
+
+class Late_sort_table {
+public:
+  using View = Host_sort_table::View;
+
+  explicit Late_sort_table(std::size_t size) : entries_(size) {}
+
+  View view() const { return {const_cast<Host_sort_table::Entry*>(entries_.data())}; }
+  std::size_t size() const { return entries_.size(); }
+
+private:
+  Late_buffer<Host_sort_table::Entry> entries_;
+};
+
+// Loops on the host see what has run by then. Loops over pieces wait, since host stages read tables in them.
+class Late_backend : public Shuffled_backend {
+public:
+  template <class T>
+  using Buffer = Late_buffer<T>;
+  using Sort_table = Late_sort_table;
+
+  explicit Late_backend(std::uint64_t seed = 1) : Shuffled_backend(seed) {}
+  Late_backend(const Late_backend&) = delete;
+  Late_backend& operator=(const Late_backend&) = delete;
+  ~Late_backend() { wait(); }
+
+  static const char* name() { return "late"; }
+
+  void wait() { Late_work::run(); }
+
+  template <class T>
+  void to_host(const T* source, std::size_t n, T* target)
+  {
+    wait();
+    Shuffled_backend::to_host(source, n, target);
+  }
+
+  template <class T, class F>
+  Buffer<T> make_buffer(std::size_t n, F f)
+  {
+    Buffer<T> items(n);
+    for_each_on_host(n, [&](std::size_t i) { new(items.data() + i) T(f(i)); });
+    return items;
+  }
+
+  template <class F>
+  void for_each(std::size_t n, F f, std::size_t = 0)
+  {
+    Late_work::add([=] { Shuffled_backend::for_each(n, f); });
+  }
+
+  template <class F>
+  void for_each_piece(std::size_t n, std::size_t grain, F f)
+  {
+    wait();
+    Shuffled_backend::for_each_piece(n, grain, f);
+  }
+
+  template <class F>
+  void for_each_on_host(std::size_t n, F f, std::size_t = 256)
+  {
+    Shuffled_backend::for_each(n, f);
+  }
+
+  template <class Scratch, class Body>
+  void for_each_cell(std::size_t cells, Body body)
+  {
+    Late_work::add([=] { Shuffled_backend::for_each_cell<Scratch>(cells, body); });
+  }
+
+  void sort(Sort_table& table)
+  {
+    using Entry = Host_sort_table::Entry;
+    Entry* const first = table.view().entry;
+    Entry* const last = first + table.size();
+    Late_work::add([first, last] {
+      std::reverse(first, last);
+      std::sort(first, last, [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    });
+  }
+
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t n, std::size_t largest)
+  {
+    Late_work::add([=] { Shuffled_backend::sort_ranges(key, range, ranges, n, largest); });
+  }
+
+  template <class F>
+  Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
+  {
+    wait();
+    return Shuffled_backend::compact(n, is_kept);
+  }
+
+  template <class T, class F>
+  Buffer<T> collect(std::size_t n, F f)
+  {
+    wait();
+    return Shuffled_backend::collect<T>(n, f);
+  }
+
+  template <int N, class F>
+  std::array<std::int64_t, N> sum(std::size_t n, F f)
+  {
+    wait();
+    return Shuffled_backend::sum<N>(n, f);
+  }
+
+  template <class Rounds>
+  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  {
+    Late_work::add([=] { Shuffled_backend::run_rounds(maximum_rounds, items, rounds); });
+  }
+};
+
+// The stages that need memory of the host.
+template <>
+struct Stage_overrides<Late_backend> : No_stage_overrides {
+  static constexpr bool finds_neighbors = true, groups_points = true;
+
+  static void find_neighbors(Late_backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* out)
+  {
+    backend.wait();
+    internal::find_neighbors(static_cast<Shuffled_backend&>(backend), point, n, k, out);
+  }
+
+  static void group_points(Late_backend& backend, Late_buffer<std::int32_t>&& shape_of, std::size_t shapes,
+                           Engine_result& result)
+  {
+    Host_buffer<std::int32_t> table(shape_of.size());
+    backend.to_host(shape_of.data(), shape_of.size(), table.data());
+    result.points = internal::group_points(backend, table.data(), table.size(), shapes);
+    result.shape_of = Shared_table<std::int32_t>(std::move(table));
+  }
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LATE_BACKEND_H
