@@ -27,8 +27,8 @@ public:
 
   static const char* name() { return "threads"; }
 
-  // Many more than there are threads, so that cells are parted.
-  std::size_t concurrency() const { return 500; }
+  // More than there are cells, so that these are parted.
+  std::size_t concurrency() const { return 60; }
 
   // Pieces are far smaller than they should be, so that threads meet.
   template <class F>
