@@ -22,7 +22,7 @@ jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 # The tests that the other configurations build as well: they reach every part of the
 # engine and are small, and compiling is what takes the time.
 examples='^detect_planes(_of_vector)?$'
-sanitized='test_(bad_input|analytic_scenes|regularize_planes|output_file)'
+sanitized='test_(bad_input|regularize_planes|output_file)'
 
 fail() { echo "test.sh: $*" >&2; exit 1; }
 
