@@ -108,7 +108,7 @@ struct Sort_table {
   std::size_t size() const { return 0; }
 };
 
-// What the access functions of the back end return.
+// Without for_each_piece(): the engine runs on back ends that have none.
 struct Backend {
   template <class T>
   using Buffer = archetypes::Buffer<T>;

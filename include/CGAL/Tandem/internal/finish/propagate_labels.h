@@ -11,8 +11,7 @@
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
-
-#include <vector>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 namespace CGAL {
 namespace Tandem {
