@@ -19,17 +19,18 @@ template <class State>
 void clear_shapes(State& t)
 {
   t.shapes = {};
-  t.seeds.cursor.assign(t.seeds.cursor.size(), 0);
+  t.points.backend.for_each(t.seeds.cursor.size(), internal::Fill<std::uint32_t>{t.seeds.cursor.data(), 0});
   internal::clear_labels(t.points);
 }
 
 template <class State>
 void fit_shapes(State& t)
 {
-  internal::refit_shapes(t.points.backend, t.shapes);
-  for(std::uint32_t id : t.shapes.live)
-    t.shapes[id].plane = t.shapes[id].local;
-  internal::apply_planes(t.points, t.shapes, t.options, internal::identity_targets(t.shapes.size()));
+  auto& backend = t.points.backend;
+  internal::refit_shapes(backend, t.shapes);
+  for(std::size_t id = 0; id < t.shapes.size; ++id)
+    t.shapes.shape[id].plane = t.shapes.shape[id].local;
+  internal::apply_planes(t.points, t.shapes, t.options, internal::identity_targets(backend, t.shapes.size));
 }
 
 template <class State>
@@ -55,7 +56,7 @@ void grow_pass(benchmark::State& state)
     gained += double(grow_shapes(scan.state));
   }
   state.counters["gained"] = benchmark::Counter(gained, benchmark::Counter::kAvgIterations);
-  state.counters["shapes"] = double(scan.state.shapes.live.size());
+  state.counters["shapes"] = double(internal::count_live(scan.backend, scan.state.shapes).shapes);
   count_points(state);
 }
 
