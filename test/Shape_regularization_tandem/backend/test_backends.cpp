@@ -8,10 +8,9 @@
 
 #undef NDEBUG
 
-#include "testing/Reverse_backend.h"
 #include "testing/backend_operations.h"
 #include "testing/block_searches.h"
-#include "testing/body_fixture.h"
+#include "testing/host_backends.h"
 
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
 #include <CGAL/Tandem/internal/shapes/shape_deltas.h>
@@ -39,12 +38,6 @@ public:
 private:
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
-
-  template <class T>
-  std::vector<T> read(const Buffer<T>& buffer)
-  {
-    return to_vector(backend_, buffer.data(), buffer.size());
-  }
 
   void test_searches()
   {
@@ -111,7 +104,7 @@ private:
     take_cloud(f_, points);
     find_border(points);
     const auto& border = points.border;
-    check_lists(read(border.point), expected, name_ + ": border");
+    check_lists(to_vector(backend_, border.point), expected, name_ + ": border");
     for(std::size_t c = 0; c < f_.cells.size(); ++c)
       for(std::uint32_t b = border.range[c].first; b < border.range[c].last; ++b)
         CHECK_AT(border.point[b] >= f_.cells[c].first && border.point[b] < f_.cells[c].last,
@@ -287,23 +280,12 @@ void test_values()
     }
 }
 
-template <class Backend>
-void test_operations(Backend backend)
-{
-  for(const std::string& wrong : Backend_operations<Backend>(backend).run())
-    CHECK_AT(false, backend.name() + std::string(": ") + wrong);
-}
-
 int main()
 {
-  test_operations(Sequential_backend());
-  test_operations(Reverse_backend());
-  for(unsigned threads : {2u, 8u})
-    test_operations(Thread_backend(threads));
-#ifdef CGAL_LINKED_WITH_TBB
-  test_operations(Tbb_backend());
-#endif
-  test_operations(Shuffled_backend());
+  on_host_backends([](auto backend, const std::string& name) {
+    for(const std::string& wrong : Backend_operations<decltype(backend)>(backend).run())
+      CHECK_AT(false, name + ": " + wrong);
+  });
   test_values<float>();
   test_values<double>();
   test_on_all_backends<Backend_steps>();

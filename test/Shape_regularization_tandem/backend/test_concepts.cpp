@@ -54,7 +54,6 @@ TANDEM_WITHOUT(Is_block, Block, exchange_if);
 TANDEM_WITHOUT(Is_block, Block, count_pair);
 TANDEM_WITHOUT(Is_block, Block, add_moments);
 TANDEM_WITHOUT(Is_block, Block, add_box);
-TANDEM_WITHOUT(Is_backend, Backend, keeps_pages);
 TANDEM_WITHOUT(Is_backend, Backend, name);
 TANDEM_WITHOUT(Is_backend, Backend, concurrency);
 TANDEM_WITHOUT(Is_backend, Backend, make_buffer);

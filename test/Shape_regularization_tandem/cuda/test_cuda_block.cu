@@ -5,6 +5,7 @@
 
 #undef NDEBUG
 
+#include "testing/cuda_device.h"
 #include "testing/block_searches.h"
 
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
@@ -15,11 +16,8 @@ using namespace CGAL::Tandem::internal;
 
 int main()
 {
-  int devices = 0;
-  if(cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) {
-    std::printf("skipped: no CUDA device\n");
-    return 77;
-  }
+  if(!has_device())
+    return exit_skipped;
   std::vector<Range> expected(45); // as many cells as there are, of other sizes
   for(std::uint32_t c = 0; c < expected.size(); ++c)
     expected[c] = {0, c * 7 % 11};

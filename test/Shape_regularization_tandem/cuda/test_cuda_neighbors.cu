@@ -6,6 +6,7 @@
 
 #undef NDEBUG
 
+#include "testing/cuda_device.h"
 #include "testing/neighbor_clouds.h"
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
@@ -17,7 +18,6 @@ using namespace CGAL::Tandem::internal;
 
 namespace {
 
-constexpr int exit_skipped = 77;
 constexpr std::uint32_t untouched = 12345u;
 int failures = 0;
 
@@ -115,11 +115,8 @@ void test_large_clouds()
 
 int main()
 {
-  int devices = 0;
-  if(cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) {
-    std::printf("skipped: no CUDA device\n");
+  if(!has_device())
     return exit_skipped;
-  }
   test_large_clouds();
   on_neighbor_clouds(check);
   if(failures > 0)

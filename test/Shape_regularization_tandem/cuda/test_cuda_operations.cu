@@ -5,6 +5,7 @@
 
 #undef NDEBUG
 
+#include "testing/cuda_device.h"
 #include "testing/backend_operations.h"
 #include "testing/link_sets.h"
 
@@ -16,11 +17,8 @@ using namespace CGAL::Tandem::internal;
 
 int main()
 {
-  int devices = 0;
-  if(cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) {
-    std::printf("skipped: no CUDA device\n");
-    return 77;
-  }
+  if(!has_device())
+    return exit_skipped;
   Cuda_backend cuda;
   std::vector<std::string> wrong = Backend_operations<Cuda_backend>(cuda).run();
   for(const std::string& what : Link_sets<Cuda_backend>(cuda).run())

@@ -5,6 +5,8 @@
 
 #undef NDEBUG
 
+#include "testing/cuda_device.h"
+
 #include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
 
@@ -41,11 +43,8 @@ bool is_sorted_alike(const std::vector<std::uint32_t>& sizes, std::uint64_t keys
 
 int main()
 {
-  int devices = 0;
-  if(cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) {
-    std::printf("skipped: no CUDA device\n");
-    return 77;
-  }
+  if(!has_device())
+    return exit_skipped;
   std::vector<std::uint32_t> many(300);
   std::iota(many.begin(), many.end(), 1);
   int failures = 0;

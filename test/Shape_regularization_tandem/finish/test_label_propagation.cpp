@@ -299,7 +299,7 @@ private:
     shapes.shape = to_buffer(backend_, shape);
     const bool is_any = chosen != f_.label;
     check_equal(take_chosen(points, shapes, chosen.data()), is_any, name_ + ": whether any label has changed");
-    check_lists(to_vector(backend_, points.label.data(), points.label.size()), chosen, name_ + ": chosen labels");
+    check_lists(to_vector(backend_, points.label), chosen, name_ + ": chosen labels");
     check_shapes(shapes, expected, name_ + ": shapes of chosen labels");
     for(std::size_t s = 0; s < shape.size(); ++s)
       check_equal(shapes.shape[s].is_dirty, is_other[s] != 0, name_ + ": shapes to be fitted");

@@ -402,7 +402,7 @@ private:
     const auto candidates = to_buffer(backend_, candidate);
     const auto shares = [&](Misfit_counter<Backend>& counter) {
       const auto share = counter.shares(shapes, ids, candidates);
-      return to_vector(backend_, share.data(), share.size());
+      return to_vector(backend_, share);
     };
     Misfit_counter<Backend> counter(points, shapes, options, ids);
     check_lists(shares(counter), expected, name_ + ": shares of misfits");

@@ -6,8 +6,7 @@
 
 #undef NDEBUG
 
-#include "testing/Reverse_backend.h"
-#include "testing/body_fixture.h"
+#include "testing/host_backends.h"
 
 #include <CGAL/Tandem/internal/rounds/join_members.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
@@ -71,7 +70,7 @@ private:
 
   void check_targets(const Targets<Backend>& target, const Ids& expected, const std::string& where)
   {
-    check_lists(to_vector(backend_, target.data(), target.size()), expected, where);
+    check_lists(to_vector(backend_, target), expected, where);
     bool is_any = false;
     for(std::size_t id = 0; id < expected.size(); ++id)
       is_any = is_any || expected[id] != id;
@@ -288,15 +287,7 @@ void test(Backend backend, const std::string& name)
 
 int main()
 {
-  test(Sequential_backend(), "sequential");
-  test(Reverse_backend(), "reverse");
-  for(unsigned threads : {2u, 4u, 8u})
-    test(Thread_backend(threads), std::to_string(threads) + " threads");
-#ifdef CGAL_LINKED_WITH_TBB
-  test(Tbb_backend(), "parallel");
-#endif
-  for(std::uint64_t seed : {1, 2, 3})
-    test(Shuffled_backend(seed), "shuffled " + std::to_string(seed));
+  on_host_backends([](auto backend, const std::string& name) { test(backend, name); });
   test_on_all_backends<Merged_clouds>();
   return report();
 }

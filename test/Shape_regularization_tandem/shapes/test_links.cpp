@@ -6,8 +6,7 @@
 
 #undef NDEBUG
 
-#include "testing/Reverse_backend.h"
-#include "testing/body_fixture.h"
+#include "testing/host_backends.h"
 #include "testing/link_sets.h"
 
 #include <CGAL/Tandem/internal/shapes/links.h>
@@ -106,7 +105,7 @@ private:
                    const std::map<std::uint64_t, std::uint32_t>& expected, const std::string& where)
   {
     std::map<std::uint64_t, std::uint32_t> got;
-    for(const Link& link : to_vector(backend_, links.data(), links.size()))
+    for(const Link& link : to_vector(backend_, links))
       CHECK_AT(got.emplace(link.pair, link.count).second, where + ": a pair has two links");
     CHECK_AT(got == expected, where);
   }
@@ -125,15 +124,7 @@ void test(Backend backend, const std::string& name)
 
 int main()
 {
-  test(Sequential_backend(), "sequential");
-  test(Reverse_backend(), "reverse");
-  for(unsigned threads : {2u, 4u, 8u})
-    test(Thread_backend(threads), std::to_string(threads) + " threads");
-#ifdef CGAL_LINKED_WITH_TBB
-  test(Tbb_backend(), "parallel");
-#endif
-  for(std::uint64_t seed : {1, 2, 3})
-    test(Shuffled_backend(seed), "shuffled " + std::to_string(seed));
+  on_host_backends([](auto backend, const std::string& name) { test(backend, name); });
   test_on_all_backends<Cloud_tests>();
   return report();
 }

@@ -100,12 +100,6 @@ private:
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
-  template <class T>
-  std::vector<T> read(const Buffer<T>& buffer)
-  {
-    return to_vector(backend_, buffer.data(), buffer.size());
-  }
-
   void check(bool is_right, const char* what, std::size_t n)
   {
     if(!is_right)
@@ -118,10 +112,10 @@ private:
     Buffer<std::uint32_t> visits = filled_buffer(backend_, n, std::uint32_t(0));
     std::uint32_t times = 1;
     backend_.for_each(n, Visit_item{visits.data()});
-    check(read(visits) == std::vector<std::uint32_t>(n, times), "a loop", n);
+    check(to_vector(backend_, visits) == std::vector<std::uint32_t>(n, times), "a loop", n);
     for(std::size_t grain : {1, 3, 32, 4096, 1000000}) {
       backend_.for_each(n, Visit_item{visits.data()}, grain);
-      check(read(visits) == std::vector<std::uint32_t>(n, ++times), "a loop with a grain", n);
+      check(to_vector(backend_, visits) == std::vector<std::uint32_t>(n, ++times), "a loop with a grain", n);
     }
   }
 
@@ -150,8 +144,8 @@ private:
     Buffer<std::uint32_t> counter = to_buffer(backend_, before);
     const auto items = backend_.template collect<Taken_item>(n, Take_items{counter.data(), n});
     static_assert(std::is_same<decltype(items), const Buffer<Taken_item>>::value, "they stay where functors run");
-    check(read(items) == expected, "a collection", n);
-    check(read(counter) == after, "what is taken, ", n);
+    check(to_vector(backend_, items) == expected, "a collection", n);
+    check(to_vector(backend_, counter) == after, "what is taken, ", n);
   }
 
   void test_sums(std::size_t n)
@@ -166,12 +160,12 @@ private:
   void test_buffers(std::uint32_t n)
   {
     const Buffer<Taken_item> filled = filled_buffer(backend_, n, make_taken_item(9));
-    check(read(filled) == std::vector<Taken_item>(n, make_taken_item(9)), "a filled buffer", n);
+    check(to_vector(backend_, filled) == std::vector<Taken_item>(n, make_taken_item(9)), "a filled buffer", n);
     std::vector<Taken_item> table;
     for(std::uint32_t i = 0; i < n; ++i)
       table.push_back(make_taken_item(i));
     const Buffer<Taken_item> copy = to_buffer(backend_, table);
-    check(copy.size() == n && read(copy) == table, "a buffer", n);
+    check(copy.size() == n && to_vector(backend_, copy) == table, "a buffer", n);
     table.resize(n / 2);
     check(to_vector(backend_, copy.data(), n / 2) == table, "half a buffer", n);
   }

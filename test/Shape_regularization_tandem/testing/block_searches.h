@@ -67,10 +67,8 @@ int count_wrong_searches(Backend& backend, std::uint32_t start, std::uint32_t mo
   backend.template for_each_cell<std::uint32_t>(
     cells.size(),
     Search_cells{ranges.data(), hits.data(), start, most, founds.data(), sizes.data(), firsts.data(), visited.data()});
-  const std::vector<std::uint32_t> found = to_vector(backend, founds.data(), founds.size()),
-                                   size = to_vector(backend, sizes.data(), sizes.size()),
-                                   first = to_vector(backend, firsts.data(), firsts.size()),
-                                   visits = to_vector(backend, visited.data(), visited.size());
+  const std::vector<std::uint32_t> found = to_vector(backend, founds), size = to_vector(backend, sizes),
+                                   first = to_vector(backend, firsts), visits = to_vector(backend, visited);
   int wrong = 0;
   for(std::size_t c = 0; c < cells.size(); ++c) {
     std::vector<std::uint32_t> expected;

@@ -120,7 +120,7 @@ private:
       for(const auto& e : expected)
         if(e.second >= minimum)
           enough.insert(e);
-      for(const Link& link : to_vector(backend_, links.data(), links.size()))
+      for(const Link& link : to_vector(backend_, links))
         check(got.emplace(link.pair, link.count).second, where + "a pair is taken twice");
       check(got == enough, where + "links of at least " + std::to_string(minimum) + " edges");
     }

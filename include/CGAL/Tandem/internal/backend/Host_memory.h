@@ -21,9 +21,6 @@ namespace internal {
 // The operations that concepts.h lists under "Backend, memory".
 class Host_memory {
 public:
-  // Whether freed tables of the host are kept for the next engine. Only beside a device: see Kept_pages.h.
-  static constexpr bool keeps_pages = false;
-
   template <class T>
   using Buffer = Host_buffer<T>;
   using Sort_table = Host_sort_table;

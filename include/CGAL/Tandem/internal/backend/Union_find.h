@@ -55,6 +55,14 @@ struct Union_find {
   }
 };
 
+// The root of i in sets that do not change meanwhile.
+CGAL_TANDEM_HD inline std::uint32_t root_of(const std::uint32_t* parent, std::uint32_t i)
+{
+  while(parent[i] != i)
+    i = parent[i];
+  return i;
+}
+
 // The entries of a union-find in the memory of the back end, which all cells change at the same time.
 template <class Backend>
 struct Shared_parents {

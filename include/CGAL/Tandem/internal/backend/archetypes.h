@@ -114,8 +114,6 @@ struct Backend {
   using Buffer = archetypes::Buffer<T>;
   using Sort_table = archetypes::Sort_table;
 
-  static constexpr bool keeps_pages = false;
-
   static const char* name() { return "archetype"; }
   std::size_t concurrency() const { return 1; }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +45,29 @@ std::vector<T> to_vector(Backend& backend, const T* items, std::size_t n)
   std::vector<T> table(n);
   backend.to_host(items, n, table.data());
   return table;
+}
+
+template <class Backend, class Buffer>
+auto to_vector(Backend& backend, const Buffer& buffer)
+{
+  return to_vector(backend, buffer.data(), buffer.size());
+}
+
+struct Write_place {
+  const std::uint32_t* id;
+  std::uint32_t* place;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { place[id[i]] = std::uint32_t(i); }
+};
+
+// For each of n ids its place in the list, or no_index. No id is listed twice.
+template <class Backend>
+typename Backend::template Buffer<std::uint32_t> places_of(Backend& backend, std::size_t n,
+                                                           const typename Backend::template Buffer<std::uint32_t>& ids)
+{
+  auto place = filled_buffer(backend, n, no_index);
+  backend.for_each(ids.size(), Write_place{ids.data(), place.data()});
+  return place;
 }
 
 } // namespace internal

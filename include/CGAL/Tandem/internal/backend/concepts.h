@@ -162,7 +162,6 @@ struct Is_sort_table<
 
 // Backend, memory:
 //   Buffer<T>, Sort_table             see above
-//   keeps_pages                       whether the next engine takes over the memory of large tables of the host
 //   make_buffer<T>(n, f)              a buffer of f(i), i in [0, n), evaluated on the host
 //   to_host(source, n, target)        waits for the items
 //   wait()                            for all work that was started
@@ -174,7 +173,6 @@ struct Has_memory<
   Backend,
   std::void_t<typename std::enable_if<Is_buffer<typename Backend::template Buffer<std::uint32_t>>::value>::type,
               typename std::enable_if<Is_sort_table<typename Backend::Sort_table>::value>::type,
-              decltype(bool(Backend::keeps_pages)),
               decltype(typename Backend::template Buffer<int>(
                 std::declval<Backend&>().template make_buffer<int>(std::size_t(0), archetypes::Maker()))),
               decltype(std::declval<Backend&>().to_host(std::declval<const int*>(), std::size_t(0),

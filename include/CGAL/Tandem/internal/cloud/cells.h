@@ -190,7 +190,7 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point
     return order;
   typename Backend::template Buffer<Tied_point> buffer(place.size());
   backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
-  std::vector<Tied_point> tied = to_vector(backend, buffer.data(), place.size());
+  std::vector<Tied_point> tied = to_vector(backend, buffer);
   sort_tied(backend, tied, ties);
   const auto sorted = to_buffer(backend, tied);
   backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), sorted.data()});
@@ -243,7 +243,7 @@ private:
     typename Backend::template Buffer<std::uint32_t> bounds(9 * open.size());
     backend_.for_each(bounds.size(),
                       Find_octants<Table>{order_, ranges.data(), 3 * (curve_bits - level), bounds.data()});
-    const std::vector<std::uint32_t> bound = to_vector(backend_, bounds.data(), bounds.size());
+    const std::vector<std::uint32_t> bound = to_vector(backend_, bounds);
     std::vector<Range> next;
     for(std::size_t i = 0; i < bound.size(); ++i)
       if(i % 9 < 8)

@@ -79,12 +79,6 @@ struct Transfer_criterion {
   double maximum_distance;
   bool may_change; // planes
 
-  CGAL_TANDEM_HD bool is_before(std::uint32_t a, std::uint32_t b) const
-  {
-    const std::int64_t na = shape[a].moments.count, nb = shape[b].moments.count;
-    return na > nb || (na == nb && a < b);
-  }
-
   // Whether shape s may take points of t: by its plane, or by its local plane if planes may change.
   CGAL_TANDEM_HD bool may_take(std::uint32_t s, std::uint32_t t) const
   {
@@ -150,12 +144,9 @@ struct Find_query {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    std::uint32_t t = link[i].first(), s = link[i].second();
-    if(criterion.is_before(t, s)) {
-      const std::uint32_t swapped = t;
-      t = s;
-      s = swapped;
-    }
+    const std::uint32_t a = link[i].first(), b = link[i].second();
+    const bool is_first_larger = is_before(criterion.shape, a, b);
+    const std::uint32_t s = is_first_larger ? a : b, t = is_first_larger ? b : a;
     query[i] = criterion.may_take(s, t) ? std::uint64_t(t) << 32 | s : no_query;
     if(query[i] != no_query && takes != nullptr)
       Backend::atomic_max(takes[s], 1);
@@ -251,7 +242,7 @@ struct Choose_target {
     for(std::uint32_t q = queries_of[id].first; q < queries_of[id].last; ++q) {
       const std::uint32_t s = query[q].to;
       const bool after = is_changed[s] != 0;
-      if(s != id && (chosen == id || criterion.is_before(s, chosen)) &&
+      if(s != id && (chosen == id || is_before(criterion.shape, s, chosen)) &&
          criterion.explained(query[q], after, count[2 * q + after]) > 0)
         chosen = s;
     }

@@ -9,6 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_COMPONENTS_H
 
 #include <CGAL/Tandem/internal/backend/Union_find.h>
+#include <CGAL/Tandem/internal/base/pairs.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 
@@ -126,11 +127,11 @@ struct Unite_at_border {
 private:
   static constexpr std::uint64_t none = ~std::uint64_t(0);
 
-  // False if the slot holds another pair. The factor is 2^64 over the golden ratio: its upper bits spread well.
+  // False if the slot holds another pair.
   template <class Block>
   CGAL_TANDEM_HD static bool is_noted(Block& block, Pair_scratch& scratch, std::uint64_t pair)
   {
-    const std::uint32_t slot = std::uint32_t((pair * 0x9e3779b97f4a7c15u) >> 56);
+    const std::uint32_t slot = std::uint32_t(hash_of_pair(pair) >> 56);
     return block.count_pair(scratch.pair[slot], scratch.count[slot], pair);
   }
 };

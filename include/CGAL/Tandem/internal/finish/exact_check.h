@@ -103,7 +103,7 @@ void check_exactly(Backend& backend, const Points_to_check& points, const Plane*
   typename Backend::template Buffer<Uncertain_point> buffer(place.size());
   backend.for_each(place.size(),
                    Gather_uncertain{points.point, points.label, points.origin, place.data(), buffer.data()});
-  const std::vector<Uncertain_point> uncertain = to_vector(backend, buffer.data(), place.size());
+  const std::vector<Uncertain_point> uncertain = to_vector(backend, buffer);
   const auto is_rejected = backend.template make_buffer<std::uint8_t>(
     uncertain.size(), [&](std::size_t i) { return std::uint8_t(!check.is_within(uncertain[i])); });
   backend.for_each(place.size(), Lock_rejected{place.data(), is_rejected.data(), points.label});

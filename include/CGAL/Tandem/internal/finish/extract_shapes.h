@@ -32,13 +32,6 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
   return planes;
 }
 
-struct Number_entries {
-  const std::uint32_t* id;
-  std::uint32_t* entry_of; // by shape
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { entry_of[id[i]] = std::uint32_t(i); }
-};
-
 // Of the distances of the points to the regular plane of an entry, in epsilons. From the moments of the shape: its
 // local fit, and what its regular plane adds to it.
 struct Measure_rms {
@@ -138,14 +131,13 @@ private:
   // Fills label_; from here on no step reads the labels of the loop.
   void take_entries()
   {
-    auto entry_of = filled_buffer(backend_, shapes_.size, no_index);
     const auto id = to_buffer(backend_, relations_.id);
-    backend_.for_each(id.size(), Number_entries{id.data(), entry_of.data()});
+    const auto entry_of = places_of(backend_, shapes_.size, id);
     backend_.for_each(label_.size(), Map_to_entries{points_.label.data(), entry_of.data(), label_.data()});
     Buffer<double> rms(id.size());
     backend_.for_each(id.size(), Measure_rms{shapes_.shape.data(), id.data(), options_.maximum_distance, rms.data()},
                       shapes_per_thread);
-    rms_ = to_vector(backend_, rms.data(), rms.size());
+    rms_ = to_vector(backend_, rms);
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
@@ -175,7 +167,7 @@ private:
       points_.number_of_cells(),
       Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
                                is_crisp.data(), sums.data(), options_.growth.tolerance.distance});
-    const std::vector<Neighbor_counts> counts = to_vector(backend_, sums.data(), n);
+    const std::vector<Neighbor_counts> counts = to_vector(backend_, sums);
     const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
       n, [&](std::size_t i) { return std::uint8_t(is_clutter(counts[i], rms_[i])); });
     backend_.for_each(label_.size(), Free_dropped{is_dropped.data(), label_.data()});
@@ -228,8 +220,8 @@ private:
       points_.number_of_cells(),
       Measure_points<Backend>{points_.cloud.point.data(), points_.cells.data(), label_.data(), plane_.data(), component,
                               number, options_.growth.tolerance.distance, opposed_sums.data(), distance_sum.data()});
-    const auto opposed = to_vector(backend_, opposed_sums.data(), opposed_sums.size());
-    const auto distance = to_vector(backend_, distance_sum.data(), 1);
+    const auto opposed = to_vector(backend_, opposed_sums);
+    const auto distance = to_vector(backend_, distance_sum);
     std::size_t points = 0;
     for(std::size_t s = 0; s < result.shapes.size(); ++s) {
       points += result.shapes[s].size;

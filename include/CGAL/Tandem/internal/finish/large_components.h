@@ -90,7 +90,7 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int
   const auto root = backend.compact(n, Is_large_root{label, component, size.data(), std::uint64_t(minimum_size)});
   typename Backend::template Buffer<Component> buffer(root.size());
   backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
-  std::vector<Component> components = to_vector(backend, buffer.data(), root.size());
+  std::vector<Component> components = to_vector(backend, buffer);
   std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
     return a.size != b.size ? a.size > b.size : a.root < b.root;
   });

@@ -65,16 +65,10 @@ private:
       if(t >= first_mark || t == last)
         continue;
       last = t;
-      if(is_larger(t, best) && may_take(t, i) && are_one_surface(t, nearest, i))
+      if(is_before(shape, t, best) && may_take(t, i) && are_one_surface(t, nearest, i))
         best = t;
     }
     return best;
-  }
-
-  CGAL_TANDEM_HD bool is_larger(std::uint32_t a, std::uint32_t b) const
-  {
-    const std::int64_t na = shape[a].moments.count, nb = shape[b].moments.count;
-    return na > nb || (na == nb && a < b);
   }
 
   CGAL_TANDEM_HD bool may_take(std::uint32_t t, std::size_t i) const

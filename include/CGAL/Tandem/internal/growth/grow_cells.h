@@ -182,7 +182,7 @@ std::size_t count_untried_cells(Labeled_cloud<Backend>& points, const Seeds<Back
     points.number_of_cells(),
     Find_untried_cells<Backend>{points.labels(), points.cells_view(), seeds.seed.data(), seeds.count.data(),
                                 seeds.cursor.data(), smallest, found.data()});
-  return to_vector(points.backend, found.data(), 1).front();
+  return to_vector(points.backend, found).front();
 }
 
 } // namespace internal

@@ -35,12 +35,6 @@ struct Has_started {
   CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return is_any(delta[i]); }
 };
 
-struct Is_live {
-  const Shape* shape;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live(); }
-};
-
 // The breadth-first steps of a shape in its next pass, from its age in passes. Doubling lets planes mature before they
 // spread over noise. The age of a live shape is at least 1.
 CGAL_TANDEM_HD inline std::uint16_t next_steps(int age)
@@ -120,7 +114,7 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   const auto sums = backend.template sum<2>(ids, Count_grown{shapes.shape.data(), delta, first_new});
   const std::size_t live = std::size_t(sums[1]);
   const bool is_sparse = 2 * live < first_new;
-  const Ids kept = is_sparse ? backend.compact(first_new, Is_live{shapes.shape.data()}) : Ids();
+  const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.shape.data(), 1}) : Ids();
   const Ids started = backend.compact(ids - first_new, Has_started{delta + first_new});
   const std::size_t number_kept = is_sparse ? live : first_new, size = number_kept + started.size();
   typename Backend::template Buffer<Shape> shape;

@@ -107,17 +107,12 @@ private:
   }
 };
 
-struct Start_sample {
+struct Choose_mask {
   const Shape* shape;
   const std::uint32_t* id;
-  std::uint32_t* place_of; // by id
   std::uint32_t* mask;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    place_of[id[i]] = std::uint32_t(i);
-    mask[i] = sample_mask(shape[id[i]].moments.count);
-  }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { mask[i] = sample_mask(shape[id[i]].moments.count); }
 };
 
 // A query for each of the shapes whose share of misfits is not known. All but the shape are by place.
@@ -218,9 +213,9 @@ private:
     if(points_.sample.size() == 0)
       points_.sample.reset(points_.cloud.size());
     range_.reset(points_.number_of_parts());
-    place_of_ = filled_buffer(backend, shapes.size, no_index);
+    place_of_ = places_of(backend, shapes.size, ids);
     Buffer<std::uint32_t> mask(tested_);
-    backend.for_each(tested_, Start_sample{shapes.shape.data(), ids.data(), place_of_.data(), mask.data()});
+    backend.for_each(tested_, Choose_mask{shapes.shape.data(), ids.data(), mask.data()});
     auto size = filled_buffer(backend, 1, std::uint32_t(0));
     backend.template for_each_cell<Count_scratch>(
       points_.number_of_parts(),

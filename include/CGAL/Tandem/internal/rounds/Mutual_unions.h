@@ -27,8 +27,8 @@ namespace internal {
 // other, one in a round.
 CGAL_TANDEM_HD inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)
 {
-  const std::uint64_t pair = std::uint64_t(a) << 32 | b, mixed = pair * 0x9e3779b97f4a7c15u;
-  return (mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15u;
+  const std::uint64_t mixed = hash_of_pair(std::uint64_t(a) << 32 | b);
+  return hash_of_pair(mixed ^ mixed >> 32);
 }
 
 // Bits that are in the order of the numbers. Both zeros get the same. Never NaN: a pair whose fit is none is rejected.
@@ -217,14 +217,6 @@ struct Start_pair {
     pair[i] = {link[i].first(), link[i].second(), Union_key(), false};
   }
 };
-
-// What a shape has joined, in one or more steps.
-CGAL_TANDEM_HD inline std::uint32_t root_of(const std::uint32_t* target, std::uint32_t s)
-{
-  while(target[s] != s)
-    s = target[s];
-  return s;
-}
 
 // The unions along the links. By id: what a shape has joined, in one or more steps up to the root of its union, and the
 // moments and the plane of the union of a root. `member`: the shapes that are in a union with others, ascending.

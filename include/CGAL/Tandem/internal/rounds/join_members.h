@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_JOIN_MEMBERS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_JOIN_MEMBERS_H
 
+#include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 namespace CGAL {
@@ -34,10 +35,7 @@ struct Join_member {
     if(!is_joined(std::uint32_t(i)))
       return;
     const std::uint32_t id = member[i];
-    std::uint32_t root = id;
-    while(set[root] != root)
-      root = set[root];
-    Stays& s = stays[root];
+    Stays& s = stays[root_of(set, id)];
     const std::uint64_t size = ~std::uint64_t(shape[id].moments.count);
     if(step == largest)
       Backend::atomic_min(s.size, size);

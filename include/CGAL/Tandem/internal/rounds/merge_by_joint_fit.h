@@ -59,8 +59,7 @@ struct Relabel_link {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    const std::uint32_t a = target[link[i].first()], b = target[link[i].second()];
-    link[i].pair = a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;
+    link[i].pair = unordered_pair(target[link[i].first()], target[link[i].second()]);
   }
 };
 

@@ -51,13 +51,6 @@ struct Reset_plane {
   }
 };
 
-struct Has_points {
-  const Shape* shape;
-  std::int64_t minimum_size; // at least 1
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].moments.count >= minimum_size; }
-};
-
 struct Summarize_shape {
   const Shape* shape;
   const std::uint32_t* id;
@@ -222,7 +215,7 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
   typename Backend::template Buffer<Shape_summary> buffer(ids.size());
   backend.for_each(ids.size(), Summarize_shape{shapes.shape.data(), ids.data(), step.round, buffer.data()},
                    shapes_per_thread);
-  Shape_summaries summaries = to_vector(backend, buffer.data(), ids.size());
+  Shape_summaries summaries = to_vector(backend, buffer);
   const bool is_first = is_last && before.id.empty(); // those of the loop are of other shapes
   const bool is_kept =
     is_due && !is_first && !have_changed(summaries, before.points, count_live(backend, shapes).points, is_last);

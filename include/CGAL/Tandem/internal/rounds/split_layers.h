@@ -17,31 +17,22 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A shape of which the points are examined, with a plane.
-struct Examined_shape {
-  std::uint32_t id;
-  std::uint32_t mask; // of the sample
-  Plane plane;
+// Shapes of which the points are examined, each with a plane. All tables are by place.
+struct Examined_shapes {
+  struct Test {
+    std::uint32_t mask; // of the sample
+    Plane plane;
+  };
+
+  std::vector<std::uint32_t> id;
+  std::vector<Test> test;
+
+  void add(std::uint32_t shape, const Test& t)
+  {
+    id.push_back(shape);
+    test.push_back(t);
+  }
 };
-
-using Examined_shapes = std::vector<Examined_shape>;
-
-struct Number_examined {
-  const Examined_shape* examined;
-  std::uint32_t* number; // by id
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { number[examined[i].id] = std::uint32_t(i); }
-};
-
-// By id: the place among the examined shapes, or no_index.
-template <class Backend>
-typename Backend::template Buffer<std::uint32_t> number_examined(Backend& backend, std::size_t ids,
-                                                                 const Examined_shape* examined, std::size_t n)
-{
-  auto number = filled_buffer(backend, ids, no_index);
-  backend.for_each(n, Number_examined{examined, number.data()});
-  return number;
-}
 
 // Fills the histograms of a cell. Distances are in 2^-28 grid steps and cover [-2, 2) epsilon; what is farther is
 // not counted. Additions are atomic, since many cells share a histogram.
@@ -51,7 +42,7 @@ struct Count_distances {
   Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* histogram_of; // by shape, no_index if not examined
-  const Examined_shape* examined;    // by histogram
+  const Examined_shapes::Test* test; // by histogram
   std::uint32_t* histogram;          // tuning::layers::bins each
   std::int64_t epsilon;              // in the same unit
 
@@ -66,7 +57,7 @@ struct Count_distances {
       if(s >= first_mark || histogram_of[s] == no_index)
         return;
       const std::uint32_t h = histogram_of[s];
-      const std::int64_t from_first = signed_distance(examined[h].plane, cloud.point[cell.first + at]) + 2 * epsilon;
+      const std::int64_t from_first = signed_distance(test[h].plane, cloud.point[cell.first + at]) + 2 * epsilon;
       const std::int64_t bin = from_first / (epsilon / tuning::layers::bins_per_distance);
       if(bin >= 0 && bin < tuning::layers::bins)
         Backend::atomic_add(histogram[h * tuning::layers::bins + std::uint32_t(bin)], 1u);
@@ -121,17 +112,17 @@ std::vector<double> find_layers(Labeled_cloud<Backend>& points, std::size_t ids,
                                 const Examined_shapes& shapes, const std::vector<std::uint8_t>& is_crooked)
 {
   Backend& backend = points.backend;
-  const auto examined = to_buffer(backend, shapes);
-  const auto histogram_of = number_examined(backend, ids, examined.data(), shapes.size());
-  const std::size_t n = shapes.size();
+  const auto test = to_buffer(backend, shapes.test);
+  const auto histogram_of = places_of(backend, ids, to_buffer(backend, shapes.id));
+  const std::size_t n = test.size();
   auto counts = filled_buffer(backend, n * tuning::layers::bins, std::uint32_t(0));
   backend.template for_each_cell<Count_scratch>(
     points.number_of_parts(), Count_distances<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
-                                                       histogram_of.data(), examined.data(), counts.data(), epsilon});
+                                                       histogram_of.data(), test.data(), counts.data(), epsilon});
   const auto crooked = to_buffer(backend, is_crooked);
   typename Backend::template Buffer<double> layer(n);
   backend.for_each(n, Find_layer{counts.data(), crooked.data(), layer.data()}, shapes_per_thread);
-  return to_vector(backend, layer.data(), n);
+  return to_vector(backend, layer);
 }
 
 // The sum of the normals of a sample of each shape. Each is turned to the side of the plane, since signs are arbitrary.
@@ -142,7 +133,7 @@ struct Sum_normals {
   Cells_view cells;
   const std::uint32_t* label;
   const std::uint32_t* query_of; // by shape, no_index if not examined
-  const Examined_shape* query;
+  const Examined_shapes::Test* query;
   std::int64_t* sum; // by query, 3 each
 
   template <class Block>
@@ -170,13 +161,13 @@ template <class Backend>
 std::vector<std::int64_t> sum_normals(Labeled_cloud<Backend>& points, std::size_t ids, const Examined_shapes& shapes)
 {
   Backend& backend = points.backend;
-  const auto examined = to_buffer(backend, shapes);
-  const auto query_of = number_examined(backend, ids, examined.data(), shapes.size());
-  auto sums = filled_buffer(backend, 3 * shapes.size(), std::int64_t(0));
+  const auto query = to_buffer(backend, shapes.test);
+  const auto query_of = places_of(backend, ids, to_buffer(backend, shapes.id));
+  auto sums = filled_buffer(backend, 3 * query.size(), std::int64_t(0));
   backend.template for_each_cell<Count_scratch>(
     points.number_of_parts(), Sum_normals<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
-                                                   query_of.data(), examined.data(), sums.data()});
-  return to_vector(backend, sums.data(), sums.size());
+                                                   query_of.data(), query.data(), sums.data()});
+  return to_vector(backend, sums);
 }
 
 // A shape that may be two layers: its entry, and its plane along the mean normal of its points.
@@ -207,7 +198,7 @@ std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, std::size
     if(shapes[i].points() >= tuning::merging::reliable_normal_size &&
        tuning::layers::examined_growth.is_reached(shapes[i].points(), shapes[i].layered_count)) {
       entries.push_back(i);
-      examined.push_back({shapes[i].id, sample_mask(shapes[i].points()), rounded(plane_of(i))});
+      examined.add(shapes[i].id, {sample_mask(shapes[i].points()), rounded(plane_of(i))});
       shapes[i].layered_count = shapes[i].points();
     }
   std::vector<Suspect> suspects;
@@ -237,7 +228,7 @@ void split_layers(Labeled_cloud<Backend>& points, const Shape_table<Backend>& sh
   std::vector<std::uint8_t> is_crooked;
   for(const Suspect& s : suspects) {
     const Shape_summary& shape = summaries[s.entry];
-    examined.push_back({shape.id, 0, rounded(s.plane)});
+    examined.add(shape.id, {0, rounded(s.plane)});
     is_crooked.push_back(shape.points() >= tuning::layers::minimum_size &&
                          length(cross(s.plane.normal, shape.fit.fit.normal)) > tuning::layers::certain_lean);
   }

@@ -65,6 +65,13 @@ struct Shape : Fitted_moments {
   CGAL_TANDEM_HD bool is_live() const { return moments.count > 0; }
 };
 
+// The order by falling number of points, then by id. ids of a table of shapes.
+CGAL_TANDEM_HD inline bool is_before(const Shape* shape, std::uint32_t a, std::uint32_t b)
+{
+  const std::int64_t na = shape[a].moments.count, nb = shape[b].moments.count;
+  return na > nb || (na == nb && a < b);
+}
+
 // A fit costs an eigenvalue problem, and most shapes do not change in late rounds.
 CGAL_TANDEM_HD inline void refit_if_dirty(Shape& shape)
 {

@@ -57,6 +57,13 @@ Targets<Backend> identity_targets(Backend& backend, std::size_t n)
   return target;
 }
 
+struct Has_points {
+  const Shape* shape;
+  std::int64_t minimum_size; // at least 1, which selects the live shapes
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].moments.count >= minimum_size; }
+};
+
 struct Shape_counts {
   std::size_t shapes, points;
 };

@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 
 #include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/pairs.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
@@ -25,10 +26,6 @@ struct Link {
   CGAL_TANDEM_HD std::uint32_t first() const { return std::uint32_t(pair >> 32); }
   CGAL_TANDEM_HD std::uint32_t second() const { return std::uint32_t(pair); }
 };
-
-// Multiplicative hashing: ids of touching shapes are often close to each other. The factor is 2^64 over the golden
-// ratio; the upper bits are the better ones.
-CGAL_TANDEM_HD inline std::uint64_t hash_of_pair(std::uint64_t pair) { return pair * 0x9e3779b97f4a7c15u; }
 
 // A hash table that all cells fill at the same time, with the next free slot for pairs of one hash. Where too many
 // slots in a row are taken an addition is lost, and counted: the next attempt has a larger table. The places of the
@@ -119,7 +116,7 @@ private:
   {
     if(t >= first_mark || t == s || edges == 0)
       return;
-    const std::uint64_t pair = s < t ? std::uint64_t(s) << 32 | t : std::uint64_t(t) << 32 | s;
+    const std::uint64_t pair = unordered_pair(s, t);
     Link& slot = scratch.link[std::uint32_t(hash_of_pair(pair) >> 56)];
     if(!block.count_pair(slot.pair, slot.count, pair))
       links.add(pair, edges);

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <new>
 #include <type_traits>
 
 namespace CGAL {
@@ -34,9 +33,6 @@ public:
   template <class T>
   using Buffer = Device_buffer<T>;
   using Sort_table = Device_sort_table;
-
-  // Beside a device the first touch of new pages is what takes longest on the host.
-  static constexpr bool keeps_pages = true;
 
   static const char* name() { return "cuda"; }
 
@@ -90,10 +86,10 @@ public:
   void expect_cells(const Buffer<Range>& cells)
   {
     Sort_table order(cells.size());
-    for_each(cells.size(), Rank_cells<Sort_table::View>{cells.data(), order.view()});
+    for_each(cells.size(), Rank_cells{cells.data(), order.view()});
     sort(order);
     order_.reset(cells.size());
-    for_each(cells.size(), Take_indices<Sort_table::View>{order.view(), order_.data()});
+    for_each(cells.size(), Take_indices{order.view(), order_.data()});
   }
 
   void sort(Sort_table& table) { table.sort(); }

@@ -57,11 +57,10 @@ private:
   Device_buffer<std::uint32_t> index_;
 };
 
-// Cells by falling size.
-template <class Table>
+// Keys for cells by falling size.
 struct Rank_cells {
   const Range* cells;
-  Table order;
+  Device_sort_table::View order;
 
   __device__ void operator()(std::size_t c) const
   {
@@ -69,9 +68,8 @@ struct Rank_cells {
   }
 };
 
-template <class Table>
 struct Take_indices {
-  Table table;
+  Device_sort_table::View table;
   std::uint32_t* index;
 
   __device__ void operator()(std::size_t i) const { index[i] = table.index(i); }

@@ -67,15 +67,6 @@ private:
   std::size_t used_ = 0;
 };
 
-// As memcpy, by all threads of the host side; a table of one piece by one thread.
-inline void copy_on_host(void* target, const void* source, std::size_t bytes)
-{
-  constexpr std::size_t grain = std::size_t(256) << 10;
-  Host_side().for_each_piece(bytes, grain, [&](std::size_t first, std::size_t last) {
-    std::memcpy(static_cast<char*>(target) + first, static_cast<const char*>(source) + first, last - first);
-  });
-}
-
 // Waits until all work that this thread has queued is done.
 inline void synchronize() { Staging::of_thread().synchronize(); }
 
@@ -95,16 +86,6 @@ void make_on_device(std::size_t n, F f, T* target)
   }
 }
 
-// Waits for n items, at most Pinned_block::bytes. They remain valid until the next copy of this thread.
-template <class T>
-const T* look_at(const T* source, std::size_t n)
-{
-  char* const memory = Staging::of_thread().take(n * sizeof(T));
-  CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, n * sizeof(T), cudaMemcpyDeviceToHost, stream_of_thread()));
-  synchronize();
-  return reinterpret_cast<const T*>(memory);
-}
-
 // Waits for the items. Large tables are copied by several threads, after the stream has come to an end.
 template <class T>
 void copy_to_host(const T* source, std::size_t n, T* target)
@@ -116,7 +97,10 @@ void copy_to_host(const T* source, std::size_t n, T* target)
     synchronize();
     return empty_pinned_pieces({{source, target, bytes}});
   }
-  copy_on_host(target, look_at(source, n), bytes);
+  char* const memory = Staging::of_thread().take(bytes);
+  CGAL_TANDEM_CUDA(cudaMemcpyAsync(memory, source, bytes, cudaMemcpyDeviceToHost, stream_of_thread()));
+  synchronize();
+  std::memcpy(target, memory, bytes);
 }
 
 } // namespace internal
