@@ -218,7 +218,6 @@ std::string cuda_device_report()
 void release_cuda_memory()
 {
   Kept_pages::release();
-  Small_blocks::of_thread().release();
   Copy_streams::release();
   Pinned_block::release();
   Memory_pools::trim();

@@ -9,15 +9,12 @@
 
 #include <CGAL/Tandem/internal/cuda/runtime/Device_guard.cuh>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -82,82 +79,6 @@ private:
 // An array of plain items on the device, without initial values. It has the interface of Host_buffer without access to
 // single items. Belongs to the stream of the thread that makes it: another thread may use it only after the first one
 // has waited.
-// Freed blocks for the next buffers of this thread, by the power of two of their size. A call makes some thousand small
-// buffers, and the pool takes microseconds for each. Work on them is in the order of the stream, so a block can be used
-// again at once.
-class Small_blocks {
-public:
-  static constexpr std::size_t largest = std::size_t(4) << 20; // bytes of a block
-
-  // Those of this thread for its current device.
-  static Small_blocks& of_thread()
-  {
-    thread_local std::map<int, Small_blocks> blocks;
-    return blocks[current_device()];
-  }
-
-  Small_blocks() : device_(current_device()) {}
-  Small_blocks(const Small_blocks&) = delete;
-  Small_blocks& operator=(const Small_blocks&) = delete;
-  ~Small_blocks() { release(); }
-
-  void* take(std::size_t bytes)
-  {
-    std::vector<void*>& blocks = free_[size_class(bytes)];
-    if(blocks.empty()) {
-      void* memory = nullptr;
-      CGAL_TANDEM_CUDA(cudaMallocFromPoolAsync(&memory, smallest << size_class(bytes), Memory_pools::of_device(device_),
-                                               stream_of_thread()));
-      return memory;
-    }
-    void* const memory = blocks.back();
-    blocks.pop_back();
-    return memory;
-  }
-
-  // Blocks beyond some number of a size go back to the pool.
-  void put(void* memory, std::size_t bytes) noexcept
-  try {
-    constexpr std::size_t maximum = 32;
-    std::vector<void*>& blocks = free_[size_class(bytes)];
-    blocks.reserve(maximum);
-    if(blocks.size() < maximum)
-      blocks.push_back(memory);
-    else
-      free(memory);
-  } catch(const std::exception&) {
-    free(memory);
-  }
-
-  // All blocks go back to the pool.
-  void release() noexcept
-  {
-    const Device_guard guard(device_, std::nothrow);
-    for(std::vector<void*>& blocks : free_) {
-      for(void* memory : blocks)
-        free(memory);
-      blocks.clear();
-    }
-  }
-
-private:
-  static constexpr std::size_t smallest = 512;
-
-  static int size_class(std::size_t bytes)
-  {
-    int c = 0;
-    while(smallest << c < bytes)
-      ++c;
-    return c;
-  }
-
-  // An error has been reported elsewhere.
-  static void free(void* memory) noexcept { static_cast<void>(cudaFreeAsync(memory, stream_of_thread())); }
-
-  int device_;
-  std::array<std::vector<void*>, 14> free_; // up to `largest`
-};
-
 template <class T>
 class Device_buffer {
   static_assert(std::is_trivially_destructible<T>::value, "buffers hold plain data");
@@ -188,19 +109,16 @@ public:
   // In the order of the stream: kernels that were launched before may still use the memory.
   void release()
   {
-    if(data_ != nullptr && bytes_ <= Small_blocks::largest)
-      Small_blocks::of_thread().put(data_, bytes_);
-    else if(data_ != nullptr)
+    if(data_ != nullptr)
       static_cast<void>(cudaFreeAsync(data_, stream_of_thread())); // an error has been reported elsewhere
     data_ = nullptr;
-    size_ = bytes_ = 0;
+    size_ = 0;
   }
 
   void swap(Device_buffer& other) noexcept
   {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
-    std::swap(bytes_, other.bytes_);
   }
 
   T* data() { return data_; }
@@ -217,19 +135,15 @@ private:
     void* memory = nullptr;
     if(bytes >= large)
       CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
-    if(bytes > 0 && bytes <= Small_blocks::largest)
-      memory = Small_blocks::of_thread().take(bytes);
-    else if(bytes > 0)
+    if(bytes > 0)
       CGAL_TANDEM_CUDA(
         cudaMallocFromPoolAsync(&memory, bytes, Memory_pools::of_device(current_device()), stream_of_thread()));
     data_ = static_cast<T*>(memory);
     size_ = size;
-    bytes_ = bytes;
   }
 
   T* data_ = nullptr;
   std::size_t size_ = 0;
-  std::size_t bytes_ = 0; // of the memory
 };
 
 } // namespace internal
