@@ -43,6 +43,15 @@ std::uint32_t largest(const std::vector<Shape>& shape, const Ids& members)
   });
 }
 
+// Some of a list of shapes.
+struct Chosen_members {
+  const std::uint32_t* member;
+  const std::uint8_t* is_chosen;
+
+  bool has(std::uint32_t i) const { return is_chosen[i] != 0; }
+  std::uint32_t id(std::uint32_t i) const { return member[i]; }
+};
+
 template <class Backend>
 class Merges {
 public:
@@ -104,10 +113,8 @@ private:
       for(std::uint32_t id : j.second)
         expected[id] = largest(shape, j.second);
     const Shape_table<Backend> shapes = make_table(shape);
-    const auto members = to_buffer(backend_, member);
-    const std::uint8_t* const joins = is_joined.data();
     const auto target =
-      join_members(backend_, shapes, members, set.data(), [joins](std::uint32_t i) { return joins[i] != 0; });
+      join_members(backend_, shapes, member.size(), Chosen_members{member.data(), is_joined.data()}, set.data());
     check_targets(target, expected, name_ + ": " + std::to_string(sets) + " sets of " + std::to_string(n) + " shapes");
   }
 

@@ -120,7 +120,7 @@ void join_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
   refit_shapes(backend, shapes);
   const auto all = collect_links(points, shapes, Links::all);
   auto links = backend.template collect<Link>(all.size(), Take_links_of_fragments{all.data(), is_fragment.data()});
-  if(merge_by_joint_fit(points, shapes, options, links, tuning::merging::final_misfit_share))
+  if(is_any_joined(backend, merge_by_joint_fit(points, shapes, options, links, tuning::merging::final_misfit_share)))
     refit_fragments(backend, shapes, is_fragment);
   points.sample.reset(0); // others need the memory
 }

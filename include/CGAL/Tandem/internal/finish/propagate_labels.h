@@ -61,16 +61,9 @@ struct Propose_label {
     }
   }
 
-  // Proposes the shape s to a neighbor q of one of its points, if q is free.
+  // Proposes the shape s to a neighbor q of one of its points, if q is free. Most points around q propose the same
+  // shape. Its distance does not change, so once is enough.
   CGAL_TANDEM_HD void to(std::uint32_t q, std::uint32_t s) const
-  {
-    if(label[q] >= first_mark)
-      make(s, q);
-  }
-
-  // The same in later rounds. There most points around q propose the same shape. Its distance does not change, so once
-  // is enough.
-  CGAL_TANDEM_HD void to_once(std::uint32_t q, std::uint32_t s) const
   {
     if(label[q] >= first_mark && std::uint32_t(Backend::atomic_load(proposal[q])) != s)
       make(s, q);
@@ -103,7 +96,7 @@ struct Propose_again {
     for_items_of_lane(lane, lanes, size * k, [&](std::size_t at) {
       const std::uint32_t p = accepted.point[first + at / k], q = proposal.cloud.row(p)[at % k];
       if(q != no_index)
-        proposal.to_once(q, proposal.label[p]);
+        proposal.to(q, proposal.label[p]);
     });
   }
 };

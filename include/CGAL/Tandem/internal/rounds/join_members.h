@@ -20,21 +20,20 @@ struct Stays {
 };
 
 // Three loops over the members of all sets, since each needs all of the one before.
-template <class Backend, class Predicate>
+template <class Backend, class Members>
 struct Join_member {
   enum Step { largest, smallest_id, join } step;
   const Shape* shape;
-  const std::uint32_t* member;
+  Members members;
   const std::uint32_t* set; // by id: leads to the root of the set
-  Predicate is_joined;      // by member
   Stays* stays;             // by root
   std::uint32_t* target;    // by id
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    if(!is_joined(std::uint32_t(i)))
+    if(!members.has(std::uint32_t(i)))
       return;
-    const std::uint32_t id = member[i];
+    const std::uint32_t id = members.id(std::uint32_t(i));
     Stays& s = stays[root_of(set, id)];
     const std::uint64_t size = ~std::uint64_t(shape[id].moments.count);
     if(step == largest)
@@ -46,18 +45,16 @@ struct Join_member {
   }
 };
 
-// The targets of the members with is_joined(place in `member`); all other shapes stay.
-template <class Backend, class Predicate>
-Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shapes,
-                              const typename Backend::template Buffer<std::uint32_t>& member, const std::uint32_t* set,
-                              Predicate is_joined)
+// The targets of members.id(i) for the i in [0, n) with members.has(i); all other shapes stay.
+template <class Backend, class Members>
+Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shapes, std::size_t n, Members members,
+                              const std::uint32_t* set)
 {
-  using Body = Join_member<Backend, Predicate>;
+  using Body = Join_member<Backend, Members>;
   Targets<Backend> target = identity_targets(backend, shapes.size);
   auto stays = filled_buffer(backend, shapes.size, Stays());
   for(const auto step : {Body::largest, Body::smallest_id, Body::join})
-    backend.for_each(member.size(),
-                     Body{step, shapes.shape.data(), member.data(), set, is_joined, stays.data(), target.data()});
+    backend.for_each(n, Body{step, shapes.shape.data(), members, set, stays.data(), target.data()});
   return target;
 }
 

@@ -28,12 +28,14 @@ struct Make_candidate {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { candidate[i] = whole[root_of(target, member[i])].local; }
 };
 
-// Whether a member accepts the plane of its union.
-struct Accepts_plane {
+// Members that accept the plane of their union: see join_members().
+struct Accepting_members {
+  const std::uint32_t* member;
   const double* share; // by member
   double misfit_share;
 
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return share[i] <= misfit_share; }
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return share[i] <= misfit_share; }
+  CGAL_TANDEM_HD std::uint32_t id(std::uint32_t i) const { return member[i]; }
 };
 
 // The shapes of `links` that become one: the members that accept the plane of their union. The largest of these stays,
@@ -50,7 +52,8 @@ Targets<Backend> joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<B
                    shapes_per_thread);
   const auto shares =
     Misfit_counter<Backend>(points, shapes, options, unions.member).shares(shapes, unions.member, candidates);
-  return join_members(backend, shapes, unions.member, unions.target.data(), Accepts_plane{shares.data(), misfit_share});
+  return join_members(backend, shapes, n, Accepting_members{unions.member.data(), shares.data(), misfit_share},
+                      unions.target.data());
 }
 
 struct Relabel_link {
@@ -63,23 +66,24 @@ struct Relabel_link {
   }
 };
 
-// Joint-fit merge of all touching shapes, which have to be fitted. Returns whether there was any. The links then have
-// the new ids. A pair may have several links, or become a pair of one shape with itself.
+// Joint-fit merge of all touching shapes, which have to be fitted. Returns the targets of the merge; an empty table if
+// no joint plane was tried. The links then have the new ids. A pair may have several links, or become a pair of one
+// shape with itself.
 template <class Backend>
-bool merge_by_joint_fit(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                        typename Backend::template Buffer<Link>& links, double misfit_share)
+Targets<Backend> merge_by_joint_fit(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                                    const Options& options, typename Backend::template Buffer<Link>& links,
+                                    double misfit_share)
 {
   Backend& backend = points.backend;
   const Shape_unions<Backend> unions =
     unite_shapes(backend, shapes, {options.squared_cosine, options.maximum_distance}, links);
   if(unions.member.size() == 0)
-    return false;
-  const Targets<Backend> target = joint_fit_targets(points, shapes, options, unions, misfit_share);
-  const bool is_any = is_any_joined(backend, target);
+    return {};
+  Targets<Backend> target = joint_fit_targets(points, shapes, options, unions, misfit_share);
   merge_points(points, shapes, target);
   refit_shapes(backend, shapes);
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
-  return is_any;
+  return target;
 }
 
 } // namespace internal

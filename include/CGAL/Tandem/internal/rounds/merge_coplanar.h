@@ -15,10 +15,12 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-struct Shares_plane {
+// Live shapes with a plane of the relations, as members of sets: see join_members().
+struct Shapes_with_plane {
   const Shape* shape;
 
-  CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live() && shape[id].plane_number >= 0; }
+  CGAL_TANDEM_HD bool has(std::uint32_t id) const { return shape[id].is_live() && shape[id].plane_number >= 0; }
+  CGAL_TANDEM_HD std::uint32_t id(std::uint32_t i) const { return i; }
 };
 
 // Unites the shapes of a link that have one plane.
@@ -36,19 +38,14 @@ struct Unite_coplanar {
   }
 };
 
-struct Join_always {
-  CGAL_TANDEM_HD bool operator()(std::uint32_t) const { return true; }
-};
-
 // The targets of that merge. Planes are compared by their number in the relations, so equal ones are the same bits.
 template <class Backend>
 Targets<Backend> coplanar_targets(Backend& backend, const Shape_table<Backend>& shapes,
                                   const typename Backend::template Buffer<Link>& links)
 {
-  const auto member = backend.compact(shapes.size, Shares_plane{shapes.shape.data()});
   Targets<Backend> set = identity_targets(backend, shapes.size);
   backend.for_each(links.size(), Unite_coplanar<Backend>{shapes.shape.data(), links.data(), set.data()});
-  return join_members(backend, shapes, member, set.data(), Join_always());
+  return join_members(backend, shapes, shapes.size, Shapes_with_plane{shapes.shape.data()}, set.data());
 }
 
 } // namespace internal
