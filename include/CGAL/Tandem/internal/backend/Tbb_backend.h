@@ -27,6 +27,22 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// A reference to a functor of one index. The tasks of oneTBB are instantiated for this type only, since they take much
+// longer to compile than a call takes to run.
+class Index_functor {
+public:
+  template <class F>
+  explicit Index_functor(const F& f)
+    : functor_(&f), call_([](const void* f, std::size_t i) { (*static_cast<const F*>(f))(i); })
+  {}
+
+  void operator()(std::size_t i) const { call_(functor_, i); }
+
+private:
+  const void* functor_;
+  void (*call_)(const void*, std::size_t);
+};
+
 class Tbb_backend : public Host_operations<Tbb_backend> {
 public:
   static const char* name() { return "parallel"; }
@@ -58,31 +74,40 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    run((n + grain - 1) / grain, [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
+    const auto run_piece = [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); };
+    run((n + grain - 1) / grain, Index_functor(run_piece));
   }
 
   // A scratch for each thread: cells of one thread use it one after the other.
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratches([] { return std::make_unique<Scratch>(); });
-    run(cells, [&](std::size_t c) {
+    tbb::enumerable_thread_specific<std::shared_ptr<void>> scratches;
+    const auto run_cell = [&](std::size_t c) {
+      std::shared_ptr<void>& scratch = scratches.local();
+      if(scratch == nullptr)
+        scratch = std::make_shared<Scratch>();
       Serial_block block;
-      body(block, *scratches.local(), std::uint32_t(c));
-    });
+      body(block, *static_cast<Scratch*>(scratch.get()), std::uint32_t(c));
+    };
+    run(cells, Index_functor(run_cell));
   }
 
   void sort(Sort_table& table)
   {
     using Entry = Sort_table::Entry;
-    isolated(1, [&](std::size_t) { // in the context of this task
+    const auto sort_all = [&](std::size_t) { // in the context of this task
       tbb::parallel_sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
-    });
+    };
+    isolated(1, Index_functor(sort_all));
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
-    run(ranges, [&](std::size_t c) { boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last); });
+    const auto sort_range = [&](std::size_t c) {
+      boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last);
+    };
+    run(ranges, Index_functor(sort_range));
   }
 
   // Relaxed order suffices: functors of a loop do not synchronize, and the end of the loop does.
@@ -123,8 +148,7 @@ public:
   }
 
 private:
-  template <class F>
-  static void run(std::size_t n, F f)
+  static void run(std::size_t n, const Index_functor& f)
   {
     if(n == 0)
       return;
@@ -137,8 +161,7 @@ private:
   // f(i) for i in [0, n). A thread that waits for the others must not take other work of the caller, which could call
   // this package again. Nor may a caller who cancels his tasks cancel these: their results are used in any case. All
   // threads round as the caller's thread does.
-  template <class F>
-  static void isolated(std::size_t n, const F& f)
+  static void isolated(std::size_t n, const Index_functor& f)
   {
     tbb::this_task_arena::isolate([&] {
       tbb::task_group_context context(tbb::task_group_context::isolated,
