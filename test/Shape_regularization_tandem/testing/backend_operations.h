@@ -125,7 +125,7 @@ private:
     for(std::uint32_t i = 0; i < n; ++i)
       if(Is_end_of_step{step}(i))
         expected.push_back(i);
-    check(read<std::uint32_t>(backend_.compact(n, Is_end_of_step{step})) == expected, "a compaction", n);
+    check(to_vector(backend_, backend_.compact(n, Is_end_of_step{step})) == expected, "a compaction", n);
   }
 
   // The items come in their order, and each is taken once.
