@@ -1,34 +1,51 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The headers and a package config; afterwards find_package(Tandem) gives Tandem::tandem,
-# and with the component cuda, if it was built, Tandem::tandem_cuda.
+# The headers and a package config; afterwards find_package(Tandem) gives Tandem::tandem, and
+# with the components engine and cuda, if they were built, Tandem::tandem_engine and
+# Tandem::tandem_cuda.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
 set(TANDEM_CONFIG_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Tandem")
 
-if(TARGET tandem_cuda)
-  install(CODE "if(NOT EXISTS \"$<TARGET_FILE:tandem_cuda>\")
-  message(FATAL_ERROR \"Build the target tandem_cuda before, or configure with TANDEM_WITH_CUDA=OFF\")
+# tandem_require_built(target option): the libraries are built before.
+function(tandem_require_built target option)
+  install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${target}>\")
+  message(FATAL_ERROR \"Build the target ${target} before, or configure with ${option}=OFF\")
 endif()")
+endfunction()
+if(TARGET tandem_cuda)
+  tandem_require_built(tandem_cuda TANDEM_WITH_CUDA)
+endif()
+if(TANDEM_BUILD_ENGINE)
+  tandem_require_built(tandem_engine TANDEM_BUILD_ENGINE)
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(TARGETS tandem EXPORT Tandem_targets)
 install(EXPORT Tandem_targets NAMESPACE Tandem:: DESTINATION "${TANDEM_CONFIG_DIR}")
+set(TANDEM_ARCH_INDEPENDENT ARCH_INDEPENDENT)
+set(TANDEM_LIBRARIES_USE_TBB FALSE)
+if(TARGET CGAL::TBB_support)
+  set(TANDEM_LIBRARIES_USE_TBB TRUE)
+endif()
+
+# tandem_install_library(target has): sets the variable to whether it is installed.
+function(tandem_install_library target has)
+  install(TARGETS ${target} EXPORT ${target}_targets
+          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(EXPORT ${target}_targets NAMESPACE Tandem:: DESTINATION "${TANDEM_CONFIG_DIR}")
+  set(${has} TRUE PARENT_SCOPE)
+  set(TANDEM_ARCH_INDEPENDENT "" PARENT_SCOPE)
+endfunction()
+set(TANDEM_HAS_ENGINE FALSE)
+if(TANDEM_BUILD_ENGINE)
+  tandem_install_library(tandem_engine TANDEM_HAS_ENGINE)
+endif()
 set(TANDEM_HAS_CUDA FALSE)
 if(TARGET tandem_cuda)
-  set(TANDEM_HAS_CUDA TRUE)
-  install(TARGETS tandem_cuda EXPORT Tandem_cuda_targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-  set(TANDEM_CUDA_USES_TBB FALSE)
-  if(TARGET CGAL::TBB_support)
-    set(TANDEM_CUDA_USES_TBB TRUE)
-  endif()
-  install(EXPORT Tandem_cuda_targets NAMESPACE Tandem:: DESTINATION "${TANDEM_CONFIG_DIR}")
-  set(TANDEM_ARCH_INDEPENDENT "")
-else()
-  set(TANDEM_ARCH_INDEPENDENT ARCH_INDEPENDENT)
+  tandem_install_library(tandem_cuda TANDEM_HAS_CUDA)
 endif()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/TandemConfig.cmake.in"

@@ -100,7 +100,7 @@ run_style()
   "$root/scripts/check_includes.sh" || fail "includes run against the order of the folders"
   step clang-tidy
   mkdir -p "$build"
-  clang-tidy --quiet "$root/cmake/shared_engine_sequential.cpp" -- -std=c++17 "-I$root/include" \
+  clang-tidy --quiet "$root/include/CGAL/Tandem/internal/engine/tandem_engine_sequential.cpp" -- -std=c++17 "-I$root/include" \
     > "$build/tidy.log" 2>&1 || { cat "$build/tidy.log" >&2; fail "clang-tidy complains"; }
 }
 

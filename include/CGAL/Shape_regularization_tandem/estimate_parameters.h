@@ -8,7 +8,11 @@
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#ifdef CGAL_TANDEM_USE_ENGINE
+#include <CGAL/Tandem/internal/engine/compiled_engine.h>
+#else
 #include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
+#endif
 
 #include <cmath>
 

@@ -9,8 +9,12 @@
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
-#include <CGAL/Tandem/internal/regularity/Input_planes.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#ifdef CGAL_TANDEM_USE_ENGINE
+#include <CGAL/Tandem/internal/engine/compiled_engine.h>
+#else
+#include <CGAL/Tandem/internal/regularity/relate_planes.h>
+#endif
 
 #include <utility>
 #include <vector>
@@ -49,83 +53,6 @@ std::vector<int> read_plane_indices(const Import& in, const IndexMap& index_map,
   return plane_of;
 }
 
-// Without points, or without noise and offset, any positive length serves.
-inline double resolve_maximum_distance(const Import& in, const std::vector<int>& plane_of,
-                                       const std::vector<Coefficients>& planes, const Regularity_options& options)
-{
-  if(options.maximum_distance > 0)
-    return options.maximum_distance;
-  const double estimate = (std::max)(estimate_maximum_distance(in, plane_of, planes), options.maximum_offset);
-  const double extent = in.size() > 0 ? in.box.extent() : 0;
-  const double smallest = extent > 0 ? extent * 1e-6 : 1;
-  return bounded_length((std::max)(estimate, smallest));
-}
-
-// No two points are that far apart, so a larger tolerance has no other effect.
-inline double bounded_by_extent(double length, const Import& in)
-{
-  const double extent = in.size() > 0 ? in.box.extent() : 0;
-  const double largest = bounded_length(extent * tuning::grid::maximum_distance_per_extent);
-  return extent > 0 ? (std::min)(length, largest) : length;
-}
-
-// Whether the step left a plane to itself.
-inline std::vector<char> find_unrelated(const Relations& r, const Shape_fits& fits)
-{
-  std::vector<int> size(r.directions.size(), 0);
-  for(int d : r.direction_of)
-    ++size[d];
-  std::vector<char> is_unrelated;
-  for(std::size_t s = 0; s < fits.size(); ++s) {
-    const int d = r.direction_of[s];
-    is_unrelated.push_back(size[d] == 1 && r.directions[d] == canonical(fits[s].fit.normal));
-  }
-  return is_unrelated;
-}
-
-// The new planes in the caller's coordinates, oriented as the given ones, which stay where nothing relates them.
-inline std::vector<Coefficients> related_planes(const Relations& r, const std::vector<Coefficients>& given,
-                                                const std::vector<char>& is_unrelated, const Grid& grid)
-{
-  std::vector<Coefficients> common;
-  for(const Regular_plane& p : r.planes)
-    common.push_back(to_caller(p, grid));
-  std::vector<Coefficients> result;
-  for(std::size_t s = 0; s < given.size(); ++s) {
-    Coefficients c = is_unrelated[s] ? given[s] : common[r.plane_of[s]];
-    if(dot({c[0], c[1], c[2]}, {given[s][0], given[s][1], given[s][2]}) < 0)
-      c = {-c[0], -c[1], -c[2], -c[3]};
-    result.push_back(c);
-  }
-  return result;
-}
-
-inline void find_orthogonal_groups(const std::vector<Coefficients>& planes, Plane_relations& result)
-{
-  std::vector<Vector> direction(result.number_of_parallel_groups());
-  for(std::size_t s = 0; s < planes.size(); ++s)
-    direction[result.parallel_group[s]] = {planes[s][0], planes[s][1], planes[s][2]};
-  result.orthogonal_groups = orthogonal_pairs(direction); // a plane without normal is orthogonal to nothing
-}
-
-// For the caller's information only: no decision depends on the angle.
-inline double angle_between_deg(const Coefficients& a, const Coefficients& b)
-{
-  const Vector m = {a[0], a[1], a[2]}, n = {b[0], b[1], b[2]};
-  return a == b ? 0 : std::atan2(length(cross(m, n)), std::fabs(dot(m, n))) / angles::radians_per_degree;
-}
-
-inline void measure_planes(const Import& in, const std::vector<int>& plane_of, const std::vector<Coefficients>& planes,
-                           Plane_relations& result)
-{
-  result.largest_distance.assign(planes.size(), 0);
-  for(std::size_t i = 0; i < in.size(); ++i)
-    if(plane_of[i] >= 0) {
-      double& largest = result.largest_distance[plane_of[i]];
-      largest = (std::max)(largest, std::fabs(signed_distance(planes[plane_of[i]], in.position(i))));
-    }
-}
-
 // Points of no plane must not stretch the grid.
 inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
 {
@@ -141,35 +68,6 @@ inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
   in.count = kept;
   plane_of.resize(kept);
   in.item.clear();
-}
-
-// All but reading from and writing to the caller's ranges. `planes` are unit or null, and replaced.
-inline Plane_relations relate_planes(Import& in, const std::vector<int>& plane_of, Regularity_options options,
-                                     std::vector<Coefficients>& planes)
-{
-  Plane_relations result;
-  result.maximum_distance = bounded_by_extent(resolve_maximum_distance(in, plane_of, planes, options), in);
-  options.maximum_distance = result.maximum_distance;
-  options.maximum_offset = bounded_by_extent(options.maximum_offset, in);
-  Sequential_backend backend;
-  put_on_grid(backend, in, options.maximum_distance);
-  options.maximum_distance /= in.grid.step;
-  options.maximum_offset /= in.grid.step;
-  const Input_planes given(in, plane_of, planes, result.maximum_distance);
-  const Relations r = regularize(given.fits(), given.is_excluded(), options, given);
-  const std::vector<char> is_unrelated = find_unrelated(r, given.fits());
-  const std::vector<Coefficients> old = planes;
-  planes = related_planes(r, old, is_unrelated, in.grid);
-  result.parallel_group = r.direction_of;
-  result.coplanar_group = r.plane_of;
-  result.is_rolled_back.assign(r.is_rolled_back.begin(), r.is_rolled_back.end());
-  for(std::size_t s = 0; s < planes.size(); ++s) {
-    result.is_changed.push_back(!is_unrelated[s]);
-    result.angle.push_back(angle_between_deg(planes[s], old[s]));
-  }
-  find_orthogonal_groups(planes, result);
-  measure_planes(in, plane_of, planes, result);
-  return result;
 }
 
 } // namespace internal
@@ -267,8 +165,8 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   std::vector<internal::Coefficients> coefficients;
   for(auto it = planes.begin(); it != planes.end(); ++it) {
     const typename Traits::Plane_3 s = get(plane_map, *it);
-    coefficients.push_back(internal::normalized(
-      {CGAL::to_double(s.a()), CGAL::to_double(s.b()), CGAL::to_double(s.c()), CGAL::to_double(s.d())}));
+    coefficients.push_back(
+      {CGAL::to_double(s.a()), CGAL::to_double(s.b()), CGAL::to_double(s.c()), CGAL::to_double(s.d())});
   }
   const Traits traits(internal::parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
   internal::Sequential_backend backend;
@@ -278,7 +176,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   auto plane_of =
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   internal::drop_unassigned(in, plane_of);
-  Plane_relations result = internal::relate_planes(in, plane_of, options, coefficients);
+  Plane_relations result = internal::relate_planes(backend, in, plane_of, options, coefficients);
   std::size_t s = 0;
   for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
     if(result.is_changed[s]) {

@@ -3,7 +3,7 @@
 #
 # Another project uses Tandem, through find_package after an installation or through
 # add_subdirectory: configured, built and run in WORK_DIR, a folder of its own. USE is
-# find_package, add_subdirectory, or cuda: with the library that BUILD_DIR has.
+# find_package, add_subdirectory, or engine or cuda: with the library that BUILD_DIR has.
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
@@ -21,9 +21,13 @@ file(MAKE_DIRECTORY "${WORK_DIR}/user")
 
 if(USE STREQUAL "find_package")
   run(${CMAKE_COMMAND} -S ${TANDEM_DIR} -B ${WORK_DIR}/tandem ${common} -DTANDEM_BUILD_EXAMPLES=OFF
-      -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
+      -DTANDEM_BUILD_ENGINE=OFF -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/tandem --target install)
   set(get_tandem "find_package(Tandem 0.1 REQUIRED)")
+elseif(USE STREQUAL "engine")
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
+  set(get_tandem "find_package(Tandem 0.1 REQUIRED COMPONENTS engine)")
+  set(library Tandem::tandem_engine)
 elseif(USE STREQUAL "cuda")
   run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
   set(get_tandem "find_package(Tandem 0.1 REQUIRED COMPONENTS cuda)")

@@ -20,8 +20,17 @@ namespace Tandem {
 namespace internal {
 
 // The engines are defined in execution.h, so that headers that only name them need not include the method.
+#ifdef CGAL_TANDEM_USE_ENGINE
+template <class Backend>
+class Compiled_engine;
+template <class Backend>
+using Host_engine = Compiled_engine<Backend>;
+#else
 template <class Backend>
 class Engine;
+template <class Backend>
+using Host_engine = Engine<Backend>;
+#endif
 #ifdef CGAL_TANDEM_USE_CUDA
 class Cuda_engine;
 template <class Backend>
@@ -55,7 +64,7 @@ struct Backend_of<CGAL::Parallel_tag> {
 template <class Tag>
 struct Execution_of {
   using Backend = typename Backend_of<Tag>::type;
-  using Engine = internal::Engine<Backend>;
+  using Engine = Host_engine<Backend>;
 };
 
 #ifdef CGAL_TANDEM_USE_CUDA

@@ -9,7 +9,11 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
+#ifdef CGAL_TANDEM_USE_ENGINE
+#include <CGAL/Tandem/internal/engine/compiled_engine.h>
+#else
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
+#endif
 
 #include <cmath>
 #include <string>

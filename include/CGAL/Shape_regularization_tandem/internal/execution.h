@@ -7,7 +7,11 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_EXECUTION_H
 
 #include <CGAL/Shape_regularization_tandem/internal/Execution_of.h>
+#ifdef CGAL_TANDEM_USE_ENGINE
+#include <CGAL/Tandem/internal/engine/compiled_engine.h>
+#else
 #include <CGAL/Tandem/internal/engine/Engine.h>
+#endif
 #ifdef CGAL_TANDEM_USE_CUDA
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
 #endif
@@ -35,7 +39,7 @@ public:
     if(device_ == nullptr) {
       // The host needs the values in the tables of the import.
       in.drop_upload();
-      host_ = std::make_unique<Engine<Backend>>(backend, in, parameters);
+      host_ = std::make_unique<Host_engine<Backend>>(backend, in, parameters);
     }
   }
 
@@ -59,7 +63,7 @@ private:
   }
 
   std::unique_ptr<Cuda_engine> device_;
-  std::unique_ptr<Engine<Backend>> host_;
+  std::unique_ptr<Host_engine<Backend>> host_;
 };
 
 #endif

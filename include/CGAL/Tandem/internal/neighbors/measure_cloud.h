@@ -12,18 +12,12 @@
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
+#include <CGAL/Tandem/internal/neighbors/Cloud_measure.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Of a cloud, these are quantiles over points, in units of the coordinates. Of a point, they are its own values.
-struct Cloud_measure {
-  double spacing = 0;   // median, over the points, of the mean distance to the 6 nearest neighbors
-  double noise = 0;     // upper quartile of the rms distance of 20 neighbors to their plane
-  double thickness = 0; // lower quartile of the ratio of that distance to the half-width of the neighborhood
-};
 
 // About tuning::estimation::sampled_points points, in the order of the curve. Whole cells are taken at a constant
 // stride, since neighbors of a point must be in the sample as well.

@@ -1,14 +1,16 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "shared_engine.h"
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#include <CGAL/Tandem/internal/engine/compile_engine.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
 template class Engine<Tbb_backend>;
-template void complete_parameters(Tbb_backend&, const Import&, bool, Parameters&);
+template class Compiled_engine<Tbb_backend>;
+template Cloud_measure measure_cloud(Tbb_backend&, const Import&);
 template void find_neighbors(Tbb_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
 
 } // namespace internal

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the library Tandem::tandem_engine has compiled: all of the method that does not depend on kernel and range.
+// Programs that link it have CGAL_TANDEM_USE_ENGINE defined, and include this instead of the headers of the method.
+
+#ifndef CGAL_TANDEM_INTERNAL_ENGINE_COMPILED_ENGINE_H
+#define CGAL_TANDEM_INTERNAL_ENGINE_COMPILED_ENGINE_H
+
+#include <CGAL/Shape_regularization_tandem/Plane_relations.h>
+#include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/internal/neighbors/Cloud_measure.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class Backend>
+class Engine;
+
+// Engine<Backend> of the library.
+template <class Backend>
+class Compiled_engine {
+public:
+  using Upload = No_upload;
+
+  Compiled_engine(Backend& backend, Import& in, const Parameters& parameters);
+  ~Compiled_engine();
+  Compiled_engine(const Compiled_engine&) = delete;
+  Compiled_engine& operator=(const Compiled_engine&) = delete;
+
+  static const char* name() { return Backend::name(); }
+
+  bool iterate();
+  void finish();
+  double progress() const;
+  Engine_result result();
+
+private:
+  std::unique_ptr<Engine<Backend>> engine_;
+};
+
+// For the back ends of the host.
+
+template <class Backend>
+Cloud_measure measure_cloud(Backend& backend, const Import& in);
+
+template <class Backend>
+void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor);
+
+template <class Backend>
+Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of,
+                              Regularity_options options, std::vector<Coefficients>& planes);
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ENGINE_COMPILED_ENGINE_H
