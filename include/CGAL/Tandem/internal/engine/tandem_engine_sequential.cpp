@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/engine/compile_engine.h>
+#include <CGAL/Tandem/internal/engine/compiled_engine_impl.h>
 
 namespace CGAL {
 namespace Tandem {

@@ -3,8 +3,8 @@
 //
 // For the sources of the library Tandem::tandem_engine: defines what compiled_engine.h declares.
 
-#ifndef CGAL_TANDEM_INTERNAL_ENGINE_COMPILE_ENGINE_H
-#define CGAL_TANDEM_INTERNAL_ENGINE_COMPILE_ENGINE_H
+#ifndef CGAL_TANDEM_INTERNAL_ENGINE_COMPILED_ENGINE_IMPL_H
+#define CGAL_TANDEM_INTERNAL_ENGINE_COMPILED_ENGINE_IMPL_H
 
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/compiled_engine.h>
@@ -51,4 +51,4 @@ Engine_result Compiled_engine<Backend>::result()
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_ENGINE_COMPILE_ENGINE_H
+#endif // CGAL_TANDEM_INTERNAL_ENGINE_COMPILED_ENGINE_IMPL_H
