@@ -7,7 +7,7 @@
 #undef NDEBUG
 
 #define BOOST_TEST_MODULE benchmark_report
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "report/Picture_book.h"
 #include "report/comparison_table.h"

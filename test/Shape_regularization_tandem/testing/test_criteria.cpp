@@ -7,7 +7,7 @@
 #undef NDEBUG
 
 #define BOOST_TEST_MODULE criteria
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "evaluate.h"
 #include "scenes.h"

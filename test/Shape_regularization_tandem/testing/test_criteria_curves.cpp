@@ -6,7 +6,7 @@
 #undef NDEBUG
 
 #define BOOST_TEST_MODULE criteria_curves
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "evaluate_columns.h"
 

@@ -6,7 +6,7 @@
 #undef NDEBUG
 
 #define BOOST_TEST_MODULE criteria_truth
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "evaluate_truth.h"
 #include "scenes.h"

@@ -7,7 +7,7 @@
 #undef NDEBUG
 
 #define BOOST_TEST_MODULE scenes
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "scene_relations.h"
 

@@ -8,7 +8,7 @@
 #undef NDEBUG
 
 #define BOOST_TEST_MODULE twins
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "scene_relations.h"
 #include "scene_twins.h"
