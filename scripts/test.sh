@@ -179,7 +179,7 @@ run_cuda()
 {
   command -v "${CUDACXX:-nvcc}" > /dev/null || { echo "    skipped, there is no CUDA compiler"; return; }
   architecture=$("$root/scripts/cuda_architecture.sh")
-  configuration cuda cuda -DCMAKE_BUILD_TYPE=Release "$less_optimized" -DTANDEM_WITH_CUDA=ON \
+  configuration cuda cuda -DCMAKE_BUILD_TYPE=Release "$less_optimized" -DTANDEM_WITH_CUDA=ON -DTANDEM_BUILD_ENGINE=OFF \
     "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" -DTANDEM_TESTS=test_cuda \
     -DTANDEM_EXAMPLES=detect_planes_on_device
 }
