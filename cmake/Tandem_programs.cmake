@@ -92,16 +92,23 @@ function(tandem_share_run_isolated target)
   target_link_libraries(${target} PRIVATE tandem_run_isolated)
 endfunction()
 
-# The engine takes longest to compile: it comes from its library. There is another one for what is linked with
-# tandem_cuda (tandem_link_cuda(), before this), since that is compiled with other flags.
-function(tandem_link_engine target)
+# What is linked with tandem_cuda (tandem_link_cuda(), before this) is compiled with other flags, and so is what it
+# shares: sets the variable to the end of their names.
+function(tandem_find_suffix target suffix)
   get_target_property(linked ${target} LINK_LIBRARIES)
-  set(engine Tandem::tandem_engine)
+  set(${suffix} "" PARENT_SCOPE)
   if("Tandem::tandem_cuda" IN_LIST linked)
-    set(engine tandem_engine_with_cuda)
+    set(${suffix} _with_cuda PARENT_SCOPE)
   endif()
+endfunction()
+
+# The engine takes longest to compile: it comes from its library.
+function(tandem_link_engine target)
+  tandem_find_suffix(${target} suffix)
+  set(engine Tandem::tandem_engine${suffix})
   if(NOT TARGET ${engine})
     tandem_add_engine(tandem_engine_with_cuda EXCLUDE_FROM_ALL)
+    add_library(Tandem::tandem_engine_with_cuda ALIAS tandem_engine_with_cuda)
     tandem_link_cuda(tandem_engine_with_cuda)
     tandem_set_warnings(tandem_engine_with_cuda)
   endif()
@@ -111,11 +118,8 @@ endfunction()
 # For programs without flags of their own: they share a precompiled header.
 function(tandem_share_engine target)
   tandem_link_engine(${target})
-  get_target_property(linked ${target} LINK_LIBRARIES)
-  set(shared tandem_precompiled)
-  if("Tandem::tandem_cuda" IN_LIST linked)
-    set(shared tandem_precompiled_with_cuda)
-  endif()
+  tandem_find_suffix(${target} suffix)
+  set(shared tandem_precompiled${suffix})
   if(NOT TARGET ${shared})
     tandem_add_shared(${shared} "${tandem_programs_dir}/precompiled.cpp")
     if(shared MATCHES cuda)
