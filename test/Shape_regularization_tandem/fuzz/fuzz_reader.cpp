@@ -3,7 +3,7 @@
 
 #include "fuzz_reader.h"
 
-#include "read_cloud.h"
+#include "input/read_cloud.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -8,8 +8,8 @@
 
 #include "testing/box_cloud.h"
 
-#include "../../../examples/Shape_regularization_tandem/write_polygons.h"
-#include "../../../examples/Shape_regularization_tandem/write_vg.h"
+#include "output/write_polygons.h"
+#include "output/write_vg.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/PLY.h>

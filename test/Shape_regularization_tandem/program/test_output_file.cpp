@@ -7,8 +7,8 @@
 
 #include "testing/checks.h"
 
-#include "../../../examples/Shape_regularization_tandem/Output_file.h"
-#include "../../../examples/Shape_regularization_tandem/fail.h"
+#include "output/Output_file.h"
+#include "fail.h"
 
 #include <array>
 #include <cstdlib>

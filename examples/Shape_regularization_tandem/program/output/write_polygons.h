@@ -7,7 +7,7 @@
 #ifndef DETECT_PLANES_WRITE_POLYGONS_H
 #define DETECT_PLANES_WRITE_POLYGONS_H
 
-#include "shape_polygons.h"
+#include "output/shape_polygons.h"
 
 #include <vector>
 

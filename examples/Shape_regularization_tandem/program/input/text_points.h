@@ -7,7 +7,7 @@
 #ifndef DETECT_PLANES_TEXT_POINTS_H
 #define DETECT_PLANES_TEXT_POINTS_H
 
-#include "Input_buffer.h"
+#include "input/Input_buffer.h"
 
 #include <CGAL/IO/io.h>
 

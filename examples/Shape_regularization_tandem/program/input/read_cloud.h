@@ -7,8 +7,8 @@
 #ifndef DETECT_PLANES_READ_CLOUD_H
 #define DETECT_PLANES_READ_CLOUD_H
 
-#include "ply_points.h"
-#include "text_points.h"
+#include "input/ply_points.h"
+#include "input/text_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>

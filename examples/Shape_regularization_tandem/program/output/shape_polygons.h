@@ -7,7 +7,7 @@
 #ifndef DETECT_PLANES_SHAPE_POLYGONS_H
 #define DETECT_PLANES_SHAPE_POLYGONS_H
 
-#include "write_results.h"
+#include "output/write_results.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>

@@ -7,7 +7,7 @@
 #ifndef DETECT_PLANES_WRITE_VG_H
 #define DETECT_PLANES_WRITE_VG_H
 
-#include "write_results.h"
+#include "output/write_results.h"
 
 #include <vector>
 

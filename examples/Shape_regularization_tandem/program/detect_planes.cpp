@@ -4,16 +4,16 @@
 // Detects the planes of a point cloud file. detect_planes --help explains the options.
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
-#include "Output_file.h"
+#include "output/Output_file.h"
 #include "fail.h"
 #include "program_options.h"
 #include "progress.h"
-#include "read_cloud.h"
-#include "report.h"
+#include "input/read_cloud.h"
+#include "output/report.h"
 #include "signals.h"
-#include "write_polygons.h"
-#include "write_results.h"
-#include "write_vg.h"
+#include "output/write_polygons.h"
+#include "output/write_results.h"
+#include "output/write_vg.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>

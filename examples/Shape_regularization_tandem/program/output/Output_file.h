@@ -4,8 +4,8 @@
 #ifndef DETECT_PLANES_OUTPUT_FILE_H
 #define DETECT_PLANES_OUTPUT_FILE_H
 
-#include "Descriptor_buffer.h"
-#include "Partial_file.h"
+#include "output/Descriptor_buffer.h"
+#include "output/Partial_file.h"
 #include "links.h"
 
 #include <cerrno>

@@ -7,8 +7,8 @@
 #ifndef DETECT_PLANES_PLY_POINTS_H
 #define DETECT_PLANES_PLY_POINTS_H
 
-#include "Input_buffer.h"
-#include "ply_header.h"
+#include "input/Input_buffer.h"
+#include "input/ply_header.h"
 
 #include <algorithm>
 #include <charconv>

@@ -7,7 +7,7 @@
 #ifndef DETECT_PLANES_WRITE_RESULTS_H
 #define DETECT_PLANES_WRITE_RESULTS_H
 
-#include "read_cloud.h"
+#include "input/read_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 

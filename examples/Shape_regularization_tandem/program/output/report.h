@@ -6,7 +6,7 @@
 #ifndef DETECT_PLANES_REPORT_H
 #define DETECT_PLANES_REPORT_H
 
-#include "write_results.h"
+#include "output/write_results.h"
 
 #ifdef __unix__
 #include <sys/resource.h>
