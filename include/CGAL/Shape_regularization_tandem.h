@@ -22,5 +22,6 @@ The whole package.
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 #include <CGAL/Shape_regularization_tandem/tags.h>
+#include <CGAL/Shape_regularization_tandem/version.h>
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_H

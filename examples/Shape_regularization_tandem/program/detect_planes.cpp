@@ -17,6 +17,7 @@
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>
+#include <CGAL/Shape_regularization_tandem/version.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/pca_estimate_normals.h>
@@ -43,6 +44,12 @@ CGAL::Tandem::Parameters parameters_of(const Options& o)
   p.regularize_parallelism = o.regularize_parallelism;
   p.regularize_orthogonality = o.regularize_orthogonality;
   p.regularize_coplanarity = o.regularize_coplanarity;
+  for(const Direction& d : o.fixed_directions)
+    p.fixed_directions.push_back(d.value);
+  if(o.symmetry_direction) {
+    p.regularize_axis_symmetry = true;
+    p.symmetry_direction = o.symmetry_direction->value;
+  }
   CGAL::Tandem::Parameters checked = p;
   checked.maximum_distance = o.maximum_distance.value_or(1);
   checked.maximum_offset = o.maximum_offset.value_or(1);
@@ -233,6 +240,8 @@ int main(int argc, char* argv[])
     const program::Command_line command_line = program::parse(argc, argv);
     if(command_line.options.wants_help)
       std::cout << command_line.help << std::flush;
+    else if(command_line.options.wants_version)
+      std::cout << "detect_planes (Tandem) " << CGAL_TANDEM_VERSION << std::endl;
     else
       program::run(command_line.options);
     return 0;

@@ -6,6 +6,7 @@
 #ifndef DETECT_PLANES_PROGRAM_OPTIONS_H
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
+#include "direction_option.h"
 #include "links.h"
 
 #include <boost/program_options.hpp>
@@ -35,8 +36,10 @@ struct Options {
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
   std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
+  std::vector<Direction> fixed_directions;
+  std::optional<Direction> symmetry_direction;
   std::string backend = "auto";
-  bool has_group_for_each_plane = false, is_quiet = false, wants_help = false;
+  bool has_group_for_each_plane = false, is_quiet = false, wants_help = false, wants_version = false;
 };
 
 inline std::string usage()
@@ -80,6 +83,13 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add("no-parallelism", off(o.regularize_parallelism), "do not make shapes parallel");
   add("no-orthogonality", off(o.regularize_orthogonality), "do not make shapes orthogonal");
   add("no-coplanarity", off(o.regularize_coplanarity), "do not make shapes coplanar");
+  add("fixed-direction", po::value<std::vector<Direction>>(&o.fixed_directions)->value_name("X,Y,Z"),
+      "a direction known beforehand, such as the vertical 0,0,1: shapes within the angle tolerance become exactly "
+      "parallel or orthogonal to it if their points allow it; may be given several times");
+  add(
+    "symmetry-direction",
+    po::value<Direction>()->value_name("X,Y,Z")->notifier([&o](const Direction& d) { o.symmetry_direction = d; }),
+    "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the same");
   add("estimate-normals", count(o.estimate_normals)->value_name("[K]"),
       "estimate the normals even if the file has some; with K by plain PCA of K neighbors, for comparisons");
   all.add(group);
@@ -95,6 +105,7 @@ inline void add_execution_options(po::options_description& all, Options& o)
       "largest number of threads (default: all processors)");
   add("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors");
   add("help", po::bool_switch(&o.wants_help), "print this text");
+  add("version", po::bool_switch(&o.wants_version), "print the version");
   all.add(group);
 }
 
@@ -232,7 +243,7 @@ inline Command_line parse(int argc, const char* const argv[])
   std::ostringstream help;
   help << usage() << visible;
   result.help = help.str();
-  if(!o.wants_help)
+  if(!o.wants_help && !o.wants_version)
     check(o);
   return result;
 }

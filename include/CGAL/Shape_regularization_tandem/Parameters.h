@@ -5,6 +5,8 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_PARAMETERS_H
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -12,6 +14,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -43,6 +46,14 @@ struct Parameters {
   bool regularize_orthogonality = true;
   /// whether parallel shapes of nearly the same plane are made coplanar
   bool regularize_coplanarity = true;
+  /// directions known beforehand, such as the vertical, of any length: shapes within `angle_tolerance` become exactly
+  /// parallel or orthogonal to them where their points allow it, before they are compared with each other
+  std::vector<std::array<double, 3>> fixed_directions;
+  /// whether shapes get the same angle to `symmetry_direction` where they nearly have it. That direction is a fixed
+  /// one, too.
+  bool regularize_axis_symmetry = false;
+  /// the axis of symmetry, of any length
+  std::array<double, 3> symmetry_direction = {0, 0, 1};
 
   /// \cond SKIP_IN_MANUAL
   // For experiments on the alternation: rounds of growth from one regularity step to the next. 1 is the method; with
@@ -116,6 +127,22 @@ inline void check_count(const Count_range& range, std::size_t value)
     throw_out_of_range(range.name, value, to_text(range));
 }
 
+inline void check_direction(const std::string& name, const std::array<double, 3>& d)
+{
+  const bool is_finite = std::isfinite(d[0]) && std::isfinite(d[1]) && std::isfinite(d[2]);
+  if(!is_finite || (d[0] == 0 && d[1] == 0 && d[2] == 0))
+    throw_out_of_range(name.c_str(), "(" + to_text(d[0]) + ", " + to_text(d[1]) + ", " + to_text(d[2]) + ")",
+                       "a finite vector that is not null");
+}
+
+inline void check_directions(const Parameters& p)
+{
+  for(std::size_t i = 0; i < p.fixed_directions.size(); ++i)
+    check_direction("fixed_directions[" + to_text(i) + "]", p.fixed_directions[i]);
+  if(p.regularize_axis_symmetry)
+    check_direction("symmetry_direction", p.symmetry_direction);
+}
+
 } // namespace internal
 
 /*!
@@ -138,6 +165,7 @@ inline void check_parameters(const Parameters& p)
   internal::check_count(internal::k_neighbors_range, p.k_neighbors);
   internal::check_count(internal::cell_size_range, p.cell_size);
   internal::check_count(internal::regularity_period_range, p.regularity_period);
+  internal::check_directions(p);
 }
 
 } // namespace Tandem

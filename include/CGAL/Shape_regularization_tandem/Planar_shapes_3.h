@@ -153,6 +153,13 @@ public:
   /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   const std::vector<std::pair<int, int>>& orthogonal_groups() const { return data_.orthogonal_groups; }
 
+  /// which of the `fixed_directions` of the detection parallel group `g` has, up to its sign; -1 if none
+  int fixed_direction(std::size_t g) const { return data_.fixed_direction[g]; }
+
+  /// the symmetry group of parallel group `g`: those of one make the same angle with the `symmetry_direction` of the
+  /// detection, up to 1e-15 of its cosine. -1 without that direction.
+  int symmetry_group(std::size_t g) const { return data_.symmetry_group[g]; }
+
   /// whether the planes of shapes `s` and `t` have the same normal
   bool are_parallel(std::size_t s, std::size_t t) const { return parallel_group(s) == parallel_group(t); }
   /// whether shapes `s` and `t` have the same plane

@@ -75,6 +75,22 @@ the defaults then
     \cgalParamDescription{which relations are made exact}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{fixed_directions}
+    \cgalParamDescription{a range of `Vector_3` or `std::array<double, 3>`, of any length: directions known beforehand, such
+    as the vertical. Shapes within `angle_tolerance` become exactly parallel or orthogonal to them where their points
+    allow it.}
+    \cgalParamDefault{there are none}
+  \cgalParamNEnd
+  \cgalParamNBegin{symmetry_direction}
+    \cgalParamDescription{a `Vector_3` or `std::array<double, 3>`, of any length: shapes that make nearly the same angle
+    with this axis, such as the two sides of a roof, make exactly the same where their points and their right angles allow
+    it. It counts as a fixed direction, too.}
+    \cgalParamDefault{(0, 0, 1) with `regularize_axis_symmetry`}
+  \cgalParamNEnd
+  \cgalParamNBegin{regularize_axis_symmetry}
+    \cgalParamDescription{whether the axis of symmetry is used}
+    \cgalParamDefault{`true` if `symmetry_direction` is given, otherwise `false`}
+  \cgalParamNEnd
   \cgalParamNBegin{settings}
     \cgalParamDescription{a `Parameters` with values for all that is not given by its own name; a length or a size of 0
     is estimated}

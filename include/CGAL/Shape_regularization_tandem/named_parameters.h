@@ -25,9 +25,11 @@ using CGAL::internal_np::normal_t;
 using CGAL::internal_np::plane_index_t;
 using CGAL::internal_np::plane_t;
 using CGAL::internal_np::point_t;
+using CGAL::internal_np::regularize_axis_symmetry_t;
 using CGAL::internal_np::regularize_coplanarity_t;
 using CGAL::internal_np::regularize_orthogonality_t;
 using CGAL::internal_np::regularize_parallelism_t;
+using CGAL::internal_np::symmetry_direction_t;
 
 // CGAL has these from 5.6 on ...
 #if CGAL_VERSION_NR >= 1050600900
@@ -48,6 +50,7 @@ enum angle_tolerance_t { angle_tolerance };
 #endif
 
 enum cell_size_t { cell_size };
+enum fixed_directions_t { fixed_directions };
 enum settings_t { settings };
 
 } // namespace internal_np
@@ -70,7 +73,10 @@ enum settings_t { settings };
   X(settings, settings_t)                                                                                              \
   X(regularize_parallelism, regularize_parallelism_t)                                                                  \
   X(regularize_orthogonality, regularize_orthogonality_t)                                                              \
-  X(regularize_coplanarity, regularize_coplanarity_t)
+  X(regularize_coplanarity, regularize_coplanarity_t)                                                                  \
+  X(regularize_axis_symmetry, regularize_axis_symmetry_t)                                                              \
+  X(symmetry_direction, symmetry_direction_t)                                                                          \
+  X(fixed_directions, fixed_directions_t)
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef

@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/regularity/given_directions.h>
 #ifdef CGAL_TANDEM_USE_ENGINE
 #include <CGAL/Tandem/internal/engine/compiled_engine.h>
 #else
@@ -31,13 +32,16 @@ inline Regularity_options check_plane_options(const Parameters& p, bool has_dist
   check_length("maximum_offset", p.maximum_offset, 0);
   if(has_distance)
     check_length("maximum_distance", p.maximum_distance, smallest_length);
-  return {p.maximum_angle,
-          p.maximum_offset,
-          p.maximum_distance,
-          p.regularize_parallelism,
-          p.regularize_orthogonality,
-          p.regularize_coplanarity,
-          true};
+  check_directions(p);
+  Regularity_options options = {p.maximum_angle,
+                                p.maximum_offset,
+                                p.maximum_distance,
+                                p.regularize_parallelism,
+                                p.regularize_orthogonality,
+                                p.regularize_coplanarity,
+                                true};
+  set_given_directions(p, options);
+  return options;
 }
 
 // The plane of each imported point.
@@ -70,6 +74,17 @@ inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
   in.item.clear();
 }
 
+// Of parallel groups whose planes have unit normals.
+inline void relate_to_given_directions(const std::vector<Coefficients>& planes, const Parameters& p,
+                                       Plane_relations& result)
+{
+  std::vector<Vector> direction(result.number_of_parallel_groups());
+  for(std::size_t s = 0; s < planes.size(); ++s)
+    direction[result.parallel_group[s]] = {planes[s][0], planes[s][1], planes[s][2]};
+  result.fixed_direction = fixed_directions_of(direction, p);
+  result.symmetry_group = symmetry_groups(direction, p);
+}
+
 } // namespace internal
 
 /*!
@@ -89,8 +104,8 @@ region growing or any other detector. Unlike that function it
 
 Planes keep their orientation. A plane that is related to no other, that has no normal, or whose points do not determine
 a plane, is left as it is; the others get a unit normal. Where `regularize_parallelism` is `false`, there are no
-coplanar groups either. There is no regularization of symmetries about an axis: `regularize_axis_symmetry` and
-`symmetry_direction` have no effect. The result is independent of the order of the points. Groups and joint fits are
+coplanar groups either. Unlike there, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The
+result is independent of the order of the points. Groups and joint fits are
 those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
 
 \tparam PlaneRange a range with random access iterators
@@ -131,6 +146,10 @@ those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
     \cgalParamDescription{which relations are made exact}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{fixed_directions, symmetry_direction, regularize_axis_symmetry}
+    \cgalParamDescription{as in `detect_planes()`}
+    \cgalParamDefault{there are no such directions}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the relations
@@ -158,6 +177,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   internal::read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);
   internal::read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
   internal::read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);
+  internal::read_directions(np, p);
   const auto options =
     internal::check_plane_options(p, internal::Is_given<internal_np::maximum_distance_t, NamedParameters>::value);
 
@@ -177,6 +197,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   internal::drop_unassigned(in, plane_of);
   Plane_relations result = internal::relate_planes(backend, in, plane_of, options, coefficients);
+  internal::relate_to_given_directions(coefficients, p, result);
   std::size_t s = 0;
   for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
     if(result.is_changed[s]) {

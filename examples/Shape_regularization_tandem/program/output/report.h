@@ -71,26 +71,34 @@ public:
   void boolean(const char* name, bool value) { key(name), out << (value ? "true" : "false"); }
   void text(const char* name, const std::string& value) { key(name), out << quoted(value); }
 
+  template <class List>
+  void list(const char* name, const List& list)
+  {
+    key(name);
+    write(list, [&](const auto& x) { out << x; });
+  }
+
   template <class Rows>
   void rows(const char* name, const Rows& rows)
   {
     key(name);
+    write(rows, [&](const auto& row) { write(row, [&](const auto& x) { out << x; }); });
+  }
+
+private:
+  template <class List, class Write_item>
+  void write(const List& list, Write_item write_item)
+  {
     out << '[';
-    const char* before_row = "";
-    for(const auto& row : rows) {
-      out << before_row << '[';
-      const char* before = "";
-      for(std::size_t x : row) {
-        out << before << x;
-        before = ", ";
-      }
-      out << ']';
-      before_row = ", ";
+    const char* before = "";
+    for(const auto& item : list) {
+      out << before;
+      write_item(item);
+      before = ", ";
     }
     out << ']';
   }
 
-private:
   void key(const char* name)
   {
     out << (is_first ? "\n" : ",\n") << std::string(2 * depth, ' ') << '"' << name << "\": ";
@@ -152,6 +160,10 @@ inline void write_parameters(Json_writer& json, const CGAL::Tandem::Parameters& 
   json.boolean("regularize_parallelism", p.regularize_parallelism);
   json.boolean("regularize_orthogonality", p.regularize_orthogonality);
   json.boolean("regularize_coplanarity", p.regularize_coplanarity);
+  json.rows("fixed_directions", p.fixed_directions);
+  json.boolean("regularize_axis_symmetry", p.regularize_axis_symmetry);
+  if(p.regularize_axis_symmetry)
+    json.list("symmetry_direction", p.symmetry_direction);
   json.end();
 }
 
@@ -219,6 +231,8 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
     pairs.push_back({std::size_t(pair.first), std::size_t(pair.second)});
   json.rows("orthogonal_pairs", pairs);
   json.rows("coplanar_groups", members_of_groups(shapes, false));
+  json.list("fixed_direction_of_parallel_groups", shapes.data().fixed_direction);
+  json.list("symmetry_group_of_parallel_groups", shapes.data().symmetry_group);
   json.end();
   json.end();
 }

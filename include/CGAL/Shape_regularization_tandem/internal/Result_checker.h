@@ -36,7 +36,8 @@ public:
   bool check(Backend& backend)
   {
     return check_tables() && check_labels() && check_planes() && check_groups() && check_orthogonality() &&
-           check_points() && check_sizes() && check_statistics() && check_connectivity(backend);
+           check_given_directions() && check_points() && check_sizes() && check_statistics() &&
+           check_connectivity(backend);
   }
 
   const std::string& violation() const { return violation_; }
@@ -145,6 +146,32 @@ private:
     }
     if(!std::is_sorted(data_.orthogonal_groups.begin(), data_.orthogonal_groups.end()))
       return fail("the orthogonal groups are not sorted");
+    return true;
+  }
+
+  // Exact relations to what was given: the bits of a fixed direction, the cosine of the angle to the axis.
+  bool check_given_directions()
+  {
+    const std::vector<int> first = representatives(data_.parallel_group);
+    if(data_.fixed_direction.size() != first.size() || data_.symmetry_group.size() != first.size())
+      return fail("the tables of the parallel groups differ in size");
+    std::vector<double> cosine(first.size(), -1); // by symmetry group
+    for(std::size_t g = 0; g < first.size(); ++g) {
+      const Coefficients& c = data_.coefficients[first[g]];
+      const Vector n = {c[0], c[1], c[2]};
+      const int fixed = data_.fixed_direction[g], symmetry = data_.symmetry_group[g];
+      if(fixed < -1 || fixed >= int(data_.parameters.fixed_directions.size()) || symmetry < -1 ||
+         symmetry >= int(first.size()))
+        return fail(at("no such direction or symmetry of group", g));
+      if(fixed >= 0 && !are_same(canonical(n), given_direction(data_.parameters.fixed_directions[fixed])))
+        return fail(at("not exactly a fixed direction has group", g));
+      if(symmetry < 0)
+        continue;
+      const double own = std::fabs(dot(n, given_direction(data_.parameters.symmetry_direction)));
+      if(cosine[symmetry] >= 0 && !(std::fabs(own - cosine[symmetry]) <= 1e-15))
+        return fail(at("not symmetric is group", g));
+      cosine[symmetry] = cosine[symmetry] < 0 ? own : cosine[symmetry];
+    }
     return true;
   }
 

@@ -44,6 +44,31 @@ void read_switch(const NP& np, bool& value)
     value = parameter<Tag>(np, true);
 }
 
+// A vector of the kernel, or anything else with x(), y() and z(), or three numbers.
+template <class Direction>
+std::array<double, 3> read_direction(const Direction& d)
+{
+  return {CGAL::to_double(d.x()), CGAL::to_double(d.y()), CGAL::to_double(d.z())};
+}
+
+inline std::array<double, 3> read_direction(const std::array<double, 3>& d) { return d; }
+
+// The axis of symmetry is used if it is given, unless it is switched off. It is the z axis otherwise.
+template <class NP>
+void read_directions(const NP& np, Parameters& p)
+{
+  if constexpr(Is_given<internal_np::fixed_directions_t, NP>::value) {
+    p.fixed_directions.clear();
+    for(const auto& d : parameter<internal_np::fixed_directions_t>(np, 0))
+      p.fixed_directions.push_back(read_direction(d));
+  }
+  if constexpr(Is_given<internal_np::symmetry_direction_t, NP>::value) {
+    p.symmetry_direction = read_direction(parameter<internal_np::symmetry_direction_t>(np, 0));
+    p.regularize_axis_symmetry = true;
+  }
+  read_switch<internal_np::regularize_axis_symmetry_t>(np, p.regularize_axis_symmetry);
+}
+
 // Lengths are checked here if they are given or set, since 0 would mean "to be estimated" later.
 template <class NP>
 Parameters read_parameters(const NP& np)
@@ -61,6 +86,7 @@ Parameters read_parameters(const NP& np)
   read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);
   read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
   read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);
+  read_directions(np, p);
   return p;
 }
 

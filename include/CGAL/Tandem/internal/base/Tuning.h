@@ -246,6 +246,8 @@ constexpr std::size_t shapes_per_retry = 64;
 // Two unit normals are orthogonal if their dot product is at most this. Half of the 1e-15 that results promise, so
 // that every order of evaluation keeps the promise.
 constexpr double orthogonal_dot = 5e-16;
+// The same of the cosines of their angles to an axis, whose rounding is larger.
+constexpr double same_cosine = 8e-16;
 // Directions closer than this (sine) are one up to rounding.
 constexpr double same_direction = 1e-9;
 

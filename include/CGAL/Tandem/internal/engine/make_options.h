@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/regularity/given_directions.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 
 namespace CGAL {
@@ -66,6 +67,7 @@ inline Options make_options(const Import& in, const Parameters& p)
                   p.regularize_orthogonality,
                   p.regularize_coplanarity,
                   false};
+  set_given_directions(p, o.regularity);
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
   // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.
   const double certain_distance = (std::max)(o.maximum_distance - distance_margin(in.grid), -1.);

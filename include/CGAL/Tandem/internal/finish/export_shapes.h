@@ -10,7 +10,7 @@
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 #include <CGAL/Tandem/internal/finish/exact_check.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
-#include <CGAL/Tandem/internal/regularity/relations.h>
+#include <CGAL/Tandem/internal/regularity/given_directions.h>
 
 #include <array>
 #include <utility>
@@ -26,6 +26,8 @@ struct Shapes_data {
   std::vector<int> parallel_group;                    // of each shape
   std::vector<int> coplanar_group;                    // of each shape
   std::vector<std::pair<int, int>> orthogonal_groups; // pairs of parallel groups, first < second, sorted
+  std::vector<int> fixed_direction;    // of each parallel group: which of the fixed directions it has, or -1
+  std::vector<int> symmetry_group;     // of each parallel group, -1 without an axis
   std::vector<char> is_flipped;        // of each shape: the majority of the normals is opposite to its plane
   Shared_table<std::int32_t> shape_of; // of each item of the range, -1 = none
   Shared_table<std::uint32_t> normal;  // of each item, packed; empty if normals were given
@@ -48,15 +50,17 @@ inline std::vector<int> representatives(const std::vector<int>& group)
   return first;
 }
 
-// All pairs of directions that are orthogonal up to rounding, whether or not a star or frame made them so.
-inline std::vector<std::pair<int, int>> find_orthogonal_groups(const Shapes_data& data)
+// What the directions of the groups have in common up to rounding, whether or not the regularity step made it so.
+inline void relate_groups(Shapes_data& data)
 {
   std::vector<Vector> direction;
   for(int s : representatives(data.parallel_group)) {
     const Coefficients& c = data.coefficients[std::size_t(s)];
     direction.push_back({c[0], c[1], c[2]});
   }
-  return orthogonal_pairs(direction);
+  data.orthogonal_groups = orthogonal_pairs(direction);
+  data.fixed_direction = fixed_directions_of(direction, data.parameters);
+  data.symmetry_group = symmetry_groups(direction, data.parameters);
 }
 
 // Degrees of freedom of the directions. A direction costs 2, less one for each orthogonal direction that was counted
@@ -165,7 +169,7 @@ inline Shapes_data export_shapes(const Import& in, const Parameters& parameters,
     data.is_flipped.push_back(shape.is_flipped);
     statistics.number_of_assigned_points += shape.size;
   }
-  data.orthogonal_groups = find_orthogonal_groups(data);
+  relate_groups(data);
   data.shape_of = by_item(in, result.shape_of, std::int32_t(-1));
   data.points = {result.points.first, to_items(in, result.points.position)};
   if(!in.has_normals)

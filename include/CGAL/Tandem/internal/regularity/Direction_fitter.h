@@ -11,6 +11,7 @@
 
 #include <CGAL/Tandem/internal/regularity/Verified_planes.h>
 #include <CGAL/Tandem/internal/base/angles.h>
+#include <CGAL/Tandem/internal/regularity/Axis_symmetry.h>
 #include <CGAL/Tandem/internal/regularity/Frames.h>
 #include <CGAL/Tandem/internal/regularity/Direction_joiner.h>
 
@@ -31,6 +32,7 @@ public:
   {
     was_rejected.assign(shapes.size(), 0);
     rejected_cost.assign(shapes.size(), 0);
+    join_given(pending);
     for(int level = 0; level < tuning::directions::levels && options.try_again(pending.size(), shapes.size(), level);
         ++level) {
       const double parallel_sine = sine_deg(options.angle_tolerance_deg * tuning::directions::parallel_share[level]);
@@ -48,6 +50,9 @@ public:
     }
     if(options.parallelism && options.is_last)
       join_leftovers(pending);
+    groups.erase(
+      std::remove_if(groups.begin(), groups.end(), [](const Direction_group& g) { return g.members.empty(); }),
+      groups.end());
   }
 
   // The groups; all have directions, also those of one shape.
@@ -65,13 +70,36 @@ public:
   }
 
 private:
+  // A group for each given direction, with the shapes within the angle that can bear it. A shape joins the nearest one.
+  void join_given(std::vector<int>& pending)
+  {
+    const double right_sine = sine_deg(options.angle_tolerance_deg * tuning::directions::right_share[0]);
+    for(const Vector& d : options.fixed_directions) {
+      groups.push_back({{}, right_sine, {}, 0, {}, d, rounded_normal(d), 0, d, false, true});
+      is_dirty.push_back(1);
+    }
+    const double sine = sine_deg(options.angle_tolerance_deg * tuning::directions::parallel_share[0]);
+    if(groups.empty() || !options.parallelism || !(sine > tuning::directions::minimum_sine))
+      return;
+    const Direction_index index(options.fixed_directions, sine);
+    std::vector<int> rest;
+    for(int i : pending) {
+      std::pair<double, std::size_t> nearest(2., groups.size());
+      index.near(shapes[i].fit.normal, [&](std::size_t g, double q) { nearest = (std::min)(nearest, {q, g}); });
+      const bool is_joined =
+        nearest.second < groups.size() && !verified.is_too_far(i, groups[nearest.second].direction);
+      (is_joined ? groups[nearest.second].members : rest).push_back(i);
+    }
+    pending.swap(rest);
+  }
+
   // Prepares a level: groups that have lost members are fitted again, and get the smaller angle for right angles. At
   // the last level, without right angles, the other groups keep their directions.
   void freeze(double right_sine)
   {
     for(std::size_t g = 0; g < groups.size(); ++g) {
       groups[g].is_frozen = right_sine == 0 && !is_dirty[g];
-      if(is_dirty[g])
+      if(is_dirty[g] && !groups[g].is_given)
         groups[g].sine = right_sine;
     }
     refit();
@@ -122,7 +150,7 @@ private:
     for(std::vector<int>& cluster : clusters) {
       for(int& k : cluster)
         k = pending[k];
-      groups.push_back({cluster, right_sine, {}, 0, {}, {}, {}, 0, {}, false});
+      groups.push_back({cluster, right_sine, {}, 0, {}, {}, {}, 0, {}, false, false});
       is_dirty.push_back(1);
     }
   }
@@ -149,7 +177,7 @@ private:
   void join_leftovers(const std::vector<int>& pending)
   {
     for(int i : pending) {
-      groups.push_back({{i}, 0, {}, 0, {}, {}, {}, 0, canonical(shapes[i].fit.normal), true});
+      groups.push_back({{i}, 0, {}, 0, {}, {}, {}, 0, canonical(shapes[i].fit.normal), true, false});
       refit(groups.back());
     }
     Direction_joiner<Verified_planes<Verify>>(shapes, options.maximum_distance, sine_deg(options.angle_tolerance_deg),
@@ -176,6 +204,8 @@ private:
       g.matrix = g.matrix + shapes[i].scatter.matrix;
       g.weight += shapes[i].scatter.count;
     }
+    if(g.is_given)
+      return;
     g.fit();
     if(g.members.size() == 1) // the bits of its own fit: rolled_back() compares them
       g.set_fit(canonical(shapes[g.members.front()].fit.normal));
@@ -192,6 +222,8 @@ private:
         if(!g.is_frozen)
           g.direction = g.fitted;
     }
+    for(const Vector& axis : options.symmetry_axis)
+      Axis_symmetry(groups, axis, options.maximum_distance).tie();
   }
 
   // The members of all groups, group by group.
@@ -258,12 +290,12 @@ private:
     drop_empty();
   }
 
-  // Keeps the order of groups.
+  // Keeps the order of groups, and given directions.
   void drop_empty()
   {
     std::size_t kept = 0;
     for(std::size_t g = 0; g < groups.size(); ++g)
-      if(!groups[g].members.empty()) {
+      if(groups[g].is_given || !groups[g].members.empty()) {
         if(kept != g)
           groups[kept] = std::move(groups[g]);
         is_dirty[kept++] = is_dirty[g];

@@ -46,9 +46,11 @@ private:
   };
 
   // A total order of groups by number of points, then by the first member. Groups only join heavier ones, so there are
-  // no cycles.
+  // no cycles. Given directions are heavier than all others.
   bool is_lighter(std::size_t a, std::size_t b) const
   {
+    if(groups[a].is_given || groups[b].is_given)
+      return groups[b].is_given && (!groups[a].is_given || a < b);
     if(groups[a].weight != groups[b].weight)
       return groups[a].weight < groups[b].weight;
     return groups[a].members.front() < groups[b].members.front();
@@ -88,7 +90,7 @@ private:
     const Direction_index index(directions, sine);
     std::vector<Plan> plans;
     for(std::size_t g = 0; g < groups.size(); ++g) {
-      if(groups[g].members.size() > tuning::leftovers::maximum_members)
+      if(groups[g].is_given || groups[g].members.size() > tuning::leftovers::maximum_members)
         continue;
       Plan plan = {g, {}};
       for(int i : groups[g].members)
@@ -151,9 +153,9 @@ private:
       }
       groups[plan.from].members.clear();
     }
-    groups.erase(
-      std::remove_if(groups.begin(), groups.end(), [](const Direction_group& g) { return g.members.empty(); }),
-      groups.end());
+    groups.erase(std::remove_if(groups.begin(), groups.end(),
+                                [](const Direction_group& g) { return g.members.empty() && !g.is_given; }),
+                 groups.end());
   }
 
   // Members stay ascending. The matrix is not needed any more, as directions are final.

@@ -21,7 +21,7 @@ namespace internal {
 // Shapes that share one direction, and the moments that decide on it. Right angles to other groups are considered
 // within the angle whose sine is given. It is smaller for shapes that were rejected before.
 struct Direction_group {
-  std::vector<int> members; // shapes, ascending; never empty between steps
+  std::vector<int> members; // shapes, ascending; never empty between steps, but for given directions
   double sine;
   Symmetric_matrix matrix; // sum of the members' scatter
   double weight;           // points
@@ -31,6 +31,7 @@ struct Direction_group {
   double minimum;          // sum of squared distances of the fit
   Vector direction;        // the result
   bool is_frozen;          // keeps its direction, others may be made orthogonal to it
+  bool is_given = false;   // its direction is given: it stays, and other groups are made orthogonal to it first
 
   // The unconstrained fit, from the matrix alone.
   void fit()
@@ -219,7 +220,7 @@ public:
     group.direction = canonical(n);
     const std::size_t same = find_same(group.direction, master);
     if(same == fixed.size()) {
-      add(group);
+      add(group, group.weight);
       return group.direction;
     }
     Fixed_direction& d = fixed[same];
@@ -229,11 +230,11 @@ public:
     return group.direction = d.direction;
   }
 
-  // Adds the direction of a group as it is.
-  void add(const Direction_group& group)
+  // Adds the direction of a group as it is. Its weight counts as partner.
+  void add(const Direction_group& group, double weight)
   {
-    const double root = std::sqrt(group.weight);
-    fixed.push_back({group.direction, rounded_normal(group.direction), group.sine, group.weight, root});
+    const double root = std::sqrt(weight);
+    fixed.push_back({group.direction, rounded_normal(group.direction), group.sine, weight, root});
     index.add(group.direction, root);
   }
 

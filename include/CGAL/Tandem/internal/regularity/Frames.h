@@ -71,15 +71,20 @@ public:
     : groups(groups), squared_rms(squared_rms), fixed(tuning::directions::chain_share * squared_rms)
   {}
 
-  // Sets the directions of all groups. Frozen ones keep theirs, and stars may be chained to them. For the executor see
-  // Mean_shift.
+  // Sets the directions of all groups. Given and frozen ones keep theirs, and stars may be chained to them. Given
+  // directions are the first masters. For the executor see Mean_shift.
   template <class Executor>
   void tie(const Executor& executor)
   {
+    const double all = std::accumulate(groups.begin(), groups.end(), 1.,
+                                       [](double sum, const Direction_group& g) { return sum + g.weight; });
     std::vector<Star_candidate> pool;
     for(int g : by_weight())
-      if(groups[g].is_frozen)
-        fixed.add(groups[g]);
+      if(groups[g].is_given) {
+        fixed.add(groups[g], all);
+        pool.push_back({groups[g].rounded, groups[g].sine, 0, g});
+      } else if(groups[g].is_frozen)
+        fixed.add(groups[g], groups[g].weight);
       else
         pool.push_back({groups[g].rounded, groups[g].sine, reach(groups[g]), g});
     const auto can_follow = [&](const Star_candidate& m, const Star_candidate& j) { return is_follower(m, j); };
@@ -91,12 +96,15 @@ private:
   // Loops over fewer followers run on one thread.
   static constexpr std::size_t few_followers = 256;
 
-  // Groups by falling number of points; ties are broken by the first member, which is in no other group.
+  // Given directions in their order, then groups by falling number of points; ties are broken by the first member, which
+  // is in no other group.
   std::vector<int> by_weight() const
   {
     std::vector<int> order(groups.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int a, int b) {
+      if(groups[a].is_given || groups[b].is_given)
+        return groups[a].is_given && (!groups[b].is_given || a < b);
       if(groups[a].weight != groups[b].weight)
         return groups[a].weight > groups[b].weight;
       return groups[a].members.front() < groups[b].members.front();
@@ -120,6 +128,8 @@ private:
     if(!(std::fabs(rounded_dot(master.rounded, follower.rounded)) < (std::min)(master.sine, follower.sine)))
       return false;
     const Direction_group &m = groups[master.group], &j = groups[follower.group];
+    if(m.is_given || j.is_given)
+      return !j.is_given && cost_of_right_angle(j.eigen, m.fitted) <= squared_rms * j.weight;
     return cost_of_right_angle(j.eigen, m.fitted) <= squared_rms * j.weight ||
            cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
   }
@@ -143,7 +153,9 @@ private:
   void place(const Star& star, const Executor& executor)
   {
     fixed.begin_star();
-    const Vector n = fixed.fix(groups[star.master], fixed.chained(joint_group(star)), {0, 0, 0});
+    const Vector n = groups[star.master].is_given
+                       ? groups[star.master].direction
+                       : fixed.fix(groups[star.master], fixed.chained(joint_group(star)), {0, 0, 0});
     std::vector<Vector> follower(star.followers.size());
     std::vector<char> is_fixed(star.followers.size());
     executor.for_each(

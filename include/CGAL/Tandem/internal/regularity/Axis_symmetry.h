@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Groups of parallel shapes that make nearly the same angle with an axis, such as the two sides of a gable roof, get
+// exactly the same one. Right angles stay: a group that would lose one keeps its direction. Only
+// Direction_group::direction is written. See the manual, "Given Directions and Symmetry".
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H
+
+#include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The angle between a direction and an axis, in [0, 90] degrees, as a unit vector.
+struct Axis_angle {
+  double cosine, sine;
+
+  Axis_angle(const Vector& direction, const Vector& axis)
+    : cosine(std::fabs(dot(direction, axis))), sine(length(cross(direction, axis)))
+  {}
+};
+
+// Greedy, as the stars of Frames: the heaviest group that is left takes all those within the angle.
+class Axis_symmetry {
+public:
+  // axis: a unit vector; maximum_distance bounds what a group may be turned, as a right angle does.
+  Axis_symmetry(std::vector<Direction_group>& groups, const Vector& axis, double maximum_distance)
+    : groups(groups), axis(axis), rms(tuning::verification::rms_share * maximum_distance)
+  {
+    for(const Direction_group& g : groups)
+      circles.add(g.direction, 0);
+  }
+
+  void tie()
+  {
+    std::vector<int> pool = candidates();
+    while(!pool.empty()) {
+      const int master = pool.front();
+      const auto end = std::stable_partition(pool.begin(), pool.end(), [&](int g) { return !is_near(master, g); });
+      if(pool.end() - end > 1)
+        turn(std::vector<int>(end, pool.end()));
+      pool.erase(end, pool.end());
+    }
+  }
+
+private:
+  // What turns a group about the axis: the direction of the axis and one orthogonal to it span the plane of its normals.
+  struct Turnable {
+    int group;
+    Vector across;  // orthogonal to the axis
+    Vector partner; // orthogonal to the group and to the axis, or null
+  };
+
+  // Groups that may turn, by falling weight; ties are broken by the first member, which is in no other group.
+  std::vector<int> candidates() const
+  {
+    std::vector<int> result;
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      if(!groups[g].is_given && groups[g].sine > 0 && !are_exactly_orthogonal(groups[g].direction, axis) &&
+         Axis_angle(groups[g].direction, axis).sine > groups[g].sine)
+        result.push_back(int(g));
+    std::sort(result.begin(), result.end(), [&](int a, int b) {
+      if(groups[a].weight != groups[b].weight)
+        return groups[a].weight > groups[b].weight;
+      return groups[a].members.front() < groups[b].members.front();
+    });
+    return result;
+  }
+
+  // Whether two groups make the same angle with the axis, within the smaller tolerance of both. True for a == b.
+  bool is_near(int a, int b) const
+  {
+    const Axis_angle m(groups[a].direction, axis), j(groups[b].direction, axis);
+    const double sine = std::fma(m.cosine, j.sine, -(m.sine * j.cosine)); // of the difference
+    return a == b || std::fabs(sine) < (std::min)(groups[a].sine, groups[b].sine);
+  }
+
+  // The groups of a class get the mean of their angles, weighted by points.
+  void turn(const std::vector<int>& members)
+  {
+    std::vector<Turnable> turnable;
+    double cosine = 0, sine = 0;
+    for(int g : members) {
+      Turnable t = {g, {}, {0, 0, 0}};
+      if(!find_across(t))
+        continue;
+      const Axis_angle angle(groups[g].direction, axis);
+      cosine = std::fma(groups[g].weight, angle.cosine, cosine);
+      sine = std::fma(groups[g].weight, angle.sine, sine);
+      turnable.push_back(t);
+    }
+    if(turnable.size() < 2)
+      return;
+    const double norm = std::sqrt(std::fma(cosine, cosine, sine * sine));
+    std::vector<Vector> turned;
+    for(const Turnable& t : turnable)
+      turned.push_back(direction_at(t, cosine / norm, sine / norm));
+    for(std::size_t k = 0; k < turnable.size(); ++k)
+      if(groups[turnable[k].group].cost(turned[k]) <= rms * rms * groups[turnable[k].group].weight)
+        groups[turnable[k].group].direction = canonical(turned[k]);
+  }
+
+  // Whether the group may turn without losing a right angle: each of its partners has to be orthogonal to the axis, and
+  // all of them are parallel then.
+  bool find_across(Turnable& t) const
+  {
+    const Vector n = groups[t.group].direction;
+    bool is_free = true;
+    circles.search(Right_angle_region(n), [&](int h) {
+      const Vector& d = groups[h].direction;
+      if(!are_exactly_orthogonal(n, d))
+        return;
+      is_free = is_free && are_exactly_orthogonal(d, axis);
+      t.partner = d;
+    });
+    const Vector across =
+      dot(t.partner, t.partner) > 0 ? orthogonal_to_both(axis, t.partner) : made_orthogonal(n, axis);
+    t.across = dot(across, n) < 0 ? -across : across;
+    return is_free;
+  }
+
+  // The direction of the group at an angle to the axis, on the side where it is.
+  Vector direction_at(const Turnable& t, double cosine, double sine) const
+  {
+    const double side = dot(groups[t.group].direction, axis) < 0 ? -1 : 1;
+    const Vector n = unit(add_scaled((side * cosine) * axis, sine, t.across));
+    return dot(t.partner, t.partner) > 0 ? made_orthogonal(n, t.partner) : n;
+  }
+
+  std::vector<Direction_group>& groups;
+  Vector axis;
+  double rms;
+  Great_circle_index circles; // of the directions of all groups, before any turns
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_AXIS_SYMMETRY_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The directions that the caller knows beforehand, and the axis of symmetry: from the parameters to the options of the
+// regularity step, and which of them the groups of a result have.
+
+#ifndef CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
+#define CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
+
+#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/internal/regularity/cluster_directions.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Unit and canonical in sign. Any length that is finite and not null will do.
+inline Vector given_direction(const std::array<double, 3>& d)
+{
+  const double largest = (std::max)({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
+  return canonical(unit({d[0] / largest, d[1] / largest, d[2] / largest}));
+}
+
+inline bool are_same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+// The axis of symmetry is a fixed direction, too.
+inline void set_given_directions(const Parameters& p, Regularity_options& options)
+{
+  std::vector<Vector> given;
+  for(const auto& d : p.fixed_directions)
+    given.push_back(given_direction(d));
+  if(p.regularize_axis_symmetry) {
+    options.symmetry_axis = {given_direction(p.symmetry_direction)};
+    given.push_back(options.symmetry_axis.front());
+  }
+  for(const Vector& d : given)
+    if(std::none_of(options.fixed_directions.begin(), options.fixed_directions.end(),
+                    [&](const Vector& other) { return are_same(d, other); }))
+      options.fixed_directions.push_back(d);
+}
+
+// By group, the place of its direction among the fixed ones, or -1. The first of equal ones counts.
+inline std::vector<int> fixed_directions_of(const std::vector<Vector>& directions, const Parameters& p)
+{
+  std::vector<int> result;
+  for(const Vector& direction : directions) {
+    const auto is_it = [&](const std::array<double, 3>& d) {
+      return are_same(given_direction(d), canonical(direction));
+    };
+    const auto at = std::find_if(p.fixed_directions.begin(), p.fixed_directions.end(), is_it);
+    result.push_back(at == p.fixed_directions.end() ? -1 : int(at - p.fixed_directions.begin()));
+  }
+  return result;
+}
+
+// By group, the number of its angle to the axis: groups of one number make the same angle, up to the last bit of its
+// cosine. -1 for all where symmetry is off.
+inline std::vector<int> symmetry_groups(const std::vector<Vector>& directions, const Parameters& p)
+{
+  std::vector<int> result(directions.size(), -1);
+  if(!p.regularize_axis_symmetry)
+    return result;
+  const Vector axis = given_direction(p.symmetry_direction);
+  std::vector<double> cosine;
+  for(const Vector& d : directions)
+    cosine.push_back(std::fabs(dot(d, axis)));
+  std::vector<int> order(directions.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return cosine[a] < cosine[b]; });
+  double first = -1;
+  int number = -1;
+  for(int g : order) {
+    if(number < 0 || cosine[g] - first > tuning::relations::same_cosine) {
+      first = cosine[g];
+      ++number;
+    }
+    result[g] = number;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H

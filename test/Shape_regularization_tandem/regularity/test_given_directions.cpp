@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Directions that are known beforehand, and symmetry about an axis: a house with a gable roof of unequal slopes, which
+// leans by a given angle. Exact where the points allow it, and nowhere else.
+
+#undef NDEBUG
+
+#include "testing/test_support.h"
+
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
+
+#include <cmath>
+
+namespace np = CGAL::Tandem::parameters;
+using scenes::Vec;
+using Direction = std::array<double, 3>;
+
+constexpr double epsilon = .05;
+const Direction vertical = {0, 0, 2}, tilted = {3e200, 4e200, 0}; // of any length
+
+double degrees(double angle) { return angle * 3.14159265358979323846 / 180; }
+
+// The house leans about the x axis.
+Vec leaning(const Vec& v, double angle)
+{
+  const double c = std::cos(degrees(angle)), s = std::sin(degrees(angle));
+  return {v.x, c * v.y - s * v.z, s * v.y + c * v.z};
+}
+
+// A grid of points that are apart by a tenth of epsilon more or less.
+void add_face(Cloud& cloud, const Vec& corner, const Vec& u, const Vec& v, double lean)
+{
+  const Vec n = leaning(unit(cross(u, v)), lean);
+  const int columns = int(10 * length(u)), rows = int(10 * length(v));
+  for(int i = 0; i <= columns; ++i)
+    for(int j = 0; j <= rows; ++j) {
+      const double noise = .1 * epsilon * ((i * 7 + j * 5) % 3 - 1);
+      const Vec in_face = add_scaled(add_scaled(corner, double(i) / columns, u), double(j) / rows, v);
+      const Vec p = add_scaled(leaning(in_face, lean), noise, n);
+      cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
+    }
+}
+
+// Floor, four walls, two sides of the roof with slopes of 30 and 30 + difference degrees. The ridge runs along y.
+Cloud make_house(double lean, double difference)
+{
+  const double left = std::tan(degrees(30)), right = std::tan(degrees(30 + difference));
+  Cloud cloud;
+  add_face(cloud, {0, 0, 0}, {6, 0, 0}, {0, 4, 0}, lean);
+  add_face(cloud, {0, 0, 0}, {6, 0, 0}, {0, 0, 3}, lean);
+  add_face(cloud, {0, 4, 0}, {6, 0, 0}, {0, 0, 3}, lean);
+  add_face(cloud, {0, 0, 0}, {0, 4, 0}, {0, 0, 3}, lean);
+  add_face(cloud, {6, 0, 0}, {0, 4, 0}, {0, 0, 3}, lean);
+  add_face(cloud, {0, 0, 3}, {3, 0, 3 * left}, {0, 4, 0}, lean);
+  add_face(cloud, {6, 0, 3}, {-3, 0, 3 * right}, {0, 4, 0}, lean);
+  return cloud;
+}
+
+Parameters make_house_parameters()
+{
+  Parameters p = make_parameters(epsilon, 100);
+  p.fixed_directions = {tilted, vertical};
+  return p;
+}
+
+Direction normal(const Shapes& shapes, std::size_t group)
+{
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+    if(shapes.parallel_group(s) == group)
+      return {shapes.coefficients(s)[0], shapes.coefficients(s)[1], shapes.coefficients(s)[2]};
+  return {};
+}
+
+// The number of parallel groups that have the fixed direction k, and that are orthogonal to it.
+std::pair<int, int> count_related(const Shapes& shapes, int k)
+{
+  std::pair<int, int> count = {0, 0};
+  for(std::size_t g = 0; g < shapes.number_of_parallel_groups(); ++g)
+    if(shapes.fixed_direction(g) == k)
+      ++count.first;
+    else if(std::fabs(normal(shapes, g)[2]) <= 1e-15)
+      ++count.second;
+  return count;
+}
+
+void check_fixed_direction()
+{
+  for(double lean : {0., .3}) {
+    const Cloud cloud = make_house(lean, 0);
+    const Shapes shapes = detect_valid("leaning house", cloud, make_house_parameters());
+    check_equal(shapes.number_of_shapes(), std::size_t(7), "shapes");
+    const auto count = count_related(shapes, 1);
+    CHECK_AT(count.first == 1 && count.second == 2, "the floor is horizontal, walls of two directions are vertical");
+    for(std::size_t g = 0; g < shapes.number_of_parallel_groups(); ++g) {
+      CHECK_AT(shapes.symmetry_group(g) == -1, "no axis is given");
+      if(shapes.fixed_direction(g) == 1)
+        CHECK_AT((normal(shapes, g) == Direction{0, 0, 1}), "the very direction");
+    }
+    Parameters free = make_house_parameters();
+    free.fixed_directions.clear();
+    if(lean > 0)
+      CHECK_AT(count_related(detect(cloud, free), 1).first == 0, "without it, the floor leans");
+  }
+}
+
+// A direction that is too far from the shapes, or that their points reject, has no effect.
+void check_rejected_direction()
+{
+  const Cloud cloud = make_house(7, 0); // a face of 6 x 4 turned by 7 degrees is far outside of epsilon
+  const Shapes shapes = detect_valid("rejected direction", cloud, make_house_parameters());
+  check_equal(shapes.number_of_shapes(), std::size_t(7), "shapes");
+  CHECK_AT((count_related(shapes, 1) == std::pair<int, int>(0, 1)), "only the walls across the axis are vertical");
+}
+
+// The groups of the roof: neither horizontal nor vertical.
+std::vector<std::size_t> roof_groups(const Shapes& shapes)
+{
+  std::vector<std::size_t> roof;
+  for(std::size_t g = 0; g < shapes.number_of_parallel_groups(); ++g)
+    if(std::fabs(normal(shapes, g)[2]) > .1 && std::fabs(normal(shapes, g)[2]) < .99)
+      roof.push_back(g);
+  return roof;
+}
+
+void check_symmetry()
+{
+  const Cloud cloud = make_house(.2, 1);
+  Parameters p = make_house_parameters();
+  p.regularize_axis_symmetry = true;
+  const Shapes shapes = detect_valid("symmetric roof", cloud, p);
+  const std::vector<std::size_t> roof = roof_groups(shapes);
+  check_equal(roof.size(), std::size_t(2), "sides of the roof");
+  CHECK_AT(std::fabs(std::fabs(normal(shapes, roof[0])[2]) - std::fabs(normal(shapes, roof[1])[2])) <= 1e-15, "slopes");
+  CHECK_AT(shapes.symmetry_group(roof[0]) == shapes.symmetry_group(roof[1]), "one group");
+  int right_angles = 0; // the roof stays orthogonal to the gable walls
+  for(const auto& pair : shapes.orthogonal_groups())
+    right_angles += pair.second == int(roof[0]) || pair.second == int(roof[1]) || pair.first == int(roof[0]) ||
+                    pair.first == int(roof[1]);
+  check_equal(right_angles, 2, "right angles of the roof");
+  p.regularize_axis_symmetry = false;
+  const Shapes other = detect(cloud, p);
+  const std::vector<std::size_t> sides = roof_groups(other);
+  check_equal(sides.size(), std::size_t(2), "sides of the roof without symmetry");
+  CHECK_AT(std::fabs(std::fabs(normal(other, sides[0])[2]) - std::fabs(normal(other, sides[1])[2])) > 1e-3,
+           "without symmetry the slopes differ");
+#ifdef CGAL_LINKED_WITH_TBB
+  p.regularize_axis_symmetry = true;
+  check_same(shapes, detect<CGAL::Parallel_tag>(cloud, p), "symmetric roof, parallel");
+#endif
+}
+
+// Named parameters of both spellings, with vectors of the kernel.
+void check_named_parameters()
+{
+  const Cloud cloud = make_house(.2, 1);
+  const auto list =
+    np::maximum_distance(epsilon).minimum_region_size(100).point_map(First<Kernel>()).normal_map(Second<Kernel>());
+  const std::vector<Kernel::Vector_3> directions = {Kernel::Vector_3(1, 0, 0)};
+  const Shapes shapes = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(
+    cloud, list.fixed_directions(directions).symmetry_direction(Kernel::Vector_3(0, 0, -5)));
+  CHECK_AT(shapes.parameters().regularize_axis_symmetry, "given");
+  CHECK_AT((shapes.parameters().fixed_directions == std::vector<Direction>{{1, 0, 0}}), "given");
+  CHECK_AT(count_related(shapes, 0).first == 1, "the walls along y");
+  const Shapes off = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(
+    cloud, list.symmetry_direction(Kernel::Vector_3(0, 0, 1)).regularize_axis_symmetry(false));
+  CHECK_AT(!off.parameters().regularize_axis_symmetry, "switched off");
+}
+
+template <class F>
+void check_refused(F f, const std::string& message)
+{
+  std::string what;
+  try {
+    f();
+  } catch(const std::invalid_argument& e) {
+    what = e.what();
+  }
+  check_equal(what, message, "refused");
+}
+
+void check_bad_directions()
+{
+  const Cloud cloud = make_house(0, 0);
+  Parameters p = make_house_parameters();
+  p.fixed_directions.push_back({0, 0, 0});
+  check_refused([&] { detect(cloud, p); },
+                "fixed_directions[2] is (0, 0, 0), allowed is a finite vector that is not null");
+  p.fixed_directions.pop_back();
+  p.regularize_axis_symmetry = true;
+  p.symmetry_direction = {0, HUGE_VAL, 0};
+  check_refused([&] { detect(cloud, p); },
+                "symmetry_direction is (0, inf, 0), allowed is a finite vector that is not null");
+}
+
+// The checker finds a claim that is not true.
+void check_corrupted_claim()
+{
+  const Cloud cloud = make_house(.3, 0);
+  const auto list = np::settings(make_house_parameters()).point_map(First<Kernel>()).normal_map(Second<Kernel>());
+  const Shapes shapes = detect(cloud, make_house_parameters());
+  CGAL::Tandem::internal::Shapes_data data = shapes.data();
+  for(int& k : data.fixed_direction)
+    k = 1;
+  std::string why;
+  CHECK_AT(!CGAL::Tandem::is_valid_result(cloud, Shapes(data), list, &why), "claimed too much");
+  CHECK_AT(why.find("not exactly a fixed direction") != std::string::npos, why);
+}
+
+struct Index_map {
+  using key_type = std::size_t;
+  using value_type = int;
+  using reference = int;
+  using category = boost::readable_property_map_tag;
+  const Shapes* shapes;
+  friend int get(const Index_map& map, std::size_t i) { return map.shapes->shape_index(i); }
+};
+
+// The same for planes of another detector.
+void check_given_planes()
+{
+  const Cloud cloud = make_house(.3, 1);
+  Parameters p = make_house_parameters();
+  p.fixed_directions.clear();
+  p.regularize_parallelism = p.regularize_orthogonality = p.regularize_coplanarity = false;
+  const Shapes found = detect(cloud, p);
+  std::vector<Kernel::Plane_3> planes = found.planes();
+  const std::vector<Direction> directions = {vertical};
+  const CGAL::Tandem::Plane_relations r = CGAL::Tandem::regularize_planes(planes, cloud,
+                                                                          np::point_map(First<Kernel>())
+                                                                            .plane_index_map(Index_map{&found})
+                                                                            .maximum_distance(epsilon)
+                                                                            .maximum_angle(8)
+                                                                            .fixed_directions(directions)
+                                                                            .symmetry_direction(vertical));
+  int horizontal = 0, walls = 0;
+  for(std::size_t s = 0; s < planes.size(); ++s) {
+    const Kernel::Vector_3 n = planes[s].orthogonal_vector();
+    const int g = r.parallel_group[s];
+    horizontal += r.fixed_direction[g] == 0 && n.x() == 0 && n.y() == 0 && std::fabs(n.z()) == 1;
+    walls += std::fabs(n.z()) <= 1e-15;
+    for(std::size_t t = 0; t < s; ++t)
+      if(r.symmetry_group[g] == r.symmetry_group[r.parallel_group[t]])
+        CHECK_AT(std::fabs(std::fabs(n.z()) - std::fabs(planes[t].orthogonal_vector().z())) <= 1e-15, "symmetric");
+  }
+  check_equal(horizontal, 1, "floor");
+  check_equal(walls, 4, "walls");
+  check_equal(*std::max_element(r.symmetry_group.begin(), r.symmetry_group.end()), 2, "floor, walls, roof");
+}
+
+int main()
+{
+  check_fixed_direction();
+  check_rejected_direction();
+  check_symmetry();
+  check_named_parameters();
+  check_bad_directions();
+  check_corrupted_claim();
+  check_given_planes();
+  return 0;
+}
