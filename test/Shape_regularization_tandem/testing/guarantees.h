@@ -7,10 +7,10 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_GUARANTEES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_GUARANTEES_H
 
+#include "extended_precision.h"
 #include "test_support.h"
 
 #include <array>
-#include <cfloat>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -19,40 +19,10 @@
 
 namespace guarantees {
 
-// The product of two doubles is exact.
-#if LDBL_MANT_DIG >= 113
-using Real = long double;
-#else
-using Real = __float128;
-#endif
-
-using Vector = std::array<Real, 3>;
-
-inline Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-template <class Geometry>
-Vector to_vector(const Geometry& g)
-{
-  return {Real(g.x()), Real(g.y()), Real(g.z())};
-}
-
 template <class Geometry>
 bool has_finite_values(const Geometry& g)
 {
   return std::isfinite(g.x()) && std::isfinite(g.y()) && std::isfinite(g.z());
-}
-
-// The Taylor series, for 0 to 90 degrees.
-inline Real cosine(double degrees)
-{
-  const Real pi = Real(0x1.921fb54442d18p+1) + Real(0x1.1a62633145c07p-53) + Real(-0x1.f1976b7ed8fbcp-109);
-  const Real x = Real(degrees) * pi / 180;
-  Real sum = 0, term = 1;
-  for(int i = 1; i <= 60; i += 2) {
-    sum += term;
-    term *= -x * x / (i * (i + 1));
-  }
-  return sum;
 }
 
 // Collects all violations. Each begins with the name of the guarantee in the manual.
@@ -68,6 +38,7 @@ public:
     check_planes();
     check_relations();
     check_orthogonality();
+    check_given_directions();
     check_fidelity();
     check_connectivity();
     check_statistics();
@@ -189,6 +160,31 @@ private:
         expect(product <= Real(1e-15) && -product <= Real(1e-15), "exact relations: not orthogonal to all is shape", s);
       }
     expect(found == pairs.size(), "exact relations: orthogonal groups of shapes are", found);
+  }
+
+  // Those of a fixed direction are parallel to it, as far as doubles go. Those of a symmetry group are compared with its
+  // first one.
+  void check_given_directions()
+  {
+    const Parameters& p = shapes_.parameters();
+    const Vector axis = {p.symmetry_direction[0], p.symmetry_direction[1], p.symmetry_direction[2]};
+    std::map<int, Real> cosines;
+    for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s) {
+      const Vector n = normal_of(s);
+      const int fixed = shapes_.fixed_direction(shapes_.parallel_group(s));
+      if(fixed >= 0) {
+        const auto& given = p.fixed_directions[std::size_t(fixed)];
+        const Vector d = {given[0], given[1], given[2]}, c = cross(n, d);
+        expect(dot(c, c) <= Real(1e-31) * dot(d, d), "exact relations: not parallel to its direction is shape", s);
+      }
+      const int symmetry = shapes_.symmetry_group(shapes_.parallel_group(s));
+      if(symmetry < 0)
+        continue;
+      const Real cosine = dot(n, axis) < 0 ? -dot(n, axis) : dot(n, axis);
+      const Real excess = cosine - cosines.emplace(symmetry, cosine).first->second;
+      expect(excess * excess <= Real(1e-30) * dot(axis, axis), "exact relations: not symmetric to its group is shape",
+             s);
+    }
   }
 
   void check_fidelity()

@@ -122,6 +122,15 @@ private:
         item.first = Kernel::Point_3(item.first.x(), bad[below(3)], item.first.z());
   }
 
+  // Scenes are often along the axes.
+  std::array<double, 3> draw_direction()
+  {
+    const Vec d = random_.direction();
+    std::array<double, 3> direction = {0, 0, 0};
+    direction[std::size_t(below(3))] = log_between(1e-200, 1e200);
+    return happens(.6) ? direction : std::array<double, 3>{d.x, d.y, d.z};
+  }
+
   Parameters draw_parameters()
   {
     Parameters p;
@@ -135,6 +144,10 @@ private:
     p.regularize_parallelism = happens(.85);
     p.regularize_orthogonality = happens(.85);
     p.regularize_coplanarity = happens(.85);
+    for(int count = happens(.4) ? 1 + below(3) : 0; count > 0; --count)
+      p.fixed_directions.push_back(draw_direction());
+    p.regularize_axis_symmetry = happens(.3);
+    p.symmetry_direction = draw_direction();
     return p;
   }
 };

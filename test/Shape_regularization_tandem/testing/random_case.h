@@ -41,6 +41,9 @@ inline Random_case make_random_case(std::uint64_t seed, std::size_t more_points)
   p.regularize_orthogonality = random.bits() % 4 != 0;
   p.regularize_coplanarity = random.bits() % 4 != 0;
   const Given given = random.bits() % 2 == 0 ? Given::normals : Given::nothing;
+  if(random.bits() % 2 == 0)
+    p.fixed_directions = {{0, 0, 1}};
+  p.regularize_axis_symmetry = random.bits() % 4 == 0;
   return {"random case " + std::to_string(seed), to_cloud(scene), p, given};
 }
 

@@ -247,7 +247,7 @@ constexpr std::size_t shapes_per_retry = 64;
 // that every order of evaluation keeps the promise.
 constexpr double orthogonal_dot = 5e-16;
 // The same of the cosines of their angles to an axis, whose rounding is larger.
-constexpr double same_cosine = 8e-16;
+constexpr double same_cosine = 6e-16;
 // Directions closer than this (sine) are one up to rounding.
 constexpr double same_direction = 1e-9;
 
