@@ -16,7 +16,7 @@ find CGAL -name '*.h' -o -name '*.cuh' -o -name '*.cu' | sort | xargs grep -H '^
   sed 's/:#include </ /; s/>.*//' | awk -v order="$order" -v longest="$longest" '
     # The plain structs of the interface are below the engine, the other public headers above it.
     function rank(file, folder) {
-      if(file ~ /^CGAL\/Shape_regularization_tandem\/(Parameters|Plane_relations|Statistics)\.h$/)
+      if(file ~ /^CGAL\/Shape_regularization_tandem\/(Parameters|Plane_relations|Statistics|detection_stage)\.h$/)
         return 0
       folder = file
       if(!sub(/^CGAL\/Tandem\/internal\//, "", folder))

@@ -24,22 +24,22 @@ int main(int argc, char* argv[])
                     .normal_map(Normal_map())
                     .maximum_distance(argc > 2 ? std::atof(argv[2]) : .05);
 
-  // The callback runs on the calling thread after each round, with the progress from 0 to 1.
+  // The callback runs on the calling thread, several times a stage, with the progress from 0 to 1.
   double last = 0;
   bool is_monotone = true;
   const std::function<bool(double)> report = [&](double progress) {
-    std::cout << '.' << std::flush;
     is_monotone = is_monotone && progress >= last;
     last = progress;
     return true;
   };
   const auto all = CGAL::Tandem::detect_planes(points, np.callback(report));
-  std::cout << " done: " << all.number_of_shapes() << " shapes, " << all.statistics().number_of_assigned_points
+  std::cout << "done: " << all.number_of_shapes() << " shapes, " << all.statistics().number_of_assigned_points
             << " points\n";
 
   // `false` ends the detection. What was found until then is finished and verified: all guarantees hold for it.
-  int rounds = 0;
-  const std::function<bool(double)> stop = [&](double) { return ++rounds < 2; };
+  const std::function<bool(double)> stop = [](double progress) {
+    return progress <= CGAL::Tandem::first_progress(CGAL::Tandem::Detection_stage::rounds);
+  };
   const auto some = CGAL::Tandem::detect_planes(points, np.callback(stop));
   std::string why;
   const bool is_valid = CGAL::Tandem::is_valid_result(points, some, np, &why);

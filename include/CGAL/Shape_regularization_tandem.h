@@ -16,6 +16,7 @@ The whole package.
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>
+#include <CGAL/Shape_regularization_tandem/detection_stage.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>

@@ -8,6 +8,7 @@
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/execution.h>
+#include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 #include <chrono>
@@ -66,7 +67,7 @@ public:
   explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters(),
                                     const Traits& traits = Traits())
     : traits_(traits), backend_(traits_.backend()), parameters_(internal::read_parameters(np)),
-      callback_(internal::parameter<internal_np::callback_t>(np, Callback()))
+      progress_(internal::parameter<internal_np::callback_t>(np, Callback()))
   {
     const internal::Round_to_nearest rounding;
     internal::check_given_parameters(parameters_);
@@ -75,8 +76,8 @@ public:
     internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
     internal::choose_grid(in_, parameters_.maximum_distance);
     import_time_ = watch.lap();
-    if(in_.size() >= parameters_.minimum_region_size && go_on(0))
-      engine_ = std::make_unique<Engine>(backend_, in_, parameters_);
+    if(progress_.show(0) && in_.size() >= parameters_.minimum_region_size)
+      engine_ = std::make_unique<Engine>(backend_, in_, parameters_, progress_);
     in_.uploaded.reset(); // without an engine nobody needs the values
   }
 
@@ -90,7 +91,7 @@ public:
     while(iterate()) {
     }
     finish();
-    return !is_cancelled_;
+    return !is_cancelled();
   }
 
   /// one round of growth and regularization, of Algorithm 1 of \cgalCite{OLA16}. Returns `false` when nothing grows
@@ -98,9 +99,7 @@ public:
   bool iterate()
   {
     const internal::Round_to_nearest rounding;
-    if(!engine_ || is_finished_ || is_cancelled_ || !engine_->iterate())
-      return false;
-    return go_on(engine_->progress());
+    return engine_ && !is_finished_ && !is_cancelled() && engine_->iterate();
   }
 
   /// cleans up, and verifies each point against the final plane of its shape; also after a cancellation, with the
@@ -113,8 +112,7 @@ public:
     if(engine_)
       engine_->finish();
     is_finished_ = true;
-    if(callback_ && !is_cancelled_)
-      callback_(1);
+    progress_.show(1);
   }
 
   /// the shapes: of the last round, whose planes are not final, or the final ones after `finish()`, whose points are
@@ -126,7 +124,7 @@ public:
     internal::Shapes_data data =
       internal::export_shapes(in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
     Statistics& statistics = data.statistics;
-    statistics.is_cancelled = is_cancelled_;
+    statistics.is_cancelled = is_cancelled();
     statistics.backend = engine_ ? engine_->name() : Backend::name();
     Stage_times& times = statistics.times;
     times.sort += import_time_;
@@ -139,27 +137,19 @@ public:
   const Parameters& parameters() const { return parameters_; }
 
   /// whether the callback has cancelled
-  bool is_cancelled() const { return is_cancelled_; }
+  bool is_cancelled() const { return progress_.is_cancelled(); }
 
 private:
   using Backend = typename Traits::Backend;
   using Engine = typename Traits::Engine;
 
-  bool go_on(double progress)
-  {
-    if(callback_ && !callback_(progress))
-      is_cancelled_ = true;
-    return !is_cancelled_;
-  }
-
   Traits traits_;
   Backend backend_;
   Parameters parameters_;
-  Callback callback_;
+  internal::Progress progress_;
   internal::Import in_;
   double import_time_ = 0;
   bool is_finished_ = false;
-  bool is_cancelled_ = false;
   std::unique_ptr<Engine> engine_;
 };
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Progress rises from 0 to 1, and a cancelled detection leaves a valid result.
+// Progress rises from 0 to 1 through all stages. A cancelled detection leaves a valid result; what the callback throws
+// ends it at once.
 
 #undef NDEBUG
 
@@ -12,6 +13,26 @@
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::detect_planes;
+using Stage = CGAL::Tandem::Detection_stage;
+
+// Whether what the callback throws in its n-th call reaches the caller, without another call.
+template <class Range, class List>
+bool throws_at(std::size_t n, const Range& points, const List& list)
+{
+  struct Stop {};
+  std::size_t count = 0;
+  const CGAL::Tandem::Callback stop = [&](double) -> bool {
+    if(++count == n)
+      throw Stop();
+    return true;
+  };
+  try {
+    detect_planes(points, list.callback(stop));
+  } catch(const Stop&) {
+    return count == n;
+  }
+  return false;
+}
 
 int main()
 {
@@ -30,6 +51,11 @@ int main()
   for(std::size_t i = 1; i < progress.size(); ++i)
     CHECK_AT(progress[i - 1] <= progress[i] && progress[i] <= 1, std::to_string(i));
 
+  for(Stage stage : {Stage::sort, Stage::neighbors, Stage::seeds, Stage::rounds, Stage::end_game, Stage::done})
+    CHECK_AT(
+      std::any_of(progress.begin(), progress.end(), [&](double p) { return CGAL::Tandem::stage_at(p) == stage; }),
+      "stage " + std::to_string(int(stage)));
+
   for(std::size_t calls = 1; calls < progress.size(); ++calls) {
     std::size_t count = 0;
     const CGAL::Tandem::Callback cancel = [&](double) { return ++count < calls; };
@@ -39,6 +65,7 @@ int main()
     CHECK_AT(shapes.number_of_points() == points.size(), std::to_string(calls));
     std::string why;
     CHECK_AT(is_valid_result(points, shapes, list, &why), std::to_string(calls) + ": " + why);
+    CHECK_AT(throws_at(calls, points, list), std::to_string(calls));
   }
   return report();
 }

@@ -131,7 +131,8 @@ int main()
   CGAL::Tandem::Parameters parameters;
   parameters.maximum_distance = 1;
   parameters.minimum_region_size = 3;
-  Engine<archetypes::Backend> engine(backend, in, parameters);
+  Progress progress;
+  Engine<archetypes::Backend> engine(backend, in, parameters, progress);
   const bool is_right = !engine.iterate() && engine.name() == std::string("archetype");
   if(!is_right)
     std::fprintf(stderr, "the engine of the archetype does not run\n");

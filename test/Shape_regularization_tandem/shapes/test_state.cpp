@@ -139,7 +139,8 @@ int test(const std::string& name, const scenes::Options& options, Parameters par
   const Cloud cloud = to_cloud(scenes::make_scene(name, options));
   Import in = read_points(backend, cloud, Item_reader<Traits>(Traits(), First<Kernel>(), Second<Kernel>()));
   choose_grid(in, parameters.maximum_distance);
-  Engine<Sequential_backend> engine(backend, in, parameters);
+  Progress progress;
+  Engine<Sequential_backend> engine(backend, in, parameters, progress);
   State& state = engine.*reveal(State_of_engine());
   const int failures_before = failures();
   for(bool goes_on = true; goes_on && failures() == failures_before;) {

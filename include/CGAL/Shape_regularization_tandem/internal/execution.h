@@ -33,13 +33,13 @@ public:
   // An upload starts before the choice: the range is read first.
   using Upload = Cuda_engine::Upload;
 
-  Cuda_or_host_engine(Backend& backend, Import& in, const Parameters& parameters)
-    : device_(engine_on_device(in, parameters))
+  Cuda_or_host_engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress)
+    : device_(engine_on_device(in, parameters, progress))
   {
     if(device_ == nullptr) {
       // The host needs the values in the tables of the import.
       in.drop_upload();
-      host_ = std::make_unique<Host_engine<Backend>>(backend, in, parameters);
+      host_ = std::make_unique<Host_engine<Backend>>(backend, in, parameters, progress);
     }
   }
 
@@ -47,15 +47,14 @@ public:
   const char* name() const { return device_ ? device_->name() : host_->name(); }
   bool iterate() { return device_ ? device_->iterate() : host_->iterate(); }
   void finish() { device_ ? device_->finish() : host_->finish(); }
-  double progress() const { return device_ ? device_->progress() : host_->progress(); }
   Engine_result result() { return device_ ? device_->result() : host_->result(); }
 
 private:
   // Null if there is no device, or one that is busy, reserved, too small, or fails before the first round.
-  static std::unique_ptr<Cuda_engine> engine_on_device(Import& in, const Parameters& parameters)
+  static std::unique_ptr<Cuda_engine> engine_on_device(Import& in, const Parameters& parameters, Progress& progress)
   {
     try {
-      return std::make_unique<Cuda_engine>(in, parameters);
+      return std::make_unique<Cuda_engine>(in, parameters, progress);
     } catch(const std::runtime_error&) {
     } catch(const std::length_error&) {
     }

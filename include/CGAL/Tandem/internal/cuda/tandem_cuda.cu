@@ -36,7 +36,8 @@ void run_and_wait(F f)
 
 // The engine with its back end. The caller's thread, and its current device, may differ from call to call.
 struct Cuda_engine::Implementation {
-  Implementation(Import& in, const Parameters& parameters) : device(current_device()), engine(backend, in, parameters)
+  Implementation(Import& in, const Parameters& parameters, Progress& progress)
+    : device(current_device()), engine(backend, in, parameters, progress)
   {}
 
   template <class F>
@@ -162,11 +163,11 @@ std::shared_ptr<Uploaded_values> Cuda_upload::finish()
   return std::move(values_);
 }
 
-Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters)
+Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters, Progress& progress)
 {
   require_device();
   require_memory(in, parameters);
-  run_and_wait([&] { implementation_ = std::make_unique<Implementation>(in, parameters); });
+  run_and_wait([&] { implementation_ = std::make_unique<Implementation>(in, parameters, progress); });
   in.coordinates.keep_pages();
   in.normals.keep_pages();
 }
@@ -191,8 +192,6 @@ void Cuda_engine::finish()
 {
   implementation_->on_device([&] { implementation_->engine.finish(); });
 }
-
-double Cuda_engine::progress() const { return implementation_->engine.progress(); }
 
 // All tables of a result are memory of the host.
 Engine_result Cuda_engine::result()

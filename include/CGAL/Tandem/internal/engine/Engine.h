@@ -34,19 +34,18 @@ class Engine {
 public:
   using Upload = No_upload;
 
-  // Prepares the first round. The import has to stay as long as the engine.
-  Engine(Backend& backend, Import& in, const Parameters& parameters);
+  // Prepares the first round. The import and the progress have to stay as long as the engine. What the callback throws
+  // passes through; the engine can only be destroyed then.
+  Engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress);
 
   static const char* name() { return Backend::name(); }
 
-  // One round; false when growth is slow and no cell is untried (tuning::loop), or the rounds are used up.
+  // One round; false when growth is slow and no cell is untried (tuning::loop), the rounds are used up, or the callback
+  // has cancelled.
   bool iterate();
 
   // The end game. Afterwards result() is final and keeps the guarantees.
   void finish();
-
-  // In [0, 1], rising with the rounds; their number is not known before.
-  double progress() const { return is_finished_ ? 1 : 1 - 8. / (8 + state_.round); }
 
   // Between rounds: what has been found so far. Its points are checked, but its planes are not final.
   Engine_result result();
@@ -59,21 +58,24 @@ private:
   bool is_going_on(std::size_t new_points) const;
 
   const Import& in_;
+  Progress& progress_;
   Tandem_state<Backend> state_;
   Shape_relations relations_; // of the last round, or of the end game
   Stage_times times_;
   Engine_result final_;
   std::size_t maximum_large_ = 0; // points of large shapes, in the best round so far
   bool is_idle_ = false;          // growth was slow in this round, and no cell is untried
+  bool is_prepared_ = false;      // was not cancelled before there was anything to grow from
   bool is_finished_ = false;
 };
 
 // Not in the class, so that a program of many files may compile them once (`extern template class`).
 
 template <class Backend>
-Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& parameters) : in_(in), state_(backend)
+Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress)
+  : in_(in), progress_(progress), state_(backend)
 {
-  prepare(state_, in, parameters, times_);
+  is_prepared_ = prepare(state_, in, parameters, times_, progress);
 }
 
 // Passes of growth; returns the number of points that got a shape. Young rounds have one pass: with more, faces are
@@ -200,11 +202,12 @@ bool Engine<Backend>::iterate()
   Labeled_cloud<Backend>& points = state_.points;
   Shape_table<Backend>& shapes = state_.shapes;
   const Options& options = state_.options;
-  if(points.cloud.size() == 0)
+  if(!is_prepared_)
     return false;
   Stage_timer growth(times_.growth);
   const std::size_t new_points = grow();
   growth.stop();
+  progress_.show_rounds(state_.round + .4);
 
   Stage_timer regularity(times_.regularity);
   drop_fragments();
@@ -212,6 +215,7 @@ bool Engine<Backend>::iterate()
   auto links = collect_links(points, shapes, Links::changed);
   merge_by_joint_fit(points, shapes, options, links, tuning::merging::misfit_share);
   relations_ = regularize_shapes(points, shapes, options, {state_.round, false}, relations_);
+  progress_.show_rounds(state_.round + .7);
   const Targets<Backend> target = coplanar_targets(points.backend, shapes, links);
   merge_shapes(points.backend, shapes, target);
   apply_planes(points, shapes, options, target);
@@ -219,17 +223,18 @@ bool Engine<Backend>::iterate()
   if(state_.round >= tuning::loop::young_rounds)
     transfer_points(points, shapes, options, {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, 1});
   ++state_.round;
-  return is_going_on(new_points);
+  return progress_.show_rounds(state_.round) && is_going_on(new_points);
 }
 
-// An empty cloud has no relations, but an empty result.
+// A cloud that is empty, or was not prepared, has no relations, but an empty result.
 template <class Backend>
 void Engine<Backend>::finish()
 {
   Stage_timer timer(times_.finish);
-  if(state_.points.cloud.size() > 0)
-    relations_ = end_game(state_.points, state_.shapes, state_.options, state_.round);
-  final_ = extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
+  if(is_prepared_) {
+    relations_ = end_game(state_.points, state_.shapes, state_.options, state_.round, progress_);
+    final_ = extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
+  }
   is_finished_ = true;
 }
 
@@ -237,8 +242,9 @@ void Engine<Backend>::finish()
 template <class Backend>
 Engine_result Engine<Backend>::result()
 {
-  Engine_result r =
-    is_finished_ ? final_ : extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
+  Engine_result r = is_finished_ || !is_prepared_
+                      ? final_
+                      : extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
   r.rounds = std::size_t(state_.round);
   r.is_coarse = in_.grid.is_coarse;
   r.times = times_;

@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_ENGINE_COMPILED_ENGINE_H
 
 #include <CGAL/Shape_regularization_tandem/Plane_relations.h>
+#include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 #include <CGAL/Tandem/internal/neighbors/Cloud_measure.h>
@@ -30,7 +31,7 @@ class Compiled_engine {
 public:
   using Upload = No_upload;
 
-  Compiled_engine(Backend& backend, Import& in, const Parameters& parameters);
+  Compiled_engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress);
   ~Compiled_engine();
   Compiled_engine(const Compiled_engine&) = delete;
   Compiled_engine& operator=(const Compiled_engine&) = delete;
@@ -39,7 +40,6 @@ public:
 
   bool iterate();
   void finish();
-  double progress() const;
   Engine_result result();
 
 private:

@@ -16,8 +16,9 @@ namespace Tandem {
 namespace internal {
 
 template <class Backend>
-Compiled_engine<Backend>::Compiled_engine(Backend& backend, Import& in, const Parameters& parameters)
-  : engine_(std::make_unique<Engine<Backend>>(backend, in, parameters))
+Compiled_engine<Backend>::Compiled_engine(Backend& backend, Import& in, const Parameters& parameters,
+                                          Progress& progress)
+  : engine_(std::make_unique<Engine<Backend>>(backend, in, parameters, progress))
 {}
 
 template <class Backend>
@@ -33,12 +34,6 @@ template <class Backend>
 void Compiled_engine<Backend>::finish()
 {
   engine_->finish();
-}
-
-template <class Backend>
-double Compiled_engine<Backend>::progress() const
-{
-  return engine_->progress();
 }
 
 template <class Backend>

@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_ENGINE_PREPARE_H
 
 #include <CGAL/Shape_regularization_tandem/Statistics.h>
+#include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/engine/Stage_timer.h>
 #include <CGAL/Tandem/internal/engine/Tandem_state.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
@@ -45,9 +46,10 @@ void clear_labels(Labeled_cloud<Backend>& points)
 }
 
 // The order is given by what each stage needs: neighbors the sorted points, normals the neighbors, seeds the normals.
-// The first three end with wait(), so that times are separate. An empty cloud has options only.
+// The first three end with wait(), so that times are separate. An empty cloud has options only. Returns whether there is
+// anything to grow from: not in an empty cloud, nor if the callback has cancelled before the seeds.
 template <class Backend>
-void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters, Stage_times& times)
+bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters, Stage_times& times, Progress& progress)
 {
   const std::size_t n = in.size();
   Labeled_cloud<Backend>& points = t.points;
@@ -55,11 +57,13 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   t.options = make_options(in, parameters);
   points.cloud.k = int(parameters.k_neighbors);
   if(n == 0)
-    return;
+    return false;
   Stage_timer sort(times.sort);
   sort_points(backend, in, parameters.cell_size, points.cloud, points.cells);
   backend.wait();
   sort.stop();
+  if(!progress.show(Detection_stage::neighbors, 0))
+    return false;
 
   Stage_timer search(times.neighbors);
   points.cloud.neighbor.reset(n * parameters.k_neighbors);
@@ -69,16 +73,22 @@ void prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   search.stop();
 
   if(!in.has_normals) {
+    if(!progress.show(Detection_stage::normals, 0))
+      return false;
     Stage_timer normals(times.normals);
     estimate_normals(backend, points.cloud.view(), points.cloud.point.data(), t.options.maximum_distance);
     backend.wait();
   }
 
+  if(!progress.show(Detection_stage::seeds, 0))
+    return false;
   Stage_timer growth(times.growth);
   find_border(points);
   t.seeds = order_seeds(points, {t.options.growth.tolerance, t.options.tight, parameters.cell_size});
   clear_labels(points);
   t.peak_bytes = n * host_bytes_per_point(points.cloud.k, in) + 8 * points.border.point.size();
+  progress.show_rounds(0);
+  return true;
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 #define CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 
+#include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/finish/choose_sides.h>
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>
@@ -227,27 +228,35 @@ void clear_interior(Labeled_cloud<Backend>& points)
   points.backend.for_each(points.cloud.size(), Clear_interior{points.state.data()});
 }
 
-// Returns the relations of the live shapes; `round` is the number of rounds of the loop. Two final regularizations
+// Returns the relations of the live shapes; `round` is the number of rounds of the loop. It runs to its end even if the
+// callback cancels, so that what it has is verified. Two final regularizations
 // follow the consolidation: the first one frees and labels points that change the fits of the second. With one of them,
 // faces behind many patches are lost.
 template <class Backend>
 Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                         int round)
+                         int round, Progress& progress)
 {
+  const auto show = [&](double share) { progress.show(Detection_stage::end_game, share); };
   clear_interior(points);
   consolidate(points, shapes, options);
   drop_small(points, shapes, options.lasting_size);
+  show(.2);
   const Shape_relations first = regularize_finally(points, shapes, options, round, {});
+  show(.4);
   const int rounds = tuning::transfer::maximum_rounds;
   transfer_points(points, shapes, options, {Planes::may_change, rounds, options.lasting_size});
   Shape_relations relations = regularize_finally(points, shapes, options, round, first);
+  show(.6);
   transfer_points(points, shapes, options, {Planes::are_fixed, rounds, options.lasting_size});
   clear_interior(points);
   reassign_to_larger(points, shapes, options);
+  show(.7);
   if(options.has_estimated_normals)
     sharpen_edges(points, shapes, options);
   clear_interior(points);
+  show(.8);
   relabel_small_components(points, shapes, options);
+  show(.9);
   return relations;
 }
 

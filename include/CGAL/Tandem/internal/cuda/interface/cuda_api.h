@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H
 #define CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H
 
+#include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
@@ -50,11 +51,12 @@ public:
 
   // Throws std::runtime_error without a device and for failures of it, std::length_error if its memory is too small.
   // The memory of the caller's values is kept for the next import.
-  Cuda_engine(Import& in, const Parameters& parameters);
+  Cuda_engine(Import& in, const Parameters& parameters, Progress& progress);
 
   // The constructor that engines of the host have; their back end has no work here.
   template <class Backend>
-  Cuda_engine(Backend&, Import& in, const Parameters& parameters) : Cuda_engine(in, parameters)
+  Cuda_engine(Backend&, Import& in, const Parameters& parameters, Progress& progress)
+    : Cuda_engine(in, parameters, progress)
   {}
 
   ~Cuda_engine();
@@ -65,7 +67,6 @@ public:
 
   bool iterate();
   void finish();
-  double progress() const;
   Engine_result result();
 
 private:

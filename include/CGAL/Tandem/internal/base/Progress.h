@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The progress of a detection, as the caller's callback sees it. The shares are guesses of time: those of stages that
+// are not needed are passed over.
+
+#ifndef CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H
+#define CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H
+
+#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Shape_regularization_tandem/detection_stage.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+class Progress {
+public:
+  explicit Progress(Callback callback = Callback()) : callback_(std::move(callback)) {}
+
+  // Calls the callback, with a share that never falls. Returns whether the detection goes on: not after the callback
+  // has returned false, which is the last time that it is called. What it throws passes through.
+  bool show(double share)
+  {
+    share_ = (std::max)(share_, share);
+    if(callback_ && !is_cancelled_)
+      is_cancelled_ = !callback_(share_);
+    return !is_cancelled_;
+  }
+
+  // The same for a share of a stage.
+  bool show(Detection_stage stage, double share)
+  {
+    const double first = first_progress(stage), last = first_progress(Detection_stage(int(stage) + 1));
+    return show(first + share * (last - first));
+  }
+
+  // The number of rounds is not known before.
+  bool show_rounds(double rounds) { return show(Detection_stage::rounds, 1 - 8 / (8 + rounds)); }
+
+  bool is_cancelled() const { return is_cancelled_; }
+
+private:
+  Callback callback_;
+  double share_ = 0;
+  bool is_cancelled_ = false;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H
