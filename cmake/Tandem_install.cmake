@@ -57,6 +57,3 @@ install(FILES "${PROJECT_BINARY_DIR}/TandemConfig.cmake"
               "${PROJECT_BINARY_DIR}/TandemConfigVersion.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/Tandem_dependencies.cmake"
         DESTINATION "${TANDEM_CONFIG_DIR}")
-if(TARGET detect_planes)
-  install(TARGETS detect_planes RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" OPTIONAL) # where it was built
-endif()

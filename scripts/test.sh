@@ -48,8 +48,8 @@ install()
 {
   case $1 in
     style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy ;;
-    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev ||
-      echo "not all can be installed: pictures are not tested, or micro-benchmarks not built" ;;
+    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev help2man ||
+      echo "not all can be installed: pictures are not tested, or micro-benchmarks or the page of the manual not built" ;;
     benchmark) "$root/scripts/install_dependencies.sh" gnuplot-nox xz-utils ;;
     bits | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev ;;
   esac

@@ -1,0 +1,18 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Completion of detect_planes in bash. The options are those of its help.
+
+_detect_planes()
+{
+  local program=$1 current=$2 previous=$3
+  case $previous in
+    --backend) COMPREPLY=($(compgen -W 'auto sequential parallel cuda' -- "$current")) ;;
+    *)
+      COMPREPLY=()
+      [[ $current != -* ]] ||
+        COMPREPLY=($(compgen -W "$("$program" --help | sed -n 's/^ *\(--[a-z-]*\).*/\1/p')" -- "$current"))
+      ;;
+  esac
+}
+complete -o default -F _detect_planes detect_planes
