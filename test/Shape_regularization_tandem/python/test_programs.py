@@ -4,6 +4,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -14,7 +15,8 @@ import numpy as np
 import tandem
 from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
 
-EXAMPLE = os.environ.get("TANDEM_EXAMPLE", "")
+ROOT = os.environ.get("TANDEM_SOURCES", os.path.join(os.path.dirname(__file__), "..", "..", ".."))
+EXAMPLE = os.path.join(ROOT, "examples", "Shape_regularization_tandem", "python", "color_cloud.py")
 PROGRAM = os.environ.get("TANDEM_PROGRAM", "")
 
 
@@ -36,7 +38,6 @@ class Programs(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    @unittest.skipUnless(EXAMPLE, "TANDEM_EXAMPLE is not set")
     def test_example(self):
         cloud, colored = self.path("cloud.npy"), self.path("colored.ply")
         np.save(cloud, np.concatenate(room(), axis=1))
@@ -49,12 +50,19 @@ class Programs(unittest.TestCase):
         self.assertEqual(len(colors), 7)  # one for each shape, and gray
         self.assertIn((-1, 128, 128, 128), colors)
 
-    @unittest.skipUnless(EXAMPLE, "TANDEM_EXAMPLE is not set")
     def test_example_without_a_cloud(self):
         out = subprocess.run([sys.executable, EXAMPLE, self.path("corner.ply")], stdout=subprocess.PIPE, check=True, text=True)
         self.assertEqual(out.stdout.count("shape "), 3)
         wrong = subprocess.run([sys.executable, EXAMPLE], stderr=subprocess.PIPE, text=True)
         self.assertEqual((wrong.returncode, "OUTPUT.ply" in wrong.stderr), (1, True))
+
+    def test_example_of_the_readme(self):
+        with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+            code = re.search("```python\n(.*?)```", file.read(), re.DOTALL).group(1)
+        np.save(self.path("points.npy"), room()[0])
+        out = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, check=True, text=True, cwd=self.folder)
+        self.assertEqual(out.stdout.count("= 0 has"), 6)
+        self.assertIn("orthogonal directions: [[0, 1], [0, 2], [1, 2]]", out.stdout)
 
     @unittest.skipUnless(PROGRAM, "the program detect_planes is not built")
     def test_same_result_as_the_program(self):
