@@ -47,10 +47,10 @@ class Arrays(unittest.TestCase):
 
     def test_wrong_arrays(self):
         points, normals = room()
-        for name, values in (
-            ("points", points[:, :2]), ("points", points[0]), ("points", points[None]), ("points", []), ("points", None),
-            ("points", "text"), ("points", points.astype(complex)), ("points", points > 0), ("points", [[1, 2, 3], [4]]),
-            ("normals", normals[:-1]), ("normals", normals[:, :1]), ("normals", "xyz")):
+        wrong_points = (points[:, :2], points[0], points[None], [], None, "text", points.astype(complex), points > 0,
+                        [[1, 2, 3], [4]])
+        wrong_normals = (normals[:-1], normals[:, :1], "xyz")
+        for name, values in [("points", p) for p in wrong_points] + [("normals", n) for n in wrong_normals]:
             arguments = {"points": points, "normals": normals, name: values}
             with self.subTest(name=name, values=type(values)), self.assertRaisesRegex(ValueError, f"^{name} must"):
                 tandem.detect_planes(**arguments)

@@ -12,7 +12,6 @@ import unittest
 
 import numpy as np
 
-import tandem
 from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
 
 ROOT = os.environ.get("TANDEM_SOURCES", os.path.join(os.path.dirname(__file__), "..", "..", ".."))
@@ -41,9 +40,9 @@ class Programs(unittest.TestCase):
     def test_example(self):
         cloud, colored = self.path("cloud.npy"), self.path("colored.ply")
         np.save(cloud, np.concatenate(room(), axis=1))
-        out = subprocess.run([sys.executable, EXAMPLE, colored, cloud], stdout=subprocess.PIPE, check=True, text=True)
-        self.assertEqual(out.stdout.count("shape "), 6)
-        self.assertEqual(out.stdout.count("are orthogonal"), 3)
+        text = self.run_python(EXAMPLE, colored, cloud)
+        self.assertEqual(text.count("shape "), 6)
+        self.assertEqual(text.count("are orthogonal"), 3)
         vertices = read_vertices(colored)
         np.testing.assert_array_equal(np.stack([vertices[c] for c in "xyz"], axis=1), room()[0])
         colors = {(v["shape"], v["red"], v["green"], v["blue"]) for v in vertices}
@@ -51,8 +50,8 @@ class Programs(unittest.TestCase):
         self.assertIn((-1, 128, 128, 128), colors)
 
     def test_example_without_a_cloud(self):
-        out = subprocess.run([sys.executable, EXAMPLE, self.path("corner.ply")], stdout=subprocess.PIPE, check=True, text=True)
-        self.assertEqual(out.stdout.count("shape "), 3)
+        text = self.run_python(EXAMPLE, self.path("corner.ply"))
+        self.assertEqual(text.count("shape "), 3)
         wrong = subprocess.run([sys.executable, EXAMPLE], stderr=subprocess.PIPE, text=True)
         self.assertEqual((wrong.returncode, "OUTPUT.ply" in wrong.stderr), (1, True))
 
@@ -60,9 +59,14 @@ class Programs(unittest.TestCase):
         with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
             code = re.search("```python\n(.*?)```", file.read(), re.DOTALL).group(1)
         np.save(self.path("points.npy"), room()[0])
-        out = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, check=True, text=True, cwd=self.folder)
-        self.assertEqual(out.stdout.count("= 0 has"), 6)
-        self.assertIn("orthogonal directions: [[0, 1], [0, 2], [1, 2]]", out.stdout)
+        text = self.run_python("-c", code)
+        self.assertEqual(text.count("= 0 has"), 6)
+        self.assertIn("orthogonal directions: [[0, 1], [0, 2], [1, 2]]", text)
+
+    def run_python(self, *arguments):
+        result = subprocess.run([sys.executable, *arguments], stdout=subprocess.PIPE, check=True, text=True,
+                                cwd=self.folder)
+        return result.stdout
 
     @unittest.skipUnless(PROGRAM, "the program detect_planes is not built")
     def test_same_result_as_the_program(self):

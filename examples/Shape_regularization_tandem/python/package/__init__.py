@@ -23,7 +23,7 @@ import numpy.typing as npt
 from . import _tandem
 from ._tandem import PlanarShapes, __version__
 
-__all__ = ["EstimatedParameters", "PlanarShapes", "PlaneRelations", "backends", "detect_planes",
+__all__ = ["EstimatedParameters", "PlanarShapes", "PlaneRelations", "__version__", "backends", "detect_planes",
            "estimate_parameters", "find_violation", "regularize_planes"]
 
 Progress = Callable[[float], Optional[bool]]
@@ -197,7 +197,7 @@ def backends() -> List[str]:
     return _tandem.backends()
 
 
-def _numbers(name: str, values: Any, kinds: str, what: str) -> np.ndarray:
+def _numbers(name: str, values: Any, kinds: str, what: str) -> npt.NDArray[Any]:
     try:
         array = np.asarray(values)
     except ValueError as error:  # rows of different lengths
@@ -215,7 +215,7 @@ def _rows(name: str, values: npt.ArrayLike, columns: int = 3) -> npt.NDArray[np.
     return np.require(array, np.float64, ["C", "A"])
 
 
-def _check_normals(normals: Optional[np.ndarray], points: np.ndarray) -> None:
+def _check_normals(normals: Optional[npt.NDArray[np.float64]], points: npt.NDArray[np.float64]) -> None:
     if normals is not None and len(normals) != len(points):
         raise ValueError(f"normals must have a row for each of the {len(points)} points, but it has {len(normals)}")
 
@@ -223,9 +223,10 @@ def _check_normals(normals: Optional[np.ndarray], points: np.ndarray) -> None:
 def _labels(labels: npt.ArrayLike, points: int, planes: int) -> npt.NDArray[np.int32]:
     array = _numbers("labels", labels, "iu", "integers")
     if array.shape != (points,):
-        raise ValueError(f"labels must have the shape ({points},), as there are {points} points, but it has {array.shape}")
+        raise ValueError(f"labels must have the shape ({points},), as the points, but it has {array.shape}")
     if array.size > 0 and (array.min() < -1 or array.max() >= planes):
-        raise ValueError(f"labels are in [{array.min()}, {array.max()}], allowed is -1 or an index of the {planes} planes")
+        raise ValueError(f"labels are in [{array.min()}, {array.max()}], allowed is -1 or the index of a plane, "
+                         f"below {planes}")
     return np.require(array, np.int32, ["C", "A"])
 
 
