@@ -31,7 +31,7 @@ seconds_of()
 {
   case $1 in
     style) echo 40 ;;
-    release) echo 530 ;;
+    release) echo 570 ;;
     bits) echo 75 ;;
     asan) echo 210 ;;
     tsan) echo 120 ;;
