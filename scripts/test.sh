@@ -31,7 +31,7 @@ seconds_of()
 {
   case $1 in
     style) echo 40 ;;
-    release) echo 530 ;;
+    release) echo 570 ;;
     bits) echo 75 ;;
     asan) echo 210 ;;
     tsan) echo 120 ;;
@@ -43,13 +43,18 @@ seconds_of()
   esac
 }
 
+python_packages='pybind11-dev python3-numpy python3-dev'
+
 # install PART: what it needs beside CGAL and its companions
 install()
 {
   case $1 in
     style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy ;;
     release) "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev help2man ||
-      echo "not all can be installed: pictures are not tested, or micro-benchmarks or the page of the manual not built" ;;
+      echo "not all can be installed: pictures are not tested, or micro-benchmarks or the page of the manual not built"
+      # shellcheck disable=SC2086
+      "$root/scripts/install_dependencies.sh" $python_packages ||
+        echo "not all can be installed: the Python module is not tested" ;;
     benchmark) "$root/scripts/install_dependencies.sh" gnuplot-nox xz-utils ;;
     bits | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev ;;
   esac
@@ -111,12 +116,17 @@ sanitizer_flags='-O0 -g1 -fno-omit-frame-pointer'
 # The bits of the results do not depend on how the engine is optimized: tests of a device compare with the engine of O1.
 less_optimized='-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG'
 
-# With the building of CGAL's data where it can be had, since two of its examples are tests.
+# With the building of CGAL's data where it can be had, since two of its examples are tests, and with the Python module
+# where its packages are installed.
 run_release()
 {
   "$root/scripts/sample_cloud.sh" "$build/release/examples/Shape_regularization_tandem/building.ply" ||
     echo "the sample cloud cannot be had: the examples of the building are not run"
-  configuration release . -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_BENCHMARKS=ON
+  python=OFF
+  # shellcheck disable=SC2086
+  ! dpkg-query -W $python_packages > /dev/null 2>&1 || python=ON
+  configuration release . -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_BENCHMARKS=ON -DTANDEM_BUILD_PYTHON=$python \
+    -DPython3_EXECUTABLE=/usr/bin/python3
 }
 
 # compile_bits NAME COMPILER FLAGS...: the test of equal bits, with these flags

@@ -12,8 +12,11 @@
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
+
+#include <boost/iterator/counting_iterator.hpp>
 
 #include <memory>
 
@@ -131,9 +134,8 @@ std::uint64_t test_points(const std::vector<Box_point>& cloud, const std::string
 
 std::uint64_t test_indices(const std::vector<Box_point>& cloud)
 {
-  std::vector<int> indices;
-  for(std::size_t i = 0; i < cloud.size(); ++i)
-    indices.push_back(int(i));
+  using Index = boost::counting_iterator<int>; // holds its item itself
+  const CGAL::Iterator_range<Index> indices(Index(0), Index(int(cloud.size())));
   const Counting_map point_map = {&cloud, std::make_shared<std::vector<int>>(cloud.size(), 0)};
   const auto shapes =
     detect_planes(indices, np::combine(CGAL::parameters::point_map(point_map).normal_map(Normal_of_index{&cloud}),

@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/cloud/curve.h>

@@ -105,7 +105,8 @@ void read_items(const Item_reader<Traits>& reader, const typename Traits::Point_
                 std::size_t last, Values<Value> values)
 {
   for(std::size_t i = first; i < last; ++i) {
-    const auto& item = *(points.begin() + std::ptrdiff_t(i));
+    const auto it = points.begin() + std::ptrdiff_t(i); // kept: some iterators hold the item themselves
+    const auto& item = *it;
     reader.read_point(item, values.point + 3 * (i - first));
     if constexpr(Traits::has_normal_map)
       reader.read_normal(item, values.normal + 3 * (i - first));

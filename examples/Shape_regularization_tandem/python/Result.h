@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The class tandem.PlanarShapes.
+
+#ifndef TANDEM_PYTHON_RESULT_H
+#define TANDEM_PYTHON_RESULT_H
+
+#include "detection.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tandem_python {
+
+namespace py = pybind11;
+
+using Rows = py::array_t<double, py::array::c_style>;
+// The shapes, with the normals that they were detected with.
+class Result {
+public:
+  Result(Shapes shapes, std::optional<Rows> normals) : shapes_(std::move(shapes)), given_normals_(std::move(normals)) {}
+
+  const Shapes& shapes() const { return shapes_; }
+  std::size_t size() const { return shapes_.statistics().number_of_shapes; }
+  const std::optional<Rows>& given_normals() const { return given_normals_; }
+
+  // Estimated normals are unpacked once, where they are asked for.
+  py::object normals()
+  {
+    if(!normals_) {
+      normals_ = given_normals_ ? given_normals_->attr("view")() : estimated_normals();
+      normals_.attr("setflags")(py::arg("write") = false);
+    }
+    return normals_;
+  }
+
+private:
+  py::object estimated_normals() const
+  {
+    py::array_t<double> normals({py::ssize_t(shapes_.labels().size), py::ssize_t(3)});
+    shapes_.copy_estimated_normals(normals.mutable_data());
+    return std::move(normals);
+  }
+
+  Shapes shapes_;
+  std::optional<Rows> given_normals_;
+  py::object normals_;
+};
+
+// A read-only array on memory of the object `owner`, which lives as long as the array; of rows, if there are columns.
+template <class As, class Number>
+py::array view(const py::object& owner, const Table<Number>& table, py::ssize_t columns = 0)
+{
+  static_assert(sizeof(As) == sizeof(Number), "the array has the same memory");
+  std::vector<py::ssize_t> shape = {py::ssize_t(table.size)};
+  if(columns > 0)
+    shape = {py::ssize_t(table.size) / columns, columns};
+  py::array array(py::dtype::of<As>(), shape, table.data, owner);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
+// A property that is a view of a table.
+template <class As, class Number>
+auto getter(Table<Number> (Shapes::*table)() const, py::ssize_t columns = 0)
+{
+  return [table, columns](const py::object& self) {
+    return view<As>(self, (self.cast<const Result&>().shapes().*table)(), columns);
+  };
+}
+
+// As a list of Python: negative numbers count from the end.
+inline py::array points_of(const py::object& self, py::ssize_t shape)
+{
+  const Result& result = self.cast<const Result&>();
+  const auto n = py::ssize_t(result.size());
+  if(shape < -n || shape >= n)
+    throw py::index_error("shape is " + std::to_string(shape) + ", but there are " + std::to_string(n) + " shapes");
+  return view<std::uint32_t>(self, result.shapes().points(std::size_t(shape < 0 ? shape + n : shape)));
+}
+
+inline py::dict times(const CGAL::Tandem::Stage_times& t)
+{
+  using namespace py::literals;
+  return py::dict("normals"_a = t.normals, "sort"_a = t.sort, "neighbors"_a = t.neighbors, "growth"_a = t.growth,
+                  "regularity"_a = t.regularity, "finish"_a = t.finish, "total"_a = t.total);
+}
+
+inline py::dict statistics(const Result& result)
+{
+  using namespace py::literals;
+  const CGAL::Tandem::Statistics& s = result.shapes().statistics();
+  return py::dict(
+    "number_of_points"_a = s.number_of_points, "number_of_ignored_coordinates"_a = s.number_of_ignored_coordinates,
+    "number_of_ignored_normals"_a = s.number_of_ignored_normals,
+    "number_of_assigned_points"_a = s.number_of_assigned_points, "number_of_shapes"_a = s.number_of_shapes,
+    "number_of_directions"_a = s.number_of_directions, "number_of_planes"_a = s.number_of_planes,
+    "number_of_orthogonal_pairs"_a = s.number_of_orthogonal_pairs, "coverage"_a = s.coverage,
+    "mean_distance"_a = s.mean_distance, "degrees_of_freedom"_a = s.degrees_of_freedom, "complexity"_a = s.complexity,
+    "number_of_rounds"_a = s.number_of_rounds, "times"_a = times(s.times), "peak_bytes"_a = s.peak_bytes,
+    "grid_step"_a = s.grid_step, "is_grid_coarse"_a = s.is_grid_coarse,
+    "has_estimated_normals"_a = s.has_estimated_normals, "is_cancelled"_a = s.is_cancelled, "backend"_a = s.backend);
+}
+
+inline py::dict parameters(const Result& result)
+{
+  using namespace py::literals;
+  const CGAL::Tandem::Parameters& p = result.shapes().parameters();
+  return py::dict("maximum_distance"_a = p.maximum_distance, "maximum_angle"_a = p.maximum_angle,
+                  "angle_tolerance"_a = p.angle_tolerance, "maximum_offset"_a = p.maximum_offset,
+                  "minimum_region_size"_a = p.minimum_region_size, "k_neighbors"_a = p.k_neighbors,
+                  "cell_size"_a = p.cell_size, "regularize_parallelism"_a = p.regularize_parallelism,
+                  "regularize_orthogonality"_a = p.regularize_orthogonality,
+                  "regularize_coplanarity"_a = p.regularize_coplanarity);
+}
+
+inline std::string text(const Result& result)
+{
+  const CGAL::Tandem::Statistics& s = result.shapes().statistics();
+  return "<tandem.PlanarShapes: " + std::to_string(s.number_of_shapes) + " shapes, " +
+         std::to_string(s.number_of_directions) + " directions, " + std::to_string(s.number_of_planes) + " planes, " +
+         std::to_string(s.number_of_assigned_points) + " of " + std::to_string(s.number_of_points) + " points" +
+         (s.is_cancelled ? ", cancelled" : "") + ">";
+}
+
+using Class = py::class_<Result>;
+
+inline void add_arrays(Class& result)
+{
+  result
+    .def_property_readonly("planes", getter<double>(&Shapes::planes, 4),
+                           "(m, 4) float64: a, b, c, d of each shape, with a x + b y + c z + d = 0 and a unit normal.\n"
+                           "Parallel shapes have the same normal and coplanar shapes the same plane, bit for bit.")
+    .def_property_readonly("labels", getter<std::int32_t>(&Shapes::labels),
+                           "(n,) int32: the shape of each point, -1 if it has none.")
+    .def_property_readonly(
+      "parallel_groups", getter<std::int32_t>(&Shapes::parallel_groups),
+      "(m,) int32: the parallel group of each shape, from 0. Shapes of a group have one direction.")
+    .def_property_readonly("coplanar_groups", getter<std::int32_t>(&Shapes::coplanar_groups),
+                           "(m,) int32: the coplanar group of each shape, from 0. Shapes of a group have one plane.")
+    .def_property_readonly(
+      "orthogonal_pairs", getter<std::int32_t>(&Shapes::orthogonal_pairs, 2),
+      "(p, 2) int32: pairs of parallel groups that are orthogonal, the smaller one first, sorted.\n"
+      "Their unit normals have a dot product of at most 1e-15.")
+    .def_property_readonly("is_flipped", getter<bool>(&Shapes::is_flipped),
+                           "(m,) bool: whether most of the given normals of the points of a shape are opposite to its\n"
+                           "plane: multiply such planes by -1 to orient them. False where normals were estimated.")
+    .def_property_readonly("normals", &Result::normals,
+                           "(n, 3) float64: the normals that were used: those that were given, or estimated unit\n"
+                           "normals, null for points that have none.")
+    .def("points_of", &points_of, py::arg("shape"),
+         "The points of a shape, as an array of indices (uint32, ascending):\n"
+         "points[shapes.points_of(0)]. Raises IndexError where there is no such shape.");
+}
+
+inline void add_values(Class& result)
+{
+  result
+    .def_property_readonly("statistics", &statistics,
+                           "dict: counts, quality, memory in bytes, and times in seconds of the detection.")
+    .def_property_readonly("parameters", &parameters, "dict: the parameters that were used, with what was estimated.")
+    .def_property_readonly(
+      "maximum_distance", [](const Result& r) { return r.shapes().parameters().maximum_distance; },
+      "float: the value that was used, in units of the points.")
+    .def_property_readonly(
+      "minimum_region_size", [](const Result& r) { return r.shapes().parameters().minimum_region_size; },
+      "int: the value that was used.")
+    .def_property_readonly(
+      "is_cancelled", [](const Result& r) { return r.shapes().statistics().is_cancelled; },
+      "bool: whether progress() has cancelled. The shapes found until then are complete and verified.")
+    .def_property_readonly(
+      "hash", [](const Result& r) { return r.shapes().hash(); },
+      "int: equal for equal results, also of other back ends and of the program detect_planes.")
+    .def("__len__", &Result::size)
+    .def("__repr__", &text);
+}
+
+inline void add_result(py::module_& module)
+{
+  Class result(module, "PlanarShapes", py::module_local(),
+               "The planar shapes that detect_planes() has found in a cloud of n points: m shapes, counted from 0.\n\n"
+               "A parallel group holds the shapes of one direction, a coplanar group those of one plane. Arrays are\n"
+               "read-only views on the memory of the result, which they keep alive. len() is the number of shapes.");
+  result.attr("__module__") = "tandem";
+  add_arrays(result);
+  add_values(result);
+}
+
+} // namespace tandem_python
+
+#endif // TANDEM_PYTHON_RESULT_H

@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "detection.h"
+
+#include <CGAL/Shape_regularization_tandem/cuda.h>
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/Simple_cartesian.h>
+#include <boost/iterator/counting_iterator.hpp>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
+#include <stdexcept>
+
+namespace tandem_python {
+
+namespace np = CGAL::Tandem::parameters;
+using CGAL::Tandem::Callback;
+using CGAL::Tandem::Parameters;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Planar_shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
+
+struct Shapes::Data {
+  Planar_shapes shapes;
+};
+
+template <class Range>
+auto table_of(const Range& range)
+{
+  return Table<typename Range::value_type>{range.data(), range.size()};
+}
+
+// Coefficients are four numbers, and pairs are two.
+Table<double> Shapes::planes() const
+{
+  const auto& planes = data_->shapes.data().coefficients;
+  return {planes.empty() ? nullptr : planes.front().data(), 4 * planes.size()};
+}
+
+Table<int> Shapes::orthogonal_pairs() const
+{
+  const auto& pairs = data_->shapes.orthogonal_groups();
+  static_assert(sizeof(pairs[0]) == 2 * sizeof(int), "nothing lies between the numbers");
+  return {pairs.empty() ? nullptr : &pairs.front().first, 2 * pairs.size()};
+}
+
+Table<std::int32_t> Shapes::labels() const { return table_of(data_->shapes.shape_indices()); }
+Table<int> Shapes::parallel_groups() const { return table_of(data_->shapes.data().parallel_group); }
+Table<int> Shapes::coplanar_groups() const { return table_of(data_->shapes.data().coplanar_group); }
+Table<char> Shapes::is_flipped() const { return table_of(data_->shapes.data().is_flipped); }
+
+Table<std::uint32_t> Shapes::points(std::size_t shape) const
+{
+  const Planar_shapes::Positions points = data_->shapes.points(shape);
+  return {points.begin(), points.size()};
+}
+
+void Shapes::copy_estimated_normals(double* to) const
+{
+  for(std::size_t i = 0; i < data_->shapes.number_of_points(); ++i) {
+    const Kernel::Vector_3 normal = data_->shapes.estimated_normal(i);
+    to = std::copy_n(normal.cartesian_begin(), 3, to);
+  }
+}
+
+const CGAL::Tandem::Statistics& Shapes::statistics() const { return data_->shapes.statistics(); }
+const Parameters& Shapes::parameters() const { return data_->shapes.parameters(); }
+std::uint64_t Shapes::hash() const { return data_->shapes.hash(); }
+
+namespace {
+
+// The points of a cloud are the numbers of its rows ...
+using Row = boost::counting_iterator<std::size_t>;
+using Rows = CGAL::Iterator_range<Row>;
+
+Rows rows_of(const Cloud& cloud) { return Rows(Row(0), Row(cloud.size)); }
+
+// ... and this property map makes points or vectors of them.
+template <class Geometry>
+struct Row_map {
+  using key_type = std::size_t;
+  using value_type = Geometry;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  const double* values;
+
+  friend value_type get(const Row_map& map, std::size_t i)
+  {
+    const double* v = map.values + 3 * i;
+    return value_type(v[0], v[1], v[2]);
+  }
+};
+using Point_map = Row_map<Kernel::Point_3>;
+using Normal_map = Row_map<Kernel::Vector_3>;
+
+// Calls f with the named parameters for the maps of the cloud.
+template <class F>
+auto with_maps(const Cloud& cloud, const F& f)
+{
+  const auto points = np::point_map(Point_map{cloud.points});
+  return cloud.normals != nullptr ? f(points.normal_map(Normal_map{cloud.normals})) : f(points);
+}
+
+// Negative counts do not wrap around, and 0 does not mean that the value is to be estimated.
+std::size_t count(const CGAL::Tandem::internal::Count_range& range, const std::optional<long long>& given,
+                  std::size_t otherwise)
+{
+  if(!given)
+    return otherwise;
+  if(*given < (long long)(range.smallest) || *given > (long long)(range.largest))
+    CGAL::Tandem::internal::throw_out_of_range(range.name, *given, to_text(range));
+  return std::size_t(*given);
+}
+
+double length(const char* name, const std::optional<double>& given, double smallest)
+{
+  if(given)
+    CGAL::Tandem::internal::check_length(name, *given, smallest);
+  return given.value_or(0);
+}
+
+// A length or size that is to be estimated is 0. The offset stays a parameter of its own: it may be 0.
+Parameters parameters_of(const Settings& s)
+{
+  using namespace CGAL::Tandem::internal;
+  Parameters p;
+  p.maximum_distance = length("maximum_distance", s.maximum_distance, smallest_length);
+  length("maximum_offset", s.maximum_offset, 0);
+  p.maximum_angle = s.maximum_angle.value_or(p.maximum_angle);
+  p.angle_tolerance = s.angle_tolerance.value_or(p.angle_tolerance);
+  p.minimum_region_size = count(minimum_region_size_range, s.minimum_region_size, 0);
+  p.k_neighbors = count(k_neighbors_range, s.k_neighbors, p.k_neighbors);
+  p.cell_size = count(cell_size_range, s.cell_size, p.cell_size);
+  p.regularize_parallelism = s.regularize_parallelism;
+  p.regularize_orthogonality = s.regularize_orthogonality;
+  p.regularize_coplanarity = s.regularize_coplanarity;
+  return p;
+}
+
+template <class Tag>
+Planar_shapes detect_with(const Cloud& cloud, const Settings& s, const Callback& callback)
+{
+  return with_maps(cloud, [&](const auto& maps) {
+    const auto all = maps.settings(parameters_of(s)).callback(callback);
+    if(s.maximum_offset)
+      return CGAL::Tandem::detect_planes<Tag>(rows_of(cloud), all.maximum_offset(*s.maximum_offset));
+    return CGAL::Tandem::detect_planes<Tag>(rows_of(cloud), all);
+  });
+}
+
+[[noreturn]] void throw_not_available(const std::string& backend, const std::string& why)
+{
+  throw std::runtime_error("the back end " + backend + " cannot be used: " + why + " (\"auto\" takes what there is)");
+}
+
+Planar_shapes detect_on_backend(const Cloud& cloud, const Settings& s, const Callback& callback)
+{
+#ifdef CGAL_TANDEM_USE_CUDA
+  if(s.backend == "auto")
+    return detect_with<CGAL::Tandem::Cuda_if_available_tag>(cloud, s, callback);
+  if(s.backend == "cuda" && CGAL::Tandem::cuda_available())
+    return detect_with<CGAL::Tandem::Cuda_tag>(cloud, s, callback);
+#endif
+  if(s.backend == "cuda")
+    throw_not_available(s.backend, CGAL::Tandem::cuda_device_report());
+#ifdef CGAL_LINKED_WITH_TBB
+  if(s.backend != "sequential")
+    return detect_with<CGAL::Parallel_tag>(cloud, s, callback);
+#else
+  if(s.backend == "parallel")
+    throw_not_available(s.backend, "this module was built without oneTBB");
+#endif
+  return detect_with<CGAL::Sequential_tag>(cloud, s, callback);
+}
+
+Shapes share(Planar_shapes shapes) { return Shapes(std::make_shared<Shapes::Data>(Shapes::Data{std::move(shapes)})); }
+
+} // namespace
+
+// A limit on the threads holds for this call only. It does not move to another thread, where signals would not be seen.
+Shapes detect_planes(const Cloud& cloud, const Settings& s, const Callback& callback)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(s.threads) {
+    const int most = tbb::this_task_arena::max_concurrency();
+    tbb::task_arena arena(*s.threads < most ? int(*s.threads) : most);
+    return arena.execute([&] { return share(detect_on_backend(cloud, s, callback)); });
+  }
+#endif
+  return share(detect_on_backend(cloud, s, callback));
+}
+
+Parameters estimate_parameters(const Cloud& cloud)
+{
+  return with_maps(cloud, [&](const auto& maps) { return CGAL::Tandem::estimate_parameters(rows_of(cloud), maps); });
+}
+
+namespace {
+
+// Reads and writes the coefficients themselves.
+struct Plane_map {
+  using key_type = Coefficients;
+  using value_type = Kernel::Plane_3;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  friend value_type get(const Plane_map&, const Coefficients& c) { return value_type(c[0], c[1], c[2], c[3]); }
+  friend void put(const Plane_map&, Coefficients& c, const value_type& plane)
+  {
+    c = {plane.a(), plane.b(), plane.c(), plane.d()};
+  }
+};
+
+struct Label_map {
+  using key_type = std::size_t;
+  using value_type = int;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  const std::int32_t* labels;
+
+  friend value_type get(const Label_map& map, std::size_t i) { return map.labels[i]; }
+};
+
+} // namespace
+
+// The result does not depend on the normals, nor on the number of threads.
+CGAL::Tandem::Plane_relations regularize_planes(const Cloud& cloud, const std::int32_t* labels, const Settings& s,
+                                                std::vector<Coefficients>& planes)
+{
+  const auto all = np::point_map(Point_map{cloud.points})
+                     .plane_map(Plane_map())
+                     .plane_index_map(Label_map{labels})
+                     .maximum_angle(s.maximum_angle.value_or(25))
+                     .maximum_offset(s.maximum_offset.value_or(.01))
+                     .regularize_parallelism(s.regularize_parallelism)
+                     .regularize_orthogonality(s.regularize_orthogonality)
+                     .regularize_coplanarity(s.regularize_coplanarity);
+  if(s.maximum_distance)
+    return CGAL::Tandem::regularize_planes(planes, rows_of(cloud), all.maximum_distance(*s.maximum_distance));
+  return CGAL::Tandem::regularize_planes(planes, rows_of(cloud), all);
+}
+
+std::string find_violation(const Cloud& cloud, const Shapes& shapes)
+{
+  std::string why;
+  with_maps(cloud, [&](const auto& maps) {
+    return CGAL::Tandem::is_valid_result(rows_of(cloud), shapes.data().shapes, maps, &why);
+  });
+  return why;
+}
+
+std::vector<std::string> backends()
+{
+  std::vector<std::string> names = {"sequential"};
+#ifdef CGAL_LINKED_WITH_TBB
+  names.push_back("parallel");
+#endif
+  if(CGAL::Tandem::cuda_available())
+    names.push_back("cuda");
+  return names;
+}
+
+} // namespace tandem_python

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The extension module tandem._tandem. The package, tandem/__init__.py, checks and converts the arguments: arrays that
+// come here are contiguous and of the right type.
+
+#include "Result.h"
+
+#include <pybind11/stl.h>
+
+namespace tandem_python {
+
+using Labels = py::array_t<std::int32_t, py::array::c_style>;
+
+// The arrays outlive what is read of them.
+Cloud cloud_of(const Rows& points, const std::optional<Rows>& normals)
+{
+  return {points.data(), normals ? normals->data() : nullptr, std::size_t(points.shape(0))};
+}
+
+// Other threads of Python run meanwhile. The function may not touch objects of Python.
+template <class F>
+auto without_gil(const F& f)
+{
+  const py::gil_scoped_release no_gil;
+  return f();
+}
+
+// Progress for a function of Python, or none. It is called on the calling thread, where signals are handled, and
+// throws what the function raises.
+bool report_progress(const py::object& function, double share)
+{
+  const py::gil_scoped_acquire gil;
+  if(PyErr_CheckSignals() != 0)
+    throw py::error_already_set();
+  if(function.is_none())
+    return true;
+  const py::object answer = function(share);
+  const int is_true = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+  if(is_true < 0)
+    throw py::error_already_set();
+  return is_true != 0;
+}
+
+Result detect(const Rows& points, const std::optional<Rows>& normals, const Settings& settings,
+              const py::object& progress)
+{
+  const Cloud cloud = cloud_of(points, normals);
+  const auto callback = [&progress](double share) { return report_progress(progress, share); };
+  const Shapes shapes = without_gil([&] { return detect_planes(cloud, settings, callback); });
+  return Result(shapes, normals);
+}
+
+py::tuple estimate(const Rows& points, const std::optional<Rows>& normals)
+{
+  const Cloud cloud = cloud_of(points, normals);
+  const CGAL::Tandem::Parameters p = without_gil([&] { return estimate_parameters(cloud); });
+  return py::make_tuple(p.maximum_distance, p.maximum_offset, p.minimum_region_size);
+}
+
+// A new array.
+template <class Number, class Range>
+py::array_t<Number> array_of(const Range& values)
+{
+  py::array_t<Number> result(py::ssize_t(values.size()));
+  std::copy(values.begin(), values.end(), result.mutable_data());
+  return result;
+}
+
+// The items of a named tuple, in its order.
+py::tuple regularize(const Rows& points, const Labels& labels, const Rows& planes, const Settings& settings)
+{
+  std::vector<Coefficients> changed(std::size_t(planes.shape(0)));
+  std::copy_n(planes.data(), planes.size(), changed.empty() ? nullptr : changed.front().data());
+  const Cloud cloud = cloud_of(points, std::nullopt);
+  const std::int32_t* const label = labels.data();
+  const CGAL::Tandem::Plane_relations r =
+    without_gil([&] { return regularize_planes(cloud, label, settings, changed); });
+  py::array_t<double> new_planes({py::ssize_t(changed.size()), py::ssize_t(4)});
+  std::copy_n(changed.empty() ? nullptr : changed.front().data(), 4 * changed.size(), new_planes.mutable_data());
+  py::array_t<std::int32_t> pairs({py::ssize_t(r.orthogonal_groups.size()), py::ssize_t(2)});
+  std::int32_t* next = pairs.mutable_data();
+  for(const auto& [first, second] : r.orthogonal_groups) {
+    *next++ = first;
+    *next++ = second;
+  }
+  return py::make_tuple(new_planes, array_of<std::int32_t>(r.parallel_group), array_of<std::int32_t>(r.coplanar_group),
+                        pairs, array_of<bool>(r.is_changed), array_of<bool>(r.is_rolled_back),
+                        array_of<double>(r.angle), array_of<double>(r.largest_distance), r.maximum_distance);
+}
+
+std::string violation(const Rows& points, const Result& result)
+{
+  const Cloud cloud = cloud_of(points, result.given_normals());
+  return without_gil([&] { return find_violation(cloud, result.shapes()); });
+}
+
+void add_settings(py::module_& module)
+{
+  py::class_<Settings>(module, "Settings", py::module_local())
+    .def(py::init<>())
+    .def_readwrite("maximum_distance", &Settings::maximum_distance)
+    .def_readwrite("maximum_angle", &Settings::maximum_angle)
+    .def_readwrite("angle_tolerance", &Settings::angle_tolerance)
+    .def_readwrite("maximum_offset", &Settings::maximum_offset)
+    .def_readwrite("minimum_region_size", &Settings::minimum_region_size)
+    .def_readwrite("k_neighbors", &Settings::k_neighbors)
+    .def_readwrite("cell_size", &Settings::cell_size)
+    .def_readwrite("threads", &Settings::threads)
+    .def_readwrite("regularize_parallelism", &Settings::regularize_parallelism)
+    .def_readwrite("regularize_orthogonality", &Settings::regularize_orthogonality)
+    .def_readwrite("regularize_coplanarity", &Settings::regularize_coplanarity)
+    .def_readwrite("backend", &Settings::backend);
+}
+
+} // namespace tandem_python
+
+PYBIND11_MODULE(_tandem, module)
+{
+  using namespace tandem_python;
+  module.doc() = "The compiled part of tandem.";
+  module.attr("__version__") = TANDEM_VERSION;
+  add_settings(module);
+  add_result(module);
+  module.def("detect_planes", &detect);
+  module.def("estimate_parameters", &estimate);
+  module.def("regularize_planes", &regularize);
+  module.def("find_violation", &violation);
+  module.def("backends", &backends);
+}

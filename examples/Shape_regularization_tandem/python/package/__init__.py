@@ -1,0 +1,266 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Planes of point clouds, with parallel, orthogonal and coplanar ones exactly so.
+
+    import numpy as np
+    import tandem
+    shapes = tandem.detect_planes(points)         # points: an array of shape (n, 3)
+    for s, (a, b, c, d) in enumerate(shapes.planes):
+        print(a, b, c, d, len(shapes.points_of(s)), shapes.parallel_groups[s])
+
+The result is the same, bit for bit, for every back end, number of threads and order of the points, and the same as that
+of the C++ package and of the program detect_planes.
+"""
+
+from __future__ import annotations
+
+import operator
+from typing import Any, Callable, List, NamedTuple, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _tandem
+from ._tandem import PlanarShapes, __version__
+
+__all__ = ["EstimatedParameters", "PlanarShapes", "PlaneRelations", "__version__", "backends", "detect_planes",
+           "estimate_parameters", "find_violation", "regularize_planes"]
+
+Progress = Callable[[float], Optional[bool]]
+
+
+class EstimatedParameters(NamedTuple):
+    """Parameters for detect_planes(). Lengths are in units of the points."""
+
+    maximum_distance: float
+    maximum_offset: float
+    minimum_region_size: int
+
+
+class PlaneRelations(NamedTuple):
+    """The m planes that regularize_planes() returns, and how they are related."""
+
+    planes: npt.NDArray[np.float64]  #: (m, 4): a, b, c, d; those that were changed have a unit normal
+    parallel_groups: npt.NDArray[np.int32]  #: (m,): those of a group have the same unit normal, up to its sign
+    coplanar_groups: npt.NDArray[np.int32]  #: (m,): those of a group are the same plane, up to its sign
+    orthogonal_pairs: npt.NDArray[np.int32]  #: (p, 2): pairs of parallel groups, the smaller one first, sorted
+    is_changed: npt.NDArray[np.bool_]  #: (m,)
+    is_rolled_back: npt.NDArray[np.bool_]  #: (m,): whether the points of the plane rejected all relations
+    angles: npt.NDArray[np.float64]  #: (m,): how far each plane was turned, in degrees
+    largest_distances: npt.NDArray[np.float64]  #: (m,): of the points of each plane to it
+    maximum_distance: float  #: the tolerance of the verification
+
+
+def detect_planes(
+    points: npt.ArrayLike,
+    normals: Optional[npt.ArrayLike] = None,
+    *,
+    maximum_distance: Optional[float] = None,
+    maximum_angle: Optional[float] = None,
+    angle_tolerance: Optional[float] = None,
+    maximum_offset: Optional[float] = None,
+    minimum_region_size: Optional[int] = None,
+    k_neighbors: Optional[int] = None,
+    cell_size: Optional[int] = None,
+    regularize_parallelism: bool = True,
+    regularize_orthogonality: bool = True,
+    regularize_coplanarity: bool = True,
+    backend: str = "auto",
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> PlanarShapes:
+    """Detects planar shapes and makes those that are nearly parallel, orthogonal or coplanar exactly so.
+
+    Each point of a shape is within maximum_distance and maximum_angle of the final plane of its shape. Points with a
+    coordinate that is not finite, or a given normal that is null or not finite, belong to no shape.
+
+    Arguments
+        points               (n, 3) numbers. A C-contiguous array of float64 is read where it is, others are converted.
+                             Do not change it during the call.
+        normals              (n, 3) numbers, of any length and orientation; None: estimated
+        maximum_distance     largest distance of a point to the plane of its shape, in units of the points; None:
+                             estimated, as estimate_parameters() does
+        maximum_angle        largest angle between the normal of a point and that of its shape, in degrees, in
+                             [0.05, 90); None: 25
+        angle_tolerance      angle within which planes are made parallel or orthogonal, in degrees, in [0, 45); None: 8
+        maximum_offset       largest distance of parallel planes that are made coplanar, in units of the points; None:
+                             maximum_distance
+        minimum_region_size  smallest number of points of a shape, at least 3; None: estimated
+        k_neighbors          number of neighbors of a point, in [3, 64]; None: 12
+        cell_size            largest number of points of an octree cell, in [64, 65536]; None: 8192
+        regularize_parallelism, regularize_orthogonality, regularize_coplanarity
+                             which relations are made exact
+        backend              "sequential", "parallel" or "cuda"; "auto" takes the fastest of backends(). All of them
+                             give the same result.
+        threads              largest number of threads; None: all processors
+        progress             a function that gets the progress, in [0, 1], and cancels by returning False: the result
+                             has the shapes found until then, and is_cancelled is True. An exception of the function
+                             ends the call. So does Ctrl-C, with or without a function, at the next report of progress.
+
+    Other threads of Python run during the call.
+
+    Returns PlanarShapes.
+
+    Raises ValueError, which names the argument: wrong shape or type of an array, a value outside of its range, too many
+    points, or an extent of the points of more than 2^24 times maximum_distance; TypeError: an argument that is no
+    number; MemoryError; RuntimeError: the back end cannot be used here.
+    """
+    rows = _rows("points", points)
+    given = None if normals is None else _rows("normals", normals)
+    _check_normals(given, rows)
+    settings = _tandem.Settings()
+    settings.maximum_distance = _number("maximum_distance", maximum_distance)
+    settings.maximum_angle = _number("maximum_angle", maximum_angle)
+    settings.angle_tolerance = _number("angle_tolerance", angle_tolerance)
+    settings.maximum_offset = _number("maximum_offset", maximum_offset)
+    settings.minimum_region_size = _count("minimum_region_size", minimum_region_size)
+    settings.k_neighbors = _count("k_neighbors", k_neighbors)
+    settings.cell_size = _count("cell_size", cell_size)
+    settings.threads = _count("threads", threads)
+    if threads is not None and threads < 1:
+        raise ValueError(f"threads is {threads}, allowed is 1 or more")
+    settings.backend = _backend(backend)
+    _set_relations(settings, regularize_parallelism, regularize_orthogonality, regularize_coplanarity)
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be a function, not {type(progress).__name__}")
+    return _tandem.detect_planes(rows, given, settings, progress)
+
+
+def estimate_parameters(points: npt.ArrayLike, normals: Optional[npt.ArrayLike] = None) -> EstimatedParameters:
+    """Estimates the parameters that detect_planes() uses where they are not given.
+
+    Arguments and errors are those of detect_planes(). The estimate follows from the noise and spacing of the points; a
+    stray point far away from all others spoils it.
+    """
+    rows = _rows("points", points)
+    given = None if normals is None else _rows("normals", normals)
+    _check_normals(given, rows)
+    return EstimatedParameters(*_tandem.estimate_parameters(rows, given))
+
+
+def regularize_planes(
+    points: npt.ArrayLike,
+    labels: npt.ArrayLike,
+    planes: npt.ArrayLike,
+    *,
+    maximum_angle: Optional[float] = None,
+    maximum_offset: Optional[float] = None,
+    maximum_distance: Optional[float] = None,
+    regularize_parallelism: bool = True,
+    regularize_orthogonality: bool = True,
+    regularize_coplanarity: bool = True,
+) -> PlaneRelations:
+    """Makes given planes exactly parallel, orthogonal and coplanar where their points allow it.
+
+    For planes of any other detector. The arguments are not changed. A plane that is related to no other is returned as
+    it is, the others get a unit normal. Planes keep their orientation.
+
+    Arguments
+        points            (n, 3) numbers, as those of detect_planes()
+        labels            (n,) integers: the plane of each point, -1 if it has none
+        planes            (m, 4) numbers: a, b, c, d of each plane a x + b y + c z + d = 0
+        maximum_angle     angle within which planes are made parallel or orthogonal, in degrees, in [0, 45); None: 25
+        maximum_offset    largest distance of parallel planes that are made coplanar, in units of the points; None: 0.01
+        maximum_distance  distance within which a point counts in the verification; None: 2.5 times the root mean
+                          square distance of the points to the given planes, at least maximum_offset
+        regularize_parallelism, regularize_orthogonality, regularize_coplanarity
+                          which relations are made exact
+
+    Raises ValueError and TypeError as detect_planes().
+    """
+    rows = _rows("points", points)
+    settings = _tandem.Settings()
+    settings.maximum_distance = _number("maximum_distance", maximum_distance)
+    settings.maximum_angle = _number("maximum_angle", maximum_angle)
+    settings.maximum_offset = _number("maximum_offset", maximum_offset)
+    _set_relations(settings, regularize_parallelism, regularize_orthogonality, regularize_coplanarity)
+    given = _rows("planes", planes, 4)
+    return PlaneRelations(*_tandem.regularize_planes(rows, _labels(labels, len(rows), len(given)), given, settings))
+
+
+def find_violation(points: npt.ArrayLike, shapes: PlanarShapes) -> Optional[str]:
+    """Checks a result against the points that it was detected in; takes a good part of the time of the detection.
+
+    Returns None if the shapes have all that is guaranteed, otherwise the first violation. Raises ValueError as
+    detect_planes().
+    """
+    if not isinstance(shapes, PlanarShapes):
+        raise TypeError(f"shapes must be a result of detect_planes(), not {type(shapes).__name__}")
+    rows = _rows("points", points)
+    if len(rows) != len(shapes.labels):
+        raise ValueError(f"points has {len(rows)} rows, but shapes were detected in {len(shapes.labels)} points")
+    return _tandem.find_violation(rows, shapes) or None
+
+
+def backends() -> List[str]:
+    """Returns the back ends that can be used here, of "sequential", "parallel" and "cuda"."""
+    return _tandem.backends()
+
+
+def _numbers(name: str, values: Any, kinds: str, what: str) -> npt.NDArray[Any]:
+    try:
+        array = np.asarray(values)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{name} must be an array of {what}: {error}") from None
+    if array.dtype.kind not in kinds:
+        raise ValueError(f"{name} must be an array of {what}, but its type is {array.dtype}")
+    return array
+
+
+def _rows(name: str, values: npt.ArrayLike, columns: int = 3) -> npt.NDArray[np.float64]:
+    """Contiguous rows of float64: the array itself if it is like that."""
+    array = _numbers(name, values, "fiu", "numbers")
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise ValueError(f"{name} must have the shape (n, {columns}), but it has {array.shape}")
+    return np.require(array, np.float64, ["C", "A"])
+
+
+def _check_normals(normals: Optional[npt.NDArray[np.float64]], points: npt.NDArray[np.float64]) -> None:
+    if normals is not None and len(normals) != len(points):
+        raise ValueError(f"normals must have a row for each of the {len(points)} points, but it has {len(normals)}")
+
+
+def _labels(labels: npt.ArrayLike, points: int, planes: int) -> npt.NDArray[np.int32]:
+    array = _numbers("labels", labels, "iu", "integers")
+    if array.shape != (points,):
+        raise ValueError(f"labels must have the shape ({points},), as the points, but it has {array.shape}")
+    if array.size > 0 and (array.min() < -1 or array.max() >= planes):
+        raise ValueError(f"labels are in [{array.min()}, {array.max()}], allowed is -1 or the index of a plane, "
+                         f"below {planes}")
+    return np.require(array, np.int32, ["C", "A"])
+
+
+def _number(name: str, value: Any) -> Optional[float]:
+    if value is None:
+        return None
+    if isinstance(value, (str, bytes)):
+        raise TypeError(f"{name} must be a number, not {type(value).__name__}")
+    try:
+        return float(value)
+    except TypeError:
+        raise TypeError(f"{name} must be a number, not {type(value).__name__}") from None
+
+
+def _count(name: str, value: Any) -> Optional[int]:
+    if value is None:
+        return None
+    try:
+        count = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be an integer, not {type(value).__name__}") from None
+    if abs(count) >= 2**63:
+        raise ValueError(f"{name} is {count}, which is out of its range")
+    return count
+
+
+def _backend(name: str) -> str:
+    names: Tuple[str, ...] = ("auto", "sequential", "parallel", "cuda")
+    if name not in names:
+        raise ValueError(f"backend is {name!r}, allowed are {', '.join(names)}")
+    return name
+
+
+def _set_relations(settings: _tandem.Settings, parallelism: bool, orthogonality: bool, coplanarity: bool) -> None:
+    settings.regularize_parallelism = bool(parallelism)
+    settings.regularize_orthogonality = bool(orthogonality)
+    settings.regularize_coplanarity = bool(coplanarity)

@@ -1,0 +1,71 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+from typing import Any, Callable, Dict, List, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+__version__: str
+
+class PlanarShapes:
+    @property
+    def planes(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def labels(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def parallel_groups(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def coplanar_groups(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def orthogonal_pairs(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def is_flipped(self) -> npt.NDArray[np.bool_]: ...
+    @property
+    def normals(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def statistics(self) -> Dict[str, Any]: ...
+    @property
+    def parameters(self) -> Dict[str, Any]: ...
+    @property
+    def maximum_distance(self) -> float: ...
+    @property
+    def minimum_region_size(self) -> int: ...
+    @property
+    def is_cancelled(self) -> bool: ...
+    @property
+    def hash(self) -> int: ...
+    def points_of(self, shape: int) -> npt.NDArray[np.uint32]: ...
+    def __len__(self) -> int: ...
+
+class Settings:
+    maximum_distance: Optional[float]
+    maximum_angle: Optional[float]
+    angle_tolerance: Optional[float]
+    maximum_offset: Optional[float]
+    minimum_region_size: Optional[int]
+    k_neighbors: Optional[int]
+    cell_size: Optional[int]
+    threads: Optional[int]
+    regularize_parallelism: bool
+    regularize_orthogonality: bool
+    regularize_coplanarity: bool
+    backend: str
+
+def detect_planes(
+    points: npt.NDArray[np.float64],
+    normals: Optional[npt.NDArray[np.float64]],
+    settings: Settings,
+    progress: Optional[Callable[[float], Optional[bool]]],
+) -> PlanarShapes: ...
+def estimate_parameters(
+    points: npt.NDArray[np.float64], normals: Optional[npt.NDArray[np.float64]]
+) -> Tuple[float, float, int]: ...
+def regularize_planes(
+    points: npt.NDArray[np.float64],
+    labels: npt.NDArray[np.int32],
+    planes: npt.NDArray[np.float64],
+    settings: Settings,
+) -> Tuple[Any, ...]: ...
+def find_violation(points: npt.NDArray[np.float64], shapes: PlanarShapes) -> str: ...
+def backends() -> List[str]: ...

@@ -1,0 +1,89 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The example, and the program detect_planes beside the module."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
+
+ROOT = os.environ.get("TANDEM_SOURCES", os.path.join(os.path.dirname(__file__), "..", "..", ".."))
+EXAMPLE = os.path.join(ROOT, "examples", "Shape_regularization_tandem", "python", "color_cloud.py")
+PROGRAM = os.environ.get("TANDEM_PROGRAM", "")
+
+
+def read_vertices(path):
+    """The vertices of a binary PLY file without faces."""
+    types = {"double": "<f8", "float": "<f4", "uchar": "u1", "int": "<i4"}
+    with open(path, "rb") as file:
+        header, data = file.read().split(b"end_header\n", 1)
+    fields = [line.split()[1:] for line in header.decode().splitlines() if line.startswith("property")]
+    return np.frombuffer(data, dtype=[(name, types[word]) for word, name in fields])
+
+
+class Programs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def test_example(self):
+        cloud, colored = self.path("cloud.npy"), self.path("colored.ply")
+        np.save(cloud, np.concatenate(room(), axis=1))
+        text = self.run_python(EXAMPLE, colored, cloud)
+        self.assertEqual(text.count("shape "), 6)
+        self.assertEqual(text.count("are orthogonal"), 3)
+        vertices = read_vertices(colored)
+        np.testing.assert_array_equal(np.stack([vertices[c] for c in "xyz"], axis=1), room()[0])
+        colors = {(v["shape"], v["red"], v["green"], v["blue"]) for v in vertices}
+        self.assertEqual(len(colors), 7)  # one for each shape, and gray
+        self.assertIn((-1, 128, 128, 128), colors)
+
+    def test_example_without_a_cloud(self):
+        text = self.run_python(EXAMPLE, self.path("corner.ply"))
+        self.assertEqual(text.count("shape "), 3)
+        wrong = subprocess.run([sys.executable, EXAMPLE], stderr=subprocess.PIPE, text=True)
+        self.assertEqual((wrong.returncode, "OUTPUT.ply" in wrong.stderr), (1, True))
+
+    def test_example_of_the_readme(self):
+        with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+            code = re.search("```python\n(.*?)```", file.read(), re.DOTALL).group(1)
+        np.save(self.path("points.npy"), room()[0])
+        text = self.run_python("-c", code)
+        self.assertEqual(text.count("= 0 has"), 6)
+        self.assertIn("orthogonal directions: [[0, 1], [0, 2], [1, 2]]", text)
+
+    def run_python(self, *arguments):
+        result = subprocess.run([sys.executable, *arguments], stdout=subprocess.PIPE, check=True, text=True,
+                                cwd=self.folder)
+        return result.stdout
+
+    @unittest.skipUnless(PROGRAM, "the program detect_planes is not built")
+    def test_same_result_as_the_program(self):
+        rows = np.concatenate(room(), axis=1)
+        header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}"]
+        header += [f"property double {name}" for name in ("x", "y", "z", "nx", "ny", "nz")] + ["end_header", ""]
+        with open(self.path("room.ply"), "wb") as file:
+            file.write("\n".join(header).encode() + rows.astype("<f8").tobytes())
+        subprocess.run([PROGRAM, self.path("room.ply"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
+                        "--labels", self.path("labels"), "--planes", self.path("planes"),
+                        "--report", self.path("report")], check=True)
+        shapes = shapes_of_room()
+        np.testing.assert_array_equal(np.fromfile(self.path("labels"), "<i4"), shapes.labels)
+        np.testing.assert_array_equal(np.loadtxt(self.path("planes")), shapes.planes)
+        with open(self.path("report")) as file:
+            self.assertEqual(json.load(file)["hash"], f"{shapes.hash:016x}")
+
+
+if __name__ == "__main__":
+    unittest.main()
