@@ -108,6 +108,21 @@ inline py::dict statistics(const Result& result)
     "has_estimated_normals"_a = s.has_estimated_normals, "is_cancelled"_a = s.is_cancelled, "backend"_a = s.backend);
 }
 
+inline py::tuple triple(const std::array<double, 3>& d) { return py::make_tuple(d[0], d[1], d[2]); }
+
+inline py::list directions(const CGAL::Tandem::Parameters& p)
+{
+  py::list result;
+  for(const auto& d : p.fixed_directions)
+    result.append(triple(d));
+  return result;
+}
+
+inline py::object axis(const CGAL::Tandem::Parameters& p)
+{
+  return p.regularize_axis_symmetry ? py::object(triple(p.symmetry_direction)) : py::object(py::none());
+}
+
 inline py::dict parameters(const Result& result)
 {
   using namespace py::literals;
@@ -117,7 +132,8 @@ inline py::dict parameters(const Result& result)
                   "minimum_region_size"_a = p.minimum_region_size, "k_neighbors"_a = p.k_neighbors,
                   "cell_size"_a = p.cell_size, "regularize_parallelism"_a = p.regularize_parallelism,
                   "regularize_orthogonality"_a = p.regularize_orthogonality,
-                  "regularize_coplanarity"_a = p.regularize_coplanarity);
+                  "regularize_coplanarity"_a = p.regularize_coplanarity, "fixed_directions"_a = directions(p),
+                  "symmetry_direction"_a = axis(p));
 }
 
 inline std::string text(const Result& result)
@@ -148,6 +164,12 @@ inline void add_arrays(Class& result)
       "orthogonal_pairs", getter<std::int32_t>(&Shapes::orthogonal_pairs, 2),
       "(p, 2) int32: pairs of parallel groups that are orthogonal, the smaller one first, sorted.\n"
       "Their unit normals have a dot product of at most 1e-15.")
+    .def_property_readonly("fixed_directions", getter<std::int32_t>(&Shapes::fixed_directions),
+                           "(g,) int32: which of the fixed_directions that were given each parallel group has, -1 if\n"
+                           "none.")
+    .def_property_readonly("symmetry_groups", getter<std::int32_t>(&Shapes::symmetry_groups),
+                           "(g,) int32: the symmetry group of each parallel group. Those of one make the same angle\n"
+                           "with symmetry_direction, up to 1e-15 of its cosine. -1 without that direction.")
     .def_property_readonly("is_flipped", getter<bool>(&Shapes::is_flipped),
                            "(m,) bool: whether most of the given normals of the points of a shape are opposite to its\n"
                            "plane: multiply such planes by -1 to orient them. False where normals were estimated.")

@@ -52,6 +52,8 @@ Table<int> Shapes::orthogonal_pairs() const
 Table<std::int32_t> Shapes::labels() const { return table_of(data_->shapes.shape_indices()); }
 Table<int> Shapes::parallel_groups() const { return table_of(data_->shapes.data().parallel_group); }
 Table<int> Shapes::coplanar_groups() const { return table_of(data_->shapes.data().coplanar_group); }
+Table<int> Shapes::fixed_directions() const { return table_of(data_->shapes.data().fixed_direction); }
+Table<int> Shapes::symmetry_groups() const { return table_of(data_->shapes.data().symmetry_group); }
 Table<char> Shapes::is_flipped() const { return table_of(data_->shapes.data().is_flipped); }
 
 Table<std::uint32_t> Shapes::points(std::size_t shape) const
@@ -140,6 +142,9 @@ Parameters parameters_of(const Settings& s)
   p.regularize_parallelism = s.regularize_parallelism;
   p.regularize_orthogonality = s.regularize_orthogonality;
   p.regularize_coplanarity = s.regularize_coplanarity;
+  p.fixed_directions = s.fixed_directions;
+  p.regularize_axis_symmetry = s.symmetry_direction.has_value();
+  p.symmetry_direction = s.symmetry_direction.value_or(p.symmetry_direction);
   return p;
 }
 
@@ -241,7 +246,10 @@ CGAL::Tandem::Plane_relations regularize_planes(const Cloud& cloud, const std::i
                      .maximum_offset(s.maximum_offset.value_or(.01))
                      .regularize_parallelism(s.regularize_parallelism)
                      .regularize_orthogonality(s.regularize_orthogonality)
-                     .regularize_coplanarity(s.regularize_coplanarity);
+                     .regularize_coplanarity(s.regularize_coplanarity)
+                     .fixed_directions(s.fixed_directions)
+                     .symmetry_direction(s.symmetry_direction.value_or(Parameters().symmetry_direction))
+                     .regularize_axis_symmetry(s.symmetry_direction.has_value());
   if(s.maximum_distance)
     return CGAL::Tandem::regularize_planes(planes, rows_of(cloud), all.maximum_distance(*s.maximum_distance));
   return CGAL::Tandem::regularize_planes(planes, rows_of(cloud), all);

@@ -34,6 +34,8 @@ struct Settings {
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
   std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
+  std::vector<std::array<double, 3>> fixed_directions;
+  std::optional<std::array<double, 3>> symmetry_direction;
   std::string backend = "auto";
 };
 
@@ -56,6 +58,8 @@ public:
   Table<int> parallel_groups() const;
   Table<int> coplanar_groups() const;
   Table<int> orthogonal_pairs() const; // two of each pair
+  Table<int> fixed_directions() const; // of each parallel group
+  Table<int> symmetry_groups() const;  // of each parallel group
   Table<char> is_flipped() const;      // 0 or 1
   Table<std::uint32_t> points(std::size_t shape) const;
   void copy_estimated_normals(double* to) const; // three of each point

@@ -110,6 +110,8 @@ void add_settings(py::module_& module)
     .def_readwrite("regularize_parallelism", &Settings::regularize_parallelism)
     .def_readwrite("regularize_orthogonality", &Settings::regularize_orthogonality)
     .def_readwrite("regularize_coplanarity", &Settings::regularize_coplanarity)
+    .def_readwrite("fixed_directions", &Settings::fixed_directions)
+    .def_readwrite("symmetry_direction", &Settings::symmetry_direction)
     .def_readwrite("backend", &Settings::backend);
 }
 

@@ -93,7 +93,8 @@ class Parameters(unittest.TestCase):
     def test_they_are_used(self):
         given = {"maximum_distance": np.float32(0.05), "maximum_angle": 20, "angle_tolerance": 5, "maximum_offset": 0,
                  "minimum_region_size": np.int64(200), "k_neighbors": 15, "cell_size": 4096,
-                 "regularize_parallelism": False, "regularize_orthogonality": False, "regularize_coplanarity": False}
+                 "regularize_parallelism": False, "regularize_orthogonality": False, "regularize_coplanarity": False,
+                 "fixed_directions": [(0, 1, 0)], "symmetry_direction": (0, 0, 2)}
         shapes = tandem.detect_planes(*room(), **given)
         self.assertEqual(shapes.parameters, given)
         self.assertEqual(shapes.minimum_region_size, 200)

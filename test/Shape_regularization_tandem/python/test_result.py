@@ -157,5 +157,26 @@ class Regularization(unittest.TestCase):
             tandem.regularize_planes(points, labels, planes, maximum_angle=50)
 
 
+class GivenDirections(unittest.TestCase):
+    def test_vertical(self):
+        shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, fixed_directions=[(0, 0, 3)])
+        self.assertEqual(sorted(shapes.fixed_directions.tolist()), [-1, -1, 0])
+        horizontal = shapes.fixed_directions[shapes.parallel_groups] == 0
+        self.assertEqual(np.abs(shapes.planes[horizontal, :3]).tolist(), [[0, 0, 1], [0, 0, 1]])
+        self.assertLessEqual(np.abs(shapes.planes[~horizontal, 2]).max(), 1e-15)
+        self.assertEqual(shapes.symmetry_groups.tolist(), [-1, -1, -1])
+        self.assertEqual(shapes.parameters["fixed_directions"], [(0, 0, 3)])
+        self.assertIsNone(tandem.find_violation(room()[0], shapes))
+
+    def test_axis_of_symmetry(self):
+        shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE, symmetry_direction=(0, 0, 1))
+        self.assertEqual(sorted(shapes.symmetry_groups.tolist()), [0, 0, 1])
+        self.assertEqual(shapes.parameters["symmetry_direction"], (0, 0, 1))
+        with self.assertRaisesRegex(ValueError, "^symmetry_direction"):
+            tandem.detect_planes(room()[0], symmetry_direction=(0, 0))
+        with self.assertRaisesRegex(ValueError, r"^fixed_directions\[0\] is \(0, 0, 0\)"):
+            tandem.detect_planes(room()[0], fixed_directions=np.zeros((1, 3)))
+
+
 if __name__ == "__main__":
     unittest.main()

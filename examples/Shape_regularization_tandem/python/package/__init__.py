@@ -65,6 +65,8 @@ def detect_planes(
     regularize_parallelism: bool = True,
     regularize_orthogonality: bool = True,
     regularize_coplanarity: bool = True,
+    fixed_directions: Optional[npt.ArrayLike] = None,
+    symmetry_direction: Optional[npt.ArrayLike] = None,
     backend: str = "auto",
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
@@ -90,6 +92,11 @@ def detect_planes(
         cell_size            largest number of points of an octree cell, in [64, 65536]; None: 8192
         regularize_parallelism, regularize_orthogonality, regularize_coplanarity
                              which relations are made exact
+        fixed_directions     (d, 3) numbers: directions known beforehand, such as the vertical, of any length. Shapes
+                             within angle_tolerance become exactly parallel or orthogonal to them if their points allow
+                             it. None: there are none
+        symmetry_direction   three numbers: such a direction, too; and shapes that make nearly the same angle with it,
+                             such as the sides of a roof, make exactly the same. None: there is none
         backend              "sequential", "parallel" or "cuda"; "auto" takes the fastest of backends(). All of them
                              give the same result.
         threads              largest number of threads; None: all processors
@@ -121,6 +128,7 @@ def detect_planes(
         raise ValueError(f"threads is {threads}, allowed is 1 or more")
     settings.backend = _backend(backend)
     _set_relations(settings, regularize_parallelism, regularize_orthogonality, regularize_coplanarity)
+    _set_directions(settings, fixed_directions, symmetry_direction)
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be a function, not {type(progress).__name__}")
     return _tandem.detect_planes(rows, given, settings, progress)
@@ -149,6 +157,8 @@ def regularize_planes(
     regularize_parallelism: bool = True,
     regularize_orthogonality: bool = True,
     regularize_coplanarity: bool = True,
+    fixed_directions: Optional[npt.ArrayLike] = None,
+    symmetry_direction: Optional[npt.ArrayLike] = None,
 ) -> PlaneRelations:
     """Makes given planes exactly parallel, orthogonal and coplanar where their points allow it.
 
@@ -165,6 +175,8 @@ def regularize_planes(
                           square distance of the points to the given planes, at least maximum_offset
         regularize_parallelism, regularize_orthogonality, regularize_coplanarity
                           which relations are made exact
+        fixed_directions, symmetry_direction
+                          as those of detect_planes(), within maximum_angle
 
     Raises ValueError and TypeError as detect_planes().
     """
@@ -174,6 +186,7 @@ def regularize_planes(
     settings.maximum_angle = _number("maximum_angle", maximum_angle)
     settings.maximum_offset = _number("maximum_offset", maximum_offset)
     _set_relations(settings, regularize_parallelism, regularize_orthogonality, regularize_coplanarity)
+    _set_directions(settings, fixed_directions, symmetry_direction)
     given = _rows("planes", planes, 4)
     return PlaneRelations(*_tandem.regularize_planes(rows, _labels(labels, len(rows), len(given)), given, settings))
 
@@ -264,3 +277,13 @@ def _set_relations(settings: _tandem.Settings, parallelism: bool, orthogonality:
     settings.regularize_parallelism = bool(parallelism)
     settings.regularize_orthogonality = bool(orthogonality)
     settings.regularize_coplanarity = bool(coplanarity)
+
+
+def _set_directions(
+    settings: _tandem.Settings, fixed: Optional[npt.ArrayLike], symmetry: Optional[npt.ArrayLike]
+) -> None:
+    if fixed is not None:
+        settings.fixed_directions = [(d[0], d[1], d[2]) for d in _rows("fixed_directions", fixed).tolist()]
+    if symmetry is not None:
+        x, y, z = _rows("symmetry_direction", [symmetry])[0].tolist()
+        settings.symmetry_direction = (x, y, z)

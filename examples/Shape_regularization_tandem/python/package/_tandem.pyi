@@ -20,6 +20,10 @@ class PlanarShapes:
     @property
     def orthogonal_pairs(self) -> npt.NDArray[np.int32]: ...
     @property
+    def fixed_directions(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def symmetry_groups(self) -> npt.NDArray[np.int32]: ...
+    @property
     def is_flipped(self) -> npt.NDArray[np.bool_]: ...
     @property
     def normals(self) -> npt.NDArray[np.float64]: ...
@@ -50,6 +54,8 @@ class Settings:
     regularize_parallelism: bool
     regularize_orthogonality: bool
     regularize_coplanarity: bool
+    fixed_directions: List[Tuple[float, float, float]]
+    symmetry_direction: Optional[Tuple[float, float, float]]
     backend: str
 
 def detect_planes(
