@@ -94,7 +94,8 @@ Las_header read_las_header(Input_buffer& in)
   if(h.first_point < header_size)
     throw std::runtime_error("the points of the LAS file begin in its header");
   in.skip((std::min)(in.left(), header_size - in.position()));
-  h.frame.projection = read_projection(in, number_at<std::uint32_t>(bytes + 100), h.first_point);
+  h.frame.projection =
+    read_projection(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left()));
   return h;
 }
 

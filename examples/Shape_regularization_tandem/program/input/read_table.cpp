@@ -133,7 +133,8 @@ public:
       values[std::size_t(columns[c])] = *number;
     }
     if(is_strict && next_value(text, value))
-      fail_at_row(row, "has more than " + std::to_string(columns.size()) + " values, as other rows have");
+      fail_at_row(row, "has more than " + std::to_string(columns.size()) +
+                         " values (name its columns by --columns, for example)");
     return values;
   }
 
@@ -240,7 +241,7 @@ void read_table(Byte_source& file, const std::string& path, const Input_settings
   const bool is_named = !head.columns.empty();
   const std::vector<Column> columns = is_named ? head.columns : recognize_columns(sample, input_extension(path));
   check_classes(columns, settings);
-  Row_parser parser(columns, !is_named);
+  Row_parser parser(columns, settings.columns.empty());
   Table_reader reader(columns, channel_unit_of(columns, sample), settings.classes, points);
   for(const Row& row : head.rows)
     reader.add(parser.parse(row.number, row.text));

@@ -9,12 +9,20 @@ namespace program {
 
 namespace {
 
+// Of the rows that have values there: some scanners write NaN where nothing came back.
 template <class Is_right>
 bool all_values(const Sample& rows, std::size_t first, Is_right is_right)
 {
-  return std::all_of(rows.begin(), rows.end(), [&](const std::vector<double>& row) {
-    return is_right(row[first]) && is_right(row[first + 1]) && is_right(row[first + 2]);
-  });
+  std::size_t count = 0;
+  for(const std::vector<double>& row : rows) {
+    const double values[3] = {row[first], row[first + 1], row[first + 2]};
+    if(std::any_of(values, values + 3, [](double x) { return std::isnan(x); }))
+      continue;
+    if(!std::all_of(values, values + 3, is_right))
+      return false;
+    ++count;
+  }
+  return count > 0;
 }
 
 bool are_integer_colors(const Sample& rows, std::size_t first)
@@ -55,11 +63,13 @@ bool are_real_colors(const Sample& rows, std::size_t first)
 
 std::vector<Column> columns_of_header(const std::string& line)
 {
+  const bool has_commas = line.find_first_of(",;") != line.npos; // names may have blanks then
+  const auto is_end = [=](char c) { return has_commas ? c == ',' || c == ';' : is_separator(c); };
+  const auto is_no_name = [](char c) { return is_separator(c) || c == '#' || c == '/'; };
   std::vector<Column> columns;
-  auto first =
-    std::find_if_not(line.begin(), line.end(), [](char c) { return is_separator(c) || c == '#' || c == '/'; });
+  auto first = std::find_if_not(line.begin(), line.end(), is_no_name);
   while(first != line.end()) {
-    const auto last = std::find_if(first, line.end(), is_separator);
+    const auto last = std::find_if(first, line.end(), is_end);
     const Column c = column_of_name(std::string(first, last));
     columns.push_back(has_column(columns, c) ? Column::none : c);
     first = std::find_if_not(last, line.end(), is_separator);
@@ -78,6 +88,10 @@ std::vector<Column> recognize_columns(const Sample& rows, const std::string& ext
   std::size_t c = 3;
   if(extension == ".pts" && (count == 4 || count == 7))
     columns[c++] = Column::intensity;
+  if(extension == ".pwn" && count >= 6) {
+    place(columns, c, Column::nx);
+    c += 3;
+  }
   while(c + 3 <= count) {
     const bool is_normal = !has_column(columns, Column::nx) && are_normals(rows, c);
     const bool is_color =

@@ -25,7 +25,8 @@ bool are_real_colors(const Sample& rows, std::size_t first);
 // The columns of a line of names, or none if it does not name x, y and z.
 std::vector<Column> columns_of_header(const std::string& line);
 
-// The columns of a table without a line of names. In a .pts file the intensity comes before the colors.
+// The columns of a table without a line of names. In a .pts file the intensity comes before the colors, a
+// .pwn file has normals.
 std::vector<Column> recognize_columns(const Sample& rows, const std::string& extension);
 
 } // namespace program

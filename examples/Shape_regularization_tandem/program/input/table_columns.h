@@ -30,12 +30,14 @@ inline bool is_in(std::string_view name, std::initializer_list<const char*> name
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+inline bool is_separator(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',' || c == ';'; }
+
 // Names as CloudCompare, PCL, PDAL and others write them; `none` for any other.
 inline Column column_of_name(std::string_view text)
 {
   std::string name;
   for(unsigned char c : text)
-    if(c != '"' && c != '\'' && c != '_')
+    if(c != '"' && c != '\'' && c != '_' && !is_separator(char(c)))
       name += char(std::tolower(c));
   if(name.compare(0, 6, "scalar") == 0)
     name.erase(0, 6);
@@ -87,8 +89,6 @@ inline bool remove_incomplete(std::vector<Column>& columns)
   }
   return is_changed;
 }
-
-inline bool is_separator(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',' || c == ';'; }
 
 // The value of --columns.
 inline std::vector<Column> parse_columns(const std::string& text)
