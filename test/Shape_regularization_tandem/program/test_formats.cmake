@@ -46,8 +46,8 @@ endif()
 file(WRITE "${WORK_DIR}/other.ply" "${ply_header}${positions}${normals}end_header\n${cube}")
 expect(0 "^cube.ply, other.ply\n +points +3456, normals given.*hash" cube.ply other.ply ${epsilon})
 expect(2 "named twice" cube.ply other.ply ./cube.ply)
-expect(0 "points +3456, normals estimated\n +columns +x y z r.*rich.xyz.\n +left out +normals, input_color, intensity, cl"
-       cube.ply rich.xyz ${epsilon})
+expect(0 "points +3456, normals estimated\n +columns +x y z r.*source.txt.\n +left out +normals, colors, intensity, classification: "
+       cube.ply source.txt ${epsilon})
 expect(1 "missing.las: no such file" cube.ply missing.las)
 expect(2 "named twice" cube.ply rich.xyz --output rich.xyz)
 

@@ -157,15 +157,15 @@ void remove_named(Point_set& points, const char* name)
     points.remove_property_map(*map);
 }
 
-// Removes what only one of the clouds has, and tells its name.
+// Removes what only one of the clouds has, and tells the word for it.
 template <class T>
-void remove_different(Point_set& a, Point_set& b, const char* name, std::string& names)
+void remove_different(Point_set& a, Point_set& b, const char* name, const char* word, std::string& words)
 {
   if(a.has_property_map<T>(name) == b.has_property_map<T>(name))
     return;
   remove_named<T>(a, name);
   remove_named<T>(b, name);
-  names += (names.empty() ? "" : ", ") + std::string(name);
+  words += (words.empty() ? "" : ", ") + std::string(word);
 }
 
 void append(Point_set& points, Point_set& more, std::string& removed)
@@ -175,9 +175,9 @@ void append(Point_set& points, Point_set& more, std::string& removed)
     more.remove_normal_map();
     removed += removed.empty() ? "normals" : ", normals";
   }
-  remove_different<Input_color>(points, more, color_name, removed);
-  remove_different<float>(points, more, intensity_name, removed);
-  remove_different<std::uint8_t>(points, more, classification_name, removed);
+  remove_different<Input_color>(points, more, color_name, "colors", removed);
+  remove_different<float>(points, more, intensity_name, "intensity", removed);
+  remove_different<std::uint8_t>(points, more, classification_name, "classification", removed);
   points.join(more);
 }
 
