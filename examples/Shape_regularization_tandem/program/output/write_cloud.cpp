@@ -63,7 +63,7 @@ void write_pcd(std::ostream& out, const Output_points& cloud)
     sizes += size;
   out << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z rgb"
       << (has_intensity ? " intensity" : "") << (has_class ? " classification" : "") << " shape\nSIZE" << sizes << " 4"
-      << (has_intensity ? " 4" : "") << (has_class ? " 1" : "") << " 4\nTYPE F F F F F F U"
+      << (has_intensity ? " 4" : "") << (has_class ? " 1" : "") << " 4\nTYPE F F F F F F F"
       << (has_intensity ? " F" : "") << (has_class ? " U" : "") << " I\nCOUNT 1 1 1 1 1 1 1"
       << (has_intensity ? " 1" : "") << (has_class ? " 1" : "") << " 1\nWIDTH " << cloud.points.size()
       << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.points.size() << "\nDATA binary\n";
