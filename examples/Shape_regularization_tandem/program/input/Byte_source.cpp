@@ -19,7 +19,7 @@ namespace program {
 
 namespace {
 
-class File_source : public Byte_source {
+class File_source final : public Byte_source {
 public:
   explicit File_source(const std::string& path) : size_(std::uint64_t(std::filesystem::file_size(path)))
   {
@@ -42,7 +42,7 @@ private:
 #ifdef DETECT_PLANES_WITH_ZLIB
 
 // A gzip file does not tell its size: it is read once for that, which finds faults in it, too.
-class Gzip_source : public Byte_source {
+class Gzip_source final : public Byte_source {
 public:
   explicit Gzip_source(const std::string& path) : file(gzopen(path.c_str(), "rb"))
   {
