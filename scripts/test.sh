@@ -180,7 +180,7 @@ run_fuzz()
 {
   step build and run
   TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" ply 4 1 || fail "a fuzz target failed"
-  TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" 'xyz off options' 2 1 ||
+  TANDEM_BUILD_DIR=$build TANDEM_JOBS=$jobs "$root/scripts/fuzz.sh" 'xyz off las pcd options' 2 1 ||
     fail "a fuzz target failed"
 }
 

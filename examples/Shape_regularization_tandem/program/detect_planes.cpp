@@ -11,6 +11,8 @@
 #include "input/read_cloud.h"
 #include "output/report.h"
 #include "signals.h"
+#include "output/write_cloud.h"
+#include "output/write_las.h"
 #include "output/write_polygons.h"
 #include "output/write_results.h"
 #include "output/write_vg.h"
@@ -157,7 +159,9 @@ class Output_files {
 public:
   explicit Output_files(const Options& o) : options(o)
   {
-    open(o.output, [](std::ostream& out, const Results& r) { write_ply(out, r.points, r.shapes); });
+    open(o.output, [](std::ostream& out, const Results& r) {
+      write_cloud(out, r.points, r.shapes, {output_extension(r.o.output), r.o.colors, r.notes.las_frame});
+    });
     open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
     open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
     open(o.vg,
@@ -168,10 +172,10 @@ public:
   }
 
   // All of them or, if one cannot be written, none.
-  void write(const Point_set& points, const Shapes& shapes, const Run& run)
+  void write(const Point_set& points, const Input_notes& notes, const Shapes& shapes, const Run& run)
   {
     for(std::size_t i = 0; i < files.size(); ++i) {
-      writers[i](files[i].stream(), Results{options, points, shapes, run});
+      writers[i](files[i].stream(), Results{options, points, notes, shapes, run});
       files[i].close();
     }
     for(Output_file& file : files)
@@ -182,6 +186,7 @@ private:
   struct Results {
     const Options& o;
     const Point_set& points;
+    const Input_notes& notes;
     const Shapes& shapes;
     const Run& run;
   };
@@ -200,10 +205,27 @@ private:
   std::vector<Writer> writers;
 };
 
+// Reads the inputs, and prints what may be wrong with them.
+Input_notes read_inputs(const Options& o, Point_set& points, Run& run)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  Input_notes notes = read_clouds(o.inputs, input_settings(o.inputs, o.columns, o.classes), points);
+  run.read_seconds = timer.time();
+  for(const std::string& path : o.inputs)
+    run.input += (run.input.empty() ? "" : ", ") + path;
+  run.notes = notes.lines;
+  for(const std::string& warning : notes.warnings)
+    std::cerr << "detect_planes: warning: " << warning << std::endl;
+  return notes;
+}
+
 void run(const Options& o)
 {
   parameters_of(o); // bad values must not wait for a large file
   check_backend(o);
+  if(output_extension(o.output) == ".laz")
+    check_laszip(o.output);
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> limit;
   if(o.threads)
@@ -211,12 +233,8 @@ void run(const Options& o)
       std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(*o.threads));
 #endif
   Run run;
-  run.input = o.input;
-  CGAL::Real_timer timer;
-  timer.start();
   Point_set points;
-  read_cloud(o.input, points);
-  run.read_seconds = timer.time();
+  const Input_notes notes = read_inputs(o, points, run);
   Output_files files(o);
   prepare_normals(points, o, run);
 
@@ -224,7 +242,7 @@ void run(const Options& o)
   name_device(shapes, o, run);
   if(shapes.is_cancelled() || is_interrupted())
     throw Interrupted();
-  files.write(points, shapes, run);
+  files.write(points, notes, shapes, run);
   if(!o.is_quiet)
     print_summary(std::cout, shapes, run);
   if(!std::cout.flush())

@@ -7,6 +7,8 @@
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
 #include "direction_option.h"
+#include "formats.h"
+#include "input_options.h"
 #include "links.h"
 
 #include <boost/program_options.hpp>
@@ -32,7 +34,10 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 
 // What was not given is left to the library.
 struct Options {
-  std::string input, output, labels, planes, report, vg, polygons;
+  std::vector<std::string> inputs;
+  std::string output, labels, planes, report, vg, polygons;
+  std::string columns, classes; // of the inputs
+  std::string colors;           // of the output: shape, input or empty
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
   std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
@@ -44,15 +49,29 @@ struct Options {
 
 inline std::string usage()
 {
-  return "usage: detect_planes INPUT [options]\n\n"
+  return "usage: detect_planes INPUT... [options]\n\n"
          "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
-         "INPUT is a file .ply, .xyz, .pwn, .off (or .las, if CGAL was built with LASlib). Normals are\n"
-         "estimated where the file has none, or only null ones. Exit code: 0 success, 1 the data cannot be read, "
-         "processed\n"
-         "or written, or the run was interrupted, 2 bad usage.\n";
+         "INPUT is a file .ply, .las, .laz (with LASzip), .pcd, .off or a text table (.xyz, .txt, .csv, .pts, .pwn),\n"
+         "also with .gz behind (but .laz). Several are one cloud, in their order. Normals are estimated where the\n"
+         "input has none, or only null ones. Exit code: 0 success, 1 the data cannot be read, processed or written, "
+         "or\n"
+         "the run was interrupted, 2 bad usage.\n";
 }
 
 namespace po = boost::program_options;
+
+inline void add_input_options(po::options_description& all, Options& o)
+{
+  po::options_description group("Input");
+  auto add = group.add_options();
+  add("columns", po::value<std::string>(&o.columns)->value_name("NAMES"),
+      "the columns of text tables, of x y z nx ny nz r g b intensity classification, and _ for one to pass over "
+      "(default: from a line of names, or from the values; the output says which)");
+  add("classes", po::value<std::string>(&o.classes)->value_name("LIST"),
+      "only the points of these classes, as 2,6 (of .las and .laz, or of a property or column 'classification'); the "
+      "others are in no output");
+  all.add(group);
+}
 
 inline void add_detection_options(po::options_description& all, Options& o)
 {
@@ -103,7 +122,7 @@ inline void add_execution_options(po::options_description& all, Options& o)
       "auto, sequential, parallel or cuda; all give the same result (default: auto)");
   add("threads", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.threads = n; }),
       "largest number of threads (default: all processors)");
-  add("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors");
+  add("quiet", po::bool_switch(&o.is_quiet), "print nothing but warnings and errors");
   add("help", po::bool_switch(&o.wants_help), "print this text");
   add("version", po::bool_switch(&o.wants_version), "print the version");
   all.add(group);
@@ -114,7 +133,12 @@ inline void add_output_options(po::options_description& all, Options& o)
   po::options_description group("Output (files appear only when they are complete)");
   auto add = group.add_options();
   add("output", po::value<std::string>(&o.output)->value_name("FILE"),
-      "binary PLY of the input with the normals that were used, a color for each shape and an int property 'shape'");
+      "the input with the normals that were used and the shape of each point (-1: none), its intensity and "
+      "classification kept: .ply or .pcd (binary), .xyz, .txt or .csv (text with a line of names), .las or .laz (the "
+      "shape as extra bytes, without normals; coordinates on the grid of the first .las input, else on one of at most "
+      "2e-4 of the maximum distance; points that are not finite are left out)");
+  add("colors", po::value<std::string>(&o.colors)->value_name("NAME"),
+      "the colors of --output: shape, one for each, or input (default: input for .las and .laz, else shape)");
   add("labels", po::value<std::string>(&o.labels)->value_name("FILE"),
       "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
   add("planes", po::value<std::string>(&o.planes)->value_name("FILE"),
@@ -154,7 +178,9 @@ inline void check_files(const Options& o)
 {
   namespace fs = std::filesystem;
   std::vector<fs::path> files;
-  for(const std::string& name : {o.input, o.output, o.labels, o.planes, o.report, o.vg, o.polygons}) {
+  std::vector<std::string> names = o.inputs;
+  names.insert(names.end(), {o.output, o.labels, o.planes, o.report, o.vg, o.polygons});
+  for(const std::string& name : names) {
     std::error_code error;
     const fs::file_status status = fs::status(name, error);
     if(name.empty() || (fs::exists(status) && !fs::is_regular_file(status)))
@@ -172,19 +198,26 @@ inline void check_count(const char* name, const std::optional<long long>& value,
                       std::to_string(smallest) + ", " + std::to_string(largest) + "]");
 }
 
-inline void check_mesh_format(const std::string& path)
+inline void check_formats(const Options& o)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  if(!path.empty() && extension != ".ply" && extension != ".obj")
-    throw Usage_error("--polygons is '" + path + "', must end in .ply or .obj");
+  const std::string mesh = lower_case_extension(o.polygons);
+  if(!o.polygons.empty() && mesh != ".ply" && mesh != ".obj")
+    throw Usage_error("--polygons is '" + o.polygons + "', must end in .ply or .obj");
+  if(!o.output.empty() && !is_known_output(o.output))
+    throw Usage_error("--output is '" + o.output + "', must end in one of " + known_outputs);
+  if(!o.colors.empty() && o.colors != "shape" && o.colors != "input")
+    throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
+  try {
+    input_settings(o.inputs, o.columns, o.classes);
+  } catch(const std::invalid_argument& e) {
+    throw Usage_error(e.what());
+  }
 }
 
 // Ranges that the library does not know, and negative numbers, which would wrap around.
 inline void check(const Options& o)
 {
-  if(o.input.empty())
+  if(o.inputs.empty() || std::count(o.inputs.begin(), o.inputs.end(), "") > 0)
     throw Usage_error("no INPUT given");
   if(o.backend != "auto" && o.backend != "sequential" && o.backend != "parallel" && o.backend != "cuda")
     throw Usage_error("--backend is '" + o.backend + "', must be auto, sequential, parallel or cuda");
@@ -197,7 +230,7 @@ inline void check(const Options& o)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
   if(o.has_group_for_each_plane && o.vg.empty())
     throw Usage_error("--vg-by-plane needs --vg");
-  check_mesh_format(o.polygons);
+  check_formats(o);
   check_files(o);
 }
 
@@ -221,12 +254,13 @@ inline Command_line parse(int argc, const char* const argv[])
   Command_line result;
   Options& o = result.options;
   po::options_description visible, all;
+  add_input_options(visible, o);
   add_detection_options(visible, o);
   add_execution_options(visible, o);
   add_output_options(visible, o);
-  all.add(visible).add_options()("input", po::value<std::string>(&o.input), "");
+  all.add(visible).add_options()("input", po::value<std::vector<std::string>>(&o.inputs), "");
   po::positional_options_description positional;
-  positional.add("input", 1);
+  positional.add("input", -1);
   try {
     namespace style = po::command_line_style;
     po::variables_map map;

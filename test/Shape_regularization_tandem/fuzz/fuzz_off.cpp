@@ -8,7 +8,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-  const std::size_t points = read_as_file(bytes, size, ".off");
+  const std::size_t points = read_as_file(bytes, size, ".off", 6); // ".1.2.3"
   if(points == 0)
     return 0;
   // First the word OFF and the numbers of points, faces and edges, on one row or on two; then points; then faces.

@@ -7,6 +7,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-  read_as_file(bytes, size, ".ply");
+  read_as_file(bytes, size, ".ply", 6); // ".1.2.3"
   return 0;
 }

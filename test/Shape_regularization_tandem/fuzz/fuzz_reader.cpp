@@ -7,6 +7,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <new>
 
 #include <unistd.h>
 
@@ -42,9 +45,6 @@ private:
   std::string path_;
 };
 
-// The shortest point is ".1.2.3": six bytes, as three numbers of two bytes each.
-constexpr std::size_t least_point_size = 6;
-
 } // namespace
 
 void expect(bool is_true, const char* what)
@@ -55,13 +55,14 @@ void expect(bool is_true, const char* what)
   std::abort();
 }
 
-std::size_t read_as_file(const std::uint8_t* bytes, std::size_t size, const char* extension)
+std::size_t read_as_file(const std::uint8_t* bytes, std::size_t size, const char* extension, double least_size)
 {
   static const Scratch_file file(extension);
   file.write(bytes, size);
   program::Point_set points;
+  program::Input_notes notes;
   try {
-    program::read_cloud(file.path(), points);
+    program::read_cloud(file.path(), {}, points, notes);
   } catch(const std::bad_alloc&) {
     expect(false, "a small file needs more memory than there is");
   } catch(const std::exception& e) {
@@ -69,6 +70,6 @@ std::size_t read_as_file(const std::uint8_t* bytes, std::size_t size, const char
     return 0;
   }
   expect(!points.empty(), "no points, and no exception");
-  expect(points.size() * least_point_size <= size + 1, "more points than the file has room for");
+  expect(double(points.size()) * least_size <= double(size + 1), "more points than the file has room for");
   return points.size();
 }

@@ -142,7 +142,7 @@ void check_vg(bool has_bad_point, bool by_plane)
   const Vg_file file = write_and_read_vg(points, shapes, by_plane);
   const std::size_t skipped = has_bad_point ? 1 : 0;
   CHECK(file.points.size() == points.size() - skipped);
-  CHECK(file.colors.size() == file.points.size() && file.normals.size() == file.points.size());
+  CHECK(file.colors.empty() && file.normals.size() == file.points.size());
   CHECK(file.groups.size() == (by_plane ? 2 : 3));
   std::vector<int> group_of(file.points.size(), -1);
   for(std::size_t g = 0; g < file.groups.size(); ++g)
@@ -155,7 +155,7 @@ void check_vg(bool has_bad_point, bool by_plane)
     const auto& q = file.points[i];
     CHECK_AT(p.x() == q[0] && p.y() == q[1] && p.z() == q[2], std::to_string(i)); // to the bit
     const auto& n = file.normals[i];
-    CHECK_AT(std::fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1) < 1e-7, std::to_string(i));
+    CHECK_AT(std::fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1) < 4e-4, std::to_string(i));
     const int s = shapes.shape_index(i + skipped);
     const int group = s < 0 ? -1 : int(by_plane ? shapes.coplanar_group(std::size_t(s)) : std::size_t(s));
     CHECK_AT(group_of[i] == group, std::to_string(i));

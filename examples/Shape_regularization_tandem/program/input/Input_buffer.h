@@ -4,14 +4,13 @@
 #ifndef DETECT_PLANES_INPUT_BUFFER_H
 #define DETECT_PLANES_INPUT_BUFFER_H
 
+#include "input/Byte_source.h"
 #include "signals.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <streambuf>
 #include <string>
 
@@ -33,15 +32,12 @@ struct Point_data {
 // readers do not know of signals, but they stop where a file ends.
 class Input_buffer : public std::streambuf {
 public:
-  explicit Input_buffer(const std::string& path)
-    : Input_buffer(path, {0, std::uint64_t(std::filesystem::file_size(path))}, "")
-  {}
+  explicit Input_buffer(Byte_source& file) : Input_buffer(file, {0, file.size()}, "") {}
 
-  Input_buffer(const std::string& path, Byte_range range, const std::string& text) : text(text), behind(range.last)
+  Input_buffer(Byte_source& file, Byte_range range, const std::string& text)
+    : file(file), text(text), position_of_file(range.first), behind(range.last)
   {
-    file.open(path, std::ios::in | std::ios::binary);
-    file.pubseekpos(std::streamoff(range.first), std::ios::in);
-    position_of_file = range.first;
+    file.seek(range.first);
     setg(this->text.data(), this->text.data(), this->text.data() + text.size());
   }
 
@@ -58,7 +54,7 @@ public:
     if(bytes == buffered)
       return;
     position_of_file += bytes - buffered;
-    file.pubseekpos(std::streamoff(position_of_file), std::ios::in);
+    file.seek(position_of_file);
   }
 
 protected:
@@ -67,17 +63,17 @@ protected:
     if(is_interrupted())
       return traits_type::eof();
     const std::uint64_t wanted = (std::min)(std::uint64_t(buffer.size()), behind - position_of_file);
-    const std::streamsize n = file.sgetn(buffer.data(), std::streamsize(wanted));
-    position_of_file += std::uint64_t(n);
+    const std::size_t n = file.read(buffer.data(), std::size_t(wanted));
+    position_of_file += n;
     setg(buffer.data(), buffer.data(), buffer.data() + n);
     return n == 0 ? traits_type::eof() : traits_type::to_int_type(buffer[0]);
   }
 
 private:
-  std::filebuf file;
+  Byte_source& file;
   std::string text;
   std::array<char, 65536> buffer;
-  std::uint64_t position_of_file = 0; // behind the bytes in the buffer
+  std::uint64_t position_of_file; // behind the bytes in the buffer
   std::uint64_t behind;
 };
 

@@ -184,9 +184,9 @@ inline std::string header_of_points(const Ply_header& header, const Ply_header::
   return text + "end_header\n";
 }
 
-inline Point_data find_ply_points(const std::string& path)
+inline Point_data find_ply_points(Byte_source& file)
 {
-  Input_buffer in(path);
+  Input_buffer in(file);
   std::istream stream(&in);
   const Ply_header header = read_ply_header(stream);
   Ply_scanner scanner(in, header);

@@ -22,7 +22,8 @@ namespace program {
 
 struct Run {
   std::string input;
-  std::string normals; // "given", "estimated" or how else
+  std::vector<std::pair<std::string, std::string>> notes; // of the reading: a word, and what there is to say
+  std::string normals;                                    // "given", "estimated" or how else
   std::string device = "CPU";
   int threads = 1;
   double read_seconds = 0;
@@ -250,6 +251,8 @@ inline void print_summary(std::ostream& out, const Shapes& shapes, const Run& ru
     out << "; ignored: " << s.number_of_ignored_coordinates << " not finite, " << s.number_of_ignored_normals
         << " without a normal";
   out << '\n';
+  for(const auto& [word, text] : run.notes)
+    row(word.c_str()) << text << '\n';
   row("parameters") << "maximum distance " << p.maximum_distance << ", angle " << p.maximum_angle
                     << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset << ", at least "
                     << p.minimum_region_size << " points\n";

@@ -1,18 +1,20 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The colored cloud, the labels and the planes. Everything is written exactly, so
-// that the guarantees can be checked from the files.
+// The labels and the planes, and what the writers share. Everything is written exactly, so that the guarantees can be
+// checked from the files.
 
 #ifndef DETECT_PLANES_WRITE_RESULTS_H
 #define DETECT_PLANES_WRITE_RESULTS_H
 
-#include "input/read_cloud.h"
+#include "formats.h"
+#include "input/point_set.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -60,6 +62,27 @@ private:
   bool is_swapped;
 };
 
+// The shortest digits that give the number again, and a character behind them.
+template <class Real>
+void write_shortest(std::ostream& out, Real x, char end)
+{
+  char text[40];
+  char* last = std::to_chars(text, text + sizeof text - 1, x).ptr;
+  *last++ = end;
+  out.write(text, last - text);
+}
+
+inline bool fits_float(double x) { return !std::isfinite(x) || double(float(x)) == x; }
+
+template <class Get_vector>
+bool needs_double(const Point_set& points, Get_vector get_vector)
+{
+  return std::any_of(points.begin(), points.end(), [&](Point_set::Index i) {
+    const auto& v = get_vector(i);
+    return !fits_float(v.x()) || !fits_float(v.y()) || !fits_float(v.z());
+  });
+}
+
 using Color = std::array<std::uint8_t, 3>;
 
 // Steps of the golden ratio around the color wheel keep shapes of close indices apart.
@@ -81,42 +104,6 @@ inline Color color_of_shape(int shape)
 inline Kernel::Vector_3 normal_used(const Point_set& points, const Shapes& shapes, Point_set::Index i)
 {
   return shapes.has_estimated_normals() ? shapes.estimated_normal(i) : points.normal(i);
-}
-
-inline bool fits_float(double x) { return !std::isfinite(x) || double(float(x)) == x; }
-
-template <class Get_vector>
-bool needs_double(const Point_set& points, Get_vector get_vector)
-{
-  return std::any_of(points.begin(), points.end(), [&](Point_set::Index i) {
-    const auto& v = get_vector(i);
-    return !fits_float(v.x()) || !fits_float(v.y()) || !fits_float(v.z());
-  });
-}
-
-inline void write_ply(std::ostream& out, const Point_set& points, const Shapes& shapes)
-{
-  const auto normal = [&](Point_set::Index i) { return normal_used(points, shapes, i); };
-  // One type for coordinates and normals: some readers want them to agree.
-  const bool is_double =
-    needs_double(points, [&](Point_set::Index i) { return points.point(i); }) || needs_double(points, normal);
-  const char* type = is_double ? "double" : "float";
-  out << "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex " << points.size();
-  for(const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-    out << "\nproperty " << type << ' ' << name;
-  out << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty int shape\nend_header\n";
-
-  Binary_writer binary(out);
-  for(Point_set::Index i : points) {
-    const Kernel::Point_3& p = points.point(i);
-    const Kernel::Vector_3 n = normal(i);
-    for(double x : {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()})
-      binary.write_real(x, is_double);
-    const int shape = shapes.shape_index(i);
-    for(std::uint8_t channel : color_of_shape(shape))
-      binary.write(channel);
-    binary.write(std::int32_t(shape));
-  }
 }
 
 inline void write_labels(std::ostream& out, const Shapes& shapes)

@@ -25,26 +25,43 @@ inline std::vector<std::uint32_t> positions_in_vg(const Point_set& points, std::
   return position;
 }
 
-inline void write_vg_points(std::ostream& out, const Point_set& points, const Shapes& shapes, std::uint32_t count)
+// The readers take numbers of single precision: digits for that are enough where the input has no more.
+template <class Real>
+void write_vg_coordinates(std::ostream& out, const Point_set& points)
 {
-  out << std::setprecision(17) << "num_points: " << count << '\n';
   for(Point_set::Index i : points)
-    if(is_finite(points.point(i)))
-      out << points.point(i) << '\n';
-  out << "num_colors: " << count << '\n' << std::setprecision(3);
-  for(Point_set::Index i : points)
-    if(is_finite(points.point(i))) {
-      const Color c = color_of_shape(shapes.shape_index(i));
-      out << c[0] / 255. << ' ' << c[1] / 255. << ' ' << c[2] / 255. << '\n';
+    if(const Kernel::Point_3& p = points.point(i); is_finite(p)) {
+      write_shortest(out, Real(p.x()), ' ');
+      write_shortest(out, Real(p.y()), ' ');
+      write_shortest(out, Real(p.z()), '\n');
     }
-  out << "num_normals: " << count << '\n' << std::setprecision(9);
+}
+
+// Normals of length 1, to a hundredth of a degree. The null vector, where a point has none.
+inline void write_vg_normals(std::ostream& out, const Point_set& points, const Shapes& shapes)
+{
+  const auto rounded = [](double x) { return std::round(1e4 * x) / 1e4 + 0.; }; // no -0
   for(Point_set::Index i : points)
     if(is_finite(points.point(i))) {
       const Kernel::Vector_3 n = normal_used(points, shapes, i);
-      const bool is_usable = is_usable_normal(n);
-      const double length = is_usable ? std::sqrt(n.squared_length()) : 1;
-      out << (is_usable ? n / length : Kernel::Vector_3(CGAL::NULL_VECTOR)) << '\n';
+      const double length = is_usable_normal(n) ? std::sqrt(n.squared_length()) : 0;
+      const Kernel::Vector_3 unit = length > 0 ? n / length : Kernel::Vector_3(CGAL::NULL_VECTOR);
+      write_shortest(out, rounded(unit.x()), ' ');
+      write_shortest(out, rounded(unit.y()), ' ');
+      write_shortest(out, rounded(unit.z()), '\n');
     }
+}
+
+// Colors of points are left out: groups have one.
+inline void write_vg_points(std::ostream& out, const Point_set& points, const Shapes& shapes, std::uint32_t count)
+{
+  out << "num_points: " << count << '\n';
+  if(needs_double(points, [&](Point_set::Index i) { return points.point(i); }))
+    write_vg_coordinates<double>(out, points);
+  else
+    write_vg_coordinates<float>(out, points);
+  out << "num_colors: 0\nnum_normals: " << count << '\n';
+  write_vg_normals(out, points, shapes);
 }
 
 // `members` are shapes of one plane, of which the first gives color and orientation.

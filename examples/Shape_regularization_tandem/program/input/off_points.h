@@ -1,15 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds the points in .xyz and .off files: CGAL's readers pass over a first row of an .xyz file that is no point, and
-// over any row of an .off file that is none, so that other rows follow in its place.
+// Finds the points in .off files: CGAL's reader passes over any row that is no point, so that other rows follow in its
+// place.
 
-#ifndef DETECT_PLANES_TEXT_POINTS_H
-#define DETECT_PLANES_TEXT_POINTS_H
+#ifndef DETECT_PLANES_OFF_POINTS_H
+#define DETECT_PLANES_OFF_POINTS_H
 
 #include "input/Input_buffer.h"
-
-#include <CGAL/IO/io.h>
 
 #include <istream>
 #include <sstream>
@@ -18,37 +16,11 @@
 
 namespace program {
 
-inline bool is_point(const std::string& row)
-{
-  std::istringstream in(row);
-  double x, y, z;
-  return bool(in >> CGAL::IO::iformat(x) >> CGAL::IO::iformat(y) >> CGAL::IO::iformat(z));
-}
-
 inline std::size_t checked_count(long long n, const char* items)
 {
   if(n < 0)
     throw std::runtime_error("announces " + std::to_string(n) + ' ' + items);
   return std::size_t(n);
-}
-
-// The first row may be the number of points, which CGAL passes over.
-inline Point_data find_xyz_points(const std::string& path)
-{
-  Input_buffer in(path);
-  const Byte_range whole = {0, in.left()};
-  std::istream stream(&in);
-  std::string row;
-  std::getline(stream, row);
-  const bool is_empty = row.find_first_not_of(' ') == std::string::npos;
-  if(is_empty || row[0] == '#' || is_point(row))
-    return {"", whole, 0};
-  std::istringstream words(row);
-  long long count = 0;
-  std::string more;
-  if(!(words >> count) || words >> more)
-    throw std::runtime_error("row 1 is neither a point nor the number of points (comments begin with #)");
-  return {"", whole, checked_count(count, "points")};
 }
 
 // The next row that is neither empty nor a comment.
@@ -72,9 +44,9 @@ inline std::size_t count_rows(std::istream& in, std::size_t most)
 }
 
 // The numbers of points, faces and edges may stand beside the word OFF, or on a row of their own.
-inline Point_data find_off_points(const std::string& path)
+inline Point_data find_off_points(Byte_source& file)
 {
-  Input_buffer in(path);
+  Input_buffer in(file);
   std::istream stream(&in);
   std::string row, word;
   next_row(stream, row);
@@ -101,4 +73,4 @@ inline Point_data find_off_points(const std::string& path)
 
 } // namespace program
 
-#endif // DETECT_PLANES_TEXT_POINTS_H
+#endif // DETECT_PLANES_OFF_POINTS_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The formats of clouds, by the extension of the file.
+
+#ifndef DETECT_PLANES_FORMATS_H
+#define DETECT_PLANES_FORMATS_H
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace program {
+
+inline std::string lower_case_extension(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+inline bool is_gzip(const std::string& path) { return lower_case_extension(path) == ".gz"; }
+
+// The extension that tells the format: .ply of cloud.ply.gz.
+inline std::string input_extension(const std::string& path)
+{
+  const std::filesystem::path name(path);
+  return lower_case_extension(is_gzip(path) ? name.stem() : name);
+}
+
+constexpr std::array<const char*, 5> table_extensions = {".xyz", ".txt", ".csv", ".pts", ".pwn"};
+constexpr std::array<const char*, 7> output_extensions = {".ply", ".las", ".laz", ".pcd", ".xyz", ".txt", ".csv"};
+constexpr const char* known_inputs = ".ply, .las, .laz, .pcd, .xyz, .txt, .csv, .pts, .pwn, .off";
+constexpr const char* known_outputs = ".ply, .las, .laz, .pcd, .xyz, .txt, .csv";
+
+inline bool is_table(const std::string& path)
+{
+  const std::string extension = input_extension(path);
+  return std::find(table_extensions.begin(), table_extensions.end(), extension) != table_extensions.end();
+}
+
+inline bool is_las(const std::string& path)
+{
+  const std::string extension = input_extension(path);
+  return extension == ".las" || extension == ".laz";
+}
+
+inline bool is_cloud(const std::string& path)
+{
+  const std::string extension = input_extension(path);
+  return is_table(path) || is_las(path) || extension == ".ply" || extension == ".pcd" || extension == ".off";
+}
+
+// Devices and pipes without an extension get PLY.
+inline std::string output_extension(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  const std::string extension = lower_case_extension(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  const bool is_special = fs::exists(status) && !fs::is_regular_file(status);
+  return extension.empty() && (is_special || path.compare(0, 5, "/dev/") == 0) ? ".ply" : extension;
+}
+
+inline bool is_known_output(const std::string& path)
+{
+  const std::string extension = output_extension(path);
+  return std::find(output_extensions.begin(), output_extensions.end(), extension) != output_extensions.end();
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_FORMATS_H

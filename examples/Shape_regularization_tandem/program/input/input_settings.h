@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_PLANES_INPUT_SETTINGS_H
+#define DETECT_PLANES_INPUT_SETTINGS_H
+
+#include "input/table_columns.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+// How inputs are read.
+struct Input_settings {
+  std::vector<Column> columns; // of text tables; empty: recognized
+  std::vector<int> classes;    // only these points; empty: all
+};
+
+// The coordinates of a LAS file are integers times a scale, plus an offset.
+struct Las_frame {
+  std::array<double, 3> scale, offset;
+  std::vector<std::string> projection; // the records of the coordinate system, with their headers
+  bool is_wkt = false;                 // the way it is written in them
+};
+
+// What the reading found out, for people and for the outputs.
+struct Input_notes {
+  std::vector<std::pair<std::string, std::string>> lines; // a word, and what there is to say about it
+  std::vector<std::string> warnings;
+  std::optional<Las_frame> las_frame; // of the first LAS file
+};
+
+} // namespace program
+
+#endif // DETECT_PLANES_INPUT_SETTINGS_H

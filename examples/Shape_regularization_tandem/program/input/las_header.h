@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The header of LAS 1.0 to 1.4, as the specification of the ASPRS has it.
+
+#ifndef DETECT_PLANES_LAS_HEADER_H
+#define DETECT_PLANES_LAS_HEADER_H
+
+#include "input/Input_buffer.h"
+#include "input/input_settings.h"
+
+#include <cstring>
+
+namespace program {
+
+// A little-endian number of any type.
+template <class T>
+T number_at(const char* bytes)
+{
+  std::uint64_t bits = 0;
+  for(std::size_t i = 0; i < sizeof(T); ++i)
+    bits |= std::uint64_t(static_cast<unsigned char>(bytes[i])) << 8 * i;
+  T value;
+  if constexpr(sizeof(T) == 8) {
+    std::memcpy(&value, &bits, 8);
+  } else if constexpr(sizeof(T) == 4) {
+    const std::uint32_t low = std::uint32_t(bits);
+    std::memcpy(&value, &low, 4);
+  } else {
+    value = T(bits);
+  }
+  return value;
+}
+
+struct Las_header {
+  int minor_version = 0;
+  int point_format = 0;
+  bool is_compressed = false; // LAZ
+  std::uint16_t record_length = 0;
+  std::uint64_t first_point = 0; // position in the file
+  std::uint64_t count = 0;
+  Las_frame frame;
+
+  bool has_color() const { return color_position() > 0; }
+
+  // In the record of a point, 0 if there is no color.
+  std::size_t color_position() const
+  {
+    constexpr std::size_t positions[11] = {0, 0, 20, 28, 0, 28, 0, 30, 30, 0, 30};
+    return positions[point_format];
+  }
+};
+
+Las_header read_las_header(Input_buffer& in);
+
+} // namespace program
+
+#endif // DETECT_PLANES_LAS_HEADER_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The cloud, and what its points may have beside coordinates and normals.
+
+#ifndef DETECT_PLANES_POINT_SET_H
+#define DETECT_PLANES_POINT_SET_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace program {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
+
+// Channels of 8 bits are kept as multiples of 257. LAS files have 16 bits, of which some use 8 only.
+using Input_color = std::array<std::uint16_t, 3>;
+
+// The names of the property maps, each with its type.
+constexpr const char* color_name = "input_color";             // Input_color
+constexpr const char* intensity_name = "intensity";           // float
+constexpr const char* classification_name = "classification"; // std::uint8_t
+
+template <class T>
+std::optional<Point_set::Property_map<T>> find_property(const Point_set& points, const char* name)
+{
+  if(!points.has_property_map<T>(name))
+    return std::nullopt;
+#if CGAL_VERSION_NR >= 1060000000
+  return *points.property_map<T>(name);
+#else
+  return points.property_map<T>(name).first;
+#endif
+}
+
+inline bool is_finite(const Kernel::Point_3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+inline bool is_usable_normal(const Kernel::Vector_3& v)
+{
+  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()) && v != CGAL::NULL_VECTOR;
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_POINT_SET_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/read_laz.h"
+
+#include <stdexcept>
+
+#ifdef DETECT_PLANES_WITH_LASZIP
+#include <laszip_api.h>
+#endif
+
+namespace program {
+
+double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis)
+{
+  const volatile double scaled = integer * frame.scale[axis];
+  return scaled + frame.offset[axis];
+}
+
+#ifdef DETECT_PLANES_WITH_LASZIP
+
+namespace {
+
+class Laszip_reader {
+public:
+  explicit Laszip_reader(const std::string& path) : Laszip_reader()
+  {
+    laszip_BOOL is_compressed = 0;
+    if(laszip_open_reader(laszip, path.c_str(), &is_compressed) || laszip_get_point_pointer(laszip, &point))
+      fail("opened");
+  }
+  ~Laszip_reader()
+  {
+    laszip_close_reader(laszip);
+    laszip_destroy(laszip);
+  }
+  Laszip_reader(const Laszip_reader&) = delete;
+  Laszip_reader& operator=(const Laszip_reader&) = delete;
+
+  const laszip_point& next()
+  {
+    if(laszip_read_point(laszip))
+      fail("read completely");
+    return *point;
+  }
+
+private:
+  Laszip_reader()
+  {
+    if(laszip_create(&laszip))
+      throw std::runtime_error("LASzip cannot be used");
+  }
+
+  [[noreturn]] void fail(const std::string& what)
+  {
+    laszip_CHAR* error = nullptr;
+    laszip_get_error(laszip, &error);
+    throw std::runtime_error("cannot be " + what + " by LASzip" +
+                             (error != nullptr ? " (" + std::string(error) + ")" : ""));
+  }
+
+  laszip_POINTER laszip = nullptr;
+  laszip_point* point = nullptr;
+};
+
+Point_row row_of(const laszip_point& p, const Las_header& header)
+{
+  Point_row row;
+  const std::int32_t integers[3] = {p.X, p.Y, p.Z};
+  for(std::size_t i = 0; i < 3; ++i) {
+    row.point[i] = place_of_integer(integers[i], header.frame, i);
+    row.color[i] = p.rgb[i];
+  }
+  row.intensity = float(p.intensity);
+  row.classification = header.point_format < 6 ? std::uint8_t(p.classification) : p.extended_classification;
+  return row;
+}
+
+} // namespace
+
+void read_laz_points(const std::string& path, const Las_header& header, Cloud_builder& builder)
+{
+  Laszip_reader reader(path);
+  for(std::uint64_t i = 0; i < header.count; ++i) {
+    if(i % 4096 == 0 && is_interrupted())
+      throw Interrupted();
+    builder.add(row_of(reader.next(), header));
+  }
+}
+
+#else
+
+void read_laz_points(const std::string&, const Las_header&, Cloud_builder&)
+{
+  throw std::runtime_error("LAZ needs LASzip; decompress with laszip or build Tandem with it");
+}
+
+#endif
+
+} // namespace program

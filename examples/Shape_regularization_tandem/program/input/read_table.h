@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_PLANES_READ_TABLE_H
+#define DETECT_PLANES_READ_TABLE_H
+
+#include "input/Byte_source.h"
+#include "input/input_settings.h"
+#include "input/point_set.h"
+
+namespace program {
+
+// A text table: a point in each row. `path` is for the extension and for messages.
+void read_table(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,
+                Input_notes& notes);
+
+} // namespace program
+
+#endif // DETECT_PLANES_READ_TABLE_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/recognize_columns.h"
+
+#include <cmath>
+
+namespace program {
+
+namespace {
+
+// Of the rows that have values there: some scanners write NaN where nothing came back.
+template <class Is_right>
+bool all_values(const Sample& rows, std::size_t first, Is_right is_right)
+{
+  std::size_t count = 0;
+  for(const std::vector<double>& row : rows) {
+    const double values[3] = {row[first], row[first + 1], row[first + 2]};
+    if(std::any_of(values, values + 3, [](double x) { return std::isnan(x); }))
+      continue;
+    if(!std::all_of(values, values + 3, is_right))
+      return false;
+    ++count;
+  }
+  return count > 0;
+}
+
+bool are_integer_colors(const Sample& rows, std::size_t first)
+{
+  return all_values(rows, first, [](double x) { return x >= 0 && x <= 65535 && x == std::floor(x); });
+}
+
+bool is_number(const Sample& rows, std::size_t column)
+{
+  return std::none_of(rows.begin(), rows.end(), [=](const auto& row) { return std::isnan(row[column]); });
+}
+
+void place(std::vector<Column>& columns, std::size_t first, Column name)
+{
+  for(int i = 0; i < 3; ++i)
+    columns[first + std::size_t(i)] = Column(int(name) + i);
+}
+
+} // namespace
+
+bool are_normals(const Sample& rows, std::size_t first)
+{
+  std::size_t unit = 0, other = 0;
+  for(const std::vector<double>& row : rows) {
+    const double length =
+      std::sqrt(row[first] * row[first] + row[first + 1] * row[first + 1] + row[first + 2] * row[first + 2]);
+    const bool is_unit = std::fabs(length - 1) <= largest_error_of_length;
+    unit += is_unit ? 1 : 0;
+    other += !is_unit && length > 0 ? 1 : 0;
+  }
+  return unit > 9 * other;
+}
+
+bool are_real_colors(const Sample& rows, std::size_t first)
+{
+  return all_values(rows, first, [](double x) { return x >= 0 && x <= 1; }) && !are_integer_colors(rows, first);
+}
+
+std::vector<Column> columns_of_header(const std::string& line)
+{
+  const bool has_commas = line.find_first_of(",;") != line.npos; // names may have blanks then
+  const auto is_end = [=](char c) { return has_commas ? c == ',' || c == ';' : is_separator(c); };
+  const auto is_no_name = [](char c) { return is_separator(c) || c == '#' || c == '/'; };
+  std::vector<Column> columns;
+  auto first = std::find_if_not(line.begin(), line.end(), is_no_name);
+  while(first != line.end()) {
+    const auto last = std::find_if(first, line.end(), is_end);
+    const Column c = column_of_name(std::string(first, last));
+    columns.push_back(has_column(columns, c) ? Column::none : c);
+    first = std::find_if_not(last, line.end(), is_separator);
+  }
+  remove_incomplete(columns);
+  return has_coordinates(columns) ? columns : std::vector<Column>();
+}
+
+std::vector<Column> recognize_columns(const Sample& rows, const std::string& extension)
+{
+  const std::size_t count = rows.empty() ? 0 : rows.front().size();
+  if(count < 3)
+    return {};
+  std::vector<Column> columns(count, Column::none);
+  place(columns, 0, Column::x);
+  std::size_t c = 3;
+  if(extension == ".pts" && (count == 4 || count == 7))
+    columns[c++] = Column::intensity;
+  if(extension == ".pwn" && count >= 6) {
+    place(columns, c, Column::nx);
+    c += 3;
+  }
+  while(c + 3 <= count) {
+    const bool is_normal = !has_column(columns, Column::nx) && are_normals(rows, c);
+    const bool is_color =
+      !is_normal && !has_column(columns, Column::red) && (are_integer_colors(rows, c) || are_real_colors(rows, c));
+    if(is_normal || is_color)
+      place(columns, c, is_normal ? Column::nx : Column::red);
+    c += is_normal || is_color ? 3 : 1;
+  }
+  // A single number that is left is the intensity.
+  const auto is_left = [](Column column) { return column == Column::none; };
+  const auto left = std::find_if(columns.begin(), columns.end(), is_left);
+  if(std::count_if(columns.begin(), columns.end(), is_left) == 1 && !has_column(columns, Column::intensity) &&
+     is_number(rows, std::size_t(left - columns.begin())))
+    *left = Column::intensity;
+  return columns;
+}
+
+} // namespace program

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The columns of text tables, by name.
+
+#ifndef DETECT_PLANES_TABLE_COLUMNS_H
+#define DETECT_PLANES_TABLE_COLUMNS_H
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace program {
+
+// `none` is passed over.
+enum class Column { x, y, z, nx, ny, nz, red, green, blue, intensity, classification, none };
+
+constexpr std::array<const char*, 12> column_names = {
+  "x", "y", "z", "nx", "ny", "nz", "r", "g", "b", "intensity", "classification", "_"};
+
+inline const char* name_of(Column c) { return column_names[std::size_t(c)]; }
+
+inline bool is_in(std::string_view name, std::initializer_list<const char*> names)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+inline bool is_separator(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',' || c == ';'; }
+
+// Names as CloudCompare, PCL, PDAL and others write them; `none` for any other.
+inline Column column_of_name(std::string_view text)
+{
+  std::string name;
+  for(unsigned char c : text)
+    if(c != '"' && c != '\'' && c != '_' && !is_separator(char(c)))
+      name += char(std::tolower(c));
+  if(name.compare(0, 6, "scalar") == 0)
+    name.erase(0, 6);
+  static const std::array<std::initializer_list<const char*>, 11> known = {{{"x"},
+                                                                            {"y"},
+                                                                            {"z"},
+                                                                            {"nx", "normalx"},
+                                                                            {"ny", "normaly"},
+                                                                            {"nz", "normalz"},
+                                                                            {"r", "red", "diffusered"},
+                                                                            {"g", "green", "diffusegreen"},
+                                                                            {"b", "blue", "diffuseblue"},
+                                                                            {"i", "intensity"},
+                                                                            {"class", "classification"}}};
+  for(std::size_t c = 0; c < known.size(); ++c)
+    if(is_in(name, known[c]))
+      return Column(c);
+  return Column::none;
+}
+
+inline bool has_column(const std::vector<Column>& columns, Column c)
+{
+  return std::find(columns.begin(), columns.end(), c) != columns.end();
+}
+
+inline bool has_coordinates(const std::vector<Column>& columns)
+{
+  return has_column(columns, Column::x) && has_column(columns, Column::y) && has_column(columns, Column::z);
+}
+
+inline std::string names_of(const std::vector<Column>& columns)
+{
+  std::string names;
+  for(Column c : columns)
+    names += (names.empty() ? "" : " ") + std::string(name_of(c));
+  return names;
+}
+
+// Normals and colors have three columns, or none: an incomplete triple is passed over.
+inline bool remove_incomplete(std::vector<Column>& columns)
+{
+  bool is_changed = false;
+  for(Column first : {Column::nx, Column::red}) {
+    const auto is_in_triple = [first](Column c) { return c >= first && int(c) < int(first) + 3; };
+    const auto count = std::count_if(columns.begin(), columns.end(), is_in_triple);
+    is_changed = is_changed || (count != 0 && count != 3);
+    if(count != 3)
+      std::replace_if(columns.begin(), columns.end(), is_in_triple, Column::none);
+  }
+  return is_changed;
+}
+
+// The value of --columns.
+inline std::vector<Column> parse_columns(const std::string& text)
+{
+  std::vector<Column> columns;
+  for(auto first = text.begin(); first != text.end();) {
+    const auto last = std::find_if(first, text.end(), is_separator);
+    const std::string name(first, last);
+    first = std::find_if_not(last, text.end(), is_separator);
+    if(name.empty())
+      continue;
+    const Column c = column_of_name(name);
+    if(c == Column::none && name != "-" && name != "_")
+      throw std::invalid_argument("--columns has '" + name +
+                                  "', must be of x y z nx ny nz r g b intensity classification, or _ for a column to "
+                                  "pass over");
+    if(c != Column::none && has_column(columns, c))
+      throw std::invalid_argument("--columns has '" + name + "' twice");
+    columns.push_back(c);
+  }
+  if(!has_coordinates(columns))
+    throw std::invalid_argument("--columns must have x, y and z");
+  if(remove_incomplete(columns))
+    throw std::invalid_argument("--columns must have all three of nx ny nz or of r g b, or none");
+  return columns;
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_TABLE_COLUMNS_H

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/write_las.h"
+
+#include "input/las_header.h"
+
+#include <limits>
+
+namespace program {
+
+namespace {
+
+struct Bounds {
+  std::array<double, 3> least, most;
+  std::uint64_t count = 0; // of the points that are finite
+};
+
+Bounds bounds_of(const Point_set& points)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Bounds b = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  for(Point_set::Index i : points) {
+    const Kernel::Point_3& p = points.point(i);
+    if(!is_finite(p))
+      continue;
+    ++b.count;
+    for(int c = 0; c < 3; ++c) {
+      b.least[std::size_t(c)] = (std::min)(b.least[std::size_t(c)], p[c]);
+      b.most[std::size_t(c)] = (std::max)(b.most[std::size_t(c)], p[c]);
+    }
+  }
+  return b;
+}
+
+double integer_of(double x, const Las_frame& frame, std::size_t c)
+{
+  return std::round((x - frame.offset[c]) / frame.scale[c]);
+}
+
+bool has_room(const Las_frame& frame, const Bounds& b)
+{
+  constexpr double largest = 2147483647;
+  for(std::size_t c = 0; c < 3; ++c)
+    for(double x : {b.least[c], b.most[c]})
+      if(!(std::fabs(integer_of(x, frame, c)) <= largest))
+        return false;
+  return true;
+}
+
+// Steps of a power of ten, at most 2e-4 of the maximum distance; larger ones where the integers have no room for that.
+Las_frame make_frame(const Bounds& b, double maximum_distance)
+{
+  Las_frame frame;
+  for(std::size_t c = 0; c < 3; ++c)
+    frame.offset[c] = std::floor(b.least[c] / 2 + b.most[c] / 2);
+  for(int power = int(std::floor(std::log10(2e-4 * maximum_distance)));; ++power) {
+    const double scale = power < 0 ? 1 / std::pow(10., -power) : std::pow(10., power);
+    frame.scale = {scale, scale, scale};
+    if(has_room(frame, b) || power >= 300)
+      return frame;
+  }
+}
+
+// Most programs read the point format 2; 7 has room for all classes, and is the one for coordinate systems as WKT.
+bool needs_format_7(const Output_points& cloud, const Las_frame& frame)
+{
+  return frame.is_wkt ||
+         (cloud.classification && std::any_of(cloud.points.begin(), cloud.points.end(),
+                                              [&](Point_set::Index i) { return (*cloud.classification)[i] > 31; }));
+}
+
+std::string padded(std::string text, std::size_t size)
+{
+  text.resize(size, '\0');
+  return text;
+}
+
+// The record that describes the extra bytes.
+std::string extra_bytes_record()
+{
+  constexpr char int32_type = 6;
+  std::string record =
+    padded("", 2) + padded("LASF_Spec", 16) + std::string("\4\0\300\0", 4) + padded("extra bytes", 32);
+  record += std::string("\0\0", 2) + int32_type + '\0' + padded("shape", 32);
+  return padded(record, 54 + 160) + padded("shape of detect_planes", 32);
+}
+
+class Las_writer {
+public:
+  Las_writer(std::ostream& out, const Output_points& cloud, const Las_frame& frame, const Bounds& bounds)
+    : out(out), binary(out), cloud(cloud), frame(frame), bounds(bounds), is_format_7(needs_format_7(cloud, frame)),
+      records(frame.projection)
+  {
+    records.push_back(extra_bytes_record());
+  }
+
+  void write()
+  {
+    write_header();
+    for(const std::string& record : records)
+      out << record;
+    for(Point_set::Index i : cloud.points)
+      if(is_finite(cloud.points.point(i)))
+        write_point(i);
+  }
+
+private:
+  static constexpr std::uint16_t header_size = 375;
+
+  void write_header()
+  {
+    std::size_t first_point = header_size;
+    for(const std::string& record : records)
+      first_point += record.size();
+    const std::uint16_t global_encoding = is_format_7 ? 16 : 0; // the coordinate system is WKT, or there is none
+    out << "LASF" << padded("", 2);
+    binary.write(global_encoding);
+    out << padded("", 16) << '\1' << '\4' << padded("", 32) << padded("detect_planes of Tandem", 32) << padded("", 4);
+    binary.write(header_size);
+    binary.write(std::uint32_t(first_point));
+    binary.write(std::uint32_t(records.size()));
+    out << (is_format_7 ? '\7' : '\2');
+    binary.write(std::uint16_t((is_format_7 ? 36 : 26) + 4));
+    write_legacy_counts();
+    for(double x : frame.scale)
+      binary.write(x);
+    for(double x : frame.offset)
+      binary.write(x);
+    for(std::size_t c = 0; c < 3; ++c) {
+      binary.write(written(bounds.most[c], c));
+      binary.write(written(bounds.least[c], c));
+    }
+    out << padded("", 20); // neither waveforms nor extended records
+    binary.write(bounds.count);
+    binary.write(bounds.count); // all of them are first returns
+    out << padded("", 14 * 8);
+  }
+
+  // Not for the formats from 6 on, nor for more than 32 bits.
+  void write_legacy_counts()
+  {
+    const bool has_count = !is_format_7 && bounds.count <= 0xFFFFFFFF;
+    const std::uint32_t count = has_count ? std::uint32_t(bounds.count) : 0;
+    binary.write(count);
+    binary.write(count);
+    out << padded("", 16);
+  }
+
+  double written(double x, std::size_t c) const { return integer_of(x, frame, c) * frame.scale[c] + frame.offset[c]; }
+
+  void write_point(Point_set::Index i)
+  {
+    const Kernel::Point_3& p = cloud.points.point(i);
+    for(int c = 0; c < 3; ++c)
+      binary.write(std::int32_t(integer_of(p[c], frame, std::size_t(c))));
+    const float intensity = cloud.intensity ? (*cloud.intensity)[i] : 0;
+    binary.write(intensity > 0 ? std::uint16_t(std::lround((std::min)(intensity, 65535.f))) : std::uint16_t(0));
+    const std::uint8_t classification = cloud.classification ? (*cloud.classification)[i] : std::uint8_t(0);
+    if(is_format_7)
+      out << '\x11' << '\0' << char(classification) << padded("", 13); // first return of one; no time
+    else
+      out << '\x09' << char(classification) << padded("", 4);
+    for(std::uint16_t channel : cloud.wide_color(i))
+      binary.write(channel);
+    binary.write(cloud.shape(i));
+  }
+
+  std::ostream& out;
+  Binary_writer binary;
+  const Output_points& cloud;
+  const Las_frame& frame;
+  const Bounds& bounds;
+  bool is_format_7;
+  std::vector<std::string> records;
+};
+
+} // namespace
+
+void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input)
+{
+  const Bounds bounds = bounds_of(cloud.points);
+  const bool is_kept = frame_of_input && has_room(*frame_of_input, bounds);
+  Las_frame frame = is_kept ? *frame_of_input : make_frame(bounds, cloud.shapes.parameters().maximum_distance);
+  if(frame_of_input) {
+    frame.projection = frame_of_input->projection;
+    frame.is_wkt = frame_of_input->is_wkt;
+  }
+  Las_writer(out, cloud, frame, bounds).write();
+}
+
+} // namespace program
