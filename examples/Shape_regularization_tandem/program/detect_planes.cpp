@@ -155,8 +155,9 @@ public:
     open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
     open(o.vg,
          [](std::ostream& out, const Results& r) { write_vg(out, r.points, r.shapes, r.o.has_group_for_each_plane); });
-    open(o.polygons,
-         [](std::ostream& out, const Results& r) { write_polygons(out, r.points, r.shapes, r.o.polygons); });
+    open(o.polygons, [](std::ostream& out, const Results& r) {
+      write_polygons(out, r.points, r.shapes, r.o.polygons, r.o.has_triangles_only);
+    });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
   }
 

@@ -36,7 +36,7 @@ struct Options {
   std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::string backend = "auto";
-  bool has_group_for_each_plane = false, is_quiet = false, wants_help = false;
+  bool has_group_for_each_plane = false, has_triangles_only = false, is_quiet = false, wants_help = false;
 };
 
 inline std::string usage()
@@ -113,7 +113,10 @@ inline void add_output_options(po::options_description& all, Options& o)
   add("vg-by-plane", po::bool_switch(&o.has_group_for_each_plane),
       "a group of --vg for each plane: coplanar shapes in one");
   add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
-      "the area of each shape as a mesh of triangles with corners on its plane, .ply or .obj");
+      "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
+      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply or "
+      ".obj (a face for each polygon, triangles for one with holes)");
+  add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
       "JSON with parameters, counts, quality, times, memory and relations: parallel and coplanar groups of shapes, "
       "orthogonal pairs of parallel groups, all counted from 0");
@@ -161,13 +164,13 @@ inline void check_count(const char* name, const std::optional<long long>& value,
                       std::to_string(smallest) + ", " + std::to_string(largest) + "]");
 }
 
-inline void check_mesh_format(const std::string& path)
+inline void check_polygon_format(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
-  if(!path.empty() && extension != ".ply" && extension != ".obj")
-    throw Usage_error("--polygons is '" + path + "', must end in .ply or .obj");
+  if(!path.empty() && extension != ".ply" && extension != ".obj" && extension != ".json" && extension != ".geojson")
+    throw Usage_error("--polygons is '" + path + "', must end in .geojson, .json, .ply or .obj");
 }
 
 // Ranges that the library does not know, and negative numbers, which would wrap around.
@@ -186,7 +189,9 @@ inline void check(const Options& o)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
   if(o.has_group_for_each_plane && o.vg.empty())
     throw Usage_error("--vg-by-plane needs --vg");
-  check_mesh_format(o.polygons);
+  if(o.has_triangles_only && o.polygons.empty())
+    throw Usage_error("--triangulate needs --polygons");
+  check_polygon_format(o.polygons);
   check_files(o);
 }
 
