@@ -11,6 +11,7 @@
 #include "input/read_cloud.h"
 #include "output/report.h"
 #include "signals.h"
+#include "output/write_mesh.h"
 #include "output/write_polygons.h"
 #include "output/write_results.h"
 #include "output/write_vg.h"
@@ -158,6 +159,8 @@ public:
     open(o.polygons, [](std::ostream& out, const Results& r) {
       write_polygons(out, r.points, r.shapes, r.o.polygons, r.o.has_triangles_only);
     });
+    open(o.mesh,
+         [](std::ostream& out, const Results& r) { write_mesh(out, r.points, r.shapes, r.o.mesh, r.o.mesh_planes); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
   }
 
@@ -198,6 +201,8 @@ void run(const Options& o)
 {
   parameters_of(o); // bad values must not wait for a large file
   check_backend(o);
+  if(!o.mesh.empty() && !missing_for_mesh().empty())
+    throw Usage_error("--mesh needs " + missing_for_mesh() + ": this program was built without it");
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> limit;
   if(o.threads)

@@ -6,6 +6,7 @@
 #ifndef DETECT_PLANES_PROGRAM_OPTIONS_H
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
+#include "extension.h"
 #include "links.h"
 
 #include <boost/program_options.hpp>
@@ -31,9 +32,9 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 
 // What was not given is left to the library.
 struct Options {
-  std::string input, output, labels, planes, report, vg, polygons;
+  std::string input, output, labels, planes, report, vg, polygons, mesh;
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
-  std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
+  std::optional<long long> mesh_planes, minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::string backend = "auto";
   bool has_group_for_each_plane = false, has_triangles_only = false, is_quiet = false, wants_help = false;
@@ -117,6 +118,11 @@ inline void add_output_options(po::options_description& all, Options& o)
       "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply or "
       ".obj (a face for each polygon, triangles for one with holes)");
   add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
+  add("mesh", po::value<std::string>(&o.mesh)->value_name("FILE"),
+      "a closed surface made of the planes, by CGAL::Polygonal_surface_reconstruction: .off, .obj or .ply");
+  add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
+      "--mesh takes the N planes with most points; its time grows fast with their number (without: all, if there are "
+      "at most 20)");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
       "JSON with parameters, counts, quality, times, memory and relations: parallel and coplanar groups of shapes, "
       "orthogonal pairs of parallel groups, all counted from 0");
@@ -146,7 +152,7 @@ inline void check_files(const Options& o)
 {
   namespace fs = std::filesystem;
   std::vector<fs::path> files;
-  for(const std::string& name : {o.input, o.output, o.labels, o.planes, o.report, o.vg, o.polygons}) {
+  for(const std::string& name : {o.input, o.output, o.labels, o.planes, o.report, o.vg, o.polygons, o.mesh}) {
     std::error_code error;
     const fs::file_status status = fs::status(name, error);
     if(name.empty() || (fs::exists(status) && !fs::is_regular_file(status)))
@@ -164,13 +170,15 @@ inline void check_count(const char* name, const std::optional<long long>& value,
                       std::to_string(smallest) + ", " + std::to_string(largest) + "]");
 }
 
-inline void check_polygon_format(const std::string& path)
+inline void check_format(const char* name, const std::string& path, const std::vector<std::string>& extensions)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  if(!path.empty() && extension != ".ply" && extension != ".obj" && extension != ".json" && extension != ".geojson")
-    throw Usage_error("--polygons is '" + path + "', must end in .geojson, .json, .ply or .obj");
+  const std::string extension = lower_case_extension(path);
+  if(path.empty() || std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
+    return;
+  std::string known = extensions[0];
+  for(std::size_t i = 1; i < extensions.size(); ++i)
+    known += (i + 1 < extensions.size() ? ", " : " or ") + extensions[i];
+  throw Usage_error(std::string("--") + name + " is '" + path + "', must end in " + known);
 }
 
 // Ranges that the library does not know, and negative numbers, which would wrap around.
@@ -191,7 +199,11 @@ inline void check(const Options& o)
     throw Usage_error("--vg-by-plane needs --vg");
   if(o.has_triangles_only && o.polygons.empty())
     throw Usage_error("--triangulate needs --polygons");
-  check_polygon_format(o.polygons);
+  if(o.mesh_planes && o.mesh.empty())
+    throw Usage_error("--mesh-planes needs --mesh");
+  check_count("mesh-planes", o.mesh_planes, 4, 1000);
+  check_format("polygons", o.polygons, {".geojson", ".json", ".ply", ".obj"});
+  check_format("mesh", o.mesh, {".off", ".obj", ".ply"});
   check_files(o);
 }
 

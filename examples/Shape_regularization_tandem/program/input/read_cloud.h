@@ -7,6 +7,7 @@
 #ifndef DETECT_PLANES_READ_CLOUD_H
 #define DETECT_PLANES_READ_CLOUD_H
 
+#include "extension.h"
 #include "input/ply_points.h"
 #include "input/text_points.h"
 
@@ -46,14 +47,6 @@ private:
   std::ostringstream text;
   std::streambuf* previous;
 };
-
-inline std::string lower_case_extension(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension;
-}
 
 inline void check_file(const std::string& path)
 {

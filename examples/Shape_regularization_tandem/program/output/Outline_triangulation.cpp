@@ -3,12 +3,15 @@
 
 #include "output/Outline_triangulation.h"
 #include "output/boundary_loops.h"
+#include "output/face_shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 
 namespace program {
+
+static constexpr int smoothing_rounds = 8;
 
 Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>& points)
 {
@@ -20,36 +23,41 @@ Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>&
   }
   if(triangulation.dimension() < 2)
     return;
-  smooth_spacings(true);
-  smooth_spacings(false);
-  smooth_spacings(false);
+  measure_spacings();
+  for(int round = 0; round < smoothing_rounds; ++round)
+    smooth_spacings();
+  for(Vertex_handle v : triangulation.finite_vertex_handles()) {
+    Vertex_info& info = v->info(); // beside denser points more than the mean
+    info.spacing = std::exp((std::max)(info.spacing, (std::min)(info.measured, info.spacing + .4f)));
+  }
 }
 
-// The median of the lengths of the edges at a vertex or, later on, of the spacings of its neighbors and its own.
-double Outline_triangulation::smoothed_spacing(Vertex_handle v, bool is_first) const
+// The logarithm of the median of the lengths of the edges at a vertex.
+void Outline_triangulation::measure_spacings()
 {
-  thread_local std::vector<double> values;
-  values.clear();
-  auto u = triangulation.incident_vertices(v);
-  const auto end = u;
-  do {
-    if(triangulation.is_infinite(u))
-      continue;
-    values.push_back(is_first ? CGAL::squared_distance(u->point(), v->point()) : double(u->info().spacing));
-  } while(++u != end);
-  if(!is_first)
-    values.push_back(v->info().spacing);
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return is_first ? std::sqrt(*middle) : *middle;
+  std::vector<double> squared;
+  for(Vertex_handle v : triangulation.finite_vertex_handles()) {
+    squared.clear();
+    for_each_neighbor(v, [&](Vertex_handle u) { squared.push_back(CGAL::squared_distance(u->point(), v->point())); });
+    const auto middle = squared.begin() + std::ptrdiff_t(squared.size() / 2);
+    std::nth_element(squared.begin(), middle, squared.end());
+    v->info().spacing = v->info().measured = float(std::log(*middle) / 2);
+  }
 }
 
-void Outline_triangulation::smooth_spacings(bool is_first)
+// The geometric mean with the neighbors: a few stray points get the spacing of the many around them.
+void Outline_triangulation::smooth_spacings()
 {
   std::vector<float> smooth;
   smooth.reserve(triangulation.number_of_vertices());
-  for(Vertex_handle v : triangulation.finite_vertex_handles())
-    smooth.push_back(float(smoothed_spacing(v, is_first)));
+  for(Vertex_handle v : triangulation.finite_vertex_handles()) {
+    float sum = v->info().spacing, count = 1;
+    for_each_neighbor(v, [&](Vertex_handle u) {
+      sum += u->info().spacing;
+      ++count;
+    });
+    smooth.push_back(sum / count);
+  }
   auto next = smooth.begin();
   for(Vertex_handle v : triangulation.finite_vertex_handles())
     v->info().spacing = *next++;
@@ -105,36 +113,23 @@ void Outline_triangulation::insert(const Straight_border& border, const Plane_fr
 
 // --- Inside
 
-// Infinite for a sliver, whose area is within the rounding of its computation: it would be divided by that. Points of
-// a lattice that are on a line in space form slivers in the plane of the shape.
-double Outline_triangulation::squared_radius(Face_handle f)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Kernel::Point_2 &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
-  const Kernel::Vector_2 a = q - p, b = r - p;
-  const double s = a.x() * b.y(), t = a.y() * b.x();
-  if(!(std::fabs(s - t) > 4 * std::numeric_limits<double>::epsilon() * (std::fabs(s) + std::fabs(t))))
-    return infinity;
-  const double squared = CGAL::squared_radius(p, q, r);
-  return std::isfinite(squared) ? squared : infinity;
-}
-
-double Outline_triangulation::spacing(Face_handle f)
-{
-  return (double(f->vertex(0)->info().spacing) + f->vertex(1)->info().spacing + f->vertex(2)->info().spacing) / 3;
-}
-
+// A point close to a straight border makes a flat face with a large circle there, so that is decided by edges.
 bool Outline_triangulation::is_inside(Face_handle f, double radius) const
 {
   double largest = radius * spacing(f);
+  bool is_at_border = false;
   for(int i = 0; i < 3; ++i) {
     const Vertex_info& info = f->vertex(i)->info();
     if(info.is_cut)
       return false;
-    if(info.border >= 0)
-      largest = (std::max)(largest, double(border_vertices[std::size_t(info.border)].reach));
+    if(info.border < 0)
+      continue;
+    is_at_border = true;
+    largest = (std::max)(largest, double(border_vertices[std::size_t(info.border)].reach));
   }
-  return !f->info().is_beyond && squared_radius(f) <= largest * largest;
+  if(f->info().is_beyond)
+    return false;
+  return is_at_border ? squared_length(f) <= 4 * largest * largest : squared_radius(f) <= largest * largest;
 }
 
 // The faces to the right of straight borders.
@@ -201,18 +196,15 @@ void Outline_triangulation::drop_crumbs(const Outline_limits& limits)
 // Of several fans of faces of the inside around a vertex, only the largest remains.
 bool Outline_triangulation::separate(Vertex_handle v)
 {
-  thread_local std::vector<std::pair<double, std::vector<Face_handle>>> fans;
-  fans.clear();
-  const Face_handle begin = [&] { // after a face outside
-    auto f = triangulation.incident_faces(v);
-    const auto end = f;
-    while(f->info().is_inside && ++f != end) {
-    }
-    return Face_handle(f);
-  }();
+  if(number_of_fans(triangulation, v) < 2)
+    return false;
+  auto f = triangulation.incident_faces(v);
+  while(f->info().is_inside)
+    ++f;
+  const Face_handle begin = f; // outside
+  std::vector<std::pair<double, std::vector<Face_handle>>> fans;
   bool was_inside = false;
-  auto f = triangulation.incident_faces(v, begin);
-  do {
+  for(++f; Face_handle(f) != begin; ++f) {
     if(f->info().is_inside) {
       if(!was_inside)
         fans.emplace_back();
@@ -220,14 +212,13 @@ bool Outline_triangulation::separate(Vertex_handle v)
       fans.back().second.push_back(f);
     }
     was_inside = f->info().is_inside;
-  } while(++f != begin);
-  if(fans.size() < 2)
-    return false;
-  std::iter_swap(fans.begin(), std::max_element(fans.begin(), fans.end(),
-                                                [](const auto& a, const auto& b) { return a.first < b.first; }));
-  for(std::size_t i = 1; i < fans.size(); ++i)
-    for(Face_handle out : fans[i].second)
-      out->info().is_inside = false;
+  }
+  const auto largest =
+    std::max_element(fans.begin(), fans.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for(auto fan = fans.begin(); fan != fans.end(); ++fan)
+    if(fan != largest)
+      for(Face_handle out : fan->second)
+        out->info().is_inside = false;
   return true;
 }
 

@@ -21,10 +21,10 @@ namespace program {
 
 // Lengths are multiples of the spacing of the points, areas of its square.
 struct Outline_limits {
-  double radius = 2; // of the largest circle without points; at random, the largest of a million is about that large
-  double piece = 40; // smallest area of a piece
-  double hole = 40;  // smallest area of a hole
-  double tolerance = 1.5; // of the straightened outline
+  double radius = 1.8;  // of the largest circle without points; at random, the largest of a million is about that large
+  double piece = 20;    // smallest area of a piece
+  double hole = 16;     // smallest area of a hole
+  double tolerance = 1; // of the straightened outline
 };
 
 struct Outline_vertex {
@@ -55,6 +55,7 @@ private:
   struct Vertex_info {
     int border = -1;   // position in border_vertices
     float spacing = 0; // 0: not of the points
+    float measured = 0;
     bool is_cut = false;
   };
   struct Face_info {
@@ -74,10 +75,8 @@ private:
   using Vertex_handle = Triangulation::Vertex_handle;
   using Face_handle = Triangulation::Face_handle;
 
-  static double squared_radius(Face_handle f);
-  static double spacing(Face_handle f);
-  double smoothed_spacing(Vertex_handle v, bool is_first) const;
-  void smooth_spacings(bool is_first);
+  void measure_spacings();
+  void smooth_spacings();
   Vertex_handle insert(const Border_vertex_position& position, const Straight_border& border, const Plane_frame& frame);
   void mark_inside(const Outline_limits& limits);
   void mark_beyond();
@@ -88,6 +87,18 @@ private:
   void separate_pieces();
   bool share_border(Vertex_handle u, Vertex_handle v, int* border) const;
   Outline_loop straight_loop(const std::vector<Vertex_handle>& loop) const;
+
+  // f(a vertex that shares an edge with v)
+  template <class Function>
+  void for_each_neighbor(Vertex_handle v, Function f) const
+  {
+    auto u = triangulation.incident_vertices(v);
+    const auto end = u;
+    do
+      if(!triangulation.is_infinite(u))
+        f(Vertex_handle(u));
+    while(++u != end);
+  }
 
   Triangulation triangulation;
   std::vector<Vertex_handle> vertices;

@@ -11,9 +11,9 @@ namespace program {
 
 namespace {
 
-constexpr double smallest_sine = .25; // about 15 degrees: flatter lines are not well defined by their points
+constexpr double smallest_sine = .25;  // about 15 degrees: flatter lines are not well defined by their points
+constexpr double largest_cosine = .97; // of directions that differ
 constexpr std::size_t block_size = 64;
-constexpr double shortest = 4; // shortest border, in spacings
 
 CGAL::Bbox_3 grown(const CGAL::Bbox_3& b, double d)
 {
@@ -28,38 +28,6 @@ float median_spacing(const std::vector<Near_point>& points)
     all.push_back(p.spacing);
   std::nth_element(all.begin(), all.begin() + std::ptrdiff_t(all.size() / 2), all.end());
   return all[all.size() / 2];
-}
-
-// Where the points that are chosen follow each other closely. `points` are sorted along the line.
-template <class Near_point, class Is_chosen>
-Intervals runs(const std::vector<Near_point>& points, Is_chosen is_chosen)
-{
-  Intervals result;
-  std::size_t count = 0;
-  float last_spacing = 0;
-  double sum = 0;
-  const auto drop_short = [&] {
-    if(!result.empty() && result.back().length() < shortest * sum / double(count))
-      result.pop_back();
-  };
-  for(const Near_point& p : points) {
-    if(!is_chosen(p))
-      continue;
-    if(result.empty() || count == 0 || p.along - result.back().last > 2 * (double(p.spacing) + last_spacing)) {
-      if(count > 0)
-        drop_short();
-      result.push_back({p.along, p.along});
-      count = 0;
-      sum = 0;
-    }
-    result.back().last = p.along;
-    ++count;
-    sum += p.spacing;
-    last_spacing = p.spacing;
-  }
-  if(count > 0)
-    drop_short();
-  return result;
 }
 
 Kernel::Vector_3 normal_of(const Shapes& shapes, std::size_t s) { return shapes.oriented_plane(s).orthogonal_vector(); }
@@ -165,7 +133,8 @@ void Border_finder::find_pieces(std::size_t s, const Line& line, std::vector<Pie
   const Intervals left = runs(near_points, [&](const Near_point& p) { return p.across > overhang(p.spacing, line); });
   const Intervals right = runs(near_points, [&](const Near_point& p) { return -p.across > overhang(p.spacing, line); });
   for(bool is_left : {true, false})
-    for(const Interval& i : intersection(common, is_left ? difference(left, right) : difference(right, left))) {
+    for(const Interval& i : bridged(intersection(common, is_left ? difference(left, right) : difference(right, left)),
+                                    is_left ? right : left, 16 * median_spacing(near_points))) {
       std::vector<Near_point> inside;
       for(const Near_point& p : near_points)
         if(p.along >= i.first && p.along <= i.last)
@@ -173,7 +142,7 @@ void Border_finder::find_pieces(std::size_t s, const Line& line, std::vector<Pie
       if(inside.empty())
         continue;
       const float spacing = median_spacing(inside);
-      if(i.length() < shortest * spacing)
+      if(!(spacing > 0) || i.length() < shortest * spacing) // 0: all points are on a line
         continue;
       pieces.push_back({line, i, is_left, spacing, {-1, -1}, {0, 0}, {}});
       for(const Near_point& p : inside)
@@ -210,7 +179,7 @@ void Border_finder::join_at_corner(std::size_t s, Piece& a, Piece& b) const
     return;
   const Kernel::Point_3 corner = corner_of(s, a.line.plane, b.line.plane);
   const auto along = [&](const Piece& p) { return (corner - p.line.origin) * p.line.direction; };
-  const auto slack = [&](const Piece& p) { return 4 * p.spacing + 2 * maximum_distance / p.line.sine; };
+  const auto slack = [&](const Piece& p) { return reach(p.spacing, p.line); };
   const auto touches = [&](const Piece& p) {
     return along(p) > p.interval.first - slack(p) && along(p) < p.interval.last + slack(p);
   };
@@ -226,6 +195,32 @@ void Border_finder::join_at_corner(std::size_t s, Piece& a, Piece& b) const
       piece->third[end] = other->line.plane;
       piece->shift[end] = shift[end];
     }
+  }
+}
+
+// Of two lines that are close to each other, the shape ends at the inner one.
+void Border_finder::drop_outer(std::size_t s, std::vector<Piece>& pieces) const
+{
+  const std::vector<Piece> all_pieces = std::exchange(pieces, {});
+  for(const Piece& outer : all_pieces) {
+    const Kernel::Vector_3 left = CGAL::cross_product(normal_of(shapes, s), outer.line.direction);
+    Intervals rest = {outer.interval};
+    for(const Piece& inner : all_pieces) {
+      const double cosine = inner.line.direction * outer.line.direction;
+      const Kernel::Vector_3 shift = inner.line.origin - outer.line.origin;
+      const double depth = (outer.is_left ? 1 : -1) * (shift * left);
+      if(inner.line.plane == outer.line.plane || std::fabs(cosine) < largest_cosine ||
+         (cosine > 0) != (inner.is_left == outer.is_left) || depth < 0 || depth > reach(outer.spacing, outer.line))
+        continue;
+      const auto along = [&](double x) { return shift * outer.line.direction + x * cosine; };
+      const auto [first, last] = std::minmax(along(inner.interval.first), along(inner.interval.last));
+      rest = difference(rest, {{first, last}});
+    }
+    for(const Interval& i : rest)
+      if(i.length() >= shortest * outer.spacing) {
+        pieces.push_back(outer);
+        pieces.back().interval = i;
+      }
   }
 }
 
@@ -251,7 +246,7 @@ Straight_border Border_finder::border_of(std::size_t s, const Piece& piece) cons
   std::sort(chain.begin(), chain.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   if(!piece.is_left)
     std::reverse(chain.begin(), chain.end());
-  Straight_border border = {line.plane, {}, piece.spacing, float(reach(piece.spacing, line))};
+  Straight_border border = {line.plane, {}, piece.spacing, float(1.5 * reach(piece.spacing, line))};
   for(const auto& [along, vertex] : chain)
     border.chain.push_back(vertex);
   return border;
@@ -263,6 +258,7 @@ Straight_borders Border_finder::borders_of(std::size_t s) const
   std::vector<Piece> pieces;
   for(int plane : planes_near(s))
     find_pieces(s, line_of(s, plane), pieces, result.cut);
+  drop_outer(s, pieces);
   for(std::size_t i = 0; i < pieces.size(); ++i)
     for(std::size_t j = 0; j < i; ++j)
       join_at_corner(s, pieces[i], pieces[j]);

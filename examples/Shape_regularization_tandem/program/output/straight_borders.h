@@ -67,6 +67,7 @@ private:
   Line line_of(std::size_t s, int plane) const;
   std::vector<Near_point> points_near(std::size_t s, const Line& line) const;
   void find_pieces(std::size_t s, const Line& line, std::vector<Piece>& pieces, std::vector<std::uint32_t>& cut) const;
+  void drop_outer(std::size_t s, std::vector<Piece>& pieces) const;
   void join_at_corner(std::size_t s, Piece& a, Piece& b) const;
   Kernel::Point_3 on_line(std::size_t s, const Line& line, double along) const;
   Kernel::Point_3 corner_of(std::size_t s, int plane, int other) const;

@@ -39,7 +39,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Reconstruction = CGAL::Polygonal_surface_reconstruction<Kernel>;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-constexpr std::size_t most_candidates = 20000; // faces; the solver would not end
+constexpr std::size_t most_planes = 20;        // more on demand only
+constexpr std::size_t most_candidates = 10000; // faces; the solver would not end
 
 struct Soup {
   std::vector<Kernel::Point_3> points;
@@ -134,12 +135,16 @@ void write_ply(std::ostream& out, const Soup& soup)
 std::string missing_for_mesh() { return {}; }
 
 void write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const std::string& path,
-                std::size_t largest_number_of_planes)
+                std::optional<long long> number_of_planes)
 {
-  if(shapes.number_of_coplanar_groups() < 4)
-    throw std::runtime_error("--mesh: a closed surface needs four planes, " +
-                             std::to_string(shapes.number_of_coplanar_groups()) + " were found");
-  const Soup soup = reconstruct(items_of_planes(points, shapes, largest_number_of_planes));
+  const std::size_t found = shapes.number_of_coplanar_groups();
+  if(!number_of_planes && found > most_planes)
+    throw std::runtime_error(
+      "--mesh: " + std::to_string(found) +
+      " planes were found, which take too long: take fewer by --mesh-planes or by a larger --minimum-region-size");
+  if(found < 4)
+    throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(found) + " were found");
+  const Soup soup = reconstruct(items_of_planes(points, shapes, std::size_t(number_of_planes.value_or(most_planes))));
   const std::string extension = lower_case_extension(path);
   out << std::setprecision(17);
   if(extension == ".off")
@@ -167,7 +172,7 @@ std::string missing_for_mesh()
 #endif
 }
 
-void write_mesh(std::ostream&, const Point_set&, const Shapes&, const std::string&, std::size_t)
+void write_mesh(std::ostream&, const Point_set&, const Shapes&, const std::string&, std::optional<long long>)
 {
   throw std::runtime_error("--mesh needs " + missing_for_mesh() + ": this program was built without it");
 }

@@ -9,6 +9,7 @@
 #include "output/shape_polygons.h"
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace program {
@@ -17,9 +18,9 @@ namespace program {
 std::string missing_for_mesh();
 
 // The format is that of the extension: .off, .obj or .ply. The time and the memory grow with the cube of the number of
-// planes, so there is a limit: the planes with most points are taken.
+// planes, so there is a limit. With a number, the planes with most points are taken.
 void write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const std::string& path,
-                std::size_t largest_number_of_planes);
+                std::optional<long long> number_of_planes);
 
 } // namespace program
 

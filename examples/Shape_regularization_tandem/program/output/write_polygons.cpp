@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "output/write_polygons.h"
-#include "output/write_results.h"
+#include "extension.h"
+#include "output/Binary_writer.h"
+#include "output/shape_color.h"
 
 #include <algorithm>
 #include <iomanip>
