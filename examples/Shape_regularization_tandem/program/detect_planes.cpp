@@ -4,18 +4,15 @@
 // Detects the planes of a point cloud file. detect_planes --help explains the options.
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
-#include "output/Output_file.h"
+#include "Output_files.h"
 #include "fail.h"
+#include "input/read_cloud.h"
+#include "output/write_las.h"
+#include "output/write_mesh.h"
+#include "output/write_view.h"
 #include "program_options.h"
 #include "progress.h"
-#include "input/read_cloud.h"
-#include "output/report.h"
 #include "signals.h"
-#include "output/write_cloud.h"
-#include "output/write_las.h"
-#include "output/write_polygons.h"
-#include "output/write_results.h"
-#include "output/write_vg.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>
@@ -27,7 +24,6 @@
 #include <tbb/global_control.h>
 #endif
 
-#include <deque>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -112,10 +108,15 @@ void prepare_normals(Point_set& points, const Options& o, Run& run)
 }
 
 template <class Tag>
-Shapes detect(const Point_set& points, const Options& o, Progress_bar& progress)
+Shapes detect(const Point_set& points, const Options& o, Progress_line& progress)
 {
   namespace np = CGAL::Tandem::parameters;
-  const std::function<bool(double)> callback = [&](double share) { return progress.show(share) && !is_interrupted(); };
+  const std::function<bool(double)> callback = [&](double share) {
+    if(is_interrupted())
+      throw Interrupted();
+    progress.show(share);
+    return true;
+  };
   const auto all = np::settings(parameters_of(o)).callback(callback);
   if(o.maximum_offset)
     return CGAL::Tandem::detect_planes<Tag>(points, all.maximum_offset(*o.maximum_offset));
@@ -124,7 +125,7 @@ Shapes detect(const Point_set& points, const Options& o, Progress_bar& progress)
 
 Shapes detect_on_backend(const Point_set& points, const Options& o)
 {
-  Progress_bar progress(!o.is_quiet);
+  Progress_line progress(!o.is_quiet, "estimating parameters");
 #ifdef CGAL_TANDEM_USE_CUDA
   if(o.backend == "cuda")
     return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
@@ -154,63 +155,16 @@ void name_device(const Shapes& shapes, const Options& o, Run& run)
 #endif
 }
 
-// The files to be written, opened before the work starts, so that a bad name costs no time.
-class Output_files {
-public:
-  explicit Output_files(const Options& o) : options(o)
-  {
-    open(o.output, [](std::ostream& out, const Results& r) {
-      write_cloud(out, r.points, r.shapes, {output_extension(r.o.output), r.o.colors, r.notes.las_frame});
-    });
-    open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
-    open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
-    open(o.vg,
-         [](std::ostream& out, const Results& r) { write_vg(out, r.points, r.shapes, r.o.has_group_for_each_plane); });
-    open(o.polygons,
-         [](std::ostream& out, const Results& r) { write_polygons(out, r.points, r.shapes, r.o.polygons); });
-    open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
-  }
-
-  // All of them or, if one cannot be written, none.
-  void write(const Point_set& points, const Input_notes& notes, const Shapes& shapes, const Run& run)
-  {
-    for(std::size_t i = 0; i < files.size(); ++i) {
-      writers[i](files[i].stream(), Results{options, points, notes, shapes, run});
-      files[i].close();
-    }
-    for(Output_file& file : files)
-      file.commit();
-  }
-
-private:
-  struct Results {
-    const Options& o;
-    const Point_set& points;
-    const Input_notes& notes;
-    const Shapes& shapes;
-    const Run& run;
-  };
-  using Writer = void (*)(std::ostream&, const Results&);
-
-  void open(const std::string& path, Writer writer)
-  {
-    if(path.empty())
-      return;
-    files.emplace_back(path);
-    writers.push_back(writer);
-  }
-
-  const Options& options;
-  std::deque<Output_file> files; // a file does not move
-  std::vector<Writer> writers;
-};
-
 // Reads the inputs, and prints what may be wrong with them.
 Input_notes read_inputs(const Options& o, Point_set& points, Run& run)
 {
   CGAL::Real_timer timer;
   timer.start();
-  Input_notes notes = read_clouds(o.inputs, input_settings(o.inputs, o.columns, o.classes), points);
+  Input_notes notes;
+  {
+    const Progress_line progress(!o.is_quiet, "reading");
+    notes = read_clouds(o.inputs, input_settings(o.inputs, o.columns, o.classes), points);
+  }
   run.read_seconds = timer.time();
   for(const std::string& path : o.inputs)
     run.input += (run.input.empty() ? "" : ", ") + path;
@@ -226,6 +180,10 @@ void run(const Options& o)
   check_backend(o);
   if(output_extension(o.output) == ".laz")
     check_laszip(o.output);
+  if(!o.mesh.empty() && !missing_for_mesh().empty())
+    throw Usage_error("--mesh needs " + missing_for_mesh() + ": this program was built without it");
+  if(!o.view.empty() && !has_view())
+    throw Usage_error("--view needs three.js (Debian: libjs-three): this program was built without it");
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> limit;
   if(o.threads)
@@ -240,9 +198,10 @@ void run(const Options& o)
 
   const Shapes shapes = detect_on_backend(points, o);
   name_device(shapes, o, run);
-  if(shapes.is_cancelled() || is_interrupted())
-    throw Interrupted();
-  files.write(points, notes, shapes, run);
+  {
+    const Progress_line progress(!o.is_quiet, "writing");
+    files.write(points, notes, shapes, run);
+  }
   if(!o.is_quiet)
     print_summary(std::cout, shapes, run);
   if(!std::cout.flush())

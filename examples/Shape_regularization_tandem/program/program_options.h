@@ -6,17 +6,13 @@
 #ifndef DETECT_PLANES_PROGRAM_OPTIONS_H
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
-#include "direction_option.h"
-#include "formats.h"
-#include "input_options.h"
-#include "links.h"
+#include "check_options.h"
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cstring>
-#include <filesystem>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -24,28 +20,6 @@
 #include <vector>
 
 namespace program {
-
-// Bad usage: exit code 2. Every other exception is exit code 1.
-struct Usage_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-constexpr long long by_library = 0; // of estimate_normals: no PCA of a given number of neighbors
-
-// What was not given is left to the library.
-struct Options {
-  std::vector<std::string> inputs;
-  std::string output, labels, planes, report, vg, polygons;
-  std::string columns, classes; // of the inputs
-  std::string colors;           // of the output: shape, input or empty
-  std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
-  std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
-  bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
-  std::vector<Direction> fixed_directions;
-  std::optional<Direction> symmetry_direction;
-  std::string backend = "auto";
-  bool has_group_for_each_plane = false, is_quiet = false, wants_help = false, wants_version = false;
-};
 
 inline std::string usage()
 {
@@ -148,7 +122,17 @@ inline void add_output_options(po::options_description& all, Options& o)
   add("vg-by-plane", po::bool_switch(&o.has_group_for_each_plane),
       "a group of --vg for each plane: coplanar shapes in one");
   add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
-      "the area of each shape as a mesh of triangles with corners on its plane, .ply or .obj");
+      "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
+      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply or "
+      ".obj (a face for each polygon, triangles for one with holes)");
+  add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
+  add("mesh", po::value<std::string>(&o.mesh)->value_name("FILE"),
+      "a closed surface made of the planes, by CGAL::Polygonal_surface_reconstruction: .off, .obj or .ply");
+  add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
+      "--mesh takes the N planes with most points; its time grows fast with their number (without: all, if there are "
+      "at most 20)");
+  add("view", po::value<std::string>(&o.view)->value_name("FILE"),
+      "a page .html that shows the result in a browser, without a network; of more than 3 million points a part");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
       "JSON with parameters, counts, quality, times, memory and relations: parallel and coplanar groups of shapes, "
       "orthogonal pairs of parallel groups, all counted from 0");
@@ -171,67 +155,6 @@ inline std::vector<std::string> join_optional_value(int argc, const char* const 
       words.erase(words.begin() + std::ptrdiff_t(i) + 1);
   }
   return words;
-}
-
-// The same file under two names is found as well; devices and pipes may serve twice.
-inline void check_files(const Options& o)
-{
-  namespace fs = std::filesystem;
-  std::vector<fs::path> files;
-  std::vector<std::string> names = o.inputs;
-  names.insert(names.end(), {o.output, o.labels, o.planes, o.report, o.vg, o.polygons});
-  for(const std::string& name : names) {
-    std::error_code error;
-    const fs::file_status status = fs::status(name, error);
-    if(name.empty() || (fs::exists(status) && !fs::is_regular_file(status)))
-      continue;
-    files.push_back(unique_name(name));
-    if(std::count(files.begin(), files.end(), files.back()) > 1)
-      throw Usage_error("the file " + name + " is named twice");
-  }
-}
-
-inline void check_count(const char* name, const std::optional<long long>& value, long long smallest, long long largest)
-{
-  if(value && (*value < smallest || *value > largest))
-    throw Usage_error(std::string("--") + name + " is " + std::to_string(*value) + ", must be in [" +
-                      std::to_string(smallest) + ", " + std::to_string(largest) + "]");
-}
-
-inline void check_formats(const Options& o)
-{
-  const std::string mesh = lower_case_extension(o.polygons);
-  if(!o.polygons.empty() && mesh != ".ply" && mesh != ".obj")
-    throw Usage_error("--polygons is '" + o.polygons + "', must end in .ply or .obj");
-  if(!o.output.empty() && !is_known_output(o.output))
-    throw Usage_error("--output is '" + o.output + "', must end in one of " + known_outputs);
-  if(!o.colors.empty() && o.colors != "shape" && o.colors != "input")
-    throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
-  try {
-    input_settings(o.inputs, o.columns, o.classes);
-  } catch(const std::invalid_argument& e) {
-    throw Usage_error(e.what());
-  }
-}
-
-// Ranges that the library does not know, and negative numbers, which would wrap around.
-inline void check(const Options& o)
-{
-  if(o.inputs.empty() || std::count(o.inputs.begin(), o.inputs.end(), "") > 0)
-    throw Usage_error("no INPUT given");
-  if(o.backend != "auto" && o.backend != "sequential" && o.backend != "parallel" && o.backend != "cuda")
-    throw Usage_error("--backend is '" + o.backend + "', must be auto, sequential, parallel or cuda");
-  constexpr long long largest = 1LL << 31;
-  check_count("threads", o.threads, 1, 4096);
-  check_count("minimum-region-size", o.minimum_region_size, 0, largest);
-  check_count("k-neighbors", o.k_neighbors, 0, largest);
-  check_count("cell-size", o.cell_size, 0, largest);
-  if(o.estimate_normals && *o.estimate_normals != by_library)
-    check_count("estimate-normals", o.estimate_normals, 3, 1000);
-  if(o.has_group_for_each_plane && o.vg.empty())
-    throw Usage_error("--vg-by-plane needs --vg");
-  check_formats(o);
-  check_files(o);
 }
 
 struct Command_line {

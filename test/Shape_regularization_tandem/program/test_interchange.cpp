@@ -9,6 +9,7 @@
 #include "testing/box_cloud.h"
 
 #include "output/write_polygons.h"
+#include "output/write_results.h"
 #include "output/write_vg.h"
 
 #include <CGAL/IO/OBJ.h>
@@ -210,7 +211,7 @@ void check_mesh(const Mesh& mesh, const std::vector<int>& shape_of, const Shapes
 void check_ply(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, shapes, "areas.PLY");
+  program::write_polygons(out, points, shapes, "areas.PLY", true);
   std::istringstream in(out.str());
   Mesh mesh;
   CHECK(CGAL::IO::read_PLY(in, mesh.points, mesh.faces));
@@ -228,7 +229,7 @@ void check_ply(const Point_set& points, const Shapes& shapes)
 void check_obj(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, shapes, "areas.obj");
+  program::write_polygons(out, points, shapes, "areas.obj", true);
   std::istringstream in(out.str());
   Mesh mesh;
   CHECK(CGAL::IO::read_OBJ(in, mesh.points, mesh.faces));
@@ -248,16 +249,16 @@ void check_obj(const Point_set& points, const Shapes& shapes)
 // Each edge has one or two triangles: nothing overlaps, and the boundary is made of closed lines.
 void check_boundary(const Point_set& points, const Shapes& shapes)
 {
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    const program::Shape_polygons p = program::polygons_of_shape(points, shapes, s);
+  for(const program::Shape_polygons& shape : program::polygons_of_shapes(points, shapes)) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
     std::map<std::uint32_t, int> balance;
-    for(const auto& t : p.triangles)
-      for(int i = 0; i < 3; ++i)
-        ++count[{t[i], t[(i + 1) % 3]}];
+    for(const program::Polygon& polygon : shape.polygons)
+      for(const auto& t : polygon.triangles)
+        for(int i = 0; i < 3; ++i)
+          ++count[{t[i], t[(i + 1) % 3]}];
     int boundary_edges = 0;
     for(const auto& [edge, n] : count) {
-      CHECK_AT(n == 1, std::to_string(s));
+      CHECK_AT(n == 1, std::to_string(edge.first));
       if(count.count({edge.second, edge.first}) == 0) {
         ++boundary_edges;
         ++balance[edge.first];
@@ -294,14 +295,7 @@ void check_lattice(int run)
   const Shapes shapes =
     CGAL::Tandem::detect_planes(points, CGAL::Tandem::parameters::maximum_distance(.01).minimum_region_size(100));
   CHECK_AT(shapes.number_of_shapes() == 1, std::to_string(run));
-  const program::Shape_polygons p = program::polygons_of_shape(points, shapes, 0);
-  double covered = 0;
-  for(const auto& t : p.triangles) {
-    const auto corner_of = [&](int i) {
-      return Kernel::Point_3(p.vertices[t[i]][0], p.vertices[t[i]][1], p.vertices[t[i]][2]);
-    };
-    covered += std::sqrt(CGAL::squared_area(corner_of(0), corner_of(1), corner_of(2)));
-  }
+  const double covered = program::polygons_of_shapes(points, shapes)[0].area;
   const double length = (side - 1) * spacing;
   CHECK_AT(std::fabs(covered / (length * length) - 1) < 1e-6, std::to_string(run) + ": " + std::to_string(covered));
 }

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the command line of detect_planes says.
+
+#ifndef DETECT_PLANES_OPTIONS_H
+#define DETECT_PLANES_OPTIONS_H
+
+#include "direction_option.h"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace program {
+
+// Bad usage: exit code 2. Every other exception is exit code 1.
+struct Usage_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+constexpr long long by_library = 0; // of estimate_normals: no PCA of a given number of neighbors
+
+// What was not given is left to the library.
+struct Options {
+  std::vector<std::string> inputs;
+  std::string output, labels, planes, report, vg, polygons, mesh, view;
+  std::string columns, classes; // of the inputs
+  std::string colors;           // of the output: shape, input or empty
+  std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
+  std::optional<long long> mesh_planes, minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
+  bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
+  std::vector<Direction> fixed_directions;
+  std::optional<Direction> symmetry_direction;
+  std::string backend = "auto";
+  bool has_group_for_each_plane = false, has_triangles_only = false, is_quiet = false;
+  bool wants_help = false, wants_version = false;
+};
+
+} // namespace program
+
+#endif // DETECT_PLANES_OPTIONS_H

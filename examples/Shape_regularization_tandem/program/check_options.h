@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds what is wrong with the options before any work: ranges that the library does not know, formats that cannot be
+// written, files that are named twice.
+
+#ifndef DETECT_PLANES_CHECK_OPTIONS_H
+#define DETECT_PLANES_CHECK_OPTIONS_H
+
+#include "Options.h"
+#include "formats.h"
+#include "input_options.h"
+#include "links.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace program {
+
+// The same file under two names is found as well; devices and pipes may serve twice.
+inline void check_files(const Options& o)
+{
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
+  std::vector<std::string> names = o.inputs;
+  names.insert(names.end(), {o.output, o.labels, o.planes, o.report, o.vg, o.polygons, o.mesh, o.view});
+  for(const std::string& name : names) {
+    std::error_code error;
+    const fs::file_status status = fs::status(name, error);
+    if(name.empty() || (fs::exists(status) && !fs::is_regular_file(status)))
+      continue;
+    files.push_back(unique_name(name));
+    if(std::count(files.begin(), files.end(), files.back()) > 1)
+      throw Usage_error("the file " + name + " is named twice");
+  }
+}
+
+inline void check_count(const char* name, const std::optional<long long>& value, long long smallest, long long largest)
+{
+  if(value && (*value < smallest || *value > largest))
+    throw Usage_error(std::string("--") + name + " is " + std::to_string(*value) + ", must be in [" +
+                      std::to_string(smallest) + ", " + std::to_string(largest) + "]");
+}
+
+inline void check_format(const char* name, const std::string& path, const std::vector<std::string>& extensions)
+{
+  const std::string extension = lower_case_extension(path);
+  if(path.empty() || std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
+    return;
+  std::string known = extensions[0];
+  for(std::size_t i = 1; i < extensions.size(); ++i)
+    known += (i + 1 < extensions.size() ? ", " : " or ") + extensions[i];
+  throw Usage_error(std::string("--") + name + " is '" + path + "', must end in " + known);
+}
+
+inline void check_formats(const Options& o)
+{
+  check_format("polygons", o.polygons, {".geojson", ".json", ".ply", ".obj"});
+  check_format("mesh", o.mesh, {".off", ".obj", ".ply"});
+  check_format("view", o.view, {".html"});
+  if(!o.output.empty() && !is_known_output(o.output))
+    throw Usage_error("--output is '" + o.output + "', must end in one of " + known_outputs);
+  if(!o.colors.empty() && o.colors != "shape" && o.colors != "input")
+    throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
+  try {
+    input_settings(o.inputs, o.columns, o.classes);
+  } catch(const std::invalid_argument& e) {
+    throw Usage_error(e.what());
+  }
+}
+
+// Ranges that the library does not know, and negative numbers, which would wrap around.
+inline void check(const Options& o)
+{
+  if(o.inputs.empty() || std::count(o.inputs.begin(), o.inputs.end(), "") > 0)
+    throw Usage_error("no INPUT given");
+  if(o.backend != "auto" && o.backend != "sequential" && o.backend != "parallel" && o.backend != "cuda")
+    throw Usage_error("--backend is '" + o.backend + "', must be auto, sequential, parallel or cuda");
+  constexpr long long largest = 1LL << 31;
+  check_count("threads", o.threads, 1, 4096);
+  check_count("minimum-region-size", o.minimum_region_size, 0, largest);
+  check_count("k-neighbors", o.k_neighbors, 0, largest);
+  check_count("cell-size", o.cell_size, 0, largest);
+  if(o.estimate_normals && *o.estimate_normals != by_library)
+    check_count("estimate-normals", o.estimate_normals, 3, 1000);
+  if(o.has_group_for_each_plane && o.vg.empty())
+    throw Usage_error("--vg-by-plane needs --vg");
+  if(o.has_triangles_only && o.polygons.empty())
+    throw Usage_error("--triangulate needs --polygons");
+  if(o.mesh_planes && o.mesh.empty())
+    throw Usage_error("--mesh-planes needs --mesh");
+  check_count("mesh-planes", o.mesh_planes, 4, 1000);
+  check_formats(o);
+  check_files(o);
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_CHECK_OPTIONS_H

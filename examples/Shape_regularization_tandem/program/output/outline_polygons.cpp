@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/outline_polygons.h"
+#include "output/boundary_loops.h"
+
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Polyline_simplification_2/Squared_distance_cost.h>
+#include <CGAL/Polyline_simplification_2/Stop_above_cost_threshold.h>
+#include <CGAL/Polyline_simplification_2/simplify.h>
+
+#include <map>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+namespace simplification = CGAL::Polyline_simplification_2;
+
+using Vertex_base = simplification::Vertex_base_2<Kernel>;
+using Face_base =
+  CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Base =
+  CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
+                                             CGAL::Exact_predicates_tag>;
+using Triangulation = CGAL::Constrained_triangulation_plus_2<Base>;
+using Face_handle = Triangulation::Face_handle;
+using Vertex_handle = Triangulation::Vertex_handle;
+using Vertex_map = std::map<Kernel::Point_2, const Outline_vertex*>;
+
+constexpr int outside = 0, unknown = -1; // others are components of the inside, from 1
+
+// In squares of the spacing, so that the outline follows dense points more closely.
+struct Relative_cost {
+  const Vertex_map& vertex_at;
+
+  template <class Constraints, class Iterator>
+  auto operator()(const Constraints& constraints, Iterator q) const
+  {
+    auto cost = simplification::Squared_distance_cost()(constraints, q);
+    if(cost) {
+      const double spacing = vertex_at.at((*q)->point())->spacing;
+      *cost = *cost / (spacing * spacing);
+    }
+    return cost;
+  }
+};
+
+bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& triangulation, Vertex_map& vertex_at)
+{
+  for(const Outline_loop& loop : loops) {
+    std::vector<Kernel::Point_2> points;
+    for(const Outline_vertex& v : loop) {
+      points.push_back(v.point);
+      if(!vertex_at.emplace(v.point, &v).second)
+        return false;
+    }
+    if(points.size() < 3)
+      return false;
+    triangulation.insert_constraint(points.begin(), points.end(), true);
+  }
+  for(Vertex_handle v : triangulation.finite_vertex_handles()) {
+    const auto found = vertex_at.find(v->point());
+    if(found == vertex_at.end())
+      return false; // two lines cross
+    if(found->second->is_fixed)
+      v->set_removable(false);
+  }
+  return true;
+}
+
+// From infinity inwards; each crossing of a line changes the side.
+void mark_inside(const Triangulation& triangulation)
+{
+  for(Face_handle f : triangulation.all_face_handles())
+    f->info() = unknown;
+  int number_of_components = 0;
+  std::vector<Face_handle> border = {triangulation.infinite_face()}, stack;
+  std::vector<int> sides = {outside};
+  for(std::size_t next = 0; next < border.size(); ++next) {
+    if(border[next]->info() != unknown)
+      continue;
+    const int side = sides[next] == outside ? outside : ++number_of_components;
+    border[next]->info() = side;
+    for(stack.assign(1, border[next]); !stack.empty();) {
+      const Face_handle f = stack.back();
+      stack.pop_back();
+      for(int i = 0; i < 3; ++i) {
+        const Face_handle g = f->neighbor(i);
+        if(g->info() != unknown)
+          continue;
+        if(triangulation.is_constrained({f, i})) {
+          border.push_back(g);
+          sides.push_back(side == outside ? 1 : outside);
+          continue;
+        }
+        g->info() = side;
+        stack.push_back(g);
+      }
+    }
+  }
+}
+
+// Every vertex is one of the given ones, and two lines end there.
+bool is_valid(const Triangulation& triangulation, const Vertex_map& vertex_at)
+{
+  for(Vertex_handle v : triangulation.finite_vertex_handles()) {
+    if(vertex_at.count(v->point()) == 0)
+      return false;
+    int count = 0;
+    auto e = triangulation.incident_edges(v);
+    const auto end = e;
+    do
+      count += !triangulation.is_infinite(*e) && triangulation.is_constrained(*e);
+    while(++e != end);
+    if(count != 2)
+      return false;
+  }
+  return true;
+}
+
+double signed_area(const Polygon::Loop& loop, const std::vector<Outline_vertex>& vertices)
+{
+  double area = 0;
+  for(std::size_t i = 0; i < loop.size(); ++i) {
+    const Kernel::Vector_2 p = vertices[loop[i]].point - vertices[loop[0]].point;
+    const Kernel::Vector_2 q = vertices[loop[(i + 1) % loop.size()]].point - vertices[loop[0]].point;
+    area += p.x() * q.y() - p.y() * q.x();
+  }
+  return area / 2;
+}
+
+void extract_polygons(const Triangulation& triangulation, const Vertex_map& vertex_at,
+                      std::vector<Outline_vertex>& vertices, std::vector<Polygon>& polygons)
+{
+  std::map<Vertex_handle, std::uint32_t> number;
+  const auto number_of = [&](Vertex_handle v) {
+    const auto added = number.emplace(v, std::uint32_t(vertices.size()));
+    if(added.second)
+      vertices.push_back(*vertex_at.at(v->point()));
+    return added.first->second;
+  };
+  const auto polygon_of = [&](Face_handle f) -> Polygon& {
+    if(polygons.size() < std::size_t(f->info()))
+      polygons.resize(std::size_t(f->info()));
+    return polygons[std::size_t(f->info()) - 1];
+  };
+  const auto is_inside = [](Face_handle f) { return f->info() > outside; };
+  using Walk = Boundary_walk<Triangulation, decltype(is_inside)>;
+  for(const auto& edges : Walk(triangulation, is_inside).loops()) {
+    Polygon::Loop loop;
+    for(const auto& e : edges)
+      loop.push_back(number_of(Walk::source(e)));
+    Polygon& polygon = polygon_of(edges[0].first);
+    if(signed_area(loop, vertices) > 0)
+      polygon.outer = loop;
+    else
+      polygon.holes.push_back(loop);
+  }
+  for(Face_handle f : triangulation.finite_face_handles())
+    if(is_inside(f))
+      polygon_of(f).triangles.push_back({number_of(f->vertex(0)), number_of(f->vertex(1)), number_of(f->vertex(2))});
+}
+
+} // namespace
+
+bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
+                   std::vector<Polygon>& polygons)
+{
+  Triangulation triangulation;
+  Vertex_map vertex_at;
+  if(!insert_loops(loops, triangulation, vertex_at))
+    return false;
+  simplification::simplify(triangulation, Relative_cost{vertex_at},
+                           simplification::Stop_above_cost_threshold(tolerance * tolerance));
+  if(!is_valid(triangulation, vertex_at))
+    return false;
+  mark_inside(triangulation);
+  extract_polygons(triangulation, vertex_at, vertices, polygons);
+  return true;
+}
+
+} // namespace program

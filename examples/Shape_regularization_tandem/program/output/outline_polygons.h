@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Straightens the outline of a shape, and makes polygons with holes of it.
+
+#ifndef DETECT_PLANES_OUTLINE_POLYGONS_H
+#define DETECT_PLANES_OUTLINE_POLYGONS_H
+
+#include "output/Outline_triangulation.h"
+#include "output/shape_polygons.h"
+
+namespace program {
+
+// Simple lines without common points, the inside to their left, and what they become. False if the straightened lines
+// are not like that: then nothing is changed.
+bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
+                   std::vector<Polygon>& polygons);
+
+} // namespace program
+
+#endif // DETECT_PLANES_OUTLINE_POLYGONS_H

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The outlines of the shapes: of scenes whose areas are known, of points of all sorts in a plane, and of random ones,
+// which must become simple polygons that have nothing in common.
+
+#undef NDEBUG
+
+#include "testing/box_cloud.h"
+
+#include "output/outline_polygons.h"
+#include "output/write_polygons.h"
+
+#include <sstream>
+
+using program::Kernel;
+using program::Outline_vertex;
+using program::Point_set;
+using program::Polygon;
+using program::Shape_polygons;
+using program::Shapes;
+using Flat = Kernel::Point_2;
+
+// --- Validity
+
+double signed_area(const std::vector<Flat>& loop)
+{
+  double area = 0;
+  for(std::size_t i = 0; i < loop.size(); ++i) {
+    const Flat &p = loop[i], &q = loop[(i + 1) % loop.size()];
+    area += (p.x() - loop[0].x()) * (q.y() - loop[0].y()) - (p.y() - loop[0].y()) * (q.x() - loop[0].x());
+  }
+  return area / 2;
+}
+
+// Segments meet at the common corners of consecutive ones only.
+void check_apart(const std::vector<std::vector<Flat>>& loops, const std::string& where)
+{
+  struct Edge {
+    Kernel::Segment_2 segment;
+    std::size_t loop, position;
+  };
+  std::vector<Edge> edges;
+  for(std::size_t l = 0; l < loops.size(); ++l)
+    for(std::size_t i = 0; i < loops[l].size(); ++i)
+      edges.push_back({{loops[l][i], loops[l][(i + 1) % loops[l].size()]}, l, i});
+  for(std::size_t a = 0; a < edges.size(); ++a)
+    for(std::size_t b = 0; b < a; ++b) {
+      const std::size_t n = loops[edges[a].loop].size(), apart = edges[a].position - edges[b].position;
+      if(edges[a].loop == edges[b].loop && (apart == 1 || apart == n - 1)) {
+        CHECK_AT(n > 2, where);
+        continue;
+      }
+      CHECK_AT(!CGAL::do_intersect(edges[a].segment, edges[b].segment), where);
+    }
+}
+
+// Returns the area.
+double check_valid(const std::vector<Flat>& vertices, const std::vector<Polygon>& polygons, const std::string& where)
+{
+  std::vector<std::vector<Flat>> loops;
+  const auto add = [&](const Polygon::Loop& loop) {
+    loops.emplace_back();
+    for(std::uint32_t i : loop)
+      loops.back().push_back(vertices.at(i));
+    CHECK_AT(loop.size() >= 3, where);
+    return signed_area(loops.back());
+  };
+  double sum = 0;
+  for(const Polygon& polygon : polygons) {
+    double area = add(polygon.outer), of_triangles = 0;
+    CHECK_AT(area > 0, where);
+    for(const Polygon::Loop& hole : polygon.holes) {
+      const double of_hole = add(hole);
+      CHECK_AT(of_hole < 0, where);
+      area += of_hole;
+    }
+    for(const auto& t : polygon.triangles) {
+      CHECK_AT(CGAL::orientation(vertices[t[0]], vertices[t[1]], vertices[t[2]]) == CGAL::LEFT_TURN, where);
+      of_triangles += CGAL::area(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+    }
+    CHECK_AT(std::fabs(of_triangles - area) < 1e-9 * (1 + area), where); // so the holes are inside of this one
+    sum += area;
+  }
+  check_apart(loops, where);
+  return sum;
+}
+
+// --- Points in a plane
+
+struct Result {
+  double area;
+  std::size_t pieces, holes;
+};
+
+Result outline_of(const std::vector<Flat>& points, const std::string& where)
+{
+  const program::Outline_limits limits;
+  std::vector<Outline_vertex> vertices;
+  std::vector<Polygon> polygons;
+  CHECK_AT(program::make_polygons(program::Outline_triangulation(points).outline(limits), limits.tolerance, vertices,
+                                  polygons),
+           where);
+  std::vector<Flat> corners;
+  for(const Outline_vertex& v : vertices)
+    corners.push_back(v.point);
+  Result result = {check_valid(corners, polygons, where), polygons.size(), 0};
+  for(const Polygon& polygon : polygons)
+    result.holes += polygon.holes.size();
+  return result;
+}
+
+struct Generator {
+  std::mt19937 random;
+  double unit() { return random_unit(random); }
+
+  void add(std::vector<Flat>& points, int n, double x, double y, double width, double height)
+  {
+    for(int i = 0; i < n; ++i) {
+      const double u = unit(), v = unit();
+      points.emplace_back(x + width * u, y + height * v);
+    }
+  }
+};
+
+void check_points()
+{
+  Generator g{std::mt19937(5)};
+  std::vector<Flat> step, apart, line, equal(50, Flat(1, 2)), crossed;
+  g.add(step, 20000, 0, 0, 1, 1);
+  g.add(step, 800, 1, 0, 1, 1); // five times as far apart
+  const Result one = outline_of(step, "density");
+  CHECK_AT(one.pieces == 1 && one.holes == 0 && std::fabs(one.area / 2 - 1) < .05,
+           std::to_string(one.pieces) + ' ' + std::to_string(one.holes) + ' ' + std::to_string(one.area));
+  g.add(apart, 4000, 0, 0, 1, 1);
+  g.add(apart, 4000, 1.2, 0, 1, 1);
+  const Result two = outline_of(apart, "apart");
+  CHECK_AT(two.pieces == 2 && two.holes == 0 && std::fabs(two.area / 2 - 1) < .05, std::to_string(two.pieces));
+  g.add(apart, 3, 1.05, .1, .1, .8); // stray points between them
+  CHECK(outline_of(apart, "stray").pieces == 2);
+  for(int i = 0; i < 100; ++i)
+    line.emplace_back(.1 * i, .3 * i);
+  for(const auto& points : {line, equal, std::vector<Flat>{}, std::vector<Flat>{{0, 0}, {1, 0}, {0, 1}}})
+    CHECK(outline_of(points, "degenerate").pieces == 0);
+}
+
+// Clusters of all densities, lines, lattices and equal points.
+void check_random_points(int run)
+{
+  Generator g{std::mt19937(unsigned(run))};
+  std::vector<Flat> points;
+  for(int i = 0; i < 6; ++i) {
+    const int n = int(400 * g.unit());
+    g.add(points, n, g.unit(), g.unit(), g.unit() * g.unit(), g.unit() * g.unit());
+  }
+  if(run % 3 == 0)
+    for(int i = 0; i < 300; ++i)
+      points.emplace_back(i % 20 * .05, i / 20 * .05);
+  if(run % 4 == 0)
+    points.insert(points.end(), points.begin(), points.begin() + 20);
+  outline_of(points, "run " + std::to_string(run));
+}
+
+// --- Shapes
+
+constexpr double sigma = .004;
+
+// Turned about the z axis, and far from the origin.
+Kernel::Point_3 placed(double x, double y, double z)
+{
+  return Kernel::Point_3(.8 * x - .6 * y + 4.5e5, .6 * x + .8 * y, z);
+}
+
+bool is_floor(double x, double y) { return x < 3 || y < 2; }
+bool is_window(double x, double z) { return x > 2 && x < 3.5 && z > 1 && z < 2.2; }
+
+// An L-shaped floor of 18 square meters, and a wall of 16.2 beside it.
+Point_set make_scene()
+{
+  Point_set points;
+  points.add_normal_map();
+  Generator g{std::mt19937(7)};
+  std::normal_distribution<double> noise(0, sigma);
+  for(int i = 0; i < 30000; ++i) {
+    const double x = 6 * g.unit(), y = 4 * g.unit(), z = 3 * g.unit();
+    if(is_floor(x, y))
+      points.insert(placed(x, y, noise(g.random)), Kernel::Vector_3(0, 0, 1));
+    if(!is_window(x, z))
+      points.insert(placed(x, noise(g.random), z), Kernel::Vector_3(-.6, .8, 0));
+  }
+  return points;
+}
+
+double distance(const Shapes& shapes, std::size_t s, const program::Position& v)
+{
+  const auto& c = shapes.coefficients(s);
+  return std::fabs(std::fma(c[0], v[0], std::fma(c[1], v[1], std::fma(c[2], v[2], c[3]))));
+}
+
+// The longest edge that lies on both planes.
+double longest_common_edge(const Shapes& shapes, const Shape_polygons& shape)
+{
+  const auto& outer = shape.polygons[0].outer;
+  double longest = 0;
+  for(std::size_t i = 0; i < outer.size(); ++i) {
+    const auto &p = shape.vertices[outer[i]], &q = shape.vertices[outer[(i + 1) % outer.size()]];
+    constexpr double rounding = 1e-10; // of coordinates of 4.5e5
+    if((std::max)({distance(shapes, 0, p), distance(shapes, 1, p), distance(shapes, 0, q), distance(shapes, 1, q)}) <
+       rounding)
+      longest = (std::max)(longest, std::hypot(std::hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]));
+  }
+  return longest;
+}
+
+void check_scene()
+{
+  const Point_set points = make_scene();
+  const Shapes shapes =
+    CGAL::Tandem::detect_planes(points, CGAL::Tandem::parameters::maximum_distance(.02).minimum_region_size(300));
+  CHECK_AT(shapes.number_of_shapes() == 2, std::to_string(shapes.number_of_shapes()));
+  const std::vector<Shape_polygons> all = program::polygons_of_shapes(points, shapes);
+  for(std::size_t s = 0; s < 2; ++s) {
+    const Shape_polygons& shape = all[s];
+    const bool is_wall = std::fabs(shapes.coefficients(s)[2]) < .5;
+    CHECK_AT(shape.polygons.size() == 1 && shape.polygons[0].holes.size() == (is_wall ? 1 : 0),
+             std::to_string(shape.polygons.size()));
+    CHECK_AT(std::fabs(shape.area / (is_wall ? 16.2 : 18) - 1) < .02, std::to_string(shape.area));
+    CHECK_AT(longest_common_edge(shapes, shape) > 5.8, std::to_string(longest_common_edge(shapes, shape)));
+    CHECK_AT(shape.vertices.size() < 100, std::to_string(shape.vertices.size()));
+    for(const auto& v : shape.vertices)
+      CHECK(distance(shapes, s, v) < 1e-10);
+  }
+  std::ostringstream out;
+  program::write_polygons(out, points, shapes, "a.GeoJSON", false);
+  const std::string text = out.str();
+  CHECK(text.find("\"type\": \"FeatureCollection\"") != std::string::npos);
+  CHECK(std::count(text.begin(), text.end(), '{') == 7 && std::count(text.begin(), text.end(), '}') == 7);
+  CHECK(std::count(text.begin(), text.end(), '[') == std::count(text.begin(), text.end(), ']'));
+}
+
+int main()
+{
+  check_points();
+  for(int run = 0; run < 60; ++run)
+    check_random_points(run);
+  check_scene();
+  return report();
+}

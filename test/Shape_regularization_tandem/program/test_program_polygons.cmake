@@ -1,0 +1,49 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Outlines of the shapes and closed surfaces.
+
+include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
+
+# Each face of the cube is one square without holes: five corners with the first one again.
+expect(0 "shapes +3 in" cube.ply ${epsilon} --polygons out.geojson)
+file(READ "${WORK_DIR}/out.geojson" text)
+if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.19) # reads JSON
+  string(JSON type GET "${text}" type)
+  expect_equal("type" "${type}" "FeatureCollection")
+  string(JSON count LENGTH "${text}" features)
+  expect_equal("features" "${count}" 3)
+  foreach(i RANGE 2)
+    string(JSON shape GET "${text}" features ${i} properties shape)
+    expect_equal("shape" "${shape}" ${i})
+    string(JSON count LENGTH "${text}" features ${i} geometry coordinates)
+    expect_equal("polygons" "${count}" 1)
+    string(JSON count LENGTH "${text}" features ${i} geometry coordinates 0)
+    expect_equal("rings" "${count}" 1)
+    string(JSON first GET "${text}" features ${i} geometry coordinates 0 0 0)
+    string(JSON count LENGTH "${text}" features ${i} geometry coordinates 0 0)
+    math(EXPR last "${count} - 1")
+    string(JSON last GET "${text}" features ${i} geometry coordinates 0 0 ${last})
+    expect_equal("last corner" "${last}" "${first}")
+  endforeach()
+endif()
+
+expect(0 "shapes +3 in" cube.ply ${epsilon} --polygons out.obj --triangulate)
+file(STRINGS "${WORK_DIR}/out.obj" faces REGEX "^f ")
+list(FILTER faces EXCLUDE REGEX "^f [0-9]+ [0-9]+ [0-9]+$")
+expect_equal("faces that are no triangles" "${faces}" "")
+
+expect(2 "triangulate needs --polygons" cube.ply --triangulate)
+expect(2 "mesh-planes needs --mesh" cube.ply --mesh-planes 10)
+expect(2 "mesh-planes is 3" cube.ply --mesh m.off --mesh-planes 3)
+expect(2 "mesh is 'm.stl', must end in .off, .obj or .ply" missing.ply --mesh m.stl)
+expect(2 "named twice" cube.ply --mesh m.ply --polygons m.ply)
+
+# Three planes have no inside. Without a solver, that is bad usage.
+execute_process(COMMAND "${PROGRAM}" cube.ply ${epsilon} --mesh m.off WORKING_DIRECTORY "${WORK_DIR}"
+                RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+if(NOT "${status}: ${err}" MATCHES "^(1: detect_planes: --mesh: a closed surface needs four planes|2: detect_planes: --mesh needs )")
+  complain("a mesh of three planes: ${status}: ${out}${err}")
+endif()
+expect_no_file(m.off m.stl)
+finish()
