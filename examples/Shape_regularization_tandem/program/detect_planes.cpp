@@ -11,6 +11,7 @@
 #include "input/read_cloud.h"
 #include "output/report.h"
 #include "signals.h"
+#include "view/write_view.h"
 #include "output/write_polygons.h"
 #include "output/write_results.h"
 #include "output/write_vg.h"
@@ -66,6 +67,12 @@ void check_backend(const Options& o)
   if(o.backend == "parallel")
     throw std::runtime_error("the parallel back end needs oneTBB: this program was built without it");
 #endif
+}
+
+void check_view(const Options& o)
+{
+  if(!o.view.empty() && !has_view())
+    throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
 }
 
 // The plain PCA of K neighbors, for comparisons. Points at infinity have no place in a kd-tree.
@@ -157,6 +164,7 @@ public:
          [](std::ostream& out, const Results& r) { write_vg(out, r.points, r.shapes, r.o.has_group_for_each_plane); });
     open(o.polygons,
          [](std::ostream& out, const Results& r) { write_polygons(out, r.points, r.shapes, r.o.polygons); });
+    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.points, r.shapes, r.run); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
   }
 
@@ -196,6 +204,7 @@ private:
 void run(const Options& o)
 {
   parameters_of(o); // bad values must not wait for a large file
+  check_view(o);
   check_backend(o);
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> limit;

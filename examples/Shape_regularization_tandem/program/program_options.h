@@ -31,7 +31,7 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 
 // What was not given is left to the library.
 struct Options {
-  std::string input, output, labels, planes, report, vg, polygons;
+  std::string input, output, labels, planes, report, vg, polygons, view;
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
   std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
@@ -114,6 +114,8 @@ inline void add_output_options(po::options_description& all, Options& o)
       "a group of --vg for each plane: coplanar shapes in one");
   add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
       "the area of each shape as a mesh of triangles with corners on its plane, .ply or .obj");
+  add("view", po::value<std::string>(&o.view)->value_name("FILE"),
+      "a page that shows the result in 3D: one .html file, which a browser opens without a network");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
       "JSON with parameters, counts, quality, times, memory and relations: parallel and coplanar groups of shapes, "
       "orthogonal pairs of parallel groups, all counted from 0");
@@ -143,7 +145,7 @@ inline void check_files(const Options& o)
 {
   namespace fs = std::filesystem;
   std::vector<fs::path> files;
-  for(const std::string& name : {o.input, o.output, o.labels, o.planes, o.report, o.vg, o.polygons}) {
+  for(const std::string& name : {o.input, o.output, o.labels, o.planes, o.report, o.vg, o.polygons, o.view}) {
     std::error_code error;
     const fs::file_status status = fs::status(name, error);
     if(name.empty() || (fs::exists(status) && !fs::is_regular_file(status)))

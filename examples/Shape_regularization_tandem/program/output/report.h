@@ -71,6 +71,19 @@ public:
   void boolean(const char* name, bool value) { key(name), out << (value ? "true" : "false"); }
   void text(const char* name, const std::string& value) { key(name), out << quoted(value); }
 
+  template <class Numbers>
+  void numbers(const char* name, const Numbers& numbers)
+  {
+    key(name);
+    out << '[';
+    const char* before = "";
+    for(const auto x : numbers) {
+      out << before << (std::isfinite(double(x)) ? shortest(double(x)) : "null");
+      before = ", ";
+    }
+    out << ']';
+  }
+
   template <class Rows>
   void rows(const char* name, const Rows& rows)
   {
@@ -109,7 +122,7 @@ private:
     return text;
   }
 
-  // Bytes outside of ASCII are escaped one by one: a file name need not be UTF-8.
+  // Bytes outside of ASCII are escaped one by one: a file name need not be UTF-8. So is '<': it may be on a page.
   static std::string quoted(const std::string& s)
   {
     std::string result = "\"";
@@ -117,7 +130,7 @@ private:
       char code[8];
       if(c == '"' || c == '\\')
         result += {'\\', char(c)};
-      else if(c < 32 || c > 126)
+      else if(c < 32 || c > 126 || c == '<')
         std::snprintf(code, sizeof code, "\\u%04x", unsigned(c)), result += code;
       else
         result += char(c);
