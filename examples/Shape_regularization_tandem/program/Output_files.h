@@ -13,7 +13,7 @@
 #include "output/write_polygons.h"
 #include "output/write_results.h"
 #include "output/write_vg.h"
-#include "output/write_view.h"
+#include "view/write_view.h"
 
 #include <deque>
 #include <ostream>
@@ -39,7 +39,7 @@ public:
     });
     open(o.mesh,
          [](std::ostream& out, const Results& r) { write_mesh(out, r.points, r.shapes, r.o.mesh, r.o.mesh_planes); });
-    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.points, r.shapes, r.run.input); });
+    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.points, r.shapes, r.run); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
   }
 

@@ -9,10 +9,10 @@
 #include "input/read_cloud.h"
 #include "output/write_las.h"
 #include "output/write_mesh.h"
-#include "output/write_view.h"
 #include "program_options.h"
 #include "progress.h"
 #include "signals.h"
+#include "view/write_view.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>
@@ -183,7 +183,7 @@ void run(const Options& o)
   if(!o.mesh.empty() && !missing_for_mesh().empty())
     throw Usage_error("--mesh needs " + missing_for_mesh() + ": this program was built without it");
   if(!o.view.empty() && !has_view())
-    throw Usage_error("--view needs three.js (Debian: libjs-three): this program was built without it");
+    throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> limit;
   if(o.threads)

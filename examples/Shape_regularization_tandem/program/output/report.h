@@ -72,6 +72,13 @@ public:
   void boolean(const char* name, bool value) { key(name), out << (value ? "true" : "false"); }
   void text(const char* name, const std::string& value) { key(name), out << quoted(value); }
 
+  template <class Numbers>
+  void numbers(const char* name, const Numbers& numbers)
+  {
+    key(name);
+    write(numbers, [&](double x) { out << (std::isfinite(x) ? shortest(x) : "null"); });
+  }
+
   template <class List>
   void list(const char* name, const List& list)
   {
@@ -118,7 +125,7 @@ private:
     return text;
   }
 
-  // Bytes outside of ASCII are escaped one by one: a file name need not be UTF-8.
+  // Bytes outside of ASCII are escaped one by one: a file name need not be UTF-8. So is '<': it may be on a page.
   static std::string quoted(const std::string& s)
   {
     std::string result = "\"";
@@ -126,7 +133,7 @@ private:
       char code[8];
       if(c == '"' || c == '\\')
         result += {'\\', char(c)};
-      else if(c < 32 || c > 126)
+      else if(c < 32 || c > 126 || c == '<')
         std::snprintf(code, sizeof code, "\\u%04x", unsigned(c)), result += code;
       else
         result += char(c);

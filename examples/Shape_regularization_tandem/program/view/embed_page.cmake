@@ -1,0 +1,50 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Writes the C++ source OUTPUT with the page of the view: page.html of this folder with its styles and scripts, and with
+# three.js (THREE) and its controls (CONTROLS). Without these, the source has no page.
+
+cmake_minimum_required(VERSION 3.16)
+
+set(piece_size 8000) # bytes; some compilers take no literal beyond 16 K
+
+# A table of raw literals.
+function(add_pieces name text)
+  string(LENGTH "${text}" length)
+  set(pieces "")
+  set(first 0)
+  while(first LESS length)
+    string(SUBSTRING "${text}" ${first} ${piece_size} piece)
+    string(APPEND pieces "  R\"embedded(${piece})embedded\",\n")
+    math(EXPR first "${first} + ${piece_size}")
+  endwhile()
+  file(APPEND "${OUTPUT}.new" "const char* const ${name}[] = {\n${pieces}  nullptr};\n")
+endfunction()
+
+# insert(mark file): in place of the mark.
+macro(insert mark file)
+  file(READ "${file}" content)
+  string(REPLACE "${mark}" "${content}" page "${page}")
+endmacro()
+
+set(before "")
+set(after "")
+if(THREE AND CONTROLS)
+  file(READ "${CMAKE_CURRENT_LIST_DIR}/page.html" page)
+  foreach(part IN ITEMS page.css points.js shapes.js cloud.js panel.js page.js)
+    insert("@${part}@" "${CMAKE_CURRENT_LIST_DIR}/${part}")
+  endforeach()
+  insert("@controls@" "${CONTROLS}")
+  insert("@three@" "${THREE}")
+  string(FIND "${page}" "@data@" mark)
+  string(SUBSTRING "${page}" 0 ${mark} before)
+  math(EXPR mark "${mark} + 6")
+  string(SUBSTRING "${page}" ${mark} -1 after)
+endif()
+
+file(WRITE "${OUTPUT}.new" "// Made by embed_page.cmake.\n#include \"view/Page_parts.h\"\n\nnamespace {\n\n")
+add_pieces(before_data "${before}")
+add_pieces(after_data "${after}")
+file(APPEND "${OUTPUT}.new" "\n} // namespace\n\n"
+  "program::Page_parts program::page_parts() { return {before_data, after_data}; }\n")
+file(RENAME "${OUTPUT}.new" "${OUTPUT}")

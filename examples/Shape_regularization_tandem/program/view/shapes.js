@@ -1,0 +1,79 @@
+// The shapes, their groups and colors.
+class Shapes {
+  constructor(scene) {
+    this.scene = scene;
+    this.columns = scene.shapes;
+    this.count = this.columns.points.length;
+    this.largest = this.columns.points.reduce((a, b) => Math.max(a, b), 2);
+    this.directions = this.groupsOf(this.columns.direction, scene.directions);
+    this.planes = this.groupsOf(this.columns.plane, scene.planes);
+    this.orthogonal = this.directions.map(() => []);
+    for (const [a, b] of scene.orthogonal) {
+      this.orthogonal[a].push(b);
+      this.orthogonal[b].push(a);
+    }
+  }
+
+  // Largest first, by the number of points: `rank` is the place in that order.
+  groupsOf(column, count) {
+    const groups = Array.from({ length: count }, (_, index) => ({ index, members: [], points: 0 }));
+    column.forEach((group, shape) => {
+      groups[group].members.push(shape);
+      groups[group].points += this.columns.points[shape];
+    });
+    const order = [...groups].sort((a, b) => b.points - a.points);
+    order.forEach((group, rank) => group.rank = rank);
+    return groups;
+  }
+
+  groups(kind) { return kind === "direction" ? this.directions : this.planes; }
+  groupOf(kind, shape) { return this.groups(kind)[this.columns[kind][shape]]; }
+
+  membersOf(selection) {
+    if (!selection)
+      return [];
+    return selection.kind === "shape" ? [selection.index] : this.groups(selection.kind)[selection.index].members;
+  }
+
+  has(selection) {
+    const count = selection.kind === "shape" ? this.count : this.groups(selection.kind).length;
+    return Number.isInteger(selection.index) && selection.index >= 0 && selection.index < count;
+  }
+
+  normal(shape) { return this.columns.coefficients.slice(4 * shape, 4 * shape + 3); }
+  centroid(shape) { return this.columns.centroid.slice(3 * shape, 3 * shape + 3); }
+
+  // Red, green, blue from 0 to 1. A shape that is alone in its group is grey.
+  color(mode, shape) {
+    if (mode === "direction" || mode === "plane")
+      return groupColor(this.groupOf(mode, shape));
+    return wheelColor(shape);
+  }
+
+  // A little light, so that corners show.
+  litColor(mode, shape) {
+    const [x, y, z] = this.normal(shape);
+    const share = 0.7 + 0.3 * Math.abs(0.36 * x + 0.48 * y + 0.8 * z);
+    return this.color(mode, shape).map(c => c * share);
+  }
+}
+
+function groupColor(group) {
+  if (group.members.length > 1)
+    return wheelColor(group.rank);
+  const grey = 0.5 + 0.04 * (group.rank % 5);
+  return [grey, grey, grey * 1.08];
+}
+
+// As color_of_shape() in the files of detect_planes: steps of the golden ratio around the color wheel.
+function wheelColor(index) {
+  const hue = 6 * ((0.13 + 0.61803398874989485 * index) % 1);
+  const saturation = index % 3 === 1 ? 0.55 : 0.8;
+  const value = index % 2 === 1 ? 0.8 : 1;
+  return [5, 3, 1].map(shift => {
+    const x = (shift + hue) % 6;
+    return value * (1 - saturation * Math.max(0, Math.min(x, 4 - x, 1)));
+  });
+}
+
+function cssColor(color) { return "rgb(" + color.map(c => Math.round(255 * c)).join(" ") + ")"; }

@@ -1,0 +1,69 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The page of detect_planes --view in a browser: what it draws, and a click. PROGRAM is tested in WORK_DIR. Skipped
+# where Chromium or three.js is not installed.
+
+cmake_minimum_required(VERSION 3.19)
+
+include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
+
+find_program(CHROMIUM NAMES chromium chromium-browser google-chrome)
+if(NOT CHROMIUM)
+  message(STATUS "skipped: no Chromium")
+  return()
+endif()
+execute_process(COMMAND "${PROGRAM}" cube.ply ${epsilon} --quiet --view page.html WORKING_DIRECTORY "${WORK_DIR}"
+                RESULT_VARIABLE status ERROR_VARIABLE err)
+if(status EQUAL 2 AND err MATCHES "without three.js")
+  message(STATUS "skipped: the program was built without three.js")
+  return()
+endif()
+
+# show(address) sets shown, colors, drawn and selected to what the page tells after '#check'.
+macro(show address)
+  execute_process(
+    COMMAND "${CHROMIUM}" --headless=new --no-sandbox "--user-data-dir=${WORK_DIR}/profile" --no-first-run
+            --use-angle=swiftshader --enable-unsafe-swiftshader --window-size=800,500 --enable-logging=stderr
+            --virtual-time-budget=10000 --dump-dom "file://${WORK_DIR}/page.html#check&${address}"
+    RESULT_VARIABLE status OUTPUT_VARIABLE page ERROR_VARIABLE log TIMEOUT 60)
+  expect_equal("exit code of Chromium" "${status}" 0)
+  string(REGEX MATCH "<body[^>]*>" body "${page}")
+  foreach(name IN ITEMS shown colors drawn selected)
+    if(NOT "${body}" MATCHES "data-${name}=\"([a-z0-9]+)\"")
+      complain("${address}: the page says nothing of ${name}: ${body}\n${log}")
+    endif()
+    set(${name} "${CMAKE_MATCH_1}")
+  endforeach()
+  if("${log}" MATCHES "CONSOLE[^\n]*" OR "${body}" MATCHES "data-error[^>]*")
+    complain("${address}: ${CMAKE_MATCH_0}")
+  endif()
+endmacro()
+
+# Three faces: all of their points, on a good part of the canvas, in three colors and that of the background.
+show("elevation=35&azimuth=45&theme=dark")
+expect_equal("points shown" "${shown}" ${n})
+expect_equal("selected" "${selected}" none)
+expect_equal("colors" "${colors}" 4)
+if(drawn LESS 5000)
+  complain("only ${drawn} pixels are drawn")
+endif()
+set(all ${drawn})
+
+# A selected shape, the others dim: as many pixels as before. One that does not exist is none.
+show("elevation=35&azimuth=45&theme=dark&shape=2&color=distance")
+expect_equal("selected" "${selected}" shape2)
+expect_equal("pixels with one shape selected" "${drawn}" "${all}")
+show("plane=7&smallest=1000")
+expect_equal("selected" "${selected}" none)
+expect_equal("points shown of large shapes" "${shown}" 0)
+
+# A click on the top face, and one beside the cube.
+show("elevation=90&pick=0.5,0.5")
+if(NOT selected MATCHES "^shape[0-2]$")
+  complain("the click selects ${selected}")
+endif()
+show("elevation=90&shape=1&pick=0.01,0.01")
+expect_equal("selected beside the cube" "${selected}" none)
+
+finish()
