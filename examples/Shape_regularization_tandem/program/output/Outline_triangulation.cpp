@@ -28,7 +28,7 @@ Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>&
     smooth_spacings();
   for(Vertex_handle v : triangulation.finite_vertex_handles()) {
     Vertex_info& info = v->info(); // beside denser points more than the mean
-    info.spacing = std::exp((std::max)(info.spacing, (std::min)(info.measured, info.spacing + .4f)));
+    info.spacing = std::exp((std::max)(info.spacing, (std::min)(info.measured, info.spacing + .25f)));
   }
 }
 

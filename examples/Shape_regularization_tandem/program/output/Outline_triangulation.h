@@ -21,10 +21,10 @@ namespace program {
 
 // Lengths are multiples of the spacing of the points, areas of its square.
 struct Outline_limits {
-  double radius = 1.8;  // of the largest circle without points; at random, the largest of a million is about that large
-  double piece = 20;    // smallest area of a piece
-  double hole = 16;     // smallest area of a hole
-  double tolerance = 1; // of the straightened outline
+  double radius = 1.8; // of the largest circle without points; at random, the largest of a million is about that large
+  double piece = 20;   // smallest area of a piece
+  double hole = 16;    // smallest area of a hole
+  double tolerance = .6; // of the straightened outline; corners of a lattice remain
 };
 
 struct Outline_vertex {

@@ -49,7 +49,7 @@ Border_finder::Border_finder(const Shapes& shapes, const std::vector<Shape_point
       block.spacing = (std::max)(block.spacing, shape.spacing[i]);
     }
     for(const Block& block : blocks[s])
-      box += grown(block.box, 3. * block.spacing + maximum_distance / smallest_sine);
+      box += grown(block.box, 2. * block.spacing + maximum_distance / smallest_sine);
     boxes.push_back(box);
     members[shapes.coplanar_group(s)].push_back(s);
   }
@@ -246,7 +246,7 @@ Straight_border Border_finder::border_of(std::size_t s, const Piece& piece) cons
   std::sort(chain.begin(), chain.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   if(!piece.is_left)
     std::reverse(chain.begin(), chain.end());
-  Straight_border border = {line.plane, {}, piece.spacing, float(1.5 * reach(piece.spacing, line))};
+  Straight_border border = {line.plane, {}, piece.spacing, float(reach(piece.spacing, line))};
   for(const auto& [along, vertex] : chain)
     border.chain.push_back(vertex);
   return border;

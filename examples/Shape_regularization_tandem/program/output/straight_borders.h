@@ -62,7 +62,7 @@ private:
   };
 
   double overhang(float spacing, const Line& line) const { return spacing + maximum_distance / line.sine; }
-  double reach(float spacing, const Line& line) const { return 3 * spacing + maximum_distance / line.sine; }
+  double reach(float spacing, const Line& line) const { return 2 * spacing + maximum_distance / line.sine; }
   std::vector<int> planes_near(std::size_t s) const;
   Line line_of(std::size_t s, int plane) const;
   std::vector<Near_point> points_near(std::size_t s, const Line& line) const;
