@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds the program detect_planes and runs it on the
-# building of CGAL's Debian package libcgal-demo.
+# Installs what is missing, builds the program detect_planes and runs it on the building of CGAL's Debian package
+# libcgal-demo. The result is a page that shows the planes, and files. A picture of the page is made where Chromium is
+# installed.
 #   TANDEM_BUILD_DIR  where to build (default: build/release of this repository)
 #   TANDEM_WITH_TBB   OFF builds the sequential back end only
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -27,7 +28,10 @@ install_packages()
   "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev
   [ "${TANDEM_WITH_TBB:-ON}" = OFF ] || "$root/scripts/install_dependencies.sh" libtbb-dev ||
     echo "demo.sh: going on without oneTBB"
+  "$root/scripts/install_dependencies.sh" libjs-three || echo "demo.sh: going on without the page"
 }
+
+echo "Detects the planes of a scanned building, and makes a page that shows them: $result/building.html"
 
 mkdir -p "$result"
 install_packages
@@ -42,10 +46,19 @@ cmake --build "$build" --target detect_planes > "$result/build.log" 2>&1 ||
   { cat "$result/build.log" >&2; fail "the build failed"; }
 program=$build/examples/Shape_regularization_tandem/detect_planes
 
-"$program" "$cloud" --maximum-distance 0.15 --output "$result/building_shapes.ply" \
+# Without three.js the program makes no page.
+view=--view=$result/building.html
+"$program" no_such_file.ply "$view" 2>&1 | grep -q three.js && view=
+
+# The tolerance is that of the facade, 15 centimeters; without it, it is estimated.
+# shellcheck disable=SC2086
+"$program" "$cloud" --maximum-distance 0.15 $view --output "$result/building_shapes.ply" \
   --planes "$result/building_planes.txt" --labels "$result/building_labels.bin" --report "$result/building_report.json"
 
 echo
+[ -z "$view" ] || echo "To look at:     $result/building.html    (open it in a browser; it needs no network)"
+[ -z "$view" ] || ! command -v chromium > /dev/null ||
+  "$root/scripts/view_picture.sh" "$result/building.html" "$result/building.png" || true
 echo "Colored points: $result/building_shapes.ply"
 echo "Planes:         $result/building_planes.txt"
 echo "Report:         $result/building_report.json"
