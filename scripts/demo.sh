@@ -47,18 +47,21 @@ cmake --build "$build" --target detect_planes > "$result/build.log" 2>&1 ||
 program=$build/examples/Shape_regularization_tandem/detect_planes
 
 # Without three.js the program makes no page.
-view=--view=$result/building.html
-"$program" no_such_file.ply "$view" 2>&1 | grep -q three.js && view=
+set -- --view "$result/building.html"
+if "$program" no_such_file.ply "$@" 2>&1 | grep -q three.js; then
+  set --
+fi
 
 # The tolerance is that of the facade, 15 centimeters; without it, it is estimated.
-# shellcheck disable=SC2086
-"$program" "$cloud" --maximum-distance 0.15 $view --output "$result/building_shapes.ply" \
+"$program" "$cloud" --maximum-distance 0.15 "$@" --output "$result/building_shapes.ply" \
   --planes "$result/building_planes.txt" --labels "$result/building_labels.bin" --report "$result/building_report.json"
 
 echo
-[ -z "$view" ] || echo "To look at:     $result/building.html    (open it in a browser; it needs no network)"
-[ -z "$view" ] || ! command -v chromium > /dev/null ||
-  "$root/scripts/view_picture.sh" "$result/building.html" "$result/building.png" || true
+if [ $# -gt 0 ]; then
+  echo "To look at:     $result/building.html    (open it in a browser; it needs no network)"
+  ! command -v chromium > /dev/null ||
+    "$root/scripts/view_picture.sh" "$result/building.html" "$result/building.png" || true
+fi
 echo "Colored points: $result/building_shapes.ply"
 echo "Planes:         $result/building_planes.txt"
 echo "Report:         $result/building_report.json"
