@@ -130,7 +130,7 @@ inline void add_output_options(po::options_description& all, Options& o)
       "a closed surface made of the planes, by CGAL::Polygonal_surface_reconstruction: .off, .obj or .ply");
   add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
       "--mesh takes the N planes with most points; its time grows fast with their number (without: all, if there are "
-      "at most 20)");
+      "at most 12)");
   add("view", po::value<std::string>(&o.view)->value_name("FILE"),
       "a page .html that shows the result in a browser, without a network; of more than 3 million points a part");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),

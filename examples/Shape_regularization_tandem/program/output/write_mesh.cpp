@@ -39,7 +39,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Reconstruction = CGAL::Polygonal_surface_reconstruction<Kernel>;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-constexpr std::size_t most_planes = 20;        // more on demand only
+constexpr std::size_t most_planes = 12;        // more on demand only
 constexpr std::size_t most_candidates = 10000; // faces; the solver would not end
 
 struct Soup {
