@@ -53,7 +53,7 @@ public:
     }
     end.notify_one();
     drawer.join();
-    std::cerr << '\r' << std::string(width, ' ') << '\r' << std::flush;
+    out << '\r' << std::string(width, ' ') << '\r' << std::flush;
   }
 
   Progress_line(const Progress_line&) = delete;
@@ -97,9 +97,10 @@ private:
     const std::string line = text.str().substr(0, most_characters);
     const std::size_t before = width;
     width = line.size();
-    std::cerr << '\r' << line << std::string(before > width ? before - width : 0, ' ') << std::flush;
+    out << '\r' << line << std::string(before > width ? before - width : 0, ' ') << std::flush;
   }
 
+  std::ostream out{std::cerr.rdbuf()}; // its own: messages on std::cerr may be captured meanwhile
   static constexpr std::size_t bar_width = 40, most_characters = 79;
   const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   std::mutex mutex;

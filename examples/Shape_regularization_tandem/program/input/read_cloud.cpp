@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "input/read_cloud.h"
+#include "Captured_messages.h"
 
 #include "formats.h"
 #include "input/off_points.h"
@@ -25,21 +26,6 @@
 namespace program {
 
 namespace {
-
-// CGAL's readers report on std::cerr; their message becomes part of our one line.
-class Captured_messages {
-public:
-  Captured_messages() : previous(std::cerr.rdbuf(text.rdbuf())) {}
-  ~Captured_messages() { std::cerr.rdbuf(previous); }
-  Captured_messages(const Captured_messages&) = delete;
-  Captured_messages& operator=(const Captured_messages&) = delete;
-
-  std::string first_line() const { return text.str().substr(0, text.str().find('\n')); }
-
-private:
-  std::ostringstream text;
-  std::streambuf* previous;
-};
 
 void check_format(const std::string& path)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "output/write_mesh.h"
+#include "Captured_messages.h"
 
 #if defined(CGAL_EIGEN3_ENABLED) && (defined(CGAL_USE_GLPK) || defined(CGAL_USE_SCIP))
 #include "output/write_results.h"
