@@ -48,8 +48,8 @@ install()
 {
   case $1 in
     style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy ;;
-    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev ||
-      echo "not all can be installed: pictures are not tested, or micro-benchmarks not built" ;;
+    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libjs-three libbenchmark-dev libnanoflann-dev ||
+      echo "not all can be installed: pictures or --view are not tested, or micro-benchmarks not built" ;;
     benchmark) "$root/scripts/install_dependencies.sh" gnuplot-nox xz-utils ;;
     bits | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev ;;
   esac

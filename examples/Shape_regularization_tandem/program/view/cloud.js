@@ -33,7 +33,7 @@ const vertexShader = `
     bool hasShape = mark.x + 256.0 * row < noShape;
     color = isByDistance && hasShape ? ramp((mark.w - 128.0) / 127.0) : look.rgb;
     if (look.a < 0.5)
-      color = mix(background, color, 0.16);
+      color = mix(background, color, 0.25);
     if (hasSelection) // what is selected is in front of the rest
       gl_Position.z = 0.5 * gl_Position.z + (look.a > 0.9 ? -0.5 : 0.5) * gl_Position.w;
     if (isPicking)
