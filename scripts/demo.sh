@@ -2,9 +2,9 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds the program detect_planes and runs it on the building of CGAL's Debian package
-# libcgal-demo. The result is a page that shows the planes, and files. A picture of the page is made where Chromium is
-# installed.
+# Installs what is missing, builds the program detect_planes and runs it on the
+# building of CGAL's Debian package libcgal-demo. It makes files of the result, a page that shows it in 3D, and a picture
+# of the page where Chromium is installed.
 #   TANDEM_BUILD_DIR  where to build (default: build/release of this repository)
 #   TANDEM_WITH_TBB   OFF builds the sequential back end only
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -28,11 +28,12 @@ install_packages()
   "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev
   [ "${TANDEM_WITH_TBB:-ON}" = OFF ] || "$root/scripts/install_dependencies.sh" libtbb-dev ||
     echo "demo.sh: going on without oneTBB"
-  "$root/scripts/install_dependencies.sh" libjs-three || echo "demo.sh: going on without the page"
+  "$root/scripts/install_dependencies.sh" libjs-three || echo "demo.sh: going on without the page, which needs three.js"
 }
 
-echo "Detects the planes of a scanned building, and makes a page that shows them: $result/building.html"
-
+echo "This builds detect_planes and makes in $result:"
+echo "  building_shapes.ply, building_planes.txt, building_labels.bin, building_report.json: the planes of a building"
+echo "  building.html: a page that shows them in 3D; building.png: a picture of it"
 mkdir -p "$result"
 install_packages
 "$root/scripts/sample_cloud.sh" "$cloud"
@@ -46,23 +47,20 @@ cmake --build "$build" --target detect_planes > "$result/build.log" 2>&1 ||
   { cat "$result/build.log" >&2; fail "the build failed"; }
 program=$build/examples/Shape_regularization_tandem/detect_planes
 
-# Without three.js the program makes no page.
-set -- --view "$result/building.html"
-if "$program" no_such_file.ply "$@" 2>&1 | grep -q three.js; then
-  set --
-fi
-
 # The tolerance is that of the facade, 15 centimeters; without it, it is estimated.
-"$program" "$cloud" --maximum-distance 0.15 "$@" --output "$result/building_shapes.ply" \
+"$program" "$cloud" --maximum-distance 0.15 --output "$result/building_shapes.ply" \
   --planes "$result/building_planes.txt" --labels "$result/building_labels.bin" --report "$result/building_report.json"
 
+page=$result/building.html
+"$program" "$cloud" --maximum-distance 0.15 --quiet --view "$page" 2> "$result/view.log" ||
+  { page=; cat "$result/view.log" >&2; }
+[ -z "$page" ] || "$root/scripts/view_picture.sh" "$page" "$result/building.png" > "$result/picture.log" 2>&1 ||
+  { [ $? -eq 77 ] || cat "$result/picture.log" >&2; }
+
 echo
-if [ $# -gt 0 ]; then
-  echo "To look at:     $result/building.html    (open it in a browser; it needs no network)"
-  ! command -v chromium > /dev/null ||
-    "$root/scripts/view_picture.sh" "$result/building.html" "$result/building.png" || true
-fi
+[ -z "$page" ] || echo "In 3D:          $page    (open it in a browser, for example: xdg-open $page)"
+[ ! -s "$result/building.png" ] || echo "Picture of it:  $result/building.png"
 echo "Colored points: $result/building_shapes.ply"
 echo "Planes:         $result/building_planes.txt"
 echo "Report:         $result/building_report.json"
-echo "Your own cloud: $program CLOUD.ply --output shapes.ply    (--help lists the options)"
+echo "Your own cloud: $program CLOUD.ply --output shapes.ply --view shapes.html    (--help lists the options)"

@@ -50,8 +50,8 @@ install()
 {
   case $1 in
     style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy ;;
-    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libbenchmark-dev libnanoflann-dev help2man ||
-      echo "not all can be installed: pictures are not tested, or micro-benchmarks or the page of the manual not built"
+    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libjs-three libbenchmark-dev libnanoflann-dev help2man ||
+      echo "not all can be installed: pictures or --view are not tested, or micro-benchmarks or the manual page not built"
       # shellcheck disable=SC2086
       "$root/scripts/install_dependencies.sh" $python_packages ||
         echo "not all can be installed: the Python module is not tested" ;;

@@ -60,7 +60,7 @@ inline void check_formats(const Options& o)
 {
   check_format("polygons", o.polygons, {".geojson", ".json", ".ply", ".obj"});
   check_format("mesh", o.mesh, {".off", ".obj", ".ply"});
-  check_format("view", o.view, {".html"});
+  check_format("view", o.view, {".html", ".htm"});
   if(!o.output.empty() && !is_known_output(o.output))
     throw Usage_error("--output is '" + o.output + "', must end in one of " + known_outputs);
   if(!o.colors.empty() && o.colors != "shape" && o.colors != "input")

@@ -50,20 +50,19 @@ if(drawn LESS 5000)
 endif()
 set(all ${drawn})
 
-# A selected shape, the others dim: as many pixels as before. One that does not exist is none.
+# A selected shape, the others dim: as many pixels as before.
 show("elevation=35&azimuth=45&theme=dark&shape=2&color=distance")
 expect_equal("selected" "${selected}" shape2)
 expect_equal("pixels with one shape selected" "${drawn}" "${all}")
-show("plane=7&smallest=1000")
-expect_equal("selected" "${selected}" none)
-expect_equal("points shown of large shapes" "${shown}" 0)
 
-# A click on the top face, and one beside the cube.
+# A click on the top face. A group that does not exist, and a size that no shape has.
 show("elevation=90&pick=0.5,0.5")
 if(NOT selected MATCHES "^shape[0-2]$")
   complain("the click selects ${selected}")
 endif()
-show("elevation=90&shape=1&pick=0.01,0.01")
-expect_equal("selected beside the cube" "${selected}" none)
+show("plane=7&smallest=1000&unassigned=0")
+expect_equal("selected" "${selected}" none)
+expect_equal("points shown of large shapes" "${shown}" 0)
+expect_equal("pixels drawn of them" "${drawn}" 0)
 
 finish()

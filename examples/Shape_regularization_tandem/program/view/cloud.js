@@ -11,7 +11,7 @@ const vertexShader = `
   uniform sampler2D table;
   uniform float tableHeight, noShape, worldSize, pixelsPerUnit, smallestSize;
   uniform vec3 background;
-  uniform bool isByDistance, isPicking;
+  uniform bool isByDistance, isPicking, hasSelection;
   varying vec3 color;
 
   vec3 ramp(float t) {
@@ -33,7 +33,9 @@ const vertexShader = `
     bool hasShape = mark.x + 256.0 * row < noShape;
     color = isByDistance && hasShape ? ramp((mark.w - 128.0) / 127.0) : look.rgb;
     if (look.a < 0.5)
-      color = mix(background, color, 0.16);
+      color = mix(background, color, 0.25);
+    if (hasSelection) // what is selected is in front of the rest
+      gl_Position.z = 0.5 * gl_Position.z + (look.a > 0.9 ? -0.5 : 0.5) * gl_Position.w;
     if (isPicking)
       color = mark.xyz / 255.0;
   }`;
@@ -51,6 +53,7 @@ const fragmentShader = `
 class Cloud {
   constructor(canvas, scene, points) {
     this.canvas = canvas;
+    this.box = scene.extent;
     this.extent = Math.hypot(...scene.extent) || 1;
     this.noShape = scene.shapes.points.length;
     this.renderer = new THREE.WebGLRenderer({ canvas });
@@ -62,9 +65,9 @@ class Cloud {
     this.pickTarget = new THREE.WebGLRenderTarget(1, 1, { minFilter: THREE.NearestFilter,
                                                           magFilter: THREE.NearestFilter });
     this.afterRender = () => {};
+    this.resize();
     this.setUp("z");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
-    this.resize();
   }
 
   makeTable() {
@@ -84,7 +87,8 @@ class Cloud {
     this.material = new THREE.RawShaderMaterial({ vertexShader, fragmentShader, uniforms: {
       table: value(this.table), tableHeight: value(this.tableHeight), noShape: value(this.noShape),
       worldSize: value(spacing), pixelsPerUnit: value(1), smallestSize: value(1),
-      background: value(new THREE.Color()), isByDistance: value(false), isPicking: value(false) } });
+      background: value(new THREE.Color()), isByDistance: value(false), isPicking: value(false),
+      hasSelection: value(false) } });
     const object = new THREE.Points(geometry, this.material);
     object.frustumCulled = false;
     this.scene.add(object);
@@ -105,12 +109,14 @@ class Cloud {
 
   // appearance(shape): red, green, blue from 0 to 1, and the state
   setLook(appearance) {
+    let hasSelection = false;
     for (let shape = 0; shape <= this.noShape; ++shape) {
       const [color, state] = appearance(shape);
+      hasSelection = hasSelection || state === State.selected;
       this.look.set([...color.map(c => Math.round(255 * c)), state], 4 * shape);
     }
     this.table.needsUpdate = true;
-    this.requestRender();
+    this.set("hasSelection", hasSelection);
   }
 
   // The controls keep the axis that points up: "z", "y" or "-y".
@@ -123,24 +129,42 @@ class Cloud {
     this.controls.screenSpacePanning = true;
     this.controls.autoRotateSpeed = 4;
     this.controls.addEventListener("change", () => this.requestRender());
-    this.lookAt([0, 0, 0], this.extent, 30, 35);
+    this.controls.addEventListener("start", () => this.first = null);
+    this.lookAtAll();
   }
 
-  // azimuth 0: in the direction of x, 90: of y (if z points up), as in scripts/render.sh
-  lookAt(center, size, azimuth, elevation) {
+  // All of the box of the shapes. Azimuth 0: the viewer stands in the direction of x, 90: of y (if z points up), as in
+  // scripts/render.sh.
+  lookAtAll(azimuth = 30, elevation = 30, zoom = 1) {
+    this.first = [azimuth, elevation, zoom]; // until the viewer moves
     const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;
     const across = Math.cos(e) * Math.cos(a), along = Math.cos(e) * Math.sin(a), above = Math.sin(e);
     const sign = this.up === "-y" ? -1 : 1;
     const toViewer = this.up === "z" ? [across, along, above] : [across, sign * above, -sign * along];
-    const distance = 0.62 * size / Math.tan(this.camera.fov * Math.PI / 360);
-    this.controls.target.set(...center);
-    this.camera.position.set(...toViewer).multiplyScalar(distance).add(this.controls.target);
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.set(...toViewer);
+    this.camera.lookAt(this.controls.target);
+    this.camera.position.setLength(this.distanceToBox() / zoom);
     this.controls.update();
     this.requestRender();
   }
 
+  // From the center, in the direction of the camera: so that each corner is inside of its picture.
+  distanceToBox() {
+    const toCamera = this.camera.quaternion.clone().inverse();
+    const slope = 0.92 * Math.tan(this.camera.fov * Math.PI / 360);
+    let distance = this.extent / 100;
+    for (let corner = 0; corner < 8; ++corner) {
+      const signs = [corner & 1, corner & 2, corner & 4].map(bit => bit ? 0.5 : -0.5);
+      const p = new THREE.Vector3(...this.box.map((x, k) => signs[k] * x)).applyQuaternion(toCamera);
+      distance = Math.max(distance, p.z + Math.max(Math.abs(p.x) / this.camera.aspect, Math.abs(p.y)) / slope);
+    }
+    return distance;
+  }
+
   // The viewer keeps the direction.
   goTo(center, size) {
+    this.first = null;
     const offset = this.camera.position.clone().sub(this.controls.target);
     offset.setLength(0.9 * size / Math.tan(this.camera.fov * Math.PI / 360));
     this.controls.target.set(...center);
@@ -153,6 +177,8 @@ class Cloud {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(height, 1);
+    if (this.first)
+      this.lookAtAll(...this.first);
     this.requestRender();
   }
 

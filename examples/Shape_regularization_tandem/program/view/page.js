@@ -1,7 +1,7 @@
 // What the user does: the mouse, the keys, the controls of the panel, and the part of the address after '#':
 //   #shape=3  #direction=2  #plane=4     what is selected
 //   #color=shape, direction, plane or distance  #theme=dark  #up=y  #azimuth=30  #elevation=35  #zoom=1.5
-//   #unassigned=0  #smallest=100  #panel=0  #pick=0.5,0.5 (a click there)
+//   #unassigned=0  #smallest=100  #panel=0  #spin  #pick=0.5,0.5 (a click there)
 //   #check  writes what was drawn to attributes of the page, for tests
 // Several are joined by '&'.
 const modes = { shape: "Shapes", direction: "Directions", plane: "Planes", distance: "Distance" };
@@ -51,7 +51,7 @@ class Page {
       return;
     const bar = element("div", { class: "ramp" });
     bar.style.background = "linear-gradient(to right, #2166d9, #6690da 25%, #dbdbd6 50%, #db7b70 75%, #db3326)";
-    const d = length(this.scene.maximum_distance);
+    const d = this.panel.length(this.scene.maximum_distance);
     legend.append(bar, element("div", { class: "ends" }, element("span", {}, "− " + d), element("span", {}, "0"),
                                element("span", {}, "+ " + d)));
   }
@@ -98,7 +98,7 @@ class Page {
   goToSelection() {
     const members = this.shapes.membersOf(this.selection);
     if (members.length === 0)
-      return this.cloud.goTo([0, 0, 0], this.cloud.extent);
+      return this.cloud.lookAtAll();
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     let radius = 0;
     for (const shape of members) {
@@ -161,7 +161,7 @@ class Page {
   keys() {
     const step = n => () => this.setPointSize(Number(byId("size").value) + n);
     const result = { escape: () => this.select(null), f: () => this.goToSelection(),
-                     r: () => this.cloud.lookAt([0, 0, 0], this.cloud.extent, 30, 35),
+                     r: () => this.cloud.lookAtAll(),
                      u: () => this.setUnassigned(!this.hasUnassigned), "+": step(2), "=": step(2), "-": step(-2),
                      y: () => this.cloud.setUp({ z: "y", y: "-y", "-y": "z" }[this.cloud.up]), t: () => this.spin(),
                      l: () => this.toggleTheme(), h: () => document.body.classList.toggle("alone") };
@@ -207,13 +207,13 @@ class Page {
                                                                                         : otherwise;
     if (address.has("theme"))
       this.setTheme(address.get("theme") === "dark" ? "dark" : "light");
+    if (address.has("panel"))
+      document.body.classList.toggle("alone", address.get("panel") === "0");
+    this.cloud.resize();
     if (["z", "y", "-y"].includes(address.get("up")))
       this.cloud.setUp(address.get("up"));
     if (["azimuth", "elevation", "zoom"].some(name => address.has(name)))
-      this.cloud.lookAt([0, 0, 0], this.cloud.extent / number("zoom", 1), number("azimuth", 30),
-                        number("elevation", 35));
-    if (address.has("panel"))
-      document.body.classList.toggle("alone", address.get("panel") === "0");
+      this.cloud.lookAtAll(number("azimuth", 30), number("elevation", 30), number("zoom", 1));
     if (address.has("unassigned"))
       this.setUnassigned(address.get("unassigned") !== "0");
     this.setSmallest(number("smallest", this.smallest));
@@ -222,11 +222,12 @@ class Page {
     if (kind)
       this.select({ kind, index: number(kind, -1) });
     this.setMode(address.get("color") in modes ? address.get("color") : this.mode);
-    this.cloud.resize();
     if (address.has("pick")) {
       const [x, y] = address.get("pick").split(",").map(Number), { clientWidth, clientHeight } = byId("canvas");
       this.pick(x * clientWidth, y * clientHeight);
     }
+    if (address.has("spin"))
+      this.spin();
     if (address.has("check"))
       this.check();
   }

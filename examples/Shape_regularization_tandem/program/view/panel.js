@@ -13,8 +13,7 @@ function element(tag, attributes = {}, ...children) {
 const byId = id => document.getElementById(id);
 const count = n => n.toLocaleString("en");
 const plural = (n, word) => count(n) + " " + word + (n === 1 ? "" : "s");
-const length = x => x === null ? "?" : Number(x.toPrecision(3)).toString();
-const degrees = x => x === null ? "?" : (x < 0.005 ? "0" : x.toFixed(2)) + "°";
+const degrees = x => x.toFixed(2) + "°";
 const letter = { shape: "", direction: "D", plane: "P" };
 
 function swatch(color) {
@@ -41,8 +40,14 @@ class Panel {
     this.goTo = goTo;
     this.writeHeader();
     this.rows = { direction: new Map(), plane: new Map() };
-    this.writeList("direction", "directions", "Directions");
-    this.writeList("plane", "planes", "Coplanar groups");
+    this.writeList("direction", "directions");
+    this.writeList("plane", "planes");
+  }
+
+  // To a thousandth of the largest distance.
+  length(x) {
+    const digits = Math.ceil(3 - Math.log10(this.scene.maximum_distance));
+    return x.toFixed(Math.max(0, Math.min(digits, 20)));
   }
 
   writeHeader() {
@@ -57,13 +62,12 @@ class Panel {
         ". Counts are those of all points.";
   }
 
-  // Groups of several shapes; those that are alone are counted.
-  writeList(kind, id, title) {
+  // Groups of several shapes, the largest first.
+  writeList(kind, id) {
     const all = [...this.shapes.groups(kind)].sort((a, b) => a.rank - b.rank);
     const groups = all.filter(group => group.members.length > 1);
     const details = byId(id), rows = details.querySelector(".rows");
-    details.querySelector("summary").textContent = title + ": " + groups.length + " of several shapes" +
-      (all.length > groups.length ? ", " + (all.length - groups.length) + " of one" : "");
+    details.querySelector("summary").textContent = plural(all.length, kind) + ", " + groups.length + " of several shapes";
     const show = (first, last) => {
       for (const group of groups.slice(first, last))
         rows.append(this.row(kind, group));
@@ -142,10 +146,10 @@ class Panel {
     const facts = [
       ["Points", count(c.points[shape]) + (this.scene.stride > 1 ? ", shown " + count(c.shown[shape]) : "")],
       ["Plane", ...this.equation(shape)],
-      ["Area", "about " + length(c.area[shape])],
-      ["Distance", "of its points: " + length(c.mean_distance[shape]) + " on average, at most " +
-        length(this.scene.maximum_distance)],
-      ["Moved", "by " + degrees(c.turned_degrees[shape]) + " and " + length(c.shifted[shape]) +
+      ["Area", "about " + Number(c.area[shape].toPrecision(3))],
+      ["Distance", "of its points: " + this.length(c.mean_distance[shape]) + " on average, at most " +
+        this.length(this.scene.maximum_distance)],
+      ["Moved", "by " + degrees(c.turned_degrees[shape]) + " and " + this.length(c.shifted[shape]) +
         " from the least-squares plane of its points"],
       ["Direction", this.chips("direction", [direction.index])]];
     if (direction.members.length > 1)
