@@ -51,6 +51,7 @@ program=$build/examples/Shape_regularization_tandem/detect_planes
 "$program" "$cloud" --maximum-distance 0.15 --output "$result/building_shapes.ply" \
   --planes "$result/building_planes.txt" --labels "$result/building_labels.bin" --report "$result/building_report.json"
 
+rm -f "$result/building.png"
 page=$result/building.html
 "$program" "$cloud" --maximum-distance 0.15 --quiet --view "$page" 2> "$result/view.log" ||
   { page=; cat "$result/view.log" >&2; }

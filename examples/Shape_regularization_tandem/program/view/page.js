@@ -226,6 +226,7 @@ class Page {
       const [x, y] = address.get("pick").split(",").map(Number), { clientWidth, clientHeight } = byId("canvas");
       this.pick(x * clientWidth, y * clientHeight);
     }
+    this.cloud.render();
     if (address.has("spin"))
       this.spin();
     if (address.has("check"))
@@ -246,9 +247,8 @@ class Page {
     }
   }
 
-  // Draws and looks at the pixels.
+  // Looks at the pixels that were just drawn.
   check() {
-    this.cloud.render();
     const gl = this.cloud.renderer.getContext();
     const width = gl.drawingBufferWidth, height = gl.drawingBufferHeight;
     const bytes = new Uint8Array(4 * width * height);
@@ -271,11 +271,11 @@ function complain(text) {
 }
 
 window.onerror = text => complain(String(text));
-requestAnimationFrame(() => setTimeout(() => { // the message comes first
+setTimeout(() => { // the message comes first
   const scene = JSON.parse(byId("scene").textContent);
   const points = decodePoints(scene, byId("points").textContent);
   byId("points").remove();
   if (!document.createElement("canvas").getContext("webgl"))
     return complain("This browser does not offer WebGL, which the page needs.");
   window.page = new Page(scene, points);
-}, 0));
+}, 20);
