@@ -42,7 +42,7 @@ struct Regularity_options {
   // strips beside it. But never less than strip_share of its points.
   double points_of_strips = std::numeric_limits<double>::infinity();
   double strip_share = 0;
-  double minimum_size = 0;              // misfits may not leave less of a shape that has as many points
+  double minimum_size = 0;                   // misfits may not leave less of a shape that has as many points
   std::vector<Vector> fixed_directions = {}; // given beforehand: unit, canonical in sign, all different
   std::vector<Vector> symmetry_axis = {};    // at most one, which is a fixed direction, too
 
