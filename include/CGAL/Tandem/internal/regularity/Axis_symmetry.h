@@ -101,6 +101,7 @@ private:
       return;
     const double norm = std::sqrt(std::fma(cosine, cosine, sine * sine));
     std::vector<Vector> turned;
+    turned.reserve(turnable.size());
     for(const Turnable& t : turnable)
       turned.push_back(direction_at(t, cosine / norm, sine / norm));
     for(std::size_t k = 0; k < turnable.size(); ++k)

@@ -69,6 +69,7 @@ inline std::vector<int> symmetry_groups(const std::vector<Vector>& directions, c
     return result;
   const Vector axis = given_direction(p.symmetry_direction);
   std::vector<double> cosine;
+  cosine.reserve(directions.size());
   for(const Vector& d : directions)
     cosine.push_back(std::fabs(dot(d, axis)));
   std::vector<int> order(directions.size());
