@@ -21,6 +21,7 @@ jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 
 # The tests that the other configurations build as well: they reach every part of the
 # engine and are small, and compiling is what takes the time.
+program_dir=$root/examples/Shape_regularization_tandem/program
 examples='^detect_planes(_of_vector)?$'
 sanitized='test_(bad_input|regularize_planes|output_file)'
 
@@ -109,7 +110,7 @@ run_style()
     > "$build/tidy.log" 2>&1 || { cat "$build/tidy.log" >&2; fail "clang-tidy complains"; }
 }
 
-# The programs are built without a solver for --mesh there, and once without the page of --view.
+# The program is built without a solver for --mesh there, and without the page of --view.
 # Instrumented code draws false warnings of uninitialized values, so none is an error there. Not optimized: to
 # compile takes longer than to run.
 sanitizer_flags='-O0 -g1 -fno-omit-frame-pointer'
@@ -140,22 +141,18 @@ compile_bits()
     >> "$build/bits/$name.log" 2>&1 || fail "see $build/bits/$name.log"
 }
 
-# The release build has O1 and O3. Programs that use the CUDA library are compiled with FMA instructions, as in
-# cmake/Tandem_cuda.cmake.
+# The release build has O1 and O3.
 run_bits()
 {
   mkdir -p "$build/bits"
   step build
   cxx=${CXX:-c++}
-  fma=
-  [ "$(uname -m)" != x86_64 ] || fma=-mfma
-  (compile_bits native "$cxx" -O3 -march=native && compile_bits cuda "$cxx" -O3 $fma -ffp-contract=off) &
+  compile_bits native "$cxx" -O3 -march=native &
   others=$!
   compile_bits clang clang++ -O2
-  compile_bits optimized "$cxx" -O2
   wait "$others" || fail "the test of equal bits does not compile"
   step tests
-  for program in native cuda clang optimized; do
+  for program in native clang; do
     "$build/bits/$program" || fail "results depend on the compiler: $(head -1 "$build/bits/$program.log")"
   done
 }
@@ -163,18 +160,23 @@ run_bits()
 run_asan()
 {
   configuration asan small -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WARNINGS_AS_ERRORS=OFF "-DTANDEM_TESTS=$sanitized" \
-    "-DTANDEM_EXAMPLES=$examples" -DCMAKE_DISABLE_FIND_PACKAGE_GLPK=ON \
+    "-DTANDEM_EXAMPLES=$examples" -DCMAKE_DISABLE_FIND_PACKAGE_GLPK=ON -DTANDEM_WITH_VIEW=OFF \
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=address,undefined -fno-sanitize-recover=all"
 }
 
 # Without TBB, whose library is not instrumented: TSan would call its hand-over of tasks a race. The tests labeled
-# "threads" run the same bodies on threads of their own. The program and bad input are tested without TBB here, too.
+# "threads" run the same bodies on threads of their own. Bad input is tested without TBB here, too. The program has no
+# threads then: its sources are only looked through by the compiler.
 run_tsan()
 {
-  configuration tsan 'threads|program|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF \
-    "-DTANDEM_TESTS=test_(thread_backend|bad_input)" "-DTANDEM_EXAMPLES=$examples" -DCMAKE_DISABLE_FIND_PACKAGE_GLPK=ON \
-    -DTANDEM_WITH_VIEW=OFF \
+  configuration tsan 'threads|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF \
+    "-DTANDEM_TESTS=test_(thread_backend|bad_input)" '-DTANDEM_EXAMPLES=^detect_planes_of_vector$' \
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
+  step program
+  for source in detect_planes output/shape_polygons; do
+    "${CXX:-c++}" -std=c++17 -fsyntax-only -Wall -Wextra -Werror "-I$root/include" "-I$program_dir" -isystem /usr/include/eigen3 \
+      "$program_dir/$source.cpp" || fail "$source.cpp does not compile without oneTBB"
+  done
 }
 
 # For some seconds, with the same mutations each time: a longer run finds more, see fuzz.sh.

@@ -35,7 +35,6 @@ elseif(USE STREQUAL "cuda")
   set(tag CGAL::Tandem::Cuda_tag)
 else()
   set(get_tandem "add_subdirectory(\"${TANDEM_DIR}\" tandem)")
-  set(tag CGAL::Sequential_tag)
 endif()
 
 file(WRITE "${WORK_DIR}/user/CMakeLists.txt" "
@@ -65,6 +64,18 @@ int main()
   }
 }
 ")
+if(USE STREQUAL "add_subdirectory") # the rest of the headers is compiled by the others
+  file(WRITE "${WORK_DIR}/user/user.cpp" "
+#include <CGAL/Shape_regularization_tandem/Parameters.h>
+int main()
+{
+  CGAL::Tandem::Parameters p;
+  p.maximum_distance = p.maximum_offset = 1;
+  p.minimum_region_size = 3;
+  CGAL::Tandem::check_parameters(p);
+}
+")
+endif()
 run(${CMAKE_COMMAND} -S ${WORK_DIR}/user -B ${WORK_DIR}/build ${common} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)

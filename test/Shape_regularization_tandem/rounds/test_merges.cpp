@@ -6,7 +6,6 @@
 
 #undef NDEBUG
 
-#include "testing/host_backends.h"
 
 #include <CGAL/Tandem/internal/rounds/join_members.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
@@ -294,7 +293,7 @@ void test(Backend backend, const std::string& name)
 
 int main()
 {
-  on_host_backends([](auto backend, const std::string& name) { test(backend, name); });
+  on_body_backends([](auto backend, const std::string& name) { test(backend, name); });
   test_on_all_backends<Merged_clouds>();
   return report();
 }

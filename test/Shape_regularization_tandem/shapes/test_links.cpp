@@ -6,7 +6,6 @@
 
 #undef NDEBUG
 
-#include "testing/host_backends.h"
 #include "testing/link_sets.h"
 
 #include <CGAL/Tandem/internal/shapes/links.h>
@@ -124,7 +123,7 @@ void test(Backend backend, const std::string& name)
 
 int main()
 {
-  on_host_backends([](auto backend, const std::string& name) { test(backend, name); });
+  on_body_backends([](auto backend, const std::string& name) { test(backend, name); });
   test_on_all_backends<Cloud_tests>();
   return report();
 }

@@ -168,16 +168,20 @@ void test_on(Backend backend)
   }
 }
 
+// f(backend, name) for those that run bodies in different ways: in order, on threads, and with shuffled lanes.
+template <class F>
+void on_body_backends(F f)
+{
+  f(Sequential_backend(), std::string("sequential"));
+  f(Thread_backend(), std::string("threads"));
+  for(std::uint64_t seed : {1, 2, 3})
+    f(Shuffled_backend(seed), "shuffled " + std::to_string(seed));
+}
+
 template <template <class> class Bodies>
 void test_on_all_backends()
 {
-  test_on<Bodies>(Sequential_backend());
-  test_on<Bodies>(Thread_backend());
-#ifdef CGAL_LINKED_WITH_TBB
-  test_on<Bodies>(Tbb_backend());
-#endif
-  for(std::uint64_t seed : {1, 2, 3})
-    test_on<Bodies>(Shuffled_backend(seed));
+  on_body_backends([](auto backend, const std::string&) { test_on<Bodies>(backend); });
 }
 
 } // namespace internal
