@@ -1,3 +1,6 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
 // What the user does: the mouse, the keys, the controls of the panel, and the part of the address after '#':
 //   #shape=3  #direction=2  #plane=4     what is selected
 //   #color=shape, direction, plane or distance  #theme=dark  #up=y  #azimuth=30  #elevation=35  #zoom=1.5

@@ -1,3 +1,6 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
 // The panel beside the canvas. Texts are set as text, never as markup: names of files may contain anything.
 function element(tag, attributes = {}, ...children) {
   const result = document.createElement(tag);

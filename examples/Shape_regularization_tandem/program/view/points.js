@@ -1,3 +1,6 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
 // The points: a line of Base64 for each block of them, as write_points.h describes it. Gives the coordinates, relative
 // to the center, and four bytes for each point: the index of its shape, least significant byte first, and the distance.
 function decodePoints(scene, text) {
