@@ -55,7 +55,7 @@ class Page {
     const bar = element("div", { class: "ramp" });
     bar.style.background = "linear-gradient(to right, #2166d9, #6690da 25%, #dbdbd6 50%, #db7b70 75%, #db3326)";
     const d = this.panel.length(this.scene.maximum_distance);
-    legend.append(bar, element("div", { class: "ends" }, element("span", {}, "− " + d), element("span", {}, "0"),
+    legend.append(bar, element("div", { class: "ends" }, element("span", {}, "\u2212 " + d), element("span", {}, "0"),
                                element("span", {}, "+ " + d)));
   }
 
@@ -88,6 +88,7 @@ class Page {
     if (this.selection)
       this.showSelected();
     this.refresh();
+    byId("panel").scrollTop = 0;
     this.writeAddress();
   }
 
