@@ -9,6 +9,7 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
@@ -90,7 +91,6 @@ void write_scene(std::ostream& out, const Point_set& points, const Shapes& shape
   json.count("planes", s.number_of_planes);
   json.count("shown", thinned.size());
   json.count("stride", thinned.stride);
-  json.count("block_size", Point_block_writer::block_size);
   json.number("coverage", s.coverage);
   json.number("maximum_distance", shapes.parameters().maximum_distance);
   json.numbers("center", std::array<double, 3>{center.x(), center.y(), center.z()});
@@ -101,6 +101,26 @@ void write_scene(std::ostream& out, const Point_set& points, const Shapes& shape
     pairs.push_back({std::size_t(pair.first), std::size_t(pair.second)});
   json.rows("orthogonal", pairs);
   json.end();
+}
+
+// Points without a shape may be so far away that the steps of their block are larger than the cloud: they get blocks of
+// their own.
+void write_points(std::ostream& out, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned)
+{
+  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
+  const auto is_near = [&](std::uint32_t position) {
+    const Kernel::Point_3 p = point_at(points, position);
+    for(int k = 0; k < 3; ++k)
+      if(p[k] < 2 * box.min(k) - box.max(k) || p[k] > 2 * box.max(k) - box.min(k))
+        return false;
+    return true;
+  };
+  std::vector<std::uint32_t> positions = thinned.positions;
+  const auto far =
+    std::stable_partition(positions.end() - std::ptrdiff_t(thinned.shown.back()), positions.end(), is_near);
+  const Point_block_writer writer(points, shapes, center_of(box));
+  writer.write(out, positions.begin(), far);
+  writer.write(out, far, positions.end());
 }
 
 } // namespace
@@ -114,8 +134,7 @@ void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes
   out << "<script type=\"application/json\" id=\"scene\">";
   write_scene(out, points, shapes, run, thinned);
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
-  const Point_block_writer writer(points, shapes, center_of(box_of_shapes(points, shapes)));
-  writer.write(out, thinned.positions);
+  write_points(out, points, shapes, thinned);
   out << "</script>\n";
   write_pieces(out, page_parts().after_data);
 }
