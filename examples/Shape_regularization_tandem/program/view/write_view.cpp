@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -103,24 +104,25 @@ void write_scene(std::ostream& out, const Point_set& points, const Shapes& shape
   json.end();
 }
 
-// Points without a shape may be so far away that the steps of their block are larger than the cloud: they get blocks of
-// their own.
+// Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
+// from the inside to the outside, with the blocks of each reach apart.
 void write_points(std::ostream& out, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned)
 {
   const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
-  const auto is_near = [&](std::uint32_t position) {
-    const Kernel::Point_3 p = point_at(points, position);
-    for(int k = 0; k < 3; ++k)
-      if(p[k] < 2 * box.min(k) - box.max(k) || p[k] > 2 * box.max(k) - box.min(k))
-        return false;
-    return true;
-  };
+  const Kernel::Point_3 center = center_of(box);
+  const Point_block_writer writer(points, shapes, center);
   std::vector<std::uint32_t> positions = thinned.positions;
-  const auto far =
-    std::stable_partition(positions.end() - std::ptrdiff_t(thinned.shown.back()), positions.end(), is_near);
-  const Point_block_writer writer(points, shapes, center_of(box));
-  writer.write(out, positions.begin(), far);
-  writer.write(out, far, positions.end());
+  auto written = positions.begin(), next = positions.end() - std::ptrdiff_t(thinned.shown.back());
+  double reach = 2 * (std::max)({box.x_span(), box.y_span(), box.z_span(), 1e-300});
+  const auto is_near = [&](std::uint32_t position) {
+    const Kernel::Vector_3 v = point_at(points, position) - center;
+    return (std::max)({std::fabs(v.x()), std::fabs(v.y()), std::fabs(v.z())}) <= reach;
+  };
+  for(; written != positions.end(); reach *= 64) {
+    next = std::stable_partition(next, positions.end(), is_near);
+    writer.write(out, written, next);
+    written = next;
+  }
 }
 
 } // namespace
