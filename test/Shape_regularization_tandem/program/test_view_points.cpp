@@ -105,7 +105,7 @@ void test_blocks()
   const Thinned_points thinned(points, shapes, size);
   std::stringstream text;
   const Kernel::Point_3 center(shift + 500, 7500, 0);
-  program::Point_block_writer(points, shapes, center).write(text, thinned.positions);
+  program::Point_block_writer(points, shapes, center).write(text, thinned.positions.begin(), thinned.positions.end());
   std::size_t first = 0;
   for(std::string line; text >> line;) {
     const std::string bytes = decoded(line);

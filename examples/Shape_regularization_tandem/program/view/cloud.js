@@ -1,3 +1,6 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
 // The cloud on the canvas: one draw call. A table, of one texel for each shape and one for the points without a shape,
 // gives color and state, so that nothing is done for each point but on the graphics processor.
 const State = { hidden: 0, dim: 85, normal: 170, selected: 255 };

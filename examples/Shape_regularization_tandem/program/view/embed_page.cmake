@@ -8,7 +8,7 @@ cmake_minimum_required(VERSION 3.16)
 
 set(piece_size 8000) # bytes; some compilers take no literal beyond 16 K
 
-# A table of raw literals.
+# A table of raw literals. The text is ASCII: a piece may end anywhere.
 function(add_pieces name text)
   string(LENGTH "${text}" length)
   set(pieces "")

@@ -1,3 +1,6 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
 // What the user does: the mouse, the keys, the controls of the panel, and the part of the address after '#':
 //   #shape=3  #direction=2  #plane=4     what is selected
 //   #color=shape, direction, plane or distance  #theme=dark  #up=y  #azimuth=30  #elevation=35  #zoom=1.5
@@ -52,7 +55,7 @@ class Page {
     const bar = element("div", { class: "ramp" });
     bar.style.background = "linear-gradient(to right, #2166d9, #6690da 25%, #dbdbd6 50%, #db7b70 75%, #db3326)";
     const d = this.panel.length(this.scene.maximum_distance);
-    legend.append(bar, element("div", { class: "ends" }, element("span", {}, "− " + d), element("span", {}, "0"),
+    legend.append(bar, element("div", { class: "ends" }, element("span", {}, "\u2212 " + d), element("span", {}, "0"),
                                element("span", {}, "+ " + d)));
   }
 
@@ -85,6 +88,7 @@ class Page {
     if (this.selection)
       this.showSelected();
     this.refresh();
+    byId("panel").scrollTop = 0;
     this.writeAddress();
   }
 

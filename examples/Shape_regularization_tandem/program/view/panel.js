@@ -1,3 +1,6 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
 // The panel beside the canvas. Texts are set as text, never as markup: names of files may contain anything.
 function element(tag, attributes = {}, ...children) {
   const result = document.createElement(tag);
@@ -13,7 +16,8 @@ function element(tag, attributes = {}, ...children) {
 const byId = id => document.getElementById(id);
 const count = n => n.toLocaleString("en");
 const plural = (n, word) => count(n) + " " + word + (n === 1 ? "" : "s");
-const degrees = x => x.toFixed(2) + "°";
+const rounded = x => x === null ? "?" : String(Number(x.toPrecision(3)));
+const degrees = x => x === null ? "?" : x.toFixed(2) + "\u00b0";
 const letter = { shape: "", direction: "D", plane: "P" };
 
 function swatch(color) {
@@ -46,6 +50,8 @@ class Panel {
 
   // To a thousandth of the largest distance.
   length(x) {
+    if (x === null)
+      return "?";
     const digits = Math.ceil(3 - Math.log10(this.scene.maximum_distance));
     return x.toFixed(Math.max(0, Math.min(digits, 20)));
   }
@@ -85,7 +91,7 @@ class Panel {
     const row = element("button", { "aria-pressed": "false", title: "highlight" }, swatch(groupColor(group)),
                         letter[kind] + group.index,
                         element("span", { class: "weak" }, plural(group.members.length, "shape") +
-                          (orthogonal ? ", ⟂ " + orthogonal : "")),
+                          (orthogonal ? ", \u27c2 " + orthogonal : "")),
                         element("span", { class: "number" }, count(group.points)));
     row.onclick = () => this.select({ kind, index: group.index });
     this.rows[kind].set(group.index, row);
@@ -128,14 +134,13 @@ class Panel {
       list.append(element("dt", {}, name), element("dd", attributes || {}, value));
     target.append(element("h2", {}, element("span", {}, title),
                           element("button", { class: "small", onclick: () => this.goTo() }, "go there"),
-                          element("button", { class: "small", onclick: () => this.select(null) }, "×")), list);
-    byId("panel").scrollTop = 0;
+                          element("button", { class: "small", onclick: () => this.select(null) }, "\u00d7")), list);
   }
 
   equation(shape) {
     const plane = this.shapes.columns.coefficients.slice(4 * shape, 4 * shape + 4);
     const digits = [6, 6, 6, 4];
-    const text = plane.map((c, k) => (c < 0 ? "− " : k > 0 ? "+ " : "") + Math.abs(c).toFixed(digits[k]) +
+    const text = plane.map((c, k) => (c < 0 ? "\u2212 " : k > 0 ? "+ " : "") + Math.abs(c).toFixed(digits[k]) +
       ["\u00a0x ", "\u00a0y ", "\u00a0z ", ""][k]).join("");
     return [text + " = 0", { class: "equation", title: plane.join(" ") }];
   }
@@ -146,7 +151,7 @@ class Panel {
     const facts = [
       ["Points", count(c.points[shape]) + (this.scene.stride > 1 ? ", shown " + count(c.shown[shape]) : "")],
       ["Plane", ...this.equation(shape)],
-      ["Area", "about " + Number(c.area[shape].toPrecision(3))],
+      ["Area", "about " + rounded(c.area[shape])],
       ["Distance", "of its points: " + this.length(c.mean_distance[shape]) + " on average, at most " +
         this.length(this.scene.maximum_distance)],
       ["Moved", "by " + degrees(c.turned_degrees[shape]) + " and " + this.length(c.shifted[shape]) +

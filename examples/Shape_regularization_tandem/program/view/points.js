@@ -1,3 +1,6 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
 // The points: a line of Base64 for each block of them, as write_points.h describes it. Gives the coordinates, relative
 // to the center, and four bytes for each point: the index of its shape, least significant byte first, and the distance.
 function decodePoints(scene, text) {
@@ -8,8 +11,8 @@ function decodePoints(scene, text) {
   for (const line of text.trim().split("\n")) {
     if (line === "")
       continue;
-    const size = Math.min(scene.block_size, count - first);
-    decodeBlock(bytesOf(line), size, positions.subarray(3 * first, 3 * (first + size)),
+    const bytes = bytesOf(line), size = Math.min((bytes.length - headerSize) / 7, count - first);
+    decodeBlock(bytes, size, positions.subarray(3 * first, 3 * (first + size)),
                 marks.subarray(4 * first, 4 * (first + size)));
     first += size;
   }
@@ -18,6 +21,8 @@ function decodePoints(scene, text) {
   markShapes(scene.shapes.shown, marks);
   return { positions, marks };
 }
+
+const headerSize = 24; // six floats
 
 function bytesOf(line) {
   const binary = atob(line);
@@ -28,14 +33,13 @@ function bytesOf(line) {
 }
 
 function decodeBlock(bytes, size, positions, marks) {
-  const header = 24;
   const view = new DataView(bytes.buffer);
   const number = i => view.getFloat32(4 * i, true);
   const corner = [number(0), number(1), number(2)], step = [number(3), number(4), number(5)];
   for (let i = 0; i < 3 * size; ++i)
-    positions[i] = corner[i % 3] + step[i % 3] * view.getUint16(header + 2 * i, true);
+    positions[i] = corner[i % 3] + step[i % 3] * view.getUint16(headerSize + 2 * i, true);
   for (let i = 0; i < size; ++i)
-    marks[4 * i + 3] = bytes[header + 6 * size + i];
+    marks[4 * i + 3] = bytes[headerSize + 6 * size + i];
 }
 
 // The points are sorted by shape.

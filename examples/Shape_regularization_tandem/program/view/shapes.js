@@ -1,3 +1,6 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
 // The shapes, their groups and colors.
 class Shapes {
   constructor(scene) {

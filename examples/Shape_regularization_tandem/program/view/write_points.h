@@ -37,7 +37,7 @@ inline std::string base64(std::string bytes)
 
 // A block has a box: its corner, relative to the center of the page, and the step of the coordinates along each axis,
 // as floats; then three 16-bit coordinates for each point; then a byte each for the distance to the plane of its shape,
-// 128 + 127 d / (largest distance). A stray point spoils the steps of one block only.
+// 128 + 127 d / (largest distance).
 class Point_block_writer {
 public:
   static constexpr std::size_t block_size = 4096;
@@ -46,21 +46,24 @@ public:
     : points(points), shapes(shapes), center(center)
   {}
 
-  void write(std::ostream& out, const std::vector<std::uint32_t>& positions) const
+  using Iterator = std::vector<std::uint32_t>::const_iterator; // of positions in the cloud
+
+  void write(std::ostream& out, Iterator first, Iterator last) const
   {
-    for(std::size_t first = 0; first < positions.size(); first += block_size) {
-      const std::size_t last = (std::min)(first + block_size, positions.size());
-      out << base64(block(positions.data() + first, positions.data() + last)) << '\n';
+    while(first != last) {
+      const Iterator end = first + (std::min)(std::ptrdiff_t(block_size), last - first);
+      out << base64(block(first, end)) << '\n';
+      first = end;
     }
   }
 
 private:
-  std::string block(const std::uint32_t* first, const std::uint32_t* last) const
+  std::string block(Iterator first, Iterator last) const
   {
     std::ostringstream bytes;
     Binary_writer binary(bytes);
     CGAL::Bbox_3 box;
-    for(const std::uint32_t* i = first; i != last; ++i)
+    for(Iterator i = first; i != last; ++i)
       box += point_at(points, *i).bbox();
     std::array<double, 3> step;
     for(int k = 0; k < 3; ++k)
@@ -69,14 +72,14 @@ private:
       step[std::size_t(k)] = (box.max(k) - box.min(k)) / 65535;
       binary.write(float(step[std::size_t(k)]));
     }
-    for(const std::uint32_t* i = first; i != last; ++i) {
+    for(Iterator i = first; i != last; ++i) {
       const Kernel::Point_3 p = point_at(points, *i);
       for(int k = 0; k < 3; ++k) {
         const double h = step[std::size_t(k)];
         binary.write(std::uint16_t(h > 0 ? std::lround((std::min)((p[k] - box.min(k)) / h, 65535.)) : 0));
       }
     }
-    for(const std::uint32_t* i = first; i != last; ++i)
+    for(Iterator i = first; i != last; ++i)
       binary.write(distance_byte(*i));
     return bytes.str();
   }

@@ -10,7 +10,9 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -92,7 +94,6 @@ void write_scene(std::ostream& out, const Point_set& points, const Shapes& shape
   json.count("planes", s.number_of_planes);
   json.count("shown", thinned.size());
   json.count("stride", thinned.stride);
-  json.count("block_size", Point_block_writer::block_size);
   json.number("coverage", s.coverage);
   json.number("maximum_distance", shapes.parameters().maximum_distance);
   json.numbers("center", std::array<double, 3>{center.x(), center.y(), center.z()});
@@ -103,6 +104,27 @@ void write_scene(std::ostream& out, const Point_set& points, const Shapes& shape
     pairs.push_back({std::size_t(pair.first), std::size_t(pair.second)});
   json.rows("orthogonal", pairs);
   json.end();
+}
+
+// Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
+// from the inside to the outside, with the blocks of each reach apart.
+void write_points(std::ostream& out, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned)
+{
+  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
+  const Kernel::Point_3 center = center_of(box);
+  const Point_block_writer writer(points, shapes, center);
+  std::vector<std::uint32_t> positions = thinned.positions;
+  auto written = positions.begin(), next = positions.end() - std::ptrdiff_t(thinned.shown.back());
+  double reach = 2 * (std::max)({box.x_span(), box.y_span(), box.z_span(), 1e-300});
+  const auto is_near = [&](std::uint32_t position) {
+    const Kernel::Vector_3 v = point_at(points, position) - center;
+    return (std::max)({std::fabs(v.x()), std::fabs(v.y()), std::fabs(v.z())}) <= reach;
+  };
+  for(; written != positions.end(); reach *= 64) {
+    next = std::stable_partition(next, positions.end(), is_near);
+    writer.write(out, written, next);
+    written = next;
+  }
 }
 
 } // namespace
@@ -116,8 +138,7 @@ void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes
   out << "<script type=\"application/json\" id=\"scene\">";
   write_scene(out, points, shapes, run, thinned);
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
-  const Point_block_writer writer(points, shapes, center_of(box_of_shapes(points, shapes)));
-  writer.write(out, thinned.positions);
+  write_points(out, points, shapes, thinned);
   out << "</script>\n";
   write_pieces(out, page_parts().after_data);
 }
