@@ -174,8 +174,8 @@ run_tsan()
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
   step program
   for source in detect_planes output/shape_polygons; do
-    "${CXX:-c++}" -std=c++17 -fsyntax-only -Wall -Wextra -Werror "-I$root/include" "-I$program_dir" -isystem /usr/include/eigen3 \
-      "$program_dir/$source.cpp" || fail "$source.cpp does not compile without oneTBB"
+    "${CXX:-c++}" -std=c++17 -fsyntax-only -Wall -Wextra -Werror "-I$root/include" "-I$program_dir" \
+      -isystem /usr/include/eigen3 "$program_dir/$source.cpp" || fail "$source.cpp does not compile without oneTBB"
   done
 }
 

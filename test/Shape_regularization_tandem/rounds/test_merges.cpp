@@ -6,6 +6,7 @@
 
 #undef NDEBUG
 
+#include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/rounds/join_members.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>

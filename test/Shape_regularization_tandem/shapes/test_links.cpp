@@ -6,6 +6,7 @@
 
 #undef NDEBUG
 
+#include "testing/body_fixture.h"
 #include "testing/link_sets.h"
 
 #include <CGAL/Tandem/internal/shapes/links.h>
