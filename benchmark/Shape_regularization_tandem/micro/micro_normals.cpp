@@ -31,7 +31,8 @@ void tandem_normals(benchmark::State& state)
     internal::Tandem_state<Backend> t(backend);
     CGAL::Tandem::Stage_times times;
     state.ResumeTiming();
-    internal::prepare(t, in, micro_parameters(), times);
+    internal::Progress progress;
+    internal::prepare(t, in, micro_parameters(), times, progress);
     estimation += times.normals;
   }
   state.counters["estimation_s"] = benchmark::Counter(estimation, benchmark::Counter::kAvgIterations);

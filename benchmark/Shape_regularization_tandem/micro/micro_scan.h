@@ -103,7 +103,8 @@ struct Prepared_scan {
 
   Prepared_scan(std::size_t size, bool has_normals) : in(micro_import(size, has_normals)), state(backend)
   {
-    internal::prepare(state, in, micro_parameters(), times);
+    internal::Progress progress;
+    internal::prepare(state, in, micro_parameters(), times, progress);
   }
 };
 
