@@ -83,9 +83,9 @@ inline std::array<long double, 3> common_point(const Plane_rows& rows, const std
 // first, so that no doubles are closer to the planes.
 inline Position point_on_planes(const std::vector<Shapes::Coefficients>& planes, const Kernel::Point_3& p)
 {
-  Plane_rows rows;
+  Plane_rows rows = {};
   std::array<long double, 3> x = {p.x(), p.y(), p.z()};
-  for(std::size_t i = 0; i < planes.size(); ++i)
+  for(std::size_t i = 0; i < planes.size() && i < rows.size(); ++i)
     rows[i] = {planes[i][0], planes[i][1], planes[i][2], planes[i][3]};
   const auto fix = [&](std::size_t row, int axis) { // the coordinate stays what it is, rounded
     rows[row] = {0, 0, 0, -static_cast<long double>(double(x[axis]))};
