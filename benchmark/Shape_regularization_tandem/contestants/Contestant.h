@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Tandem {
 namespace benchmark {
 
-// The same for all contestants; each reads what concerns it. Lengths in units of the cloud. No pointers: a task is
-// handed to another process as it is.
+// The same for all contestants; each reads what concerns it. Lengths in units of the cloud. A new member has to be
+// handed to the other process, too: see run_isolated.cpp.
 struct Task {
   double maximum_distance = 0;                   // epsilon
   double maximum_angle_deg = 25.841932763167124; // alpha: a cosine of 0.9, as in the paper

@@ -54,9 +54,23 @@ Run get_run(Memory_file& file)
   return run;
 }
 
+// f(member) for all of a task, in one order.
+template <class Any_task, class F>
+void for_each_member(Any_task& t, F f)
+{
+  f(t.maximum_distance), f(t.maximum_angle_deg), f(t.minimum_region_size), f(t.angle_tolerance_deg);
+  f(t.maximum_offset), f(t.k_neighbors), f(t.cell_size), f(t.cluster_epsilon);
+  f(t.threads), f(t.seed), f(t.estimates_normals);
+  auto& p = t.engine;
+  f(p.maximum_distance), f(p.maximum_angle), f(p.angle_tolerance), f(p.maximum_offset);
+  f(p.minimum_region_size), f(p.k_neighbors), f(p.cell_size), f(p.regularity_period);
+  f(p.regularize_parallelism), f(p.regularize_orthogonality), f(p.regularize_coplanarity);
+  f(p.fixed_directions), f(p.regularize_axis_symmetry), f(p.symmetry_direction);
+}
+
 void put(Memory_file& file, const Ply_cloud& cloud, const Task& task, const Run& base)
 {
-  file.put(task);
+  for_each_member(task, [&](const auto& member) { file.put(member); });
   file.put(cloud.points);
   file.put(cloud.normals);
   put(file, base);
@@ -110,7 +124,7 @@ int isolated_main(char** argv)
     const Contestant c = contestant(argv[2]);
     Task task;
     Ply_cloud cloud;
-    in.get(task);
+    for_each_member(task, [&](auto& member) { in.get(member); });
     in.get(cloud.points);
     in.get(cloud.normals);
     const Run base = get_run(in);

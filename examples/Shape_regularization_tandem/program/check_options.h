@@ -65,6 +65,8 @@ inline void check_formats(const Options& o)
     throw Usage_error("--output is '" + o.output + "', must end in one of " + known_outputs);
   if(!o.colors.empty() && o.colors != "shape" && o.colors != "input")
     throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
+  if(!o.colors.empty() && o.output.empty())
+    throw Usage_error("--colors needs --output");
   try {
     input_settings(o.inputs, o.columns, o.classes);
   } catch(const std::invalid_argument& e) {

@@ -131,8 +131,9 @@ inline void add_output_options(po::options_description& all, Options& o)
   add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
       "--mesh takes the N planes with most points; its time grows fast with their number (without: all, if there are "
       "at most 12)");
-  add("view", po::value<std::string>(&o.view)->value_name("FILE"),
-      "a page .html that shows the result in a browser, without a network; of more than 3 million points a part");
+  add(
+    "view", po::value<std::string>(&o.view)->value_name("FILE"),
+    "a page .html or .htm that shows the result in a browser, without a network; of more than 3 million points a part");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
       "JSON with parameters, counts, quality, times, memory and relations: parallel and coplanar groups of shapes, "
       "orthogonal pairs of parallel groups, all counted from 0");
@@ -172,6 +173,16 @@ inline std::string message_of(const po::error& e, int argc, const char* const ar
   return std::string("an option is not known, or its value is wrong; maybe in '") + *word + "'";
 }
 
+// An unset variable of a script is no wish for the default.
+inline void check_values(const po::variables_map& map)
+{
+  for(const auto& [name, value] : map) {
+    const auto* text = boost::any_cast<std::string>(&value.value());
+    if(text != nullptr && text->empty())
+      throw Usage_error("--" + name + " is empty");
+  }
+}
+
 inline Command_line parse(int argc, const char* const argv[])
 {
   Command_line result;
@@ -193,6 +204,7 @@ inline Command_line parse(int argc, const char* const argv[])
                 .style(style::unix_style & ~style::allow_guessing) // "--max 3" must not pass for one of three options
                 .run(),
               map);
+    check_values(map);
     po::notify(map);
   } catch(const po::error& e) {
     throw Usage_error(message_of(e, argc, argv));

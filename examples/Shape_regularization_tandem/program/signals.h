@@ -55,6 +55,17 @@ inline void end_by_signal(int signal)
   std::raise(signal);
 }
 
+inline void handle(int signal, void (*handler)(int))
+{
+#if defined(__unix__) || defined(__APPLE__)
+  struct sigaction action = {};
+  action.sa_handler = handler; // without SA_RESTART, so that a call that waits ends
+  sigaction(signal, &action, nullptr);
+#else
+  std::signal(signal, handler);
+#endif
+}
+
 // The first signal requests the end of the run, a second one ends the process.
 inline void request_end(int signal)
 {
@@ -63,21 +74,21 @@ inline void request_end(int signal)
     return;
   }
   interrupt_flag = 1;
-  std::signal(signal, request_end); // some systems reset it
+  handle(signal, request_end); // some systems reset it
 }
 
 // nohup ignores SIGHUP, for example: that stays so.
 inline void catch_unless_ignored(int signal, void (*handler)(int))
 {
-  if(std::signal(signal, handler) == SIG_IGN)
-    std::signal(signal, SIG_IGN);
+  if(std::signal(signal, SIG_IGN) != SIG_IGN)
+    handle(signal, handler);
 }
 
 inline void catch_signals()
 {
   // Shells ignore SIGINT for what runs in the background.
-  std::signal(SIGINT, request_end);
-  std::signal(SIGTERM, request_end);
+  handle(SIGINT, request_end);
+  handle(SIGTERM, request_end);
 #if defined(__unix__) || defined(__APPLE__)
   catch_unless_ignored(SIGHUP, request_end);
   for(int signal : {SIGPIPE, SIGQUIT, SIGXCPU, SIGXFSZ})

@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <memory>
+#include <stdexcept>
 
 namespace CGAL {
 namespace Tandem {
@@ -40,7 +41,8 @@ private:
 
 \brief detects and regularizes planar shapes in tandem, step by step.
 
-The constructor reads the range once, through its maps; the range is not needed afterwards.
+The constructor reads the range once, through its maps; the range is not needed afterwards. After an exception of the
+callback there are no shapes: all functions but the destructor throw `std::logic_error`.
 
 \tparam Traits a model of `TandemTraits_3`
 */
@@ -99,6 +101,7 @@ public:
   bool iterate()
   {
     const internal::Round_to_nearest rounding;
+    check_complete();
     return engine_ && !is_finished_ && !is_cancelled() && engine_->iterate();
   }
 
@@ -109,10 +112,11 @@ public:
     const internal::Round_to_nearest rounding;
     if(is_finished_)
       return;
+    check_complete();
     if(engine_)
       engine_->finish();
     is_finished_ = true;
-    progress_.show(1);
+    progress_.show_end();
   }
 
   /// the shapes: of the last round, whose planes are not final, or the final ones after `finish()`, whose points are
@@ -120,6 +124,7 @@ public:
   Shapes shapes() const
   {
     const internal::Round_to_nearest rounding;
+    check_complete();
     internal::Stop_watch watch;
     internal::Shapes_data data =
       internal::export_shapes(in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
@@ -136,12 +141,18 @@ public:
   /// the parameters in use, with what was estimated
   const Parameters& parameters() const { return parameters_; }
 
-  /// whether the callback has cancelled
+  /// whether the callback has cancelled; after the rounds the result is complete all the same
   bool is_cancelled() const { return progress_.is_cancelled(); }
 
 private:
   using Backend = typename Traits::Backend;
   using Engine = typename Traits::Engine;
+
+  void check_complete() const
+  {
+    if(progress_.has_thrown() && !is_finished_)
+      throw std::logic_error("the callback has ended the detection by an exception: there are no shapes");
+  }
 
   Traits traits_;
   Backend backend_;

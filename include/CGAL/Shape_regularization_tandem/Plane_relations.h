@@ -25,7 +25,7 @@ struct Plane_relations {
   /// of each parallel group: which of `fixed_directions` it has, -1 if none
   std::vector<int> fixed_direction;
   /// of each parallel group: those of a symmetry group make the same angle with `symmetry_direction`, up to 1e-15 of its
-  /// cosine. -1 without that direction.
+  /// cosine. -1 without that direction, or without a normal.
   std::vector<int> symmetry_group;
   std::vector<bool> is_changed; ///< of each plane: whether it was changed
   /// of each plane: whether its points rejected all relations that were tested, so that it was rolled back

@@ -97,8 +97,8 @@ the defaults then
     \cgalParamDefault{`Parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread, several
-    times in a round and a stage; `stage_at()` names the stage. It cancels by returning `false`: then the shapes found
+    \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread, between
+    the stages and several times in a round; `stage_at()` names the stage. It cancels by returning `false`: then the shapes found
     until then are finished and verified, so that all guarantees hold; see `Planar_shapes_3::is_cancelled()`. What it
     throws ends the detection at once and reaches the caller.}
     \cgalParamDefault{none}

@@ -74,7 +74,7 @@ inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
   in.item.clear();
 }
 
-// Of parallel groups whose planes have unit normals.
+// Of parallel groups whose planes have unit or null normals.
 inline void relate_to_given_directions(const std::vector<Coefficients>& planes, const Parameters& p,
                                        Plane_relations& result)
 {

@@ -56,7 +56,11 @@ private:
     try {
       return std::make_unique<Cuda_engine>(in, parameters, progress);
     } catch(const std::runtime_error&) {
+      if(progress.has_thrown())
+        throw;
     } catch(const std::length_error&) {
+      if(progress.has_thrown())
+        throw;
     }
     return nullptr;
   }

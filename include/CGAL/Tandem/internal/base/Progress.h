@@ -27,7 +27,7 @@ public:
   {
     share_ = (std::max)(share_, share);
     if(callback_ && !is_cancelled_)
-      is_cancelled_ = !callback_(share_);
+      is_cancelled_ = !call();
     return !is_cancelled_;
   }
 
@@ -41,12 +41,32 @@ public:
   // The number of rounds is not known before.
   bool show_rounds(double rounds) { return show(Detection_stage::rounds, 1 - 8 / (8 + rounds)); }
 
+  // The last call, whose answer comes too late.
+  void show_end()
+  {
+    share_ = 1;
+    if(callback_ && !is_cancelled_)
+      call();
+  }
+
   bool is_cancelled() const { return is_cancelled_; }
 
+  // Whether an exception comes from the callback.
+  bool has_thrown() const { return has_thrown_; }
+
 private:
+  bool call()
+  {
+    has_thrown_ = true;
+    const bool goes_on = callback_(share_);
+    has_thrown_ = false;
+    return goes_on;
+  }
+
   Callback callback_;
   double share_ = 0;
   bool is_cancelled_ = false;
+  bool has_thrown_ = false;
 };
 
 } // namespace internal

@@ -64,7 +64,8 @@ private:
   {
     std::vector<int> result;
     for(std::size_t g = 0; g < groups.size(); ++g)
-      if(!groups[g].is_given && groups[g].sine > 0 && !are_exactly_orthogonal(groups[g].direction, axis) &&
+      if(!groups[g].is_given && !groups[g].is_frozen && groups[g].sine > 0 &&
+         !are_exactly_orthogonal(groups[g].direction, axis) &&
          Axis_angle(groups[g].direction, axis).sine > groups[g].sine)
         result.push_back(int(g));
     std::sort(result.begin(), result.end(), [&](int a, int b) {
@@ -83,30 +84,45 @@ private:
     return a == b || std::fabs(sine) < (std::min)(groups[a].sine, groups[b].sine);
   }
 
-  // The groups of a class get the mean of their angles, weighted by points.
+  // The groups of a class get the mean of their angles, weighted by points. Those that cannot bear it leave the class.
   void turn(const std::vector<int>& members)
   {
     std::vector<Turnable> turnable;
-    double cosine = 0, sine = 0;
     for(int g : members) {
       Turnable t = {g, {}, {0, 0, 0}};
-      if(!find_across(t))
-        continue;
-      const Axis_angle angle(groups[g].direction, axis);
-      cosine = std::fma(groups[g].weight, angle.cosine, cosine);
-      sine = std::fma(groups[g].weight, angle.sine, sine);
-      turnable.push_back(t);
+      if(find_across(t))
+        turnable.push_back(t);
     }
-    if(turnable.size() < 2)
-      return;
-    const double norm = std::sqrt(std::fma(cosine, cosine, sine * sine));
     std::vector<Vector> turned;
-    turned.reserve(turnable.size());
-    for(const Turnable& t : turnable)
-      turned.push_back(direction_at(t, cosine / norm, sine / norm));
+    for(std::size_t before = turnable.size() + 1; turnable.size() < before;) {
+      before = turnable.size();
+      if(before < 2)
+        return;
+      turned = turned_directions(turnable);
+      std::vector<Turnable> kept;
+      for(std::size_t k = 0; k < before; ++k)
+        if(groups[turnable[k].group].cost(turned[k]) <= rms * rms * groups[turnable[k].group].weight)
+          kept.push_back(turnable[k]);
+      turnable.swap(kept);
+    }
     for(std::size_t k = 0; k < turnable.size(); ++k)
-      if(groups[turnable[k].group].cost(turned[k]) <= rms * rms * groups[turnable[k].group].weight)
-        groups[turnable[k].group].direction = canonical(turned[k]);
+      groups[turnable[k].group].direction = canonical(turned[k]);
+  }
+
+  std::vector<Vector> turned_directions(const std::vector<Turnable>& turnable) const
+  {
+    double cosine = 0, sine = 0;
+    for(const Turnable& t : turnable) {
+      const Axis_angle angle(groups[t.group].direction, axis);
+      cosine = std::fma(groups[t.group].weight, angle.cosine, cosine);
+      sine = std::fma(groups[t.group].weight, angle.sine, sine);
+    }
+    const double norm = std::sqrt(std::fma(cosine, cosine, sine * sine));
+    std::vector<Vector> result;
+    result.reserve(turnable.size());
+    for(const Turnable& t : turnable)
+      result.push_back(direction_at(t, cosine / norm, sine / norm));
+    return result;
   }
 
   // Whether the group may turn without losing a right angle: each of its partners has to be orthogonal to the axis, and

@@ -61,7 +61,7 @@ inline std::vector<int> fixed_directions_of(const std::vector<Vector>& direction
 }
 
 // By group, the number of its angle to the axis: groups of one number make the same angle, up to the last bit of its
-// cosine. -1 for all where symmetry is off.
+// cosine. -1 for null vectors, and for all where symmetry is off.
 inline std::vector<int> symmetry_groups(const std::vector<Vector>& directions, const Parameters& p)
 {
   std::vector<int> result(directions.size(), -1);
@@ -78,6 +78,8 @@ inline std::vector<int> symmetry_groups(const std::vector<Vector>& directions, c
   double first = -1;
   int number = -1;
   for(int g : order) {
+    if(!(dot(directions[g], directions[g]) > 0))
+      continue; // a plane without normal
     if(number < 0 || cosine[g] - first > tuning::relations::same_cosine) {
       first = cosine[g];
       ++number;
