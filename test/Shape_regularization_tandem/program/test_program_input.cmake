@@ -129,7 +129,7 @@ if(timeout AND truncate)
   file(WRITE "${WORK_DIR}/long.ply" "ply\nformat binary_little_endian 1.0\nelement foo 4000000000\n"
        "property list uchar uchar a\nelement vertex 1\n${positions}end_header\n")
   expect_shell(1 "interrupted" "truncate -s 4G long.ply
-    exec timeout --preserve-status -s INT -k 2 0.3 \"$P\" long.ply")
+    exec timeout --foreground --preserve-status -s INT -k 2 0.3 \"$P\" long.ply")
   file(REMOVE "${WORK_DIR}/long.ply")
 endif()
 
