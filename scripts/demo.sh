@@ -48,13 +48,11 @@ cmake --build "$build" --target detect_planes > "$result/build.log" 2>&1 ||
 program=$build/examples/Shape_regularization_tandem/detect_planes
 
 # The tolerance is that of the facade, 15 centimeters; without it, it is estimated.
-"$program" "$cloud" --maximum-distance 0.15 --output "$result/building_shapes.ply" \
+set -- "$cloud" --maximum-distance 0.15 --output "$result/building_shapes.ply" \
   --planes "$result/building_planes.txt" --labels "$result/building_labels.bin" --report "$result/building_report.json"
-
-rm -f "$result/building.png"
 page=$result/building.html
-"$program" "$cloud" --maximum-distance 0.15 --quiet --view "$page" 2> "$result/view.log" ||
-  { page=; cat "$result/view.log" >&2; }
+"$program" "$@" --view "$page" || { page=; "$program" "$@"; } # without three.js it makes no page
+rm -f "$result/building.png"
 [ -z "$page" ] || "$root/scripts/view_picture.sh" "$page" "$result/building.png" > "$result/picture.log" 2>&1 ||
   { [ $? -eq 77 ] || cat "$result/picture.log" >&2; }
 

@@ -19,9 +19,10 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 build=${TANDEM_BUILD_DIR:-$root/build}
 jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 
+program_dir=$root/examples/Shape_regularization_tandem/program
+
 # The tests that the other configurations build as well: they reach every part of the
 # engine and are small, and compiling is what takes the time.
-program_dir=$root/examples/Shape_regularization_tandem/program
 examples='^detect_planes(_of_vector)?$'
 sanitized='test_(bad_input|regularize_planes|output_file)'
 
@@ -110,7 +111,6 @@ run_style()
     > "$build/tidy.log" 2>&1 || { cat "$build/tidy.log" >&2; fail "clang-tidy complains"; }
 }
 
-# The program is built without a solver for --mesh there, and without the page of --view.
 # Instrumented code draws false warnings of uninitialized values, so none is an error there. Not optimized: to
 # compile takes longer than to run.
 sanitizer_flags='-O0 -g1 -fno-omit-frame-pointer'
@@ -157,6 +157,7 @@ run_bits()
   done
 }
 
+# The program is built without a solver for --mesh, and without the page of --view.
 run_asan()
 {
   configuration asan small -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WARNINGS_AS_ERRORS=OFF "-DTANDEM_TESTS=$sanitized" \
@@ -197,8 +198,8 @@ run_cuda()
   cuda_flags=
   [ -n "$architecture" ] || cuda_flags='-Xcicc -O1 -Xptxas -O0'
   configuration cuda cuda -DCMAKE_BUILD_TYPE=Release "$less_optimized" "-DCMAKE_CUDA_FLAGS=$cuda_flags" \
-    -DTANDEM_WITH_CUDA=ON -DTANDEM_BUILD_ENGINE=OFF "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" -DTANDEM_TESTS=test_cuda \
-    -DTANDEM_EXAMPLES=detect_planes_on_device
+    -DTANDEM_WITH_CUDA=ON -DTANDEM_BUILD_ENGINE=OFF "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" \
+    -DTANDEM_TESTS=test_cuda -DTANDEM_EXAMPLES=detect_planes_on_device
 }
 
 # In the folder of the release build, where it has been compiled.

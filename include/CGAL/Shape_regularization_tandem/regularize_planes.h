@@ -74,17 +74,6 @@ inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
   in.item.clear();
 }
 
-// Of parallel groups whose planes have unit or null normals.
-inline void relate_to_given_directions(const std::vector<Coefficients>& planes, const Parameters& p,
-                                       Plane_relations& result)
-{
-  std::vector<Vector> direction(result.number_of_parallel_groups());
-  for(std::size_t s = 0; s < planes.size(); ++s)
-    direction[result.parallel_group[s]] = {planes[s][0], planes[s][1], planes[s][2]};
-  result.fixed_direction = fixed_directions_of(direction, p);
-  result.symmetry_group = symmetry_groups(direction, p);
-}
-
 } // namespace internal
 
 /*!
@@ -197,7 +186,9 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   internal::drop_unassigned(in, plane_of);
   Plane_relations result = internal::relate_planes(backend, in, plane_of, options, coefficients);
-  internal::relate_to_given_directions(coefficients, p, result);
+  const std::vector<internal::Vector> directions = internal::group_directions(result.parallel_group, coefficients);
+  result.fixed_direction = internal::fixed_directions_of(directions, p);
+  result.symmetry_group = internal::symmetry_groups(directions, p);
   std::size_t s = 0;
   for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
     if(result.is_changed[s]) {

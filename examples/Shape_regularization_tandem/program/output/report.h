@@ -76,24 +76,23 @@ public:
   void numbers(const char* name, const Numbers& numbers)
   {
     key(name);
-    write(numbers, [&](double x) { out << (std::isfinite(x) ? shortest(x) : "null"); });
-  }
-
-  template <class List>
-  void list(const char* name, const List& list)
-  {
-    key(name);
-    write(list, [&](const auto& x) { out << x; });
+    write_numbers(numbers);
   }
 
   template <class Rows>
   void rows(const char* name, const Rows& rows)
   {
     key(name);
-    write(rows, [&](const auto& row) { write(row, [&](const auto& x) { out << x; }); });
+    write(rows, [&](const auto& row) { write_numbers(row); });
   }
 
 private:
+  template <class Numbers>
+  void write_numbers(const Numbers& numbers)
+  {
+    write(numbers, [&](auto x) { out << (std::isfinite(double(x)) ? shortest(double(x)) : "null"); });
+  }
+
   template <class List, class Write_item>
   void write(const List& list, Write_item write_item)
   {
@@ -171,7 +170,7 @@ inline void write_parameters(Json_writer& json, const CGAL::Tandem::Parameters& 
   json.rows("fixed_directions", p.fixed_directions);
   json.boolean("regularize_axis_symmetry", p.regularize_axis_symmetry);
   if(p.regularize_axis_symmetry)
-    json.list("symmetry_direction", p.symmetry_direction);
+    json.numbers("symmetry_direction", p.symmetry_direction);
   json.end();
 }
 
@@ -239,8 +238,8 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
     pairs.push_back({std::size_t(pair.first), std::size_t(pair.second)});
   json.rows("orthogonal_pairs", pairs);
   json.rows("coplanar_groups", members_of_groups(shapes, false));
-  json.list("fixed_direction_of_parallel_groups", shapes.data().fixed_direction);
-  json.list("symmetry_group_of_parallel_groups", shapes.data().symmetry_group);
+  json.numbers("fixed_direction_of_parallel_groups", shapes.data().fixed_direction);
+  json.numbers("symmetry_group_of_parallel_groups", shapes.data().symmetry_group);
   json.end();
   json.end();
 }

@@ -90,9 +90,9 @@ Soup reconstruct(const std::vector<Item>& items)
   return soup;
 }
 
-void write_off(std::ostream& out, const Soup& soup)
+// Points and faces, as .off and .ply have them.
+void write_rows(std::ostream& out, const Soup& soup)
 {
-  out << "OFF\n" << soup.points.size() << ' ' << soup.faces.size() << " 0\n";
   for(const Kernel::Point_3& p : soup.points)
     out << p << '\n';
   for(const auto& face : soup.faces) {
@@ -101,6 +101,12 @@ void write_off(std::ostream& out, const Soup& soup)
       out << ' ' << corner;
     out << '\n';
   }
+}
+
+void write_off(std::ostream& out, const Soup& soup)
+{
+  out << "OFF\n" << soup.points.size() << ' ' << soup.faces.size() << " 0\n";
+  write_rows(out, soup);
 }
 
 void write_obj(std::ostream& out, const Soup& soup)
@@ -121,14 +127,7 @@ void write_ply(std::ostream& out, const Soup& soup)
   out << "ply\nformat ascii 1.0\ncomment detect_planes of Tandem\nelement vertex " << soup.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << soup.faces.size()
       << "\nproperty list int int vertex_indices\nend_header\n";
-  for(const Kernel::Point_3& p : soup.points)
-    out << p << '\n';
-  for(const auto& face : soup.faces) {
-    out << face.size();
-    for(std::size_t corner : face)
-      out << ' ' << corner;
-    out << '\n';
-  }
+  write_rows(out, soup);
 }
 
 } // namespace

@@ -53,11 +53,7 @@ inline std::vector<int> representatives(const std::vector<int>& group)
 // What the directions of the groups have in common up to rounding, whether or not the regularity step made it so.
 inline void relate_groups(Shapes_data& data)
 {
-  std::vector<Vector> direction;
-  for(int s : representatives(data.parallel_group)) {
-    const Coefficients& c = data.coefficients[std::size_t(s)];
-    direction.push_back({c[0], c[1], c[2]});
-  }
+  const std::vector<Vector> direction = group_directions(data.parallel_group, data.coefficients);
   data.orthogonal_groups = orthogonal_pairs(direction);
   data.fixed_direction = fixed_directions_of(direction, data.parameters);
   data.symmetry_group = symmetry_groups(direction, data.parameters);

@@ -59,7 +59,7 @@ private:
     Vector partner; // orthogonal to the group and to the axis, or null
   };
 
-  // Groups that may turn, by falling weight; ties are broken by the first member, which is in no other group.
+  // Groups that may turn, by falling weight.
   std::vector<int> candidates() const
   {
     std::vector<int> result;
@@ -68,11 +68,7 @@ private:
          !are_exactly_orthogonal(groups[g].direction, axis) &&
          Axis_angle(groups[g].direction, axis).sine > groups[g].sine)
         result.push_back(int(g));
-    std::sort(result.begin(), result.end(), [&](int a, int b) {
-      if(groups[a].weight != groups[b].weight)
-        return groups[a].weight > groups[b].weight;
-      return groups[a].members.front() < groups[b].members.front();
-    });
+    std::sort(result.begin(), result.end(), [&](int a, int b) { return is_heavier(groups, a, b); });
     return result;
   }
 

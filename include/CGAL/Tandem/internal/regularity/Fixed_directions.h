@@ -52,6 +52,17 @@ struct Direction_group {
   double cost(const Vector& n) const { return quadratic_form(matrix, n) - minimum; }
 };
 
+// Given directions in their order, then groups by falling number of points; ties are broken by the first member, which is
+// in no other group.
+inline bool is_heavier(const std::vector<Direction_group>& groups, int a, int b)
+{
+  if(groups[a].is_given || groups[b].is_given)
+    return groups[a].is_given && (!groups[b].is_given || a < b);
+  if(groups[a].weight != groups[b].weight)
+    return groups[a].weight > groups[b].weight;
+  return groups[a].members.front() < groups[b].members.front();
+}
+
 // What a rotation of the normal costs at least, in steps^2 by the squared angle.
 inline double smallest_gap(const Eigen_system& e) { return (std::max)(e.value[1] - e.value[0], 1e-300); }
 

@@ -96,19 +96,11 @@ private:
   // Loops over fewer followers run on one thread.
   static constexpr std::size_t few_followers = 256;
 
-  // Given directions in their order, then groups by falling number of points; ties are broken by the first member, which
-  // is in no other group.
   std::vector<int> by_weight() const
   {
     std::vector<int> order(groups.size());
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-      if(groups[a].is_given || groups[b].is_given)
-        return groups[a].is_given && (!groups[b].is_given || a < b);
-      if(groups[a].weight != groups[b].weight)
-        return groups[a].weight > groups[b].weight;
-      return groups[a].members.front() < groups[b].members.front();
-    });
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return is_heavier(groups, a, b); });
     return order;
   }
 

@@ -46,6 +46,15 @@ inline void set_given_directions(const Parameters& p, Regularity_options& option
       options.fixed_directions.push_back(d);
 }
 
+// The normals of parallel groups, up to their signs. group: of each plane.
+inline std::vector<Vector> group_directions(const std::vector<int>& group, const std::vector<Coefficients>& planes)
+{
+  std::vector<Vector> directions(group.empty() ? 0 : std::size_t(*std::max_element(group.begin(), group.end())) + 1);
+  for(std::size_t s = 0; s < planes.size(); ++s)
+    directions[std::size_t(group[s])] = {planes[s][0], planes[s][1], planes[s][2]};
+  return directions;
+}
+
 // By group, the place of its direction among the fixed ones, or -1. The first of equal ones counts.
 inline std::vector<int> fixed_directions_of(const std::vector<Vector>& directions, const Parameters& p)
 {

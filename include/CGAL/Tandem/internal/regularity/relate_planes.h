@@ -9,6 +9,7 @@
 #include <CGAL/Shape_regularization_tandem/Plane_relations.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/regularity/Input_planes.h>
+#include <CGAL/Tandem/internal/regularity/given_directions.h>
 
 #include <vector>
 
@@ -67,14 +68,6 @@ inline std::vector<Coefficients> related_planes(const Relations& r, const std::v
   return result;
 }
 
-inline void find_orthogonal_groups(const std::vector<Coefficients>& planes, Plane_relations& result)
-{
-  std::vector<Vector> direction(result.number_of_parallel_groups());
-  for(std::size_t s = 0; s < planes.size(); ++s)
-    direction[result.parallel_group[s]] = {planes[s][0], planes[s][1], planes[s][2]};
-  result.orthogonal_groups = orthogonal_pairs(direction); // a plane without normal is orthogonal to nothing
-}
-
 // For the caller's information only: no decision depends on the angle.
 inline double angle_between_deg(const Coefficients& a, const Coefficients& b)
 {
@@ -119,7 +112,8 @@ Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<in
     result.is_changed.push_back(!is_unrelated[s]);
     result.angle.push_back(angle_between_deg(planes[s], old[s]));
   }
-  find_orthogonal_groups(planes, result);
+  // A plane without normal is orthogonal to nothing.
+  result.orthogonal_groups = orthogonal_pairs(group_directions(result.parallel_group, planes));
   measure_planes(in, plane_of, planes, result);
   return result;
 }
