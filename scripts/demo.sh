@@ -7,6 +7,7 @@
 # of the page where Chromium is installed.
 #   TANDEM_BUILD_DIR  where to build (default: build/release of this repository)
 #   TANDEM_WITH_TBB   OFF builds the sequential back end only
+#   TANDEM_JOBS       compilers at a time (default: number of processors)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
 set -eu
@@ -17,6 +18,7 @@ architecture=$("$root/scripts/cuda_architecture.sh")
 cuda=${architecture:+-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=$architecture}
 cuda=${cuda:--DTANDEM_WITH_CUDA=OFF}
 build=${TANDEM_BUILD_DIR:-$root/build/release}
+jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 result=$build/demo
 cloud=$result/building.ply
 
@@ -42,8 +44,8 @@ install_packages
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release $cuda -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON \
   -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" > "$result/cmake.log" 2>&1 ||
   { cat "$result/cmake.log" >&2; fail "cmake failed"; }
-echo "Building detect_planes (a minute or so) ..."
-cmake --build "$build" --target detect_planes > "$result/build.log" 2>&1 ||
+echo "Building detect_planes (some minutes) ..."
+cmake --build "$build" --target detect_planes -j "$jobs" > "$result/build.log" 2>&1 ||
   { cat "$result/build.log" >&2; fail "the build failed"; }
 program=$build/examples/Shape_regularization_tandem/detect_planes
 
