@@ -6,15 +6,42 @@
 #   doc.sh            the manual, with the pictures and tables of the repository
 #   doc.sh --figures  draws these again first, by scripts/doc_figures.sh
 #   TANDEM_DOC_DIR    where to (default: build/doc of this repository)
+#   TANDEM_CGAL_TAGS  folder of the tag files of CGAL's manual (NAME.tag), with which names of CGAL are links to
+#                     https://doc.cgal.org (default: where CGAL's documentation is installed, if it is; empty: no links)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
+doc=$root/doc/Shape_regularization_tandem
 TANDEM_DOC_DIR=${TANDEM_DOC_DIR:-$root/build/doc}
 export TANDEM_DOC_DIR
 
 fail() { echo "doc.sh: $*" >&2; exit 1; }
+
+# The folder of CGAL's tag files, or nothing.
+tag_folder()
+{
+  if [ -n "${TANDEM_CGAL_TAGS+set}" ]; then
+    [ -z "$TANDEM_CGAL_TAGS" ] || (cd "$TANDEM_CGAL_TAGS" && pwd)
+  else
+    find -L /usr/share/doc/*[cC][gG][aA][lL]* /usr/local/share/doc/*[cC][gG][aA][lL]* -maxdepth 3 -name Kernel_23.tag \
+      2> /dev/null | sed -n '1s|/[^/]*$||p'
+  fi
+}
+
+# Settings of Doxygen for the tag files of folder $1, of the packages that the manual depends on.
+tag_settings()
+{
+  while read -r package; do
+    tags=$1/$package.tag
+    [ ! -r "$tags" ] || echo "TAGFILES += \"$tags=https://doc.cgal.org/latest/$package\""
+  done < "$doc/dependencies"
+  # Where this name is not known, Doxygen would take it for the function of this package.
+  # shellcheck disable=SC2016
+  ! grep -qs '<name>regularize_planes</name>' "$1/Shape_regularization.tag" ||
+    echo 'ALIASES += "cgalRegularize=`CGAL::Shape_regularization::Planes::regularize_planes()`"'
+}
 
 case ${1:-} in
   '') ;;
@@ -23,7 +50,13 @@ case ${1:-} in
 esac
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" doxygen
 mkdir -p "$TANDEM_DOC_DIR"
+folder=$(tag_folder) || fail "TANDEM_CGAL_TAGS is no folder"
+settings=
+if [ -n "$folder" ]; then
+  settings=$(tag_settings "$folder")
+  [ -n "$settings" ] || fail "$folder has no tag file of a package that the manual depends on"
+fi
 cd "$root"
-doxygen doc/Shape_regularization_tandem/Doxyfile > "$TANDEM_DOC_DIR/doxygen.log" 2>&1 ||
+{ cat "$doc/Doxyfile" && echo "$settings"; } | doxygen - > "$TANDEM_DOC_DIR/doxygen.log" 2>&1 ||
   { cat "$TANDEM_DOC_DIR/doxygen.log" >&2; fail "Doxygen has warnings or errors"; }
 echo "Manual: $TANDEM_DOC_DIR/html/index.html"

@@ -6,7 +6,7 @@
 # and all tests; the bits of results from other compilers and options; a choice of tests under ASan + UBSan, and one
 # without TBB under TSan; the fuzz targets for some seconds; the CUDA back end, where there is a CUDA compiler (its tests
 # are skipped without a device); and the benchmark in small, which fails where a result of Tandem is wrong or differs
-# between back ends. The manual has to build without a warning.
+# between back ends. The manual has to build without a warning, see scripts/check_doc.sh.
 #   test.sh [style] [release] [benchmark] [bits] [asan] [tsan] [fuzz] [cuda] [doc]   only these
 #                     (default: all of them)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
@@ -215,7 +215,7 @@ run_benchmark()
 run_doc()
 {
   mkdir -p "$build"
-  "$root/scripts/doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual has warnings"; }
+  "$root/scripts/check_doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual is not as it should be"; }
 }
 
 all_parts='style release benchmark bits asan tsan fuzz cuda doc'

@@ -1,0 +1,64 @@
+#!/bin/sh
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Checks the manual: all examples are listed with a description; it builds without a warning; its search knows the names
+# of the package; and names of CGAL are links where there is a tag file, and plain text where there is none.
+#   TANDEM_DOC_DIR    where the manual is built (default: build/doc of this repository)
+#   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
+
+set -eu
+
+fail() { echo "check_doc.sh: $*" >&2; exit 1; }
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+TANDEM_DOC_DIR=${TANDEM_DOC_DIR:-$root/build/doc}
+html=$TANDEM_DOC_DIR/html
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+cd "$root/examples"
+for program in Shape_regularization_tandem/*.cpp Shape_regularization_tandem/program/detect_planes.cpp \
+  Shape_regularization_tandem/python/*.py; do
+  for command in "^\\\\example $program\$" "\\\\ref $program \"[^\"]*\" | ."; do
+    grep -q "$command" "$root/doc/Shape_regularization_tandem/examples.txt" || fail "examples.txt does not list $program"
+  done
+done
+
+cat > "$folder/Shape_detection.tag" << 'END'
+<?xml version='1.0' encoding='UTF-8' standalone='yes' ?>
+<tagfile>
+  <compound kind="class">
+    <name>CGAL::Shape_detection::Efficient_RANSAC</name>
+    <filename>classCGAL_1_1Shape__detection_1_1Efficient__RANSAC.html</filename>
+    <templarg></templarg>
+  </compound>
+</tagfile>
+END
+cat > "$folder/Shape_regularization.tag" << 'END'
+<?xml version='1.0' encoding='UTF-8' standalone='yes' ?>
+<tagfile>
+  <compound kind="namespace">
+    <name>CGAL::Shape_regularization::Planes</name>
+    <filename>namespaceCGAL_1_1Shape__regularization_1_1Planes.html</filename>
+    <member kind="function">
+      <type>void</type>
+      <name>regularize_planes</name>
+      <anchorfile>group__PkgShapeRegularizationRefPlanes.html</anchorfile>
+      <anchor>a0</anchor>
+      <arglist>(PlaneRange &amp;planes)</arglist>
+    </member>
+  </compound>
+</tagfile>
+END
+TANDEM_CGAL_TAGS=$folder TANDEM_DOC_DIR=$folder "$root/scripts/doc.sh"
+for link in Shape_detection/classCGAL_1_1Shape__detection_1_1Efficient__RANSAC.html \
+  Shape_regularization/group__PkgShapeRegularizationRefPlanes.html; do
+  grep -q "<a [^>]*href=\"https://doc.cgal.org/latest/$link" "$folder/html/Tandem_models.html" || fail "no link to $link"
+done
+
+TANDEM_DOC_DIR=$TANDEM_DOC_DIR TANDEM_CGAL_TAGS='' "$root/scripts/doc.sh"
+! grep -rq 'href="https://doc.cgal.org' "$html" || fail "links to CGAL's manual without a tag file"
+for name in detect_planes maximum_distance Planar_shapes_3 Guarantees; do
+  grep -q "\['$name'," "$html"/search/all_*.js || fail "the search does not know $name"
+done
