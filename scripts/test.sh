@@ -115,9 +115,6 @@ run_style()
 # compile takes longer than to run.
 sanitizer_flags='-O0 -g1 -fno-omit-frame-pointer'
 
-# The bits of the results do not depend on how the engine is optimized: tests of a device compare with the engine of O1.
-less_optimized='-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG'
-
 # With the building of CGAL's data where it can be had, since two of its examples are tests, and with the Python module
 # where its packages are installed.
 run_release()
@@ -194,10 +191,11 @@ run_cuda()
 {
   command -v "${CUDACXX:-nvcc}" > /dev/null || { echo "    skipped, there is no CUDA compiler"; return; }
   architecture=$("$root/scripts/cuda_architecture.sh")
-  # Code that does not run need not be optimized.
-  cuda_flags=
-  [ -n "$architecture" ] || cuda_flags='-Xcicc -O1 -Xptxas -O0'
-  configuration cuda cuda -DCMAKE_BUILD_TYPE=Release "$less_optimized" "-DCMAKE_CUDA_FLAGS=$cuda_flags" \
+  # Code that does not run need not be optimized. The bits of the results do not depend on how the engine is.
+  cuda_flags=; cxx_flags=-O1
+  [ -n "$architecture" ] || { cuda_flags='-Xcicc -O1 -Xptxas -O0'; cxx_flags=-O0; }
+  configuration cuda cuda -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
+    "-DCMAKE_CUDA_FLAGS=$cuda_flags" "-DCMAKE_CUDA_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
     -DTANDEM_WITH_CUDA=ON -DTANDEM_BUILD_ENGINE=OFF "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" \
     -DTANDEM_TESTS=test_cuda -DTANDEM_EXAMPLES=detect_planes_on_device
 }
