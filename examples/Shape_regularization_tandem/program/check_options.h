@@ -74,18 +74,14 @@ inline void check_formats(const Options& o)
   }
 }
 
-// Ranges that the library does not know, and negative numbers, which would wrap around.
+// Ranges that the library does not know; parameters_of() checks the others.
 inline void check(const Options& o)
 {
   if(o.inputs.empty() || std::count(o.inputs.begin(), o.inputs.end(), "") > 0)
     throw Usage_error("no INPUT given");
   if(o.backend != "auto" && o.backend != "sequential" && o.backend != "parallel" && o.backend != "cuda")
     throw Usage_error("--backend is '" + o.backend + "', must be auto, sequential, parallel or cuda");
-  constexpr long long largest = 1LL << 31;
   check_count("threads", o.threads, 1, 4096);
-  check_count("minimum-region-size", o.minimum_region_size, 0, largest);
-  check_count("k-neighbors", o.k_neighbors, 0, largest);
-  check_count("cell-size", o.cell_size, 0, largest);
   if(o.estimate_normals && *o.estimate_normals != by_library)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
   if(o.has_group_for_each_plane && o.vg.empty())
