@@ -70,11 +70,10 @@ CGAL::Tandem::Parameters parameters_of(const Options& o)
   p.regularize_parallelism = o.regularize_parallelism;
   p.regularize_orthogonality = o.regularize_orthogonality;
   p.regularize_coplanarity = o.regularize_coplanarity;
-  for(const Direction& d : o.fixed_directions)
-    p.fixed_directions.push_back(d.value);
+  p.fixed_directions = o.fixed_directions;
   if(o.symmetry_direction) {
     p.regularize_axis_symmetry = true;
-    p.symmetry_direction = o.symmetry_direction->value;
+    p.symmetry_direction = *o.symmetry_direction;
   }
   CGAL::Tandem::Parameters checked = p;
   checked.maximum_distance = o.maximum_distance.value_or(1);

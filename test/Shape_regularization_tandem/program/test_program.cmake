@@ -114,6 +114,12 @@ expect(0 "^$" cube.ply ${epsilon} --quiet)
 expect(0 "shapes +3 in" cube.ply ${epsilon} --no-parallelism --no-orthogonality --no-coplanarity --angle-tolerance 0
        --k-neighbors 10 --cell-size 512 --maximum-angle 20 --maximum-offset 0.002 --minimum-region-size 50)
 
+# Directions, also such as look like options
+expect(0 "hash +[0-9a-f]+" cube.ply ${epsilon} --fixed-direction 0,0,1 --symmetry-direction "1, 0, 0")
+string(REGEX MATCH "hash +[0-9a-f]+" hash_of_directions "${out}")
+expect(0 "${hash_of_directions}" cube.ply ${epsilon} --fixed-direction 0,0,1 --fixed-direction -1e-12,0,-2
+       --symmetry-direction=-1,0,0)
+
 # --- Formats and normals
 expect(0 "normals given" "a folder/cube.xyz" ${epsilon})
 expect(0 "normals given" cube.PWN ${epsilon})
@@ -209,6 +215,13 @@ foreach(value IN ITEMS -5 2 65 2147483648)
 endforeach()
 expect(2 ": --cell-size is -1, must be in .64, 65536. " cube.ply --cell-size -1)
 expect(2 ": --cell-size is 1, must be in .64, 65536. " cube.ply --cell-size 1)
+foreach(option IN ITEMS fixed-direction symmetry-direction)
+  foreach(value IN ITEMS 0,0 a,b,c 0,0,0 "0 0 1" 0,0,1,0 0,0,1x 0,0,1e999 nan,0,1 ,0,1)
+    expect(2 ": --${option} is '${value}', must be three numbers .*, as in 0,0,1 " cube.ply --${option} "${value}")
+  endforeach()
+  expect(2 "--${option} is '0', must be three numbers" cube.ply --${option} 0 0 1)
+endforeach()
+expect_shell(2 "--fixed-direction is '', must be" "exec \"$P\" cube.ply --fixed-direction 0,0,1 --fixed-direction ''")
 expect(2 "threads is 0" cube.ply --threads 0)
 expect(2 "backend is 'gpu'" cube.ply --backend gpu)
 expect(2 "estimate-normals is 2" cube.ply --estimate-normals 2)
