@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -36,6 +37,20 @@ inline void check_files(const Options& o)
     if(std::count(files.begin(), files.end(), files.back()) > 1)
       throw Usage_error("the file " + name + " is named twice");
   }
+}
+
+// A file of that name would surprise those who know - as standard input or output. The other outputs have formats.
+inline void check_dashes(const Options& o)
+{
+  for(const std::string& path : o.inputs)
+    if(path == "-")
+      throw Usage_error("INPUT is '-', must be the name of a file");
+  const std::pair<const char*, std::string> outputs[] = {
+    {"output", o.output}, {"labels", o.labels}, {"planes", o.planes}, {"vg", o.vg}, {"report", o.report}};
+  for(const auto& [name, path] : outputs)
+    if(path == "-")
+      throw Usage_error(std::string("--") + name +
+                        " is '-', must be the name of a file (that of standard output is /dev/stdout)");
 }
 
 inline void check_count(const char* name, const std::optional<long long>& value, long long smallest, long long largest)
@@ -91,6 +106,7 @@ inline void check(const Options& o)
   if(o.mesh_planes && o.mesh.empty())
     throw Usage_error("--mesh-planes needs --mesh");
   check_count("mesh-planes", o.mesh_planes, 4, 1000);
+  check_dashes(o);
   check_formats(o);
   check_files(o);
 }
