@@ -201,6 +201,12 @@ Input_notes read_inputs(const Options& o, Point_set& points, Run& run)
   return notes;
 }
 
+void check_standard_output(const std::string& rest)
+{
+  if(!std::cout.flush())
+    throw std::runtime_error("standard output cannot be written" + rest);
+}
+
 void run(const Options& o)
 {
   parameters_of(o); // bad values must not wait for a large file
@@ -231,8 +237,7 @@ void run(const Options& o)
   }
   if(!o.is_quiet)
     print_summary(std::cout, shapes, run);
-  if(!std::cout.flush())
-    throw std::runtime_error("standard output cannot be written");
+  check_standard_output(files.is_empty() ? "" : "; the files are complete");
 }
 
 } // namespace program
@@ -243,11 +248,12 @@ int main(int argc, char* argv[])
   try {
     const program::Command_line command_line = program::parse(argc, argv);
     if(command_line.options.wants_help)
-      std::cout << command_line.help << std::flush;
+      std::cout << command_line.help;
     else if(command_line.options.wants_version)
-      std::cout << "detect_planes (Tandem) " << CGAL_TANDEM_VERSION << std::endl;
+      std::cout << "detect_planes (Tandem) " << CGAL_TANDEM_VERSION << "\n";
     else
       program::run(command_line.options);
+    program::check_standard_output("");
     return 0;
   } catch(const program::Usage_error& e) {
     return program::fail(2, e.what(), " (detect_planes --help lists the options)");

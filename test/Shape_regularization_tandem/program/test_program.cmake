@@ -185,7 +185,14 @@ if(EXISTS /dev/full)
   expect(1 "/dev/full" cube.ply ${epsilon} --labels old.labels --planes never.planes --report /dev/full)
   expect_shell(1 "full.ply: cannot be written completely" "ln -s /dev/full full.ply
     exec \"$P\" cube.ply --maximum-distance 0.004 --polygons full.ply")
-  expect_shell(1 "standard output" "exec \"$P\" cube.ply --maximum-distance 0.004 > /dev/full")
+  expect_shell(1 "standard output cannot be written\n$" "exec \"$P\" cube.ply --maximum-distance 0.004 > /dev/full")
+  expect_shell(1 "standard output cannot be written; the files are complete"
+    "exec \"$P\" cube.ply --maximum-distance 0.004 --planes full.planes --labels full.labels > /dev/full")
+  expect_shell(0 "^$" "\"$P\" cube.ply --maximum-distance 0.004 --quiet --planes same.planes --labels same.labels
+    cmp full.planes same.planes && cmp full.labels same.labels")
+  foreach(option IN ITEMS help version)
+    expect_shell(1 "standard output cannot be written" "exec \"$P\" --${option} > /dev/full")
+  endforeach()
 endif()
 # A limit of the file size is a disk that runs full in the middle of a file.
 expect_shell(1 "never.ply: cannot be written completely" "trap '' XFSZ; ulimit -f 8
