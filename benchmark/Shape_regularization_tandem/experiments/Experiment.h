@@ -16,6 +16,7 @@ namespace benchmark {
 
 struct Experiment_options {
   bool is_quick = false;                // small clouds, few steps
+  bool writes_view_files = false;       // the clouds of the comparison, for detect_planes --view
   std::string output = ".";             // folder of the CSV files and pictures; it exists
   std::string data;                     // folder of clouds (TANDEM_DATA); empty: there is none
   std::string sources;                  // folder of the benchmark's own files: clouds.csv

@@ -7,6 +7,7 @@
 #include "compare.h"
 #include "Comparison.h"
 #include "report/comparison_table.h"
+#include "report/view_files.h"
 
 #include <map>
 #include <sys/stat.h>
@@ -36,6 +37,8 @@ public:
   {
     mkdir((options.output + "/results").c_str(), 0777);
     mkdir((options.output + "/pictures").c_str(), 0777);
+    if(options.writes_view_files)
+      mkdir((options.output + "/views").c_str(), 0777);
   }
 
   void compare(Named_cloud named)
@@ -47,6 +50,8 @@ public:
       t.minimum_region_size, t.k_neighbors);
     std::fflush(stdout);
     run(options_, named, {});
+    if(options_.writes_view_files)
+      write_view_files(options_.output + "/views", named.name, named.cloud, t);
 
     // Each with the normals that it estimates itself: peers by PCA of 20 neighbors.
     std::printf("%s, each with its own normals\n", named.name.c_str());

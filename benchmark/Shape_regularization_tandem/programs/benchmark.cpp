@@ -55,6 +55,8 @@ po::options_description make_options(Command_line& line)
   Experiment_options& o = line.options;
   po::options_description visible("Options");
   visible.add_options()("help", "this text")("quick", po::bool_switch(&o.is_quick), "small clouds, few steps")(
+    "views", po::bool_switch(&o.writes_view_files),
+    "compare: also writes what detect_planes --view needs, into the folder views")(
     "output", po::value(&o.output)->default_value("."), "folder of what is written; it exists")(
     "data", po::value(&o.data), "folder of the clouds of clouds.csv that are files")(
     "sources", po::value(&o.sources)->default_value(TANDEM_BENCHMARK_SOURCES),

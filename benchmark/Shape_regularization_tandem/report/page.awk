@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Turns comparison.csv into a page of HTML. `files` has the names of the CSV files, plots and pictures beside it, one a
-# line. A star behind a value means that the method is better than Tandem.
+# Turns comparison.csv into a page of HTML. `files` has the names of the CSV files, plots, pictures and views beside it,
+# one a line. A star behind a value means that the method is better than Tandem.
 
 # Into cell[1], cell[2], ...; the number of them.
 function split_csv(line,    n, i, c, is_quoted) {
@@ -149,6 +149,16 @@ function print_pictures(cloud,    pass, i, name) {
   print "</div>"
 }
 
+# The page of detect_planes, where there is one; the first one is seen here, too.
+function print_view(cloud,    i, name) {
+  name = "views/" cloud ".html"
+  for (i = 1; i <= number_of_files; ++i) {
+    if (file[i] != name) continue
+    print tag("p", tag("a href=\"" name "\"", "in 3D, as detect_planes shows it"))
+    if (++views == 1) print tag("iframe loading=lazy src=\"" name "\" title=\"" cloud "\"", "")
+  }
+}
+
 END {
   gsub(/\.\//, "", files)
   number_of_files = split(files, file, "\n")
@@ -157,7 +167,8 @@ END {
   print "table { border-collapse: collapse; margin: 1em 0; } caption { text-align: left; font-weight: bold; }"
   print "th, td { border-bottom: 1px solid #ddd; padding: .2em .5em; text-align: right; }"
   print "tr > th:first-child { text-align: left; } .ahead { background: #fdf0d5; } img { max-width: 100%; }"
-  print ".pictures { display: flex; flex-wrap: wrap; }</style>"
+  print ".pictures { display: flex; flex-wrap: wrap; }"
+  print "iframe { width: 100%; height: 36em; border: 1px solid #ddd; }</style>"
   print "<h1>Tandem beside other detectors</h1>"
   if (rows) {
     print tag("p", escaped("Tandem " value[1, "commit"] ", CGAL " value[1, "cgal"] ", " value[1, "compiler"] "; " \
@@ -173,6 +184,7 @@ END {
   for (c = 1; c <= size["clouds"]; ++c) {
     print tag("h2", escaped(item["clouds", c]))
     print_pictures(item["clouds", c])
+    print_view(item["clouds", c])
     for (n = 1; n <= size["normals"]; ++n) print_cloud(item["clouds", c], item["normals", n])
   }
   print "<h2>Experiments</h2>"

@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the page of a benchmark: plots and pictures by gnuplot, where it is installed, and tables from comparison.csv.
-#   page.sh FOLDER    reads the --output of tandem_benchmark and writes FOLDER/index.html
+#   page.sh FOLDER [PROGRAM]    reads the --output of tandem_benchmark and writes FOLDER/index.html
+# PROGRAM is detect_planes: the clouds of FOLDER/views become its pages, FOLDER/views/CLOUD.html.
 
 set -eu
 
@@ -24,7 +25,23 @@ draw_pictures()
   done
 }
 
-[ $# -eq 1 ] || fail "needs the folder of the results"
+# Without three.js the program ends with 2 and says so.
+make_views()
+{
+  for options in views/*.options; do
+    [ -f "$options" ] || return 0
+    name=${options%.options}
+    status=0
+    # shellcheck disable=SC2046
+    "$program" "$name.ply" --quiet --view "$name.html" $(cat "$options") || status=$?
+    [ $status -ne 2 ] || return 0
+    [ $status -eq 0 ] || return 1
+  done
+}
+
+[ $# -eq 1 ] || [ $# -eq 2 ] || fail "needs the folder of the results, and maybe the program detect_planes"
+program=
+[ -z "${2:-}" ] || program=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
 cd "$1" || exit 1
 ls ./*.csv > /dev/null 2>&1 || fail "there are no results in $1"
 failed=
@@ -34,9 +51,13 @@ if command -v gnuplot > /dev/null; then
 else
   echo "There are no plots and pictures: gnuplot is not installed (Debian: gnuplot-nox)"
 fi
+if [ -n "$program" ]; then
+  make_views || failed="$failed views"
+  rm -f views/*.ply views/*.options
+fi
 comparison=/dev/null
 [ ! -f comparison.csv ] || comparison=comparison.csv
-files=$(ls ./*.csv ./*.svg pictures/*.png 2> /dev/null || true)
+files=$(ls ./*.csv ./*.svg pictures/*.png views/*.html 2> /dev/null || true)
 awk -v files="$files" -f "$here/page.awk" "$comparison" > index.html
 echo "wrote $1/index.html"
-[ -z "$failed" ] || fail "gnuplot could not draw all $failed"
+[ -z "$failed" ] || fail "could not make all $failed"

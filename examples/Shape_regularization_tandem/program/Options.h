@@ -6,8 +6,7 @@
 #ifndef DETECT_PLANES_OPTIONS_H
 #define DETECT_PLANES_OPTIONS_H
 
-#include "direction_option.h"
-
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -31,8 +30,8 @@ struct Options {
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
   std::optional<long long> mesh_planes, minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
-  std::vector<Direction> fixed_directions;
-  std::optional<Direction> symmetry_direction;
+  std::vector<std::array<double, 3>> fixed_directions;
+  std::optional<std::array<double, 3>> symmetry_direction;
   std::string backend = "auto";
   bool has_group_for_each_plane = false, has_triangles_only = false, is_quiet = false;
   bool wants_help = false, wants_version = false;

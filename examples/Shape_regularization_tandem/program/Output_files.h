@@ -43,6 +43,8 @@ public:
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
   }
 
+  bool is_empty() const { return files.empty(); }
+
   // All of them or, if one cannot be written, none.
   void write(const Point_set& points, const Input_notes& notes, const Shapes& shapes, const Run& run)
   {

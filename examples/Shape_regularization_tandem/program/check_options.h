@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -36,6 +37,20 @@ inline void check_files(const Options& o)
     if(std::count(files.begin(), files.end(), files.back()) > 1)
       throw Usage_error("the file " + name + " is named twice");
   }
+}
+
+// A file of that name would surprise those who know - as standard input or output. The other outputs have formats.
+inline void check_dashes(const Options& o)
+{
+  for(const std::string& path : o.inputs)
+    if(path == "-")
+      throw Usage_error("INPUT is '-', must be the name of a file");
+  const std::pair<const char*, std::string> outputs[] = {
+    {"output", o.output}, {"labels", o.labels}, {"planes", o.planes}, {"vg", o.vg}, {"report", o.report}};
+  for(const auto& [name, path] : outputs)
+    if(path == "-")
+      throw Usage_error(std::string("--") + name +
+                        " is '-', must be the name of a file (that of standard output is /dev/stdout)");
 }
 
 inline void check_count(const char* name, const std::optional<long long>& value, long long smallest, long long largest)
@@ -74,18 +89,14 @@ inline void check_formats(const Options& o)
   }
 }
 
-// Ranges that the library does not know, and negative numbers, which would wrap around.
+// Ranges that the library does not know; parameters_of() checks the others.
 inline void check(const Options& o)
 {
   if(o.inputs.empty() || std::count(o.inputs.begin(), o.inputs.end(), "") > 0)
     throw Usage_error("no INPUT given");
   if(o.backend != "auto" && o.backend != "sequential" && o.backend != "parallel" && o.backend != "cuda")
     throw Usage_error("--backend is '" + o.backend + "', must be auto, sequential, parallel or cuda");
-  constexpr long long largest = 1LL << 31;
   check_count("threads", o.threads, 1, 4096);
-  check_count("minimum-region-size", o.minimum_region_size, 0, largest);
-  check_count("k-neighbors", o.k_neighbors, 0, largest);
-  check_count("cell-size", o.cell_size, 0, largest);
   if(o.estimate_normals && *o.estimate_normals != by_library)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
   if(o.has_group_for_each_plane && o.vg.empty())
@@ -95,6 +106,7 @@ inline void check(const Options& o)
   if(o.mesh_planes && o.mesh.empty())
     throw Usage_error("--mesh-planes needs --mesh");
   check_count("mesh-planes", o.mesh_planes, 4, 1000);
+  check_dashes(o);
   check_formats(o);
   check_files(o);
 }

@@ -24,12 +24,40 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace program {
+
+// A number below 0 is outside of the ranges of the library, as 0 is.
+std::size_t count_of(const std::optional<long long>& given, std::size_t otherwise)
+{
+  return given ? std::size_t((std::max)(*given, 0LL)) : otherwise;
+}
+
+// From what the library says about a parameter, "NAME is VALUE, allowed is RANGE", what to say about the option.
+Usage_error option_error(const std::string& message, const Options& o)
+{
+  const std::string is = " is ", allowed = ", allowed is ";
+  const std::size_t value_at = message.find(is), range_at = message.find(allowed);
+  if(value_at == message.npos || range_at == message.npos)
+    return Usage_error(message);
+  std::string option = "--" + message.substr(0, value_at);
+  std::replace(option.begin(), option.end(), '_', '-');
+  std::string value = message.substr(value_at + is.size(), range_at - value_at - is.size());
+  const std::pair<const char*, std::optional<long long>> counts[] = {
+    {"--minimum-region-size", o.minimum_region_size}, {"--k-neighbors", o.k_neighbors}, {"--cell-size", o.cell_size}};
+  for(const auto& [name, given] : counts)
+    if(option == name && given)
+      value = std::to_string(*given);
+  return Usage_error(option + is + value + ", must be in " + message.substr(range_at + allowed.size()));
+}
 
 // What was given, checked. A length or size that is to be estimated is 0.
 CGAL::Tandem::Parameters parameters_of(const Options& o)
@@ -37,28 +65,27 @@ CGAL::Tandem::Parameters parameters_of(const Options& o)
   CGAL::Tandem::Parameters p;
   p.maximum_angle = o.maximum_angle.value_or(p.maximum_angle);
   p.angle_tolerance = o.angle_tolerance.value_or(p.angle_tolerance);
-  p.k_neighbors = std::size_t(o.k_neighbors.value_or(p.k_neighbors));
-  p.cell_size = std::size_t(o.cell_size.value_or(p.cell_size));
+  p.k_neighbors = count_of(o.k_neighbors, p.k_neighbors);
+  p.cell_size = count_of(o.cell_size, p.cell_size);
   p.regularize_parallelism = o.regularize_parallelism;
   p.regularize_orthogonality = o.regularize_orthogonality;
   p.regularize_coplanarity = o.regularize_coplanarity;
-  for(const Direction& d : o.fixed_directions)
-    p.fixed_directions.push_back(d.value);
+  p.fixed_directions = o.fixed_directions;
   if(o.symmetry_direction) {
     p.regularize_axis_symmetry = true;
-    p.symmetry_direction = o.symmetry_direction->value;
+    p.symmetry_direction = *o.symmetry_direction;
   }
   CGAL::Tandem::Parameters checked = p;
   checked.maximum_distance = o.maximum_distance.value_or(1);
   checked.maximum_offset = o.maximum_offset.value_or(1);
-  checked.minimum_region_size = std::size_t(o.minimum_region_size.value_or(3));
+  checked.minimum_region_size = count_of(o.minimum_region_size, 3);
   try {
     CGAL::Tandem::check_parameters(checked);
   } catch(const std::invalid_argument& e) {
-    throw Usage_error(e.what());
+    throw option_error(e.what(), o);
   }
   p.maximum_distance = o.maximum_distance.value_or(0);
-  p.minimum_region_size = std::size_t(o.minimum_region_size.value_or(0));
+  p.minimum_region_size = count_of(o.minimum_region_size, 0);
   return p;
 }
 
@@ -174,6 +201,12 @@ Input_notes read_inputs(const Options& o, Point_set& points, Run& run)
   return notes;
 }
 
+void check_standard_output(const std::string& rest)
+{
+  if(!std::cout.flush())
+    throw std::runtime_error("standard output cannot be written" + rest);
+}
+
 void run(const Options& o)
 {
   parameters_of(o); // bad values must not wait for a large file
@@ -204,8 +237,7 @@ void run(const Options& o)
   }
   if(!o.is_quiet)
     print_summary(std::cout, shapes, run);
-  if(!std::cout.flush())
-    throw std::runtime_error("standard output cannot be written");
+  check_standard_output(files.is_empty() ? "" : "; the files are complete");
 }
 
 } // namespace program
@@ -216,11 +248,12 @@ int main(int argc, char* argv[])
   try {
     const program::Command_line command_line = program::parse(argc, argv);
     if(command_line.options.wants_help)
-      std::cout << command_line.help << std::flush;
+      std::cout << command_line.help;
     else if(command_line.options.wants_version)
-      std::cout << "detect_planes (Tandem) " << CGAL_TANDEM_VERSION << std::endl;
+      std::cout << "detect_planes (Tandem) " << CGAL_TANDEM_VERSION << "\n";
     else
       program::run(command_line.options);
+    program::check_standard_output("");
     return 0;
   } catch(const program::Usage_error& e) {
     return program::fail(2, e.what(), " (detect_planes --help lists the options)");

@@ -6,29 +6,35 @@
 #ifndef DETECT_PLANES_DIRECTION_OPTION_H
 #define DETECT_PLANES_DIRECTION_OPTION_H
 
+#include "Options.h"
+
 #include <array>
 #include <istream>
-#include <ostream>
+#include <locale>
+#include <sstream>
+#include <string>
 
 namespace program {
 
-struct Direction {
-  std::array<double, 3> value;
-};
-
-// Boost reads and writes the values of options so.
-inline std::istream& operator>>(std::istream& in, Direction& d)
+// Whether the text is a direction, and nothing else.
+inline bool read_direction(const std::string& text, std::array<double, 3>& d)
 {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
   char first = 0, second = 0;
-  in >> d.value[0] >> first >> d.value[1] >> second >> d.value[2];
-  if(first != ',' || second != ',')
-    in.setstate(std::ios::failbit);
-  return in;
+  if(!(in >> d[0] >> first >> d[1] >> second >> d[2]) || first != ',' || second != ',')
+    return false;
+  in >> std::ws;
+  return in.eof() && (d[0] != 0 || d[1] != 0 || d[2] != 0);
 }
 
-inline std::ostream& operator<<(std::ostream& out, const Direction& d)
+inline std::array<double, 3> parse_direction(const std::string& option, const std::string& text)
 {
-  return out << d.value[0] << ',' << d.value[1] << ',' << d.value[2];
+  std::array<double, 3> direction = {};
+  if(!read_direction(text, direction))
+    throw Usage_error("--" + option + " is '" + text +
+                      "', must be three numbers with commas between them, not all 0, as in 0,0,1");
+  return direction;
 }
 
 } // namespace program

@@ -10,27 +10,36 @@
 #include "input/input_settings.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace program {
 
-// The value of --classes: numbers from 0 to 255, separated by commas or blanks.
+constexpr int no_class = -1;
+
+inline int class_of(const std::string& word)
+{
+  const bool is_number = !word.empty() && word.size() <= 3 && word.find_first_not_of("0123456789") == word.npos;
+  return is_number && std::stoi(word) <= 255 ? std::stoi(word) : no_class;
+}
+
+// The value of --classes: numbers from 0 to 255 with commas or blanks between them.
 inline std::vector<int> parse_classes(const std::string& text)
 {
   std::vector<int> classes;
-  for(auto first = std::find_if_not(text.begin(), text.end(), is_separator); first != text.end();) {
-    const auto last = std::find_if(first, text.end(), is_separator);
-    const std::string word(first, last);
-    first = std::find_if_not(last, text.end(), is_separator);
-    const bool is_number = word.size() <= 3 && word.find_first_not_of("0123456789") == word.npos;
-    if(!is_number || std::stoi(word) > 255)
-      throw std::invalid_argument("--classes has '" + word + "', must be numbers from 0 to 255, as in 2,6");
-    classes.push_back(std::stoi(word));
+  std::istringstream parts(text + ','); // with a part after the last comma, too
+  for(std::string part, word; std::getline(parts, part, ',');) {
+    std::istringstream words(part);
+    words >> word;
+    classes.push_back(words ? class_of(word) : no_class);
+    while(words >> word)
+      classes.push_back(class_of(word));
   }
-  if(classes.empty())
-    throw std::invalid_argument("--classes has no number, must be numbers from 0 to 255, as in 2,6");
+  if(std::count(classes.begin(), classes.end(), no_class) > 0)
+    throw std::invalid_argument("--classes is '" + text +
+                                "', must be numbers from 0 to 255 with commas between them, as in 2,6");
   return classes;
 }
 

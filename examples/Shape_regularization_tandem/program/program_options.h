@@ -7,6 +7,7 @@
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
 #include "check_options.h"
+#include "direction_option.h"
 
 #include <boost/program_options.hpp>
 
@@ -76,12 +77,17 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add("no-parallelism", off(o.regularize_parallelism), "do not make shapes parallel");
   add("no-orthogonality", off(o.regularize_orthogonality), "do not make shapes orthogonal");
   add("no-coplanarity", off(o.regularize_coplanarity), "do not make shapes coplanar");
-  add("fixed-direction", po::value<std::vector<Direction>>(&o.fixed_directions)->value_name("X,Y,Z"),
+  add("fixed-direction",
+      po::value<std::vector<std::string>>()->value_name("X,Y,Z")->notifier([&o](const std::vector<std::string>& texts) {
+        for(const std::string& text : texts)
+          o.fixed_directions.push_back(parse_direction("fixed-direction", text));
+      }),
       "a direction known beforehand, such as the vertical 0,0,1: shapes within the angle tolerance become exactly "
       "parallel or orthogonal to it if their points allow it; may be given several times");
   add(
-    "symmetry-direction",
-    po::value<Direction>()->value_name("X,Y,Z")->notifier([&o](const Direction& d) { o.symmetry_direction = d; }),
+    "symmetry-direction", po::value<std::string>()->value_name("X,Y,Z")->notifier([&o](const std::string& text) {
+      o.symmetry_direction = parse_direction("symmetry-direction", text);
+    }),
     "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the same");
   add("estimate-normals", count(o.estimate_normals)->value_name("[K]"),
       "estimate the normals even if the file has some; with K by plain PCA of K neighbors, for comparisons");

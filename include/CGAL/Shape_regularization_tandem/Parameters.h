@@ -47,10 +47,11 @@ struct Parameters {
   /// whether parallel shapes of nearly the same plane are made coplanar
   bool regularize_coplanarity = true;
   /// directions known beforehand, such as the vertical, of any length: shapes within `angle_tolerance` become exactly
-  /// parallel or orthogonal to them where their points allow it, before they are compared with each other
+  /// parallel or orthogonal to them where their points allow it, before they are compared with each other. Directions
+  /// are one, the first of them, if they are opposite or make an angle of less than 1e-9 radians.
   std::vector<std::array<double, 3>> fixed_directions;
   /// whether shapes get the same angle to `symmetry_direction` where they nearly have it. That direction is a fixed
-  /// one, too.
+  /// one, too; it is the first of `fixed_directions` that is one with it.
   bool regularize_axis_symmetry = false;
   /// the axis of symmetry, of any length
   std::array<double, 3> symmetry_direction = {0, 0, 1};

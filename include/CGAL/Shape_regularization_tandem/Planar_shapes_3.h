@@ -153,8 +153,8 @@ public:
   /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   const std::vector<std::pair<int, int>>& orthogonal_groups() const { return data_.orthogonal_groups; }
 
-  /// which of the `fixed_directions` of the detection parallel group `g` has, up to its sign, the first of equal ones; -1
-  /// if none
+  /// which of the `fixed_directions` of the detection parallel group `g` has, up to its sign, the first of those that are
+  /// one; -1 if none
   int fixed_direction(std::size_t g) const { return data_.fixed_direction[g]; }
 
   /// the symmetry group of parallel group `g`: those of one make the same angle with the `symmetry_direction` of the

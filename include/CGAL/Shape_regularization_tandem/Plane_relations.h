@@ -22,7 +22,7 @@ struct Plane_relations {
   std::vector<int> coplanar_group; ///< of each plane: those of a group are the same plane
   /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   std::vector<std::pair<int, int>> orthogonal_groups;
-  /// of each parallel group: which of `fixed_directions` it has, -1 if none
+  /// of each parallel group: which of `fixed_directions` it has, the first of those that are one; -1 if none
   std::vector<int> fixed_direction;
   /// of each parallel group: those of a symmetry group make the same angle with `symmetry_direction`, up to 1e-15 of its
   /// cosine. -1 without that direction, or without a normal.

@@ -78,7 +78,7 @@ the defaults then
   \cgalParamNBegin{fixed_directions}
     \cgalParamDescription{a range of `Vector_3` or `std::array<double, 3>`, of any length: directions known beforehand, such
     as the vertical. Shapes within `angle_tolerance` become exactly parallel or orthogonal to them where their points
-    allow it.}
+    allow it. Directions are one, the first of them, if they are opposite or make an angle of less than 1e-9 radians.}
     \cgalParamDefault{there are none}
   \cgalParamNEnd
   \cgalParamNBegin{symmetry_direction}

@@ -11,6 +11,7 @@
 
 #include "report/Picture_book.h"
 #include "report/comparison_table.h"
+#include "report/view_files.h"
 
 #include <cstdio>
 #include <iterator>
@@ -142,4 +143,26 @@ BOOST_AUTO_TEST_CASE(violations_are_black_in_the_file)
   BOOST_TEST(!bytes_of("report_test.input.ply").empty());
   std::remove("report_test.one.ply");
   std::remove("report_test.input.ply");
+}
+
+BOOST_AUTO_TEST_CASE(files_for_the_view_have_the_cloud_and_its_task)
+{
+  Task task;
+  task.maximum_distance = .25;
+  task.maximum_angle_deg = 20;
+  task.minimum_region_size = 50;
+  const std::string line = "--maximum-distance 0.25 --maximum-angle 20 --angle-tolerance 8 --maximum-offset 0.25 "
+                           "--minimum-region-size 50 --k-neighbors 12 --cell-size 8192";
+  const Ply_cloud cloud{{{1, 2, 1e-9}}, {{0, 0, 1}}, {7}, true};
+  write_view_files(".", "viewed", cloud, task);
+  BOOST_TEST(bytes_of("viewed.options") == line + "\n");
+  const Ply_cloud back = read_ply("viewed.ply");
+  BOOST_REQUIRE_EQUAL(back.points.size(), 1u);
+  BOOST_TEST(back.points[0].z == 1e-9);
+  BOOST_TEST(back.normals[0].z == 1);
+  BOOST_TEST(!back.has_label());
+  task.threads = 2;
+  BOOST_TEST(program_options(task) == line + " --threads 2");
+  std::remove("viewed.options");
+  std::remove("viewed.ply");
 }

@@ -2,7 +2,8 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The page of made-up results, and, where gnuplot is installed, the picture of a cloud of eight points.
+# The page of made-up results, with a view in 3D or without, and, where gnuplot is installed, the picture of a cloud of
+# eight points.
 #   test_report.sh FOLDER    works in FOLDER, which it empties
 
 set -eu
@@ -37,6 +38,44 @@ k,6,tandem,3,3,5
 threads,1,tandem,4,,5
 threads,1,tandem,4,4,5
 EOD
+}
+
+# make_views STATUS: a program in place of detect_planes, whose pages are its arguments, and files for it.
+make_views()
+{
+  mkdir -p "$work/views"
+  cat > "$work/viewer" << EOD
+#!/bin/sh
+[ $1 -ne 0 ] || echo "\$*" > "\$4"
+exit $1
+EOD
+  chmod +x "$work/viewer"
+  touch "$work/views/hut.ply"
+  echo '--maximum-distance 0.04 --k-neighbors 12' > "$work/views/hut.options"
+}
+
+check_views()
+{
+  page_has_not '<iframe loading'
+  make_views 0
+  "$page" "$work" "$work/viewer" > /dev/null
+  page_has '<a href="views/hut.html">'
+  page_has '<iframe loading=lazy src="views/hut.html" title="hut"></iframe>'
+  page_has_not 'views/barn.html'
+  grep -qx 'views/hut.ply --quiet --view views/hut.html --maximum-distance 0.04 --k-neighbors 12' \
+    "$work/views/hut.html" || fail "the view is of something else"
+  [ ! -e "$work/views/hut.ply" ] || fail "the cloud is left over"
+  cp "$work/views/hut.html" "$work/views/barn.html"
+  "$page" "$work" > /dev/null
+  page_has '<a href="views/barn.html">'
+  page_has_not 'src="views/barn.html"'
+  rm -r "$work/views"
+  make_views 2 # as without three.js
+  "$page" "$work" "$work/viewer" > /dev/null
+  page_has_not '<iframe loading'
+  page_has_not 'views/'
+  make_views 1
+  ! "$page" "$work" "$work/viewer" > /dev/null 2>&1 || fail "a view that failed is no failure"
 }
 
 # point PLACE COLOR_AND_SHAPE, in octal escapes; the normal is 0 0 1.
@@ -96,7 +135,8 @@ check_picture()
 rm -rf "$work"
 make_results
 ! command -v gnuplot > /dev/null || check_picture
-"$root/benchmark/Shape_regularization_tandem/report/page.sh" "$work" > /dev/null
+page=$root/benchmark/Shape_regularization_tandem/report/page.sh
+"$page" "$work" > /dev/null
 page_has '<th>&gt;eps</th>'
 page_has '<th>peer, quick</th><td class=ahead>1.00*</td><td>7</td>'
 page_has '<th>hut</th><td>2.00</td><td class=ahead>1.00*</td><td>-</td>'
@@ -115,3 +155,4 @@ if command -v gnuplot > /dev/null; then
   ! grep -q '>peer<' "$work/scaling-k.svg" || fail "a curve is of another sweep"
   grep -q 'peak memory (MiB)' "$work/scaling-threads.svg" || fail "a panel is missing"
 fi
+check_views

@@ -28,12 +28,9 @@ bool is_in(const std::optional<long long>& value, long long smallest, long long 
 // What the program relies on after parse().
 void check_parsed(const program::Options& o)
 {
-  constexpr long long largest = 1LL << 31;
   expect(!o.inputs.empty(), "no input");
   expect(o.output.empty() || program::is_known_output(o.output), "format of the output");
   expect(is_in(o.threads, 1, 4096), "threads");
-  expect(is_in(o.minimum_region_size, 0, largest) && is_in(o.k_neighbors, 0, largest) && is_in(o.cell_size, 0, largest),
-         "a count out of range");
   expect(is_in(o.estimate_normals, 0, 1000), "neighbors of the PCA");
   expect(o.polygons.size() >= 4 || o.polygons.empty(), "format of the mesh");
   expect(o.backend == "auto" || o.backend == "sequential" || o.backend == "parallel" || o.backend == "cuda",

@@ -46,6 +46,14 @@ if(EXISTS /dev/stdout)
 endif()
 
 # --- Names
+foreach(option IN ITEMS output labels planes vg report)
+  expect(2 "--${option} is '-', must be the name of a file .that of standard output is /dev/stdout" cube.ply --${option} -)
+endforeach()
+foreach(option IN ITEMS polygons mesh view)
+  expect(2 "--${option} is '-', must end in" cube.ply --${option} -)
+endforeach()
+expect(2 "INPUT is '-', must be the name of a file" - ${epsilon})
+expect_no_file(-)
 set(planes_of_link "cmp link planes && [ -L link ] && rm -f link")
 expect_shell(0 "^$" "ln -s target link; ${run} --quiet --planes link && cmp target planes && ${planes_of_link}")
 expect_shell(0 "^$" "ln -s link2 link; mkdir sub; ln -s sub/new link2; ${run} --quiet --planes link &&

@@ -151,6 +151,40 @@ void check_symmetry()
 #endif
 }
 
+// Directions that differ in their last bits or their signs are one: the first. So is the axis of symmetry.
+void check_equal_directions()
+{
+  using CGAL::Tandem::internal::Vector;
+  Parameters p;
+  p.fixed_directions = {{1, 2, 3}, {-.1, -.2, -.3}, {1, 2, 3 + 1e-12}, {1, 0, 1e-10}, {-1, 0, 1e-10}, {1, 2, 3 + 1e-7}};
+  p.regularize_axis_symmetry = true;
+  p.symmetry_direction = {.3, .6, .9 + 1e-10};
+  CGAL::Tandem::internal::Regularity_options options{};
+  CGAL::Tandem::internal::set_given_directions(p, options);
+  const std::vector<Vector>& fixed = options.fixed_directions;
+  check_equal(fixed.size(), std::size_t(3), "different directions");
+  for(std::size_t kept : {0, 3, 5})
+    CHECK_AT(
+      std::count(fixed.begin(), fixed.end(), CGAL::Tandem::internal::given_direction(p.fixed_directions[kept])) == 1,
+      "the first of equal directions stays, here " + std::to_string(kept));
+  check_equal(options.symmetry_axis.size(), std::size_t(1), "axes");
+  CHECK_AT(options.symmetry_axis.front() == fixed.front(), "the axis is the fixed direction that it equals");
+}
+
+// The same for the groups of a result.
+void check_equal_directions_of_groups()
+{
+  Parameters p = make_house_parameters();
+  p.fixed_directions = {{0, 1e-10, 1}, vertical, {0, 0, -1}};
+  p.regularize_axis_symmetry = true;
+  const Shapes shapes = detect_valid("equal directions", make_house(.2, 1), p);
+  check_equal(count_related(shapes, 0).first, 1, "the floor has the first one");
+  check_equal(count_related(shapes, 1).first + count_related(shapes, 2).first, 0, "groups of the others");
+  const std::vector<std::size_t> roof = roof_groups(shapes);
+  check_equal(roof.size(), std::size_t(2), "sides of the roof");
+  CHECK_AT(shapes.symmetry_group(roof[0]) == shapes.symmetry_group(roof[1]), "symmetric about the first one");
+}
+
 // Named parameters of both spellings, with vectors of the kernel.
 void check_named_parameters()
 {
@@ -255,8 +289,10 @@ int main()
   check_rejected_direction();
   check_symmetry();
   check_named_parameters();
+  check_equal_directions();
+  check_equal_directions_of_groups();
   check_bad_directions();
   check_corrupted_claim();
   check_given_planes();
-  return 0;
+  return report();
 }

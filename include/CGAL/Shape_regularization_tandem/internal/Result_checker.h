@@ -167,7 +167,7 @@ private:
         return fail(at("not exactly a fixed direction has group", g));
       if(symmetry < 0)
         continue;
-      const double own = std::fabs(dot(n, given_direction(data_.parameters.symmetry_direction)));
+      const double own = std::fabs(dot(n, symmetry_axis(data_.parameters)));
       if(cosine[symmetry] >= 0 && !(std::fabs(own - cosine[symmetry]) <= 1e-15))
         return fail(at("not symmetric is group", g));
       cosine[symmetry] = cosine[symmetry] < 0 ? own : cosine[symmetry];

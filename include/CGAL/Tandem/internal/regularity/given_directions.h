@@ -30,20 +30,39 @@ inline Vector given_direction(const std::array<double, 3>& d)
 
 inline bool are_same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
+// Adds a direction, unless there is one that equals it up to its sign and rounding; returns the one that is there.
+inline Vector add_direction(std::vector<Vector>& directions, const Vector& d)
+{
+  constexpr double reach = tuning::relations::same_direction;
+  for(const Vector& other : directions)
+    if(Direction_index::squared_distance(other, d) < reach * reach)
+      return other;
+  directions.push_back(d);
+  return d;
+}
+
+// All different: of equal ones, the first.
+inline std::vector<Vector> distinct_fixed_directions(const Parameters& p)
+{
+  std::vector<Vector> directions;
+  for(const auto& d : p.fixed_directions)
+    add_direction(directions, given_direction(d));
+  return directions;
+}
+
+// The fixed direction that equals the direction of symmetry, or else that itself.
+inline Vector symmetry_axis(const Parameters& p)
+{
+  std::vector<Vector> directions = distinct_fixed_directions(p);
+  return add_direction(directions, given_direction(p.symmetry_direction));
+}
+
 // The axis of symmetry is a fixed direction, too.
 inline void set_given_directions(const Parameters& p, Regularity_options& options)
 {
-  std::vector<Vector> given;
-  for(const auto& d : p.fixed_directions)
-    given.push_back(given_direction(d));
-  if(p.regularize_axis_symmetry) {
-    options.symmetry_axis = {given_direction(p.symmetry_direction)};
-    given.push_back(options.symmetry_axis.front());
-  }
-  for(const Vector& d : given)
-    if(std::none_of(options.fixed_directions.begin(), options.fixed_directions.end(),
-                    [&](const Vector& other) { return are_same(d, other); }))
-      options.fixed_directions.push_back(d);
+  options.fixed_directions = distinct_fixed_directions(p);
+  if(p.regularize_axis_symmetry)
+    options.symmetry_axis = {add_direction(options.fixed_directions, given_direction(p.symmetry_direction))};
 }
 
 // The normals of parallel groups, up to their signs. group: of each plane.
@@ -76,7 +95,7 @@ inline std::vector<int> symmetry_groups(const std::vector<Vector>& directions, c
   std::vector<int> result(directions.size(), -1);
   if(!p.regularize_axis_symmetry)
     return result;
-  const Vector axis = given_direction(p.symmetry_direction);
+  const Vector axis = symmetry_axis(p);
   std::vector<double> cosine;
   cosine.reserve(directions.size());
   for(const Vector& d : directions)
