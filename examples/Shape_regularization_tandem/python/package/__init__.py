@@ -94,7 +94,7 @@ def detect_planes(
                              which relations are made exact
         fixed_directions     (d, 3) numbers: directions known beforehand, such as the vertical, of any length. Shapes
                              within angle_tolerance become exactly parallel or orthogonal to them if their points allow
-                             it. None: there are none
+                             it. Opposite ones, and those less than 1e-9 radians apart, are one. None: there are none
         symmetry_direction   three numbers: such a direction, too; and shapes that make nearly the same angle with it,
                              such as the sides of a roof, make exactly the same. None: there is none
         backend              "sequential", "parallel" or "cuda"; "auto" takes the fastest of backends(). All of them
