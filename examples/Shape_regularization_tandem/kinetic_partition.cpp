@@ -9,13 +9,13 @@
 // to the corners of each polygon, so that the relations hold to about 1e-15 there, no
 // longer to the bit. Kinetic_surface_reconstruction_3 detects planes of its own.
 
+#include "convex_polygons.h"
 #include "house_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 
 #include <CGAL/Kinetic_space_partition_3.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/convex_hull_2.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -25,31 +25,14 @@ using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 using Point_map = CGAL::First_of_pair_property_map<Point_with_normal>;
 using Normal_map = CGAL::Second_of_pair_property_map<Point_with_normal>;
 using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
+using Polygons = Convex_polygons<Kernel>;
 
-struct Polygons {
-  std::vector<Kernel::Point_3> points;
-  std::vector<std::vector<std::size_t>> corners; // of each polygon, positions in points
-};
-
-// For each distinct plane the convex hull of its points.
-Polygons convex_polygons(const std::vector<Point_with_normal>& points, const Shapes& shapes)
+// One for each distinct plane.
+Polygons polygons_of(const std::vector<Point_with_normal>& points, const Shapes& shapes)
 {
-  const std::vector<Kernel::Plane_3> planes = CGAL::Tandem::distinct_planes(shapes);
-  std::vector<std::vector<Kernel::Point_2>> members(planes.size());
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    for(std::size_t i : shapes.points(s))
-      members[shapes.coplanar_group(s)].push_back(shapes.plane(s).to_2d(points[i].first));
-  Polygons polygons;
-  for(std::size_t p = 0; p < planes.size(); ++p) {
-    std::vector<Kernel::Point_2> hull;
-    CGAL::convex_hull_2(members[p].begin(), members[p].end(), std::back_inserter(hull));
-    polygons.corners.emplace_back();
-    for(const Kernel::Point_2& corner : hull) {
-      polygons.corners.back().push_back(polygons.points.size());
-      polygons.points.push_back(planes[p].to_3d(corner));
-    }
-  }
-  return polygons;
+  return convex_polygons<Kernel>(
+    CGAL::Tandem::projected_points(points, shapes, CGAL::Tandem::parameters::point_map(Point_map())),
+    CGAL::Tandem::distinct_planes(shapes));
 }
 
 // Prints a row and returns the number of cells.
@@ -76,7 +59,7 @@ int main(int argc, char* argv[])
   const Shapes regular = CGAL::Tandem::detect_planes(points, np);
   const Shapes free = CGAL::Tandem::detect_planes(
     points, np.regularize_parallelism(false).regularize_orthogonality(false).regularize_coplanarity(false));
-  const std::size_t cells = partition(convex_polygons(points, regular), "regularized planes");
-  const std::size_t cells_without = partition(convex_polygons(points, free), "free planes");
+  const std::size_t cells = partition(polygons_of(points, regular), "regularized planes");
+  const std::size_t cells_without = partition(polygons_of(points, free), "free planes");
   return cells > 0 && cells <= cells_without ? EXIT_SUCCESS : EXIT_FAILURE;
 }

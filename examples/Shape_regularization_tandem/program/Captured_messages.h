@@ -10,18 +10,26 @@
 
 namespace program {
 
-// CGAL reports on std::cerr; its message becomes part of our one line.
+// CGAL reports on std::cerr; its message becomes part of our one line. Some of it reports on std::cout.
 class Captured_messages {
 public:
-  Captured_messages() : previous(std::cerr.rdbuf(text.rdbuf())) {}
-  ~Captured_messages() { std::cerr.rdbuf(previous); }
+  explicit Captured_messages(std::ostream& stream = std::cerr)
+    : stream(stream), precision(stream.precision()), previous(stream.rdbuf(text.rdbuf()))
+  {}
+  ~Captured_messages()
+  {
+    stream.rdbuf(previous);
+    stream.precision(precision);
+  }
   Captured_messages(const Captured_messages&) = delete;
   Captured_messages& operator=(const Captured_messages&) = delete;
 
   std::string first_line() const { return text.str().substr(0, text.str().find('\n')); }
 
 private:
+  std::ostream& stream;
   std::ostringstream text;
+  std::streamsize precision;
   std::streambuf* previous;
 };
 

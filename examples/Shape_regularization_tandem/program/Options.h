@@ -24,11 +24,12 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 // What was not given is left to the library.
 struct Options {
   std::vector<std::string> inputs;
-  std::string output, labels, planes, report, vg, polygons, mesh, view;
+  std::string output, labels, planes, report, vg, polygons, mesh, mesh_method, view;
   std::string columns, classes; // of the inputs
   std::string colors;           // of the output: shape, input or empty
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;
-  std::optional<long long> mesh_planes, minimum_region_size, k_neighbors, cell_size, threads, estimate_normals;
+  std::optional<long long> mesh_planes, mesh_seconds, minimum_region_size, k_neighbors, cell_size, threads,
+    estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;
   std::optional<std::array<double, 3>> symmetry_direction;

@@ -37,8 +37,7 @@ public:
     open(o.polygons, [](std::ostream& out, const Results& r) {
       write_polygons(out, r.points, r.shapes, r.o.polygons, r.o.has_triangles_only);
     });
-    open(o.mesh,
-         [](std::ostream& out, const Results& r) { write_mesh(out, r.points, r.shapes, r.o.mesh, r.o.mesh_planes); });
+    open(o.mesh, [](std::ostream& out, const Results& r) { write_mesh(out, r.points, r.shapes, r.o); });
     open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.points, r.shapes, r.run); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
   }

@@ -105,6 +105,13 @@ inline void check(const Options& o)
     throw Usage_error("--triangulate needs --polygons");
   if(o.mesh_planes && o.mesh.empty())
     throw Usage_error("--mesh-planes needs --mesh");
+  if(o.mesh_seconds && o.mesh.empty())
+    throw Usage_error("--mesh-seconds needs --mesh");
+  if(!o.mesh_method.empty() && o.mesh.empty())
+    throw Usage_error("--mesh-method needs --mesh");
+  if(!o.mesh_method.empty() && o.mesh_method != "kinetic" && o.mesh_method != "polygonal")
+    throw Usage_error("--mesh-method is '" + o.mesh_method + "', must be kinetic or polygonal");
+  check_count("mesh-seconds", o.mesh_seconds, 1, 1000000);
   check_count("mesh-planes", o.mesh_planes, 4, 1000);
   check_dashes(o);
   check_formats(o);

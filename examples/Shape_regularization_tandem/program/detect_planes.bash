@@ -8,6 +8,7 @@ _detect_planes()
   local program=$1 current=$2 previous=$3
   case $previous in
     --backend) COMPREPLY=($(compgen -W 'auto sequential parallel cuda' -- "$current")) ;;
+    --mesh-method) COMPREPLY=($(compgen -W 'kinetic polygonal' -- "$current")) ;;
     *)
       COMPREPLY=()
       [[ $current != -* ]] ||

@@ -213,8 +213,8 @@ void run(const Options& o)
   check_backend(o);
   if(output_extension(o.output) == ".laz")
     check_laszip(o.output);
-  if(!o.mesh.empty() && !missing_for_mesh().empty())
-    throw Usage_error("--mesh needs " + missing_for_mesh() + ": this program was built without it");
+  if(!o.mesh.empty())
+    check_mesh_method(o);
   if(!o.view.empty() && !has_view())
     throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
 #ifdef CGAL_LINKED_WITH_TBB

@@ -1,0 +1,44 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What the tests of the methods of --mesh share: clouds, and the volume in a mesh.
+
+include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
+
+# The method is there, or bad usage; then the test is skipped.
+macro(require_method name)
+  execute_process(COMMAND "${PROGRAM}" cube.ply ${epsilon} --mesh m.off --mesh-method ${name}
+                  WORKING_DIRECTORY "${WORK_DIR}" RESULT_VARIABLE status ERROR_VARIABLE err OUTPUT_QUIET)
+  if("${status}: ${err}" MATCHES "^2: detect_planes: --mesh-method ${name} needs ([^\n]+): this program was built without it")
+    message(STATUS "skipped: the program was built without ${CMAKE_MATCH_1}")
+    return()
+  endif()
+  expect(1 "a closed surface needs four planes, 3 were found" cube.ply ${epsilon} --mesh m.off --mesh-method ${name})
+  expect_no_file(m.off)
+endmacro()
+
+# Two boxes apart from each other, 1 by 1 by 1 and 1 by 1 by 2, without normals.
+file(WRITE "${WORK_DIR}/boxes.sh" [=[
+awk 'BEGIN {
+  for(i = 0; i < 40; ++i) for(j = 0; j < 40; ++j) for(k = 0; k < 2; ++k) {
+    a = (i + .5) / 40; b = (j + .5) / 40
+    print a, b, k; print a, k, b; print k, a, b
+    print a + 2, b + .4, 2 * k + .3; print a + 2, k + .4, 2 * b + .3; print k + 2, a + .4, 2 * b + .3
+  }
+}' > boxes.xyz
+]=])
+
+# Positive if the faces are counterclockwise, seen from outside.
+file(WRITE "${WORK_DIR}/volume.awk" [=[
+NR == 2 { n = $1 }
+NR > 2 && NR <= 2 + n { x[NR - 3] = $1; y[NR - 3] = $2; z[NR - 3] = $3 }
+NR > 2 + n {
+  a = $2
+  for(i = 3; i <= $1; ++i) {
+    b = $i; c = $(i + 1)
+    sum += x[a] * (y[b] * z[c] - z[b] * y[c]) + y[a] * (z[b] * x[c] - x[b] * z[c]) + z[a] * (x[b] * y[c] - y[b] * x[c])
+  }
+}
+END { printf "volume %.2f\n", sum / 6 }
+]=])
+expect_shell(0 "^$" ". ./boxes.sh")

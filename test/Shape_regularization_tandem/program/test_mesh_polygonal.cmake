@@ -1,0 +1,26 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Closed surfaces by the polygonal surface reconstruction, which needs a solver, and the end of that.
+
+include("${CMAKE_CURRENT_LIST_DIR}/mesh_support.cmake")
+require_method(polygonal)
+expect(0 "in 12 planes" boxes.xyz ${epsilon} --mesh boxes.off --mesh-method polygonal)
+expect_shell(0 "volume 3.00" "awk -f volume.awk boxes.off")
+
+# A grid of planes: the solver takes minutes.
+expect_shell(0 "^$" "awk 'BEGIN { for(i = 0; i < 30; ++i) for(j = 0; j < 30; ++j) for(k = 0; k < 7; ++k) {
+    a = i / 30 + .01; b = j / 30 + .01; print a, b, k / 6; print a, k / 6, b; print k / 6, a, b } }' > grid.xyz")
+set(grid grid.xyz ${epsilon} --maximum-angle 10 --mesh grid.off --mesh-method polygonal)
+expect(1 "21 planes were found, which take too long" ${grid})
+find_program(timeout timeout)
+if(NOT WITH_SCIP) # it has no limit
+  list(APPEND grid --mesh-planes 18)
+  expect(1 "no surface was found within 1 seconds: take fewer planes by --mesh-planes" ${grid} --mesh-seconds 1)
+  if(timeout)
+    string(REPLACE ";" " " grid "${grid}")
+    expect_shell(1 "interrupted" "exec timeout --foreground --preserve-status -s INT -k 20 2 \"$P\" ${grid}")
+  endif()
+endif()
+expect_no_file(grid.off)
+finish()
