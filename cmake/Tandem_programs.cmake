@@ -126,21 +126,23 @@ function(tandem_share_engine target)
       tandem_link_cuda(${shared})
     endif()
     tandem_link_engine(${shared})
-    tandem_precompile(${shared})
+    tandem_precompile(${shared} precompiled.h)
   endif()
-  tandem_precompile(${target} ${shared})
+  tandem_precompile(${target} precompiled.h ${shared})
 endfunction()
 
-# tandem_precompile(library): makes a precompiled header of what is shared; tandem_precompile(target library): uses it.
-# It takes as long to make as to compile three files: where there are only a few tests, the header comes as it is. So
-# it does with ccache, which does not keep what is compiled with a precompiled header.
-function(tandem_precompile target)
-  set(header "${tandem_programs_dir}/precompiled.h")
-  if(TANDEM_TESTS OR CMAKE_DISABLE_PRECOMPILE_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
-    target_compile_options(${target} PRIVATE "SHELL:-include \"${header}\"")
+# tandem_precompile(library header): makes a precompiled header of what is shared; tandem_precompile(target header
+# library): uses it. Not with ccache, which does not keep what is compiled with one; nor for a few tests with GCC, which
+# takes as long to make one as to compile three files.
+function(tandem_precompile target header)
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR
+     (TANDEM_TESTS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
+    if(header MATCHES "engine") # its declarations save instances
+      target_compile_options(${target} PRIVATE "SHELL:-include \"${tandem_programs_dir}/${header}\"")
+    endif()
   elseif(ARGN)
     target_precompile_headers(${target} REUSE_FROM ${ARGN})
   else()
-    target_precompile_headers(${target} PRIVATE "${header}")
+    target_precompile_headers(${target} PRIVATE "${tandem_programs_dir}/${header}")
   endif()
 endfunction()

@@ -8,12 +8,13 @@
 #                                      (default: 60); SEED of the mutations (default: another one each time)
 #   TANDEM_BUILD_DIR  parent of the build folder `fuzz`, which gets new inputs in corpus/TARGET, and inputs that cause a
 #                     fault in faults/ (default: build of this repository)
+#   TANDEM_FUZZ_DIR   that folder; one that is configured keeps its options
 #   CXX               clang++ (default)
 
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
-build=${TANDEM_BUILD_DIR:-$root/build}/fuzz
+build=${TANDEM_FUZZ_DIR:-${TANDEM_BUILD_DIR:-$root/build}/fuzz}
 sources=$root/test/Shape_regularization_tandem/fuzz
 targets=${1:-all}
 seconds=${2:-60}
@@ -24,9 +25,11 @@ seed=${3:-0}
 limits='-max_len=1024 -malloc_limit_mb=64 -rss_limit_mb=1024 -timeout=10'
 
 mkdir -p "$build/faults"
-CXX=${CXX:-clang++} cmake -S "$root" -B "$build" -DTANDEM_BUILD_FUZZERS=ON -DTANDEM_BUILD_TESTS=OFF \
-  -DTANDEM_BUILD_EXAMPLES=OFF -DTANDEM_WITH_TBB=OFF -DTANDEM_WITH_CUDA=OFF -DCMAKE_BUILD_TYPE=Debug \
-  > "$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; exit 1; }
+alone='-DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=OFF -DTANDEM_WITH_TBB=OFF -DTANDEM_WITH_CUDA=OFF -DCMAKE_BUILD_TYPE=Debug'
+[ ! -f "$build/CMakeCache.txt" ] || alone=
+# shellcheck disable=SC2086
+CXX=${CXX:-clang++} cmake -S "$root" -B "$build" -DTANDEM_BUILD_FUZZERS=ON $alone > "$build/cmake.log" 2>&1 ||
+  { cat "$build/cmake.log" >&2; exit 1; }
 for target in $targets; do
   cmake --build "$build" --target "fuzz_$target" -j "${TANDEM_JOBS:-1}" > "$build/build.log" 2>&1 ||
     { cat "$build/build.log" >&2; exit 1; }

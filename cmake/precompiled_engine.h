@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Comes before the sources of tests. Some use the engine itself, or with a back end of their own: what they share with
+// others they get from the library tandem_engine.
+
+#ifndef CGAL_TANDEM_PRECOMPILED_ENGINE_H
+#define CGAL_TANDEM_PRECOMPILED_ENGINE_H
+
+#include "precompiled.h"
+
+#include <CGAL/Tandem/internal/engine/Engine.h>
+#include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+extern template class Engine<Sequential_backend>;
+extern template Cloud_measure measure_cloud(Sequential_backend&, const Import&);
+extern template void find_neighbors(Sequential_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
+#ifdef CGAL_LINKED_WITH_TBB
+extern template class Engine<Tbb_backend>;
+extern template Cloud_measure measure_cloud(Tbb_backend&, const Import&);
+extern template void find_neighbors(Tbb_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
+#endif
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_PRECOMPILED_ENGINE_H
