@@ -6,11 +6,12 @@
 
 #include "micro_scan.h"
 
+#include <CGAL/Shape_regularization_tandem.h>
+
 #include <CGAL/jet_estimate_normals.h>
 #include <CGAL/pca_estimate_normals.h>
 
 using namespace CGAL::Tandem::benchmark;
-namespace internal = CGAL::Tandem::internal;
 
 namespace {
 
@@ -20,25 +21,27 @@ using Cgal_tag = CGAL::Parallel_tag;
 using Cgal_tag = CGAL::Sequential_tag;
 #endif
 
-template <class Backend>
+// What comes before the first round, of points without normals.
+template <class Tag>
 void tandem_normals(benchmark::State& state)
 {
+  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Range, Point_map, CGAL::Default, Tag>;
+  const Range range = micro_range(std::size_t(state.range(0)));
+  const auto np = CGAL::Tandem::parameters::settings(micro_parameters()).point_map(Point_map());
   double estimation = 0;
   for(auto _ : state) {
+    const CGAL::Tandem::Planar_shape_detection_3<Traits> detection(range, np);
     state.PauseTiming();
-    internal::Import in = micro_import(std::size_t(state.range(0)), false);
-    Backend backend;
-    internal::Tandem_state<Backend> t(backend);
-    CGAL::Tandem::Stage_times times;
+    estimation += detection.shapes().statistics().times.normals;
     state.ResumeTiming();
-    internal::Progress progress;
-    internal::prepare(t, in, micro_parameters(), times, progress);
-    estimation += times.normals;
   }
   state.counters["estimation_s"] = benchmark::Counter(estimation, benchmark::Counter::kAvgIterations);
   count_points(state);
 }
-TANDEM_MICRO(tandem_normals);
+BENCHMARK_TEMPLATE(tandem_normals, CGAL::Sequential_tag)->Apply(on_points);
+#ifdef CGAL_LINKED_WITH_TBB
+BENCHMARK_TEMPLATE(tandem_normals, CGAL::Parallel_tag)->Apply(on_points);
+#endif
 
 template <class Function>
 void estimate(benchmark::State& state, Function function)

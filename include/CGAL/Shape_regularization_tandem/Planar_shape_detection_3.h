@@ -75,8 +75,7 @@ public:
     internal::check_given_parameters(parameters_);
     internal::Stop_watch watch;
     in_ = internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
-    internal::complete_parameters(backend_, in_, internal::has_own_offset(np), parameters_);
-    internal::choose_grid(in_, parameters_.maximum_distance);
+    internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
     import_time_ = watch.lap();
     if(progress_.show(0) && in_.size() >= parameters_.minimum_region_size)
       engine_ = std::make_unique<Engine>(backend_, in_, parameters_, progress_);
@@ -127,7 +126,7 @@ public:
     check_complete();
     internal::Stop_watch watch;
     internal::Shapes_data data =
-      internal::export_shapes(in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
+      internal::export_shapes(backend_, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled();
     statistics.backend = engine_ ? engine_->name() : Backend::name();
@@ -155,7 +154,7 @@ private:
   }
 
   Traits traits_;
-  Backend backend_;
+  mutable Backend backend_; // it has no state of the detection
   Parameters parameters_;
   internal::Progress progress_;
   internal::Import in_;

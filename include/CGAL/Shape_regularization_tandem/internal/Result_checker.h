@@ -9,6 +9,8 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
+#include <CGAL/Tandem/internal/finish/exact_check.h>
+#include <CGAL/Tandem/internal/regularity/given_directions.h>
 #ifdef CGAL_TANDEM_USE_ENGINE
 #include <CGAL/Tandem/internal/engine/compiled_engine.h>
 #else

@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/engine/compiled_engine.h>
 #else
 #include <CGAL/Tandem/internal/engine/Engine.h>
+#include <CGAL/Tandem/internal/finish/export_shapes.h>
 #endif
 #ifdef CGAL_TANDEM_USE_CUDA
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>

@@ -9,9 +9,8 @@
 
 #include <CGAL/Shape_regularization_tandem/Plane_relations.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
-#include <CGAL/Tandem/internal/cloud/Import.h>
-#include <CGAL/Tandem/internal/finish/Engine_result.h>
-#include <CGAL/Tandem/internal/neighbors/Cloud_measure.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#include <CGAL/Tandem/internal/finish/Shapes_data.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <cstdint>
@@ -49,14 +48,32 @@ private:
 // For the back ends of the host.
 
 template <class Backend>
-Cloud_measure measure_cloud(Backend& backend, const Import& in);
+void complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p);
+
+template <class Backend>
+void set_scale(Backend& backend, Import& in, bool has_offset, Parameters& p);
 
 template <class Backend>
 void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor);
 
 template <class Backend>
+Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& parameters, const Engine_result& result);
+
+template <class Backend>
+Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes);
+
+template <class Backend>
 Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<int>& plane_of,
                               Regularity_options options, std::vector<Coefficients>& planes);
+
+// For the number types of Item_reader.
+
+extern template void start_import<float>(Import&, std::size_t, bool);
+extern template void start_import<double>(Import&, std::size_t, bool);
+extern template bool inspect_points(const Values<float>&, std::size_t, Coordinate_box&);
+extern template bool inspect_points(const Values<double>&, std::size_t, Coordinate_box&);
+extern template void drop_invalid<float>(Import&);
+extern template void drop_invalid<double>(Import&);
 
 } // namespace internal
 } // namespace Tandem

@@ -8,7 +8,8 @@
 
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/compiled_engine.h>
-#include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
+#include <CGAL/Tandem/internal/engine/complete_parameters.h>
+#include <CGAL/Tandem/internal/finish/export_shapes.h>
 #include <CGAL/Tandem/internal/regularity/relate_planes.h>
 
 namespace CGAL {

@@ -10,8 +10,10 @@ namespace internal {
 
 template class Engine<Tbb_backend>;
 template class Compiled_engine<Tbb_backend>;
-template Cloud_measure measure_cloud(Tbb_backend&, const Import&);
+template void complete_parameters(Tbb_backend&, const Import&, bool, Parameters&);
+template void set_scale(Tbb_backend&, Import&, bool, Parameters&);
 template void find_neighbors(Tbb_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
+template Shapes_data export_shapes(Tbb_backend&, const Import&, const Parameters&, const Engine_result&);
 
 } // namespace internal
 } // namespace Tandem

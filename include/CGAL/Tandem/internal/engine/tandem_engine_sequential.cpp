@@ -10,10 +10,20 @@ namespace internal {
 
 template class Engine<Sequential_backend>;
 template class Compiled_engine<Sequential_backend>;
-template Cloud_measure measure_cloud(Sequential_backend&, const Import&);
+template void complete_parameters(Sequential_backend&, const Import&, bool, Parameters&);
+template void set_scale(Sequential_backend&, Import&, bool, Parameters&);
 template void find_neighbors(Sequential_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
+template Shapes_data export_shapes(Sequential_backend&, const Import&, const Parameters&, const Engine_result&);
+template Point_groups group_points(Sequential_backend&, const std::int32_t*, std::size_t, std::size_t);
 template Plane_relations relate_planes(Sequential_backend&, Import&, const std::vector<int>&, Regularity_options,
                                        std::vector<Coefficients>&);
+
+template void start_import<float>(Import&, std::size_t, bool);
+template void start_import<double>(Import&, std::size_t, bool);
+template bool inspect_points(const Values<float>&, std::size_t, Coordinate_box&);
+template bool inspect_points(const Values<double>&, std::size_t, Coordinate_box&);
+template void drop_invalid<float>(Import&);
+template void drop_invalid<double>(Import&);
 
 } // namespace internal
 } // namespace Tandem

@@ -7,48 +7,18 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
 
-#include <CGAL/Tandem/internal/finish/Engine_result.h>
-#include <CGAL/Tandem/internal/finish/exact_check.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/internal/finish/Shapes_data.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 
-#include <array>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// What Planar_shapes_3 is made of. Tests corrupt it to see whether Result_checker finds each violation.
-struct Shapes_data {
-  std::vector<Coefficients> coefficients;             // of each shape
-  std::vector<int> parallel_group;                    // of each shape
-  std::vector<int> coplanar_group;                    // of each shape
-  std::vector<std::pair<int, int>> orthogonal_groups; // pairs of parallel groups, first < second, sorted
-  std::vector<int> fixed_direction;    // of each parallel group: which of the fixed directions it has, or -1
-  std::vector<int> symmetry_group;     // of each parallel group, -1 without an axis
-  std::vector<char> is_flipped;        // of each shape: the majority of the normals is opposite to its plane
-  Shared_table<std::int32_t> shape_of; // of each item of the range, -1 = none
-  Shared_table<std::uint32_t> normal;  // of each item, packed; empty if normals were given
-  Parameters parameters;
-  Statistics statistics;
-  Point_groups points; // of the shapes, until Planar_shapes_3 takes them
-};
-
-// The first shape of each group, by group. -1 stands for a number that no shape has: only corrupted data have such
-// groups.
-inline std::vector<int> representatives(const std::vector<int>& group)
-{
-  std::vector<int> first;
-  for(std::size_t s = 0; s < group.size(); ++s) {
-    if(std::size_t(group[s]) >= first.size())
-      first.resize(std::size_t(group[s]) + 1, -1);
-    if(first[group[s]] < 0)
-      first[group[s]] = int(s);
-  }
-  return first;
-}
 
 // What the directions of the groups have in common up to rounding, whether or not the regularity step made it so.
 inline void relate_groups(Shapes_data& data)
@@ -113,28 +83,30 @@ inline void measure_relations(Shapes_data& data)
                             : 0;
 }
 
+constexpr std::size_t many_items = 65536; // fewer are not worth a second thread
+
 // From imported points to items of the caller's range; items that were not imported get `missing`. Where all items were
 // imported the table is shared, not copied.
-template <class T>
-Shared_table<T> by_item(const Import& in, const Shared_table<T>& values, T missing)
+template <class T, class Backend>
+Shared_table<T> by_item(Backend& backend, const Import& in, const Shared_table<T>& values, T missing)
 {
   if(in.item.empty() && values.size() == in.number_of_items)
     return values;
   Host_buffer<T> result(in.number_of_items);
-  std::fill(result.begin(), result.end(), missing);
-  for(std::size_t i = 0; i < values.size(); ++i)
-    result[in.item_of(i)] = values[i];
+  backend.for_each_on_host(result.size(), [&](std::size_t i) { result[i] = missing; }, many_items);
+  backend.for_each_on_host(values.size(), [&](std::size_t i) { result[in.item_of(i)] = values[i]; }, many_items);
   return result;
 }
 
 // The same for a list of imported points: each becomes its item. Items ascend with imported points, so lists stay
 // sorted.
-inline Shared_table<std::uint32_t> to_items(const Import& in, const Shared_table<std::uint32_t>& points)
+template <class Backend>
+Shared_table<std::uint32_t> to_items(Backend& backend, const Import& in, const Shared_table<std::uint32_t>& points)
 {
   if(in.item.empty())
     return points;
   Host_buffer<std::uint32_t> result(points.size());
-  std::transform(points.begin(), points.end(), result.begin(), [&](std::uint32_t i) { return in.item[i]; });
+  backend.for_each_on_host(result.size(), [&](std::size_t i) { result[i] = in.item[points[i]]; }, many_items);
   return result;
 }
 
@@ -154,7 +126,8 @@ inline Shapes_data start_export(const Import& in, const Parameters& parameters)
 
 // The result of an empty cloud is valid, too: no shapes, and shares of 0. The mean distance is in epsilons in the
 // engine, and in the caller's units here.
-inline Shapes_data export_shapes(const Import& in, const Parameters& parameters, const Engine_result& result)
+template <class Backend>
+Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& parameters, const Engine_result& result)
 {
   Shapes_data data = start_export(in, parameters);
   Statistics& statistics = data.statistics;
@@ -166,10 +139,10 @@ inline Shapes_data export_shapes(const Import& in, const Parameters& parameters,
     statistics.number_of_assigned_points += shape.size;
   }
   relate_groups(data);
-  data.shape_of = by_item(in, result.shape_of, std::int32_t(-1));
-  data.points = {result.points.first, to_items(in, result.points.position)};
+  data.shape_of = by_item(backend, in, result.shape_of, std::int32_t(-1));
+  data.points = {result.points.first, to_items(backend, in, result.points.position)};
   if(!in.has_normals)
-    data.normal = by_item(in, result.normal, no_normal);
+    data.normal = by_item(backend, in, result.normal, no_normal);
   measure_relations(data);
   statistics.coverage =
     in.number_of_items > 0 ? double(statistics.number_of_assigned_points) / double(in.number_of_items) : 0;
