@@ -57,7 +57,8 @@ template <class Backend>
 void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor);
 
 template <class Backend>
-Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& parameters, const Engine_result& result);
+Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& parameters,
+                          const Engine_result& result);
 
 template <class Backend>
 Point_groups group_points(Backend& backend, const std::int32_t* shape_of, std::size_t n, std::size_t shapes);

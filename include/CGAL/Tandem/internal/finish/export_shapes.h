@@ -93,8 +93,10 @@ Shared_table<T> by_item(Backend& backend, const Import& in, const Shared_table<T
   if(in.item.empty() && values.size() == in.number_of_items)
     return values;
   Host_buffer<T> result(in.number_of_items);
-  backend.for_each_on_host(result.size(), [&](std::size_t i) { result[i] = missing; }, many_items);
-  backend.for_each_on_host(values.size(), [&](std::size_t i) { result[in.item_of(i)] = values[i]; }, many_items);
+  backend.for_each_on_host(
+    result.size(), [&](std::size_t i) { result[i] = missing; }, many_items);
+  backend.for_each_on_host(
+    values.size(), [&](std::size_t i) { result[in.item_of(i)] = values[i]; }, many_items);
   return result;
 }
 
@@ -106,7 +108,8 @@ Shared_table<std::uint32_t> to_items(Backend& backend, const Import& in, const S
   if(in.item.empty())
     return points;
   Host_buffer<std::uint32_t> result(points.size());
-  backend.for_each_on_host(result.size(), [&](std::size_t i) { result[i] = in.item[points[i]]; }, many_items);
+  backend.for_each_on_host(
+    result.size(), [&](std::size_t i) { result[i] = in.item[points[i]]; }, many_items);
   return result;
 }
 
