@@ -32,15 +32,15 @@ fail() { echo "test.sh: $*" >&2; exit 1; }
 seconds_of()
 {
   case $1 in
-    style) echo 40 ;;
-    release) echo 570 ;;
-    bits) echo 75 ;;
-    asan) echo 210 ;;
-    tsan) echo 120 ;;
-    fuzz) echo 60 ;;
-    cuda) echo 160 ;;
+    style) echo 15 ;;
+    release) echo 480 ;;
+    bits) echo 55 ;;
+    asan) echo 240 ;;
+    tsan) echo 80 ;;
+    fuzz) echo 25 ;;
+    cuda) echo 100 ;;
     benchmark) echo 90 ;;
-    doc) echo 20 ;;
+    doc) echo 10 ;;
     *) fail "unknown part $1; choose of $all_parts" ;;
   esac
 }
