@@ -87,6 +87,9 @@ configuration()
 {
   name=$1; label=$2; shift 2
   step build
+  # A folder forgets its options where its compiler changes.
+  compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/$name/CMakeCache.txt" 2> /dev/null || true)
+  [ -z "$compiler" ] || [ "$compiler" = "$(command -v "${CXX:-c++}")" ] || rm -rf "${build:?}/$name"
   cmake -S "$root" -B "$build/$name" -DTANDEM_BUILD_TESTS=ON -DTANDEM_BUILD_EXAMPLES=ON -DTANDEM_WITH_CUDA=OFF \
     "$@" > /dev/null || fail "cmake failed for $name"
   cmake --build "$build/$name" -j "$jobs" -- -k > "$build/$name/build.log" 2>&1 ||
@@ -157,7 +160,8 @@ run_bits()
 # --mesh, and without the page of --view.
 run_asan()
 {
-  configuration asan small -DCMAKE_BUILD_TYPE=Debug "-DTANDEM_TESTS=$sanitized" -DCMAKE_CXX_COMPILER=clang++ \
+  export CXX=clang++
+  configuration asan small -DCMAKE_BUILD_TYPE=Debug "-DTANDEM_TESTS=$sanitized" \
     "-DTANDEM_EXAMPLES=$examples" -DCMAKE_DISABLE_FIND_PACKAGE_GLPK=ON -DTANDEM_WITH_VIEW=OFF -DTANDEM_BUILD_FUZZERS=ON \
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all"
 }
@@ -167,22 +171,24 @@ run_asan()
 # threads then: its sources are only looked through by the compiler.
 run_tsan()
 {
-  configuration tsan 'threads|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF -DCMAKE_CXX_COMPILER=clang++ \
+  export CXX=clang++
+  configuration tsan 'threads|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF \
     "-DTANDEM_TESTS=test_(thread_backend|bad_input)" '-DTANDEM_EXAMPLES=^detect_planes_of_vector$' \
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
   step program
   for source in detect_planes output/shape_polygons; do
-    "${CXX:-c++}" -std=c++17 -fsyntax-only -Wall -Wextra -Werror "-I$root/include" "-I$program_dir" \
+    "$CXX" -std=c++17 -fsyntax-only -Wall -Wextra -Werror "-I$root/include" "-I$program_dir" \
       -isystem /usr/include/eigen3 "$program_dir/$source.cpp" || fail "$source.cpp does not compile without oneTBB"
   done
 }
 
-# For some seconds, with the same mutations each time: a longer run finds more, see fuzz.sh. In the folder of asan, where
-# the targets have been compiled.
+# For some seconds, with the same mutations each time: a longer run finds more, see fuzz.sh. After asan in its folder,
+# where the targets have been compiled.
 run_fuzz()
 {
   step run
-  export TANDEM_FUZZ_DIR="$build/asan" TANDEM_JOBS="$jobs"
+  export TANDEM_BUILD_DIR="$build" TANDEM_JOBS="$jobs"
+  ! grep -qs '^TANDEM_BUILD_FUZZERS:BOOL=ON' "$build/asan/CMakeCache.txt" || export TANDEM_FUZZ_DIR="$build/asan"
   "$root/scripts/fuzz.sh" ply 4 1 || fail "a fuzz target failed"
   "$root/scripts/fuzz.sh" 'xyz off las pcd options' 2 1 || fail "a fuzz target failed"
 }
@@ -250,7 +256,7 @@ while [ $# -gt 0 ]; do
       wait_for_beside
       "run_$1" > "$build/beside.log" 2>&1 &
       beside=$! ;;
-    *) "run_$1" ;;
+    *) ("run_$1") ;;
   esac
   shift
 done

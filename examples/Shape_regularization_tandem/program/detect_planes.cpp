@@ -150,8 +150,9 @@ Shapes detect(const Point_set& points, const Options& o, Progress_line& progress
   return CGAL::Tandem::detect_planes<Tag>(points, all);
 }
 
+// Only the points tell whether a given distance is too small for them.
 Shapes detect_on_backend(const Point_set& points, const Options& o)
-{
+try {
   Progress_line progress(!o.is_quiet, "estimating parameters");
 #ifdef CGAL_TANDEM_USE_CUDA
   if(o.backend == "cuda")
@@ -164,6 +165,11 @@ Shapes detect_on_backend(const Point_set& points, const Options& o)
     return detect<CGAL::Parallel_tag>(points, o, progress);
 #endif
   return detect<CGAL::Sequential_tag>(points, o, progress);
+} catch(const std::range_error& e) {
+  const std::string message = e.what(), parameter = "maximum_distance";
+  throw std::runtime_error(message.compare(0, parameter.size(), parameter) == 0
+                             ? "--maximum-distance" + message.substr(parameter.size())
+                             : message);
 }
 
 // What the back end that was chosen in the end ran on.

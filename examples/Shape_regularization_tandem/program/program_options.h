@@ -71,9 +71,9 @@ inline void add_detection_options(po::options_description& all, Options& o)
     "maximum-offset", number(o.maximum_offset)->value_name("D"),
     "distance within which parallel planes are made coplanar if their points allow it (default: the maximum distance)");
   add("minimum-region-size", count(o.minimum_region_size)->value_name("N"),
-      "smallest number of points of a shape (default: estimated from the number of points)");
-  add("k-neighbors", count(o.k_neighbors)->value_name("K"), "number of neighbors of a point (default: 12)");
-  add("cell-size", count(o.cell_size)->value_name("N"), "largest number of points of an octree cell (default: 8192)");
+      "smallest number of points of a shape, at least 3 (default: estimated from the number of points)");
+  add("k-neighbors", count(o.k_neighbors)->value_name("K"), "number of neighbors of a point, from 3 to 64 (default: 12)");
+  add("cell-size", count(o.cell_size)->value_name("N"), "largest number of points of an octree cell, from 64 to 65536 (default: 8192)");
   add("no-parallelism", off(o.regularize_parallelism), "do not make shapes parallel");
   add("no-orthogonality", off(o.regularize_orthogonality), "do not make shapes orthogonal");
   add("no-coplanarity", off(o.regularize_coplanarity), "do not make shapes coplanar");
@@ -101,7 +101,7 @@ inline void add_execution_options(po::options_description& all, Options& o)
   add("backend", po::value<std::string>(&o.backend)->value_name("NAME"),
       "auto, sequential, parallel or cuda; all give the same result (default: auto)");
   add("threads", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.threads = n; }),
-      "largest number of threads (default: all processors)");
+      "largest number of threads, up to 4096 (default: all processors)");
   add("quiet", po::bool_switch(&o.is_quiet), "print nothing but warnings and errors");
   add("help", po::bool_switch(&o.wants_help), "print this text");
   add("version", po::bool_switch(&o.wants_version), "print the version");

@@ -125,8 +125,9 @@ public:
     const internal::Round_to_nearest rounding;
     check_complete();
     internal::Stop_watch watch;
+    Backend backend = traits_.backend();
     internal::Shapes_data data =
-      internal::export_shapes(backend_, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
+      internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled();
     statistics.backend = engine_ ? engine_->name() : Backend::name();
@@ -154,7 +155,7 @@ private:
   }
 
   Traits traits_;
-  mutable Backend backend_; // it has no state of the detection
+  Backend backend_;
   Parameters parameters_;
   internal::Progress progress_;
   internal::Import in_;

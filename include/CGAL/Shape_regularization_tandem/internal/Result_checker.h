@@ -165,7 +165,7 @@ private:
       if(fixed < -1 || fixed >= int(data_.parameters.fixed_directions.size()) || symmetry < -1 ||
          symmetry >= int(first.size()))
         return fail(at("no such direction or symmetry of group", g));
-      if(fixed >= 0 && !are_same(canonical(n), given_direction(data_.parameters.fixed_directions[fixed])))
+      if(fixed >= 0 && !(canonical(n) == given_direction(data_.parameters.fixed_directions[fixed])))
         return fail(at("not exactly a fixed direction has group", g));
       if(symmetry < 0)
         continue;

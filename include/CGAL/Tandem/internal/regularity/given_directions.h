@@ -28,8 +28,6 @@ inline Vector given_direction(const std::array<double, 3>& d)
   return canonical(unit({d[0] / largest, d[1] / largest, d[2] / largest}));
 }
 
-inline bool are_same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 // Adds a direction, unless there is one that equals it up to its sign and rounding; returns the one that is there.
 inline Vector add_direction(std::vector<Vector>& directions, const Vector& d)
 {
@@ -80,7 +78,7 @@ inline std::vector<int> fixed_directions_of(const std::vector<Vector>& direction
   std::vector<int> result;
   for(const Vector& direction : directions) {
     const auto is_it = [&](const std::array<double, 3>& d) {
-      return are_same(given_direction(d), canonical(direction));
+      return given_direction(d) == canonical(direction);
     };
     const auto at = std::find_if(p.fixed_directions.begin(), p.fixed_directions.end(), is_it);
     result.push_back(at == p.fixed_directions.end() ? -1 : int(at - p.fixed_directions.begin()));
