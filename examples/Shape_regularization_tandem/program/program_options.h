@@ -72,8 +72,10 @@ inline void add_detection_options(po::options_description& all, Options& o)
     "distance within which parallel planes are made coplanar if their points allow it (default: the maximum distance)");
   add("minimum-region-size", count(o.minimum_region_size)->value_name("N"),
       "smallest number of points of a shape, at least 3 (default: estimated from the number of points)");
-  add("k-neighbors", count(o.k_neighbors)->value_name("K"), "number of neighbors of a point, from 3 to 64 (default: 12)");
-  add("cell-size", count(o.cell_size)->value_name("N"), "largest number of points of an octree cell, from 64 to 65536 (default: 8192)");
+  add("k-neighbors", count(o.k_neighbors)->value_name("K"),
+      "number of neighbors of a point, from 3 to 64 (default: 12)");
+  add("cell-size", count(o.cell_size)->value_name("N"),
+      "largest number of points of an octree cell, from 64 to 65536 (default: 8192)");
   add("no-parallelism", off(o.regularize_parallelism), "do not make shapes parallel");
   add("no-orthogonality", off(o.regularize_orthogonality), "do not make shapes orthogonal");
   add("no-coplanarity", off(o.regularize_coplanarity), "do not make shapes coplanar");

@@ -237,6 +237,7 @@ expect_shell(2 "--fixed-direction is '', must be" "exec \"$P\" cube.ply --fixed-
 expect(2 "threads is 0" cube.ply --threads 0)
 expect(2 "backend is 'gpu'" cube.ply --backend gpu)
 expect(2 "estimate-normals is 2" cube.ply --estimate-normals 2)
+expect(1 ": --maximum-distance is 1e-09 while the extent" cube.ply --maximum-distance 1e-9)
 expect(2 "named twice" cube.ply --output ./cube.ply)
 expect(2 "named twice" cube.ply --output new.ply --labels "a folder/../new.ply")
 expect(2 "named twice" cube.ply --vg new.ply --polygons new.ply)

@@ -77,9 +77,7 @@ inline std::vector<int> fixed_directions_of(const std::vector<Vector>& direction
 {
   std::vector<int> result;
   for(const Vector& direction : directions) {
-    const auto is_it = [&](const std::array<double, 3>& d) {
-      return given_direction(d) == canonical(direction);
-    };
+    const auto is_it = [&](const std::array<double, 3>& d) { return given_direction(d) == canonical(direction); };
     const auto at = std::find_if(p.fixed_directions.begin(), p.fixed_directions.end(), is_it);
     result.push_back(at == p.fixed_directions.end() ? -1 : int(at - p.fixed_directions.begin()));
   }
