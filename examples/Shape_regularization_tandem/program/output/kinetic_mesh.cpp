@@ -17,7 +17,6 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <iostream>
-#include <stdexcept>
 
 namespace program {
 
@@ -55,10 +54,7 @@ Surface kinetic_mesh(const Mesh_input& input)
   const Volumes volumes = partition(input);
   const std::vector<bool> is_inside = inside_volumes(volumes, coverage_of_planes(input));
   stop_if_interrupted();
-  Surface surface = Boundary(volumes, is_inside).surface();
-  if(surface.faces.empty())
-    throw std::runtime_error("--mesh: no volume was found that the planes enclose");
-  return surface;
+  return Boundary(volumes, is_inside).surface();
 }
 
 } // namespace program
