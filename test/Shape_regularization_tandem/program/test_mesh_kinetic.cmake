@@ -53,4 +53,6 @@ expect_shell(0 "volume 9.00" "awk -f volume.awk row.off")
 
 expect(1 "no volume was found that the planes enclose" tower.xyz ${epsilon} --mesh open.off)
 expect_no_file(open.off)
+
+expect(2 "mesh-seconds is for the solver GLPK" missing.ply --mesh m.off --mesh-seconds 5)
 finish()

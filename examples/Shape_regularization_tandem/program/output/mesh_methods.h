@@ -16,6 +16,9 @@ namespace program {
 std::string missing_for_polygonal_mesh();
 std::string missing_for_kinetic_mesh();
 
+// The polygonal method ends after some seconds: GLPK does, SCIP cannot.
+bool has_time_limit();
+
 // By CGAL::Polygonal_surface_reconstruction. It chooses from all faces that the planes cut each other into: time and
 // memory grow with the cube of the number of planes. The solver has `seconds`.
 Surface polygonal_mesh(const Mesh_input& input, int seconds);

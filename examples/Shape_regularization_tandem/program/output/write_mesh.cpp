@@ -14,7 +14,8 @@ namespace program {
 
 namespace {
 
-constexpr std::size_t most_planes = 20; // of the polygonal method; more on demand only, they take minutes
+// Of the polygonal method: more take minutes, and those not even Ctrl-C ends soon.
+constexpr std::size_t most_planes = 16, most_planes_on_demand = 60;
 constexpr int longest_seconds = 60;
 
 // The one that takes more planes, if it is there.
@@ -29,7 +30,7 @@ void check_number_of_planes(const std::string& method, std::size_t number, const
 {
   if(number < 4)
     throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(number) + " were found");
-  if(method == "polygonal" && !o.mesh_planes && number > most_planes)
+  if(method == "polygonal" && number > (o.mesh_planes ? most_planes_on_demand : most_planes))
     throw std::runtime_error("--mesh: the method polygonal takes too long for " + std::to_string(number) +
                              " planes: take fewer by --mesh-planes or by a larger --minimum-region-size");
 }
@@ -96,6 +97,8 @@ void check_mesh_method(const Options& o)
   if(!missing.empty())
     throw Usage_error((o.mesh_method.empty() ? "--mesh" : "--mesh-method " + method) + " needs " + missing +
                       ": this program was built without it");
+  if(o.mesh_seconds && (method == "kinetic" || !has_time_limit()))
+    throw Usage_error("--mesh-seconds is for the solver GLPK of --mesh-method polygonal");
 }
 
 void write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o)
