@@ -8,8 +8,11 @@
 
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/convex_hull_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <tuple>
@@ -19,9 +22,22 @@ template <class Kernel>
 struct Convex_polygons {
   std::vector<typename Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> corners; // of each polygon, positions in points
+  std::vector<std::size_t> planes;               // of each polygon
 };
 
-// The convex hull of the points of each plane.
+// Points on a line have none but for rounding, and they define no plane.
+template <class Kernel>
+bool has_area(const std::vector<typename Kernel::Point_2>& hull)
+{
+  constexpr double smallest_share = 1e-6; // of the square of the extent
+  if(hull.size() < 3)
+    return false;
+  const CGAL::Bbox_2 box = CGAL::bbox_2(hull.begin(), hull.end());
+  const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  return CGAL::polygon_area_2(hull.begin(), hull.end(), Kernel()) > smallest_share * extent * extent;
+}
+
+// The convex hull of the points of each plane. Planes whose hull has no area are left out.
 template <class Kernel>
 Convex_polygons<Kernel> convex_polygons(const std::vector<CGAL::Tandem::Point_with_plane<Kernel>>& items,
                                         const std::vector<typename Kernel::Plane_3>& planes)
@@ -34,6 +50,9 @@ Convex_polygons<Kernel> convex_polygons(const std::vector<CGAL::Tandem::Point_wi
   for(std::size_t p = 0; p < planes.size(); ++p) {
     std::vector<Point_2> hull;
     CGAL::convex_hull_2(members[p].begin(), members[p].end(), std::back_inserter(hull));
+    if(!has_area<Kernel>(hull))
+      continue;
+    polygons.planes.push_back(p);
     polygons.corners.emplace_back();
     for(const Point_2& corner : hull) {
       polygons.corners.back().push_back(polygons.points.size());

@@ -30,7 +30,7 @@ inline std::string usage()
          "also with .gz behind (but .laz). Several are one cloud, in their order. Normals are estimated where the\n"
          "input has none, or only null ones. Exit code: 0 success, 1 the data cannot be read, processed or written, "
          "or\n"
-         "the run was interrupted, 2 bad usage.\n";
+         "the run was interrupted, 2 bad usage. A second Ctrl-C ends it at once.\n";
 }
 
 namespace po = boost::program_options;
@@ -137,12 +137,11 @@ inline void add_output_options(po::options_description& all, Options& o)
   add("mesh", po::value<std::string>(&o.mesh)->value_name("FILE"),
       "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation");
   add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
-      "--mesh takes the N planes with most points (default: all, of the method polygonal if there are at most 20)");
-  add(
-    "mesh-method", po::value<std::string>(&o.mesh_method)->value_name("NAME"),
-    "of --mesh: kinetic, by the kinetic space partition of CGAL 6, or polygonal, by the polygonal surface "
-    "reconstruction of CGAL with GLPK or SCIP, whose time grows fast with the number of planes (default: kinetic where "
-    "it was built)");
+      "--mesh takes the N planes with most points (default: all, of the method polygonal if there are at most 16)");
+  add("mesh-method", po::value<std::string>(&o.mesh_method)->value_name("NAME"),
+      "of --mesh: kinetic, by the kinetic space partition of CGAL 6, or polygonal, by the polygonal surface "
+      "reconstruction of CGAL with GLPK or SCIP, whose time depends on the cloud and grows fast with the number of "
+      "planes, of which it takes 60 at most (default: kinetic where it was built)");
   add("mesh-seconds", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_seconds = n; }),
       "longest time of the solver GLPK of the method polygonal (default: 60)");
   add(

@@ -28,6 +28,23 @@ awk 'BEGIN {
 }' > boxes.xyz
 ]=])
 
+# The unit cube, and points on a line, whose normals make a plane of them.
+file(WRITE "${WORK_DIR}/line.sh" [=[
+awk 'BEGIN {
+  for(i = 0; i < 40; ++i) for(j = 0; j < 40; ++j) for(k = 0; k < 2; ++k) {
+    a = (i + .5) / 40; b = (j + .5) / 40; s = 2 * k - 1
+    print a, b, k, 0, 0, s; print a, k, b, 0, s, 0; print k, a, b, s, 0, 0
+  }
+  for(i = 0; i < 400; ++i) print 3, .5, i / 100, 1, 0, 0
+}' > line.xyz
+]=])
+
+# Four small planes far above each other.
+file(WRITE "${WORK_DIR}/tower.sh" [=[
+awk 'BEGIN { for(i = 0; i < 30; ++i) for(j = 0; j < 30; ++j) for(k = 0; k < 4; ++k) print i / 30, j / 30, 10 * k
+}' > tower.xyz
+]=])
+
 # Positive if the faces are counterclockwise, seen from outside.
 file(WRITE "${WORK_DIR}/volume.awk" [=[
 NR == 2 { n = $1 }
@@ -41,4 +58,4 @@ NR > 2 + n {
 }
 END { printf "volume %.2f\n", sum / 6 }
 ]=])
-expect_shell(0 "^$" ". ./boxes.sh")
+expect_shell(0 "^$" ". ./boxes.sh && . ./line.sh && . ./tower.sh")

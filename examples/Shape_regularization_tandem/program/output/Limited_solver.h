@@ -17,10 +17,12 @@
 
 namespace program {
 
-// A program of binary variables. Each is made by its consumer, so that the limit is one for all of them.
+// A program of binary variables.
 class Limited_solver : public CGAL::GLPK_mixed_integer_program_traits<double> {
 public:
+  // Of all solvers: CGAL constructs the one that it uses, so that nothing can be passed in or asked of it.
   inline static int seconds = 60;
+  inline static bool is_out_of_time = false;
 
   bool solve() override
   {
@@ -50,8 +52,6 @@ public:
     }
     return true;
   }
-
-  inline static bool is_out_of_time = false;
 
 private:
   static int column(const Variable& v) { return int(v.index()) + 1; } // GLPK counts from 1

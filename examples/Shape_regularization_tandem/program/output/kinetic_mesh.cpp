@@ -14,8 +14,9 @@
 
 #include "../convex_polygons.h"
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <iostream>
-#include <stdexcept>
 
 namespace program {
 
@@ -29,13 +30,15 @@ void stop_if_interrupted()
     throw Interrupted();
 }
 
+// Each plane of the input has a polygon. More of them than this size would make CGAL cut the space by an octree, whose
+// planes would be walls of the surface.
 Volumes partition(const Mesh_input& input)
 {
   const Captured_messages errors(std::cerr), messages(std::cout);
   const Convex_polygons<Kernel> polygons = convex_polygons<Kernel>(input.items, input.planes);
   Volumes::Partition partition;
   partition.insert(polygons.points, polygons.corners);
-  partition.initialize();
+  partition.initialize(CGAL::parameters::max_octree_node_size(input.planes.size()));
   stop_if_interrupted();
   partition.partition(number_of_intersections);
   stop_if_interrupted();
@@ -51,10 +54,7 @@ Surface kinetic_mesh(const Mesh_input& input)
   const Volumes volumes = partition(input);
   const std::vector<bool> is_inside = inside_volumes(volumes, coverage_of_planes(input));
   stop_if_interrupted();
-  Surface surface = Boundary(volumes, is_inside).surface();
-  if(surface.faces.empty())
-    throw std::runtime_error("--mesh: no volume was found that the planes enclose");
-  return surface;
+  return Boundary(volumes, is_inside).surface();
 }
 
 } // namespace program

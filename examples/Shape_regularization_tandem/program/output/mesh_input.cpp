@@ -3,38 +3,57 @@
 
 #include "output/mesh_input.h"
 
+#include "../convex_polygons.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace program {
 
-Mesh_input mesh_input(const Point_set& points, const Shapes& shapes, std::size_t largest_number)
-{
-  std::vector<std::size_t> size(shapes.number_of_coplanar_groups(), 0), order(size.size());
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    size[shapes.coplanar_group(s)] += shapes.points(s).size();
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
-  order.resize((std::min)(largest_number, order.size()));
+namespace {
 
+// Those that have an area, the one with most points first.
+std::vector<std::size_t> order_of_planes(const Mesh_input& all)
+{
+  std::vector<std::size_t> size(all.planes.size(), 0);
+  for(const Mesh_input::Item& item : all.items)
+    ++size[std::size_t(std::get<2>(item))];
+  std::vector<std::size_t> order = convex_polygons<Kernel>(all.items, all.planes).planes;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
+  return order;
+}
+
+// The planes at these positions, numbered in this order.
+Mesh_input part(const Mesh_input& all, const std::vector<std::size_t>& order)
+{
   Mesh_input result;
-  const std::vector<Kernel::Plane_3> planes = CGAL::Tandem::distinct_planes(shapes);
-  std::vector<int> number(size.size(), -1);
-  for(std::size_t group : order) {
-    number[group] = int(result.planes.size());
-    result.planes.push_back(planes[group]);
+  std::vector<int> number(all.planes.size(), -1);
+  for(std::size_t plane : order) {
+    number[plane] = int(result.planes.size());
+    result.planes.push_back(all.planes[plane]);
   }
-  for(Mesh_input::Item& item : CGAL::Tandem::projected_points(points, shapes)) {
-    int& group = std::get<2>(item);
-    group = number[std::size_t(group)];
-    if(group >= 0)
+  for(Mesh_input::Item item : all.items) {
+    int& plane = std::get<2>(item);
+    plane = number[std::size_t(plane)];
+    if(plane >= 0)
       result.items.push_back(item);
   }
   return result;
 }
 
+} // namespace
+
+Mesh_input mesh_input(const Point_set& points, const Shapes& shapes, std::size_t largest_number)
+{
+  const Mesh_input all{CGAL::Tandem::projected_points(points, shapes), CGAL::Tandem::distinct_planes(shapes)};
+  std::vector<std::size_t> order = order_of_planes(all);
+  order.resize((std::min)(largest_number, order.size()));
+  return part(all, order);
+}
+
 double signed_volume(const Surface& surface, const std::vector<Surface::Face>& faces)
 {
+  if(faces.empty())
+    return 0;
   const Kernel::Point_3& origin = surface.points.front();
   double sum = 0;
   for(const Surface::Face& face : faces)

@@ -22,7 +22,7 @@ struct Mesh_input {
   std::vector<Kernel::Plane_3> planes;
 };
 
-// Of the planes with most points.
+// Of the planes with most points. Those whose points are on a line are left out.
 Mesh_input mesh_input(const Point_set& points, const Shapes& shapes, std::size_t largest_number);
 
 // Closed, and its faces are oriented alike.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The methods that make a closed surface of planes. An exception says why there is none.
+// The methods that make a closed surface of planes, which may be empty. An exception says why there is none.
 
 #ifndef DETECT_PLANES_MESH_METHODS_H
 #define DETECT_PLANES_MESH_METHODS_H
@@ -15,6 +15,9 @@ namespace program {
 // What this program was built without; empty if it has the method.
 std::string missing_for_polygonal_mesh();
 std::string missing_for_kinetic_mesh();
+
+// The polygonal method ends after some seconds: GLPK does, SCIP cannot.
+bool has_time_limit();
 
 // By CGAL::Polygonal_surface_reconstruction. It chooses from all faces that the planes cut each other into: time and
 // memory grow with the cube of the number of planes. The solver has `seconds`.

@@ -47,6 +47,8 @@ void check_candidates(const Reconstruction& reconstruction)
 }
 
 #ifdef CGAL_USE_SCIP
+constexpr bool is_limited = false;
+
 void solve(Reconstruction& reconstruction, Mesh& model, int)
 {
   using Solver = CGAL::SCIP_mixed_integer_program_traits<double>; // its limits cannot be reached
@@ -54,6 +56,8 @@ void solve(Reconstruction& reconstruction, Mesh& model, int)
     throw std::runtime_error("--mesh: no closed surface was found (" + reconstruction.error_message() + ")");
 }
 #else
+constexpr bool is_limited = true;
+
 void solve(Reconstruction& reconstruction, Mesh& model, int seconds)
 {
   Limited_solver::seconds = seconds;
@@ -87,6 +91,8 @@ void orient_outward(Surface& surface)
 } // namespace
 
 std::string missing_for_polygonal_mesh() { return {}; }
+
+bool has_time_limit() { return is_limited; }
 
 // It fits a plane to each group of points, which is the plane of projected points.
 Surface polygonal_mesh(const Mesh_input& input, int seconds)
@@ -122,6 +128,8 @@ std::string missing_for_polygonal_mesh()
   return "Eigen 3";
 #endif
 }
+
+bool has_time_limit() { return false; }
 
 Surface polygonal_mesh(const Mesh_input&, int) { throw std::logic_error("a method that was not built"); }
 

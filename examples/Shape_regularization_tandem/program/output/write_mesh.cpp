@@ -14,7 +14,8 @@ namespace program {
 
 namespace {
 
-constexpr std::size_t most_planes = 20; // of the polygonal method; more on demand only, they take minutes
+// Of the polygonal method: more take minutes, and those not even Ctrl-C ends soon.
+constexpr std::size_t most_planes = 16, most_planes_on_demand = 60;
 constexpr int longest_seconds = 60;
 
 // The one that takes more planes, if it is there.
@@ -25,19 +26,26 @@ std::string method_of(const Options& o)
   return missing_for_kinetic_mesh().empty() ? "kinetic" : "polygonal";
 }
 
+void check_number_of_planes(const std::string& method, std::size_t number, const Options& o)
+{
+  if(number < 4)
+    throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(number) + " were found");
+  if(method == "polygonal" && number > (o.mesh_planes ? most_planes_on_demand : most_planes))
+    throw std::runtime_error("--mesh: the method polygonal takes too long for " + std::to_string(number) +
+                             " planes: take fewer by --mesh-planes or by a larger --minimum-region-size");
+}
+
 Surface make_surface(const Point_set& points, const Shapes& shapes, const Options& o)
 {
   const std::string method = method_of(o);
   const std::size_t found = shapes.number_of_coplanar_groups();
-  if(method == "polygonal" && !o.mesh_planes && found > most_planes)
-    throw std::runtime_error(
-      "--mesh: " + std::to_string(found) +
-      " planes were found, which take too long: take fewer by --mesh-planes or by a larger --minimum-region-size");
-  if(found < 4)
-    throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(found) + " were found");
   const Mesh_input input = mesh_input(points, shapes, o.mesh_planes ? std::size_t(*o.mesh_planes) : found);
-  return method == "kinetic" ? kinetic_mesh(input)
-                             : polygonal_mesh(input, int(o.mesh_seconds.value_or(longest_seconds)));
+  check_number_of_planes(method, input.planes.size(), o);
+  Surface surface =
+    method == "kinetic" ? kinetic_mesh(input) : polygonal_mesh(input, int(o.mesh_seconds.value_or(longest_seconds)));
+  if(surface.faces.empty())
+    throw std::runtime_error("--mesh: no volume was found that the planes enclose");
+  return surface;
 }
 
 // Points and faces, as .off and .ply have them.
@@ -89,6 +97,8 @@ void check_mesh_method(const Options& o)
   if(!missing.empty())
     throw Usage_error((o.mesh_method.empty() ? "--mesh" : "--mesh-method " + method) + " needs " + missing +
                       ": this program was built without it");
+  if(o.mesh_seconds && (method == "kinetic" || !has_time_limit()))
+    throw Usage_error("--mesh-seconds is for the solver GLPK of --mesh-method polygonal");
 }
 
 void write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o)

@@ -13,7 +13,7 @@
 
 namespace program {
 
-// Throws if --mesh-method is not there.
+// Throws if --mesh-method is not there, or does not use --mesh-seconds.
 void check_mesh_method(const Options& o);
 
 // The format is that of the extension of --mesh: .off, .obj or .ply.

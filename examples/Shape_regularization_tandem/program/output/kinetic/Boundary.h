@@ -81,7 +81,7 @@ private:
         edge.middle = edges[twin(dart)].middle = number_of_vertices++;
   }
 
-  // Sides of the bounding box and of its parts are left in their facets.
+  // Sides of the bounding box are left in their facets.
   bool is_same_plane(Dart d, Dart e) const { return volumes.plane(d) >= 0 && volumes.plane(d) == volumes.plane(e); }
 
   void number_patches()

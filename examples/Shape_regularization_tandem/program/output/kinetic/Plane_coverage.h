@@ -8,6 +8,8 @@
 
 #include "output/Plane_frame.h"
 
+#include <CGAL/Bbox_2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

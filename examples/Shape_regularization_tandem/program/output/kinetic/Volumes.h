@@ -8,6 +8,7 @@
 
 #include "output/Plane_frame.h"
 
+#include <CGAL/Cartesian_converter.h>
 #include <CGAL/Kinetic_space_partition_3.h>
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 

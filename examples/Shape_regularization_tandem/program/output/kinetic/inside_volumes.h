@@ -14,6 +14,7 @@
 #include "output/mesh_input.h"
 #include "signals.h"
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/boost/graph/alpha_expansion_graphcut.h>
 
