@@ -14,8 +14,11 @@ namespace program {
 
 namespace {
 
-// Of the polygonal method: more take minutes, and those not even Ctrl-C ends soon.
-constexpr std::size_t most_planes = 16, most_planes_on_demand = 60;
+// Of the planes: more take minutes, and those not even Ctrl-C ends soon.
+struct Limits {
+  std::size_t by_default, on_demand;
+};
+constexpr Limits polygonal_limits = {16, 60}, kinetic_limits = {100, 1000};
 constexpr int longest_seconds = 60;
 
 // The one that takes more planes, if it is there.
@@ -30,8 +33,9 @@ void check_number_of_planes(const std::string& method, std::size_t number, const
 {
   if(number < 4)
     throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(number) + " were found");
-  if(method == "polygonal" && number > (o.mesh_planes ? most_planes_on_demand : most_planes))
-    throw std::runtime_error("--mesh: the method polygonal takes too long for " + std::to_string(number) +
+  const Limits& limits = method == "kinetic" ? kinetic_limits : polygonal_limits;
+  if(number > (o.mesh_planes ? limits.on_demand : limits.by_default))
+    throw std::runtime_error("--mesh: the method " + method + " takes too long for " + std::to_string(number) +
                              " planes: take fewer by --mesh-planes or by a larger --minimum-region-size");
 }
 
