@@ -31,8 +31,8 @@ awk 'BEGIN {
 # The unit cube, and points on a line, whose normals make a plane of them.
 file(WRITE "${WORK_DIR}/line.sh" [=[
 awk 'BEGIN {
-  for(i = 0; i < 40; ++i) for(j = 0; j < 40; ++j) for(k = 0; k < 2; ++k) {
-    a = (i + .5) / 40; b = (j + .5) / 40; s = 2 * k - 1
+  for(i = 0; i < 30; ++i) for(j = 0; j < 30; ++j) for(k = 0; k < 2; ++k) {
+    a = (i + .5) / 30; b = (j + .5) / 30; s = 2 * k - 1
     print a, b, k, 0, 0, s; print a, k, b, 0, s, 0; print k, a, b, s, 0, 0
   }
   for(i = 0; i < 400; ++i) print 3, .5, i / 100, 1, 0, 0

@@ -9,11 +9,14 @@
 #include "output/Plane_frame.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <unordered_set>
 #include <vector>
 
@@ -37,6 +40,7 @@ public:
       side = std::sqrt(points_in_a_square * double(squares.size()) * area_of_square() / double(points.size()));
     }
     mark(flat_points);
+    CGAL::convex_hull_2(flat_points.begin(), flat_points.end(), std::back_inserter(hull));
   }
 
   Kernel::Point_2 flat(const Kernel::Point_3& p) const
@@ -56,11 +60,16 @@ public:
 
   double area_of_square() const { return side * side; }
 
+  // Of those that are not beyond the convex hull of the points: squares stand out at the edges.
   std::vector<Kernel::Point_2> centers_of_squares() const
   {
     std::vector<Kernel::Point_2> result;
-    for(const Square square : squares)
-      result.emplace_back((double(std::int32_t(square >> 32)) + .5) * side, (double(std::int32_t(square)) + .5) * side);
+    for(const Square square : squares) {
+      const Kernel::Point_2 center((double(std::int32_t(square >> 32)) + .5) * side,
+                                   (double(std::int32_t(square)) + .5) * side);
+      if(CGAL::bounded_side_2(hull.begin(), hull.end(), center) != CGAL::ON_UNBOUNDED_SIDE)
+        result.push_back(center);
+    }
     return result;
   }
 
@@ -98,6 +107,7 @@ private:
   Kernel::Vector_3 first, second;
   double side = 0;
   std::unordered_set<Square> squares;
+  std::vector<Kernel::Point_2> hull;
 };
 
 } // namespace program
