@@ -58,4 +58,18 @@ NR > 2 + n {
 }
 END { printf "volume %.2f\n", sum / 6 }
 ]=])
+
+# At the corners of faces with four of them: each pair of edges at a corner of a box is in one face.
+file(WRITE "${WORK_DIR}/right_angles.awk" [=[
+NR == 2 { n = $1 }
+NR > 2 && NR <= 2 + n { x[NR - 3] = $1; y[NR - 3] = $2; z[NR - 3] = $3 }
+NR > 2 + n {
+  for(i = 0; i < $1; ++i) {
+    a = $(2 + i); b = $(2 + (i + 1) % $1); c = $(2 + (i + 2) % $1)
+    dot = (a == b ? 1 : (x[a] - x[b]) * (x[c] - x[b]) + (y[a] - y[b]) * (y[c] - y[b]) + (z[a] - z[b]) * (z[c] - z[b]))
+    if(dot > 1e-9 || dot < -1e-9) ++others; else ++right
+  }
+}
+END { printf "%d right angles, %d others\n", right, others }
+]=])
 expect_shell(0 "^$" ". ./boxes.sh && . ./line.sh && . ./tower.sh")

@@ -11,6 +11,7 @@ expect_shell(0 "volume 3.00" "awk -f volume.awk boxes.off")
 # The plane of points on a line is left out.
 expect(0 "in 7 planes" line.xyz --maximum-distance 0.01 --mesh line.off --mesh-method polygonal)
 expect_shell(0 "volume 1.00" "awk -f volume.awk line.off")
+expect_shell(0 "^24 right angles, 0 others" "awk -f right_angles.awk line.off")
 
 expect(1 "no volume was found that the planes enclose" tower.xyz ${epsilon} --mesh open.off --mesh-method polygonal)
 expect_no_file(open.off)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The methods that make a closed surface of planes, which may be empty. An exception says why there is none.
+// The methods that make a closed surface of planes. It is empty if they enclose nothing; other failures are exceptions.
 
 #ifndef DETECT_PLANES_MESH_METHODS_H
 #define DETECT_PLANES_MESH_METHODS_H

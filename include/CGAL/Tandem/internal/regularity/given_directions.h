@@ -75,11 +75,13 @@ inline std::vector<Vector> group_directions(const std::vector<int>& group, const
 // By group, the place of its direction among the fixed ones, or -1. The first of equal ones counts.
 inline std::vector<int> fixed_directions_of(const std::vector<Vector>& directions, const Parameters& p)
 {
+  std::vector<Vector> given;
+  for(const auto& d : p.fixed_directions)
+    given.push_back(given_direction(d));
   std::vector<int> result;
   for(const Vector& direction : directions) {
-    const auto is_it = [&](const std::array<double, 3>& d) { return given_direction(d) == canonical(direction); };
-    const auto at = std::find_if(p.fixed_directions.begin(), p.fixed_directions.end(), is_it);
-    result.push_back(at == p.fixed_directions.end() ? -1 : int(at - p.fixed_directions.begin()));
+    const auto at = std::find(given.begin(), given.end(), canonical(direction));
+    result.push_back(at == given.end() ? -1 : int(at - given.begin()));
   }
   return result;
 }
