@@ -69,17 +69,19 @@ public:
   explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters(),
                                     const Traits& traits = Traits())
     : traits_(traits), backend_(traits_.backend()), parameters_(internal::read_parameters(np)),
-      progress_(internal::parameter<internal_np::callback_t>(np, Callback()))
+      progress_(Ranks::joined(backend_, internal::parameter<internal_np::callback_t>(np, Callback())))
   {
     const internal::Round_to_nearest rounding;
-    internal::check_given_parameters(parameters_);
-    internal::Stop_watch watch;
-    in_ = internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
-    internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
-    import_time_ = watch.lap();
-    if(progress_.show(0) && in_.size() >= parameters_.minimum_region_size)
-      engine_ = std::make_unique<Engine>(backend_, in_, parameters_, progress_);
-    in_.uploaded.reset(); // without an engine nobody needs the values
+    Ranks::together(backend_, [&] {
+      internal::check_given_parameters(parameters_);
+      internal::Stop_watch watch;
+      in_ = internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
+      internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
+      import_time_ = watch.lap();
+      if(progress_.show(0) && in_.total.points >= parameters_.minimum_region_size)
+        engine_ = std::make_unique<Engine>(backend_, in_, parameters_, progress_);
+      in_.uploaded.reset(); // without an engine nobody needs the values
+    });
   }
 
   // The engine refers to members.
@@ -101,7 +103,7 @@ public:
   {
     const internal::Round_to_nearest rounding;
     check_complete();
-    return engine_ && !is_finished_ && !is_cancelled() && engine_->iterate();
+    return engine_ && !is_finished_ && !is_cancelled() && Ranks::together(backend_, [&] { return engine_->iterate(); });
   }
 
   /// cleans up, and verifies each point against the final plane of its shape; also after a cancellation, with the
@@ -113,7 +115,7 @@ public:
       return;
     check_complete();
     if(engine_)
-      engine_->finish();
+      Ranks::together(backend_, [&] { engine_->finish(); });
     is_finished_ = true;
     progress_.show_end();
   }
@@ -127,7 +129,7 @@ public:
     internal::Stop_watch watch;
     Backend backend = traits_.backend();
     internal::Shapes_data data =
-      internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
+      internal::export_shapes(backend, in_, parameters_, engine_ ? Ranks::together(backend, [&] { return engine_->result(); }) : internal::Engine_result());
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled();
     statistics.backend = engine_ ? engine_->name() : Backend::name();
@@ -147,6 +149,7 @@ public:
 private:
   using Backend = typename Traits::Backend;
   using Engine = typename Traits::Engine;
+  using Ranks = internal::Ranks<Backend>;
 
   void check_complete() const
   {

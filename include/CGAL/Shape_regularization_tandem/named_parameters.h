@@ -50,6 +50,7 @@ enum angle_tolerance_t { angle_tolerance };
 #endif
 
 enum cell_size_t { cell_size };
+enum communicator_t { communicator };
 enum fixed_directions_t { fixed_directions };
 enum settings_t { settings };
 
@@ -70,6 +71,7 @@ enum settings_t { settings };
   X(minimum_region_size, minimum_region_size_t)                                                                        \
   X(k_neighbors, k_neighbors_t)                                                                                        \
   X(cell_size, cell_size_t)                                                                                            \
+  X(communicator, communicator_t)                                                                                      \
   X(settings, settings_t)                                                                                              \
   X(regularize_parallelism, regularize_parallelism_t)                                                                  \
   X(regularize_orthogonality, regularize_orthogonality_t)                                                              \

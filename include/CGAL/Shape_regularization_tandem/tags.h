@@ -33,6 +33,19 @@ struct Cuda_if_available_tag {};
 using Cuda_if_available_tag = CGAL::Parallel_if_available_tag;
 #endif
 
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+Many processes that run the method together, each with a part of the points, and that exchange what they need through
+MPI. Each of them calls the same functions, with its points. The result is that of one process with all of the points,
+bit for bit. Needs the header `CGAL/Shape_regularization_tandem/mpi.h` and the library `Tandem::tandem_mpi`.
+
+\tparam ExecutionTag what executes within each process: `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+`CGAL::Parallel_if_available_tag`
+*/
+template <class ExecutionTag = CGAL::Parallel_if_available_tag>
+struct Mpi_tag {};
+
 } // namespace Tandem
 } // namespace CGAL
 

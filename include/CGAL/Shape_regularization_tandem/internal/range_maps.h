@@ -103,6 +103,16 @@ Item_reader<Traits> reader_of(const typename Traits::Point_range& points, const 
   return Item_reader<Traits>(traits, point_map_of<Traits>(points, np), normal_map_of<Traits>(points, np));
 }
 
+// The traits of that geometry and, where processes work together, of the communicator of the named parameters.
+template <class Traits, class NP>
+Traits make_traits(const typename Traits::Geom_traits& geom_traits, const NP& np)
+{
+  if constexpr(Is_given<internal_np::communicator_t, NP>::value)
+    return Traits(geom_traits, parameter<internal_np::communicator_t>(np, 0));
+  else
+    return Traits(geom_traits);
+}
+
 // Calls f(traits) with the traits that fit the range as it is at run time. f is compiled twice for a point set: with
 // and without its normals.
 template <class ConcurrencyTag, class PointRange, class NP, class F>
@@ -113,8 +123,8 @@ auto with_traits(const PointRange& points, const NP& np, F f)
   using Own = Own_maps<PointRange>;
   if constexpr(Own::may_have_normals && !Is_given<internal_np::normal_t, NP>::value)
     if(Own::has_normals(points))
-      return f(typename Traits_for<ConcurrencyTag, PointRange, NP, true>::type(kernel));
-  return f(typename Traits_for<ConcurrencyTag, PointRange, NP, false>::type(kernel));
+      return f(make_traits<typename Traits_for<ConcurrencyTag, PointRange, NP, true>::type>(kernel, np));
+  return f(make_traits<typename Traits_for<ConcurrencyTag, PointRange, NP, false>::type>(kernel, np));
 }
 
 } // namespace internal

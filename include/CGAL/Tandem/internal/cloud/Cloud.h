@@ -35,6 +35,8 @@ struct Cloud_view {
   const std::uint32_t* neighbor; // k consecutive entries a point: positions in this order, no_index if none
   std::uint32_t size;
   int k;
+  std::uint32_t ghosts = 0; // points of other ranks, which follow the own ones: see Ranks.h
+  std::uint32_t first = 0;  // position of the first point in the cloud of all ranks, lower 32 bits
 
   CGAL_TANDEM_HD const std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::size_t(k); }
 };
@@ -45,14 +47,20 @@ struct Sorted_cloud {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
-  std::size_t size() const { return point.size(); }
+  std::size_t size() const { return point.size() - ghosts; }
+  std::size_t size_with_ghosts() const { return point.size(); }
 
-  Cloud_view view() const { return {point.data(), neighbor.data(), std::uint32_t(point.size()), k}; }
+  Cloud_view view() const
+  {
+    return {point.data(), neighbor.data(), std::uint32_t(size()), k, std::uint32_t(ghosts), first};
+  }
 
   Buffer<Grid_point> point;
   Buffer<std::uint32_t> neighbor;
   Buffer<std::uint32_t> order; // position in the import of each point
   int k = 0;
+  std::size_t ghosts = 0;  // these two as those of Cloud_view
+  std::uint32_t first = 0;
 };
 
 } // namespace internal

@@ -90,6 +90,11 @@ struct No_upload {
   std::shared_ptr<Uploaded_values> finish() { return nullptr; }
 };
 
+// Numbers of points of an import: valid ones, items of the range, and those that are left out.
+struct Import_counts {
+  std::uint64_t points = 0, items = 0, ignored_coordinates = 0, ignored_normals = 0;
+};
+
 // The valid points of the caller's range, in its order. Tables of points are indexed by this order until the cloud is
 // sorted. Points with a value that is not finite, or with a null normal, are left out and counted.
 struct Import {
@@ -108,6 +113,7 @@ struct Import {
   std::size_t number_of_items = 0; // of the caller's range
   std::size_t number_of_ignored_coordinates = 0;
   std::size_t number_of_ignored_normals = 0;
+  Import_counts total; // of all ranks, as is the box
 
   std::size_t size() const { return count; }
   Vector position(std::size_t i) const { return coordinates[i]; }
@@ -209,7 +215,7 @@ CGAL_TANDEM_HD inline Grid_point to_grid(const Grid& grid, double inverse_step, 
 // Fills in.grid and the corners of the box on the grid. Rounding is monotone, so all points lie between them.
 inline void choose_grid(Import& in, double epsilon)
 {
-  if(in.size() == 0)
+  if(in.total.points == 0)
     return;
   const Coordinate_box& box = in.box;
   in.grid = make_grid(box, epsilon);

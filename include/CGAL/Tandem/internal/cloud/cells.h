@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
@@ -277,6 +278,8 @@ template <class Backend>
 std::vector<Range> split_cells(Backend& backend, const typename Backend::Sort_table& order, const Code_frame& frame,
                                std::size_t cell_size)
 {
+  if constexpr(Ranks<Backend>::are_many)
+    return Ranks<Backend>(backend).split_cells(order, frame, cell_size);
   return Cell_splitter<Backend>(backend, order.view(), frame.shift, cell_size)(std::uint32_t(order.size()));
 }
 

@@ -255,6 +255,8 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   in.uploaded = upload.finish();
   if(!is_complete)
     drop_invalid<Value>(in);
+  in.total = {in.count, in.number_of_items, in.number_of_ignored_coordinates, in.number_of_ignored_normals};
+  Ranks<Backend>(backend).join_imports(in);
   return in;
 }
 

@@ -94,8 +94,8 @@ std::size_t Engine<Backend>::grow()
   int passes = 1;
   std::size_t untried_cells = count_untried_cells(state_.points, state_.seeds, state_.options.minimum_region_size);
   new_points +=
-    sweep_untried_cells(state_.points.number_of_cells() / tuning::loop::cells_per_untried_cell, passes, untried_cells);
-  const bool is_slow = growth_of_large_shapes() <= state_.points.cloud.size() / tuning::loop::points_per_slow_point;
+    sweep_untried_cells(state_.points.total_cells() / tuning::loop::cells_per_untried_cell, passes, untried_cells);
+  const bool is_slow = growth_of_large_shapes() <= state_.points.total_points() / tuning::loop::points_per_slow_point;
   if(is_slow)
     new_points += sweep_untried_cells(0, passes, untried_cells);
   is_idle_ = is_slow && untried_cells == 0;
@@ -188,7 +188,8 @@ bool Engine<Backend>::is_going_on(std::size_t new_points) const
   const Shape_table<Backend>& shapes = state_.shapes;
   const auto count = [&](std::size_t n, auto f) { return backend.template sum<1>(n, f)[0]; };
   return new_points > 0 ||
-         count(seeds.count.size(), Count_cells_with_seeds{seeds.cursor.data(), seeds.count.data()}) > 0 ||
+         state_.points.ranks.total(std::size_t(count(
+           seeds.count.size(), Count_cells_with_seeds{seeds.cursor.data(), seeds.count.data()}))) > 0 ||
          count(shapes.size, Count_restarted{shapes.shape.data(), shapes.is_restarted.data()}) > 0;
 }
 

@@ -44,11 +44,11 @@ template <class Backend>
 void complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p)
 {
   if(p.maximum_distance == 0)
-    p.maximum_distance = in.size() > 0 ? estimate_maximum_distance(backend, in) : 1;
+    p.maximum_distance = in.total.points > 0 ? estimate_maximum_distance(backend, in) : 1;
   if(!has_offset)
     p.maximum_offset = p.maximum_distance;
   if(p.minimum_region_size == 0)
-    p.minimum_region_size = estimate_minimum_region_size(in.size());
+    p.minimum_region_size = estimate_minimum_region_size(std::size_t(in.total.points));
   check_parameters(p);
 }
 

@@ -40,9 +40,9 @@ void clear_labels(Labeled_cloud<Backend>& points)
 {
   points.cell_shapes.reset(points.number_of_cells());
   points.backend.for_each(points.number_of_cells(), Clear_lists{points.cell_shapes.data()});
-  points.label.reset(points.cloud.size());
-  points.state.reset(points.cloud.size());
-  points.backend.for_each(points.cloud.size(), Free_all{points.labels()});
+  points.label.reset(points.cloud.size_with_ghosts());
+  points.state.reset(points.cloud.size_with_ghosts());
+  points.backend.for_each(points.cloud.size_with_ghosts(), Free_all{points.labels()});
 }
 
 // The order is given by what each stage needs: neighbors the sorted points, normals the neighbors, seeds the normals.
@@ -56,7 +56,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   Backend& backend = points.backend;
   t.options = make_options(in, parameters);
   points.cloud.k = int(parameters.k_neighbors);
-  if(n == 0)
+  if(points.ranks.total(n) == 0)
     return false;
   Stage_timer sort(times.sort);
   sort_points(backend, in, parameters.cell_size, points.cloud, points.cells);
@@ -69,6 +69,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   points.cloud.neighbor.reset(n * parameters.k_neighbors);
   find_neighbors(backend, points.cloud.point.data(), std::uint32_t(n), points.cloud.k, points.cloud.neighbor.data());
   in.drop_upload(); // the values come back while a device searches
+  points.ranks.connect(points, in.has_normals ? 1 : 3);
   backend.wait();
   search.stop();
 
@@ -76,7 +77,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
     if(!progress.show(Detection_stage::normals, 0))
       return false;
     Stage_timer normals(times.normals);
-    estimate_normals(backend, points.cloud.view(), points.cloud.point.data(), t.options.maximum_distance);
+    estimate_normals(backend, points.cloud.view(), points.cloud.point.data(), t.options.maximum_distance, points.ranks);
     backend.wait();
   }
 

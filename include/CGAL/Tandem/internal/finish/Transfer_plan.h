@@ -324,6 +324,7 @@ private:
       points_.number_of_parts(),
       Count_fitting<Backend>{points_.cloud.view(), points_.parts_view(), points_.label.data(), queries_of_.data(),
                              query_.data(), count_.data(), options_.growth.tolerance, criterion_.may_change});
+    points_.ranks.sum(count_.data(), count_.size());
   }
 
   void choose_planes(Transfer_plan<Backend>& plan)

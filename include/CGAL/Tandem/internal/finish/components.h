@@ -116,7 +116,7 @@ struct Unite_at_border {
     block.for_each_neighbor(
       range.size(), adjacency.cloud.k, [&](std::uint32_t b) { return adjacency.cloud.row(border[range.first + b]); },
       [&](std::uint32_t b, std::uint32_t q) {
-        adjacency(border[range.first + b], q, {0, adjacency.cloud.size}, note);
+        adjacency(border[range.first + b], q, {0, adjacency.cloud.size + adjacency.cloud.ghosts}, note);
       });
     block.for_each(Pair_scratch::slots, [&](std::uint32_t i) {
       if(scratch.pair[i] != none)
@@ -134,6 +134,14 @@ private:
     const std::uint32_t slot = std::uint32_t(hash_of_pair(pair) >> 56);
     return block.count_pair(scratch.pair[slot], scratch.count[slot], pair);
   }
+};
+
+// Ghosts begin as components of their own.
+struct Start_ghost {
+  std::uint32_t* component; // from the first ghost on
+  std::uint32_t first;      // its place
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = first + std::uint32_t(i); }
 };
 
 // Makes component[i] the root of i. Other items shorten their paths at the same time; no root changes any more, so all
@@ -156,7 +164,7 @@ struct Find_root {
 // component[i] becomes the smallest position of the component of point i; free points are components of their own.
 // label: of any kind, by point, with marks for free points. Takes nearly linear time.
 template <class Backend>
-void find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, const std::uint32_t* label,
+typename Ranks<Backend>::Seams find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, const std::uint32_t* label,
                      std::uint32_t* component)
 {
   Backend& backend = points.backend;
@@ -167,11 +175,13 @@ void find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, cons
     backend.template for_each_cell<Union_scratch<small_cell>>(cells, inside);
   else
     backend.template for_each_cell<Union_scratch<largest_cell>>(cells, inside);
+  backend.for_each(points.cloud.ghosts, Start_ghost{component + points.cloud.size(), std::uint32_t(points.cloud.size())});
   // The unions of the cells are complete here, so that roots from all cells can be joined.
   const Border<Backend>& border = points.border;
   backend.template for_each_cell<Pair_scratch>(
     cells, Unite_at_border<Backend>{adjacency, border.range.data(), border.point.data(), component});
-  backend.for_each(points.cloud.size(), Find_root<Backend>{component});
+  backend.for_each(points.cloud.size_with_ghosts(), Find_root<Backend>{component});
+  return points.ranks.join_components(label, component);
 }
 
 } // namespace internal

@@ -118,9 +118,9 @@ inline Shapes_data start_export(const Import& in, const Parameters& parameters)
 {
   Shapes_data data;
   data.parameters = parameters;
-  data.statistics.number_of_points = in.number_of_items;
-  data.statistics.number_of_ignored_coordinates = in.number_of_ignored_coordinates;
-  data.statistics.number_of_ignored_normals = in.number_of_ignored_normals;
+  data.statistics.number_of_points = std::size_t(in.total.items);
+  data.statistics.number_of_ignored_coordinates = std::size_t(in.total.ignored_coordinates);
+  data.statistics.number_of_ignored_normals = std::size_t(in.total.ignored_normals);
   data.statistics.grid_step = in.grid.step;
   data.statistics.is_grid_coarse = in.grid.is_coarse;
   data.statistics.has_estimated_normals = !in.has_normals;
@@ -148,7 +148,7 @@ Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& 
     data.normal = by_item(backend, in, result.normal, no_normal);
   measure_relations(data);
   statistics.coverage =
-    in.number_of_items > 0 ? double(statistics.number_of_assigned_points) / double(in.number_of_items) : 0;
+    statistics.number_of_points > 0 ? double(statistics.number_of_assigned_points) / double(statistics.number_of_points) : 0;
   statistics.mean_distance = result.mean_distance * parameters.maximum_distance;
   statistics.number_of_rounds = result.rounds;
   statistics.is_cancelled = result.is_cancelled;

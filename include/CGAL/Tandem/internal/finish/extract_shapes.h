@@ -76,10 +76,14 @@ struct Free_dropped {
 
 // Item i is the i-th component of the result. Its number goes to its root, where the points of the component find it.
 struct Number_roots {
-  const Component* component; // in the order of the shapes
+  const Component* component; // in the order of the shapes; no_index if it has no point on this rank
   std::uint32_t* number;      // by root
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { number[component[i].root] = std::uint32_t(i); }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(component[i].root != no_index)
+      number[component[i].root] = std::uint32_t(i);
+  }
 };
 
 // From the sorted cloud to the order of the imported points. A root that no component of the result has is numbered
@@ -112,7 +116,7 @@ public:
   Shape_extractor(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
                   const Shape_relations& relations, const Import& in)
     : points_(points), backend_(points.backend), shapes_(shapes), options_(options), relations_(relations), in_(in),
-      label_(points.cloud.size())
+      label_(points.cloud.size_with_ghosts())
   {}
 
   Engine_result extract()
@@ -152,8 +156,9 @@ private:
       return rounded(relations.planes[std::size_t(relations.plane_of[i])]);
     });
     const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
-    check_exactly(backend_, {points_.cloud.point.data(), order(), label_.data(), label_.size()}, plane_.data(),
+    check_exactly(backend_, {points_.cloud.point.data(), order(), label_.data(), points_.cloud.size()}, plane_.data(),
                   options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
+    points_.ranks.update(label_.data());
   }
 
   // Shapes are judged before they are split into components, so a small component counts with all of its shape.
@@ -167,6 +172,7 @@ private:
       points_.number_of_cells(),
       Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
                                is_crisp.data(), sums.data(), options_.growth.tolerance.distance});
+    points_.ranks.sum(sums.data(), n);
     const std::vector<Neighbor_counts> counts = to_vector(backend_, sums);
     const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
       n, [&](std::size_t i) { return std::uint8_t(is_clutter(counts[i], rms_[i])); });
@@ -177,11 +183,11 @@ private:
   // Buffers of the size of the cloud are released before the points are grouped, which needs memory itself.
   void name_shapes(Engine_result& result)
   {
-    const std::size_t n = label_.size();
-    Buffer<std::uint32_t> component(n);
-    find_components(points_, options_.growth.cell_size, label_.data(), component.data());
+    const std::size_t n = points_.cloud.size();
+    Buffer<std::uint32_t> component(label_.size());
+    auto seams = find_components(points_, options_.growth.cell_size, label_.data(), component.data());
     const std::vector<Component> components =
-      large_components(points_, options_.minimum_region_size, label_.data(), component.data());
+      large_components(points_, options_.minimum_region_size, label_.data(), component.data(), seams);
     number_groups(components, result);
     auto number = filled_buffer(backend_, n, no_index);
     const auto named = to_buffer(backend_, components);
@@ -220,6 +226,8 @@ private:
       points_.number_of_cells(),
       Measure_points<Backend>{points_.cloud.point.data(), points_.cells.data(), label_.data(), plane_.data(), component,
                               number, options_.growth.tolerance.distance, opposed_sums.data(), distance_sum.data()});
+    points_.ranks.sum(opposed_sums.data(), opposed_sums.size());
+    points_.ranks.sum(distance_sum.data(), 1);
     const auto opposed = to_vector(backend_, opposed_sums);
     const auto distance = to_vector(backend_, distance_sum);
     std::size_t points = 0;
@@ -246,8 +254,9 @@ private:
 
   void write_normals(Engine_result& result)
   {
-    Buffer<std::uint32_t> normal(label_.size());
-    backend_.for_each(label_.size(), Write_normals{points_.cloud.point.data(), order(), normal.data()});
+    const std::size_t n = points_.cloud.size();
+    Buffer<std::uint32_t> normal(n);
+    backend_.for_each(n, Write_normals{points_.cloud.point.data(), order(), normal.data()});
     result.normal = on_host<std::uint32_t>(std::move(normal));
   }
 

@@ -55,7 +55,8 @@ struct Is_large_root {
 
 // A component of the result: position of its root, entry of the relations, number of points.
 struct Component {
-  std::uint32_t root, entry, size;
+  std::uint32_t root, entry;
+  std::uint64_t size;
 };
 
 // Packs what the host needs of each large component, so that one copy is enough.
@@ -71,28 +72,31 @@ struct Gather_components {
 // By root: the number of labeled points of its component; 0 for all other entries.
 template <class Backend>
 typename Backend::template Buffer<std::uint32_t>
-component_sizes(Labeled_cloud<Backend>& points, const std::uint32_t* label, const std::uint32_t* component)
+component_sizes(Labeled_cloud<Backend>& points, const std::uint32_t* label, const std::uint32_t* component,
+                typename Ranks<Backend>::Seams& seams)
 {
   auto size = filled_buffer(points.backend, points.cloud.size(), std::uint32_t(0));
   points.backend.template for_each_cell<Count_scratch>(
     points.number_of_cells(), Count_components<Backend>{points.cells.data(), label, component, size.data()});
+  points.ranks.sum_sizes(seams, size.data());
   return size;
 }
 
-// By falling number of points, then by position of the root: a total order, since roots differ.
+// By falling number of points, then by position of the root, in the order of which they are found.
 template <class Backend>
 std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
-                                        const std::uint32_t* label, const std::uint32_t* component)
+                                        const std::uint32_t* label, const std::uint32_t* component,
+                                        typename Ranks<Backend>::Seams& seams)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
-  const auto size = component_sizes(points, label, component);
+  const auto size = component_sizes(points, label, component, seams);
   const auto root = backend.compact(n, Is_large_root{label, component, size.data(), std::uint64_t(minimum_size)});
   typename Backend::template Buffer<Component> buffer(root.size());
   backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
-  std::vector<Component> components = to_vector(backend, buffer);
-  std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
-    return a.size != b.size ? a.size > b.size : a.root < b.root;
+  std::vector<Component> components = points.ranks.join_large(seams, to_vector(backend, buffer));
+  std::stable_sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
+    return a.size > b.size;
   });
   return components;
 }

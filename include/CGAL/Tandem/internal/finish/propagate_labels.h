@@ -168,17 +168,18 @@ void propagate_labels(Labeled_cloud<Backend>& points, const Shape_table<Backend>
 {
   constexpr std::size_t maximum_rounds = tuning::end_game::propagation_rounds;
   Backend& backend = points.backend;
-  const std::size_t n = points.cloud.size(), few = n / tuning::end_game::points_per_late_point;
-  typename Backend::template Buffer<std::uint64_t> proposal(n);
-  typename Backend::template Buffer<std::uint32_t> proposed(n);
+  const std::size_t n = points.cloud.size(), few = points.total_points() / tuning::end_game::points_per_late_point;
+  const std::size_t with_ghosts = points.cloud.size_with_ghosts();
+  typename Backend::template Buffer<std::uint64_t> proposal(with_ghosts);
+  typename Backend::template Buffer<std::uint32_t> proposed(with_ghosts);
   auto end = filled_buffer(backend, maximum_rounds + 2, std::uint32_t(0));
-  backend.for_each(n, Clear_proposals{proposal.data()});
+  backend.for_each(with_ghosts, Clear_proposals{proposal.data()});
   const Propose_label<Backend> first = {points.cloud.view(), points.label.data(), points.state.data(),
                                         shapes.plane.data(), proposal.data(),     tolerance,
                                         proposed.data(),     end.data() + 1};
   backend.for_each(n, first);
   const Label_propagation<Backend> rounds = {first, points.labels(), {proposed.data(), end.data()}, few};
-  backend.run_rounds(maximum_rounds, n, rounds);
+  points.ranks.run_propagation(backend, maximum_rounds, n, rounds);
 }
 
 } // namespace internal

@@ -156,6 +156,8 @@ bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   backend.template for_each_cell<Moment_table>(
     points.number_of_cells(), Apply_chosen<Backend>{points.cloud.view(), points.cells.data(), chosen, points.labels(),
                                                     start_deltas(backend, shapes, shapes.size)});
+  points.ranks.update(points.label.data());
+  points.ranks.sum(shapes.delta.data(), shapes.size);
   const bool is_any = count_deltas(backend, shapes) > 0;
   add_deltas(backend, shapes);
   return is_any;
@@ -234,6 +236,7 @@ void recount(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   backend.template for_each_cell<Moment_table>(
     points.number_of_parts(),
     Sum_moments<Backend>{points.cloud.view(), points.parts_view(), points.label.data(), sums});
+  points.ranks.sum(sums, shapes.size);
   list_shapes(points);
   for_each_shape(backend, shapes, Set_sums{shapes.shape.data(), sums});
 }

@@ -40,12 +40,13 @@ void relabel_small_components(Labeled_cloud<Backend>& points, const Shape_table<
 {
   const std::size_t n = points.cloud.size();
   { // these buffers are released before the labels are propagated, which needs memory itself
-    typename Backend::template Buffer<std::uint32_t> component(n);
-    find_components(points, options.growth.cell_size, points.label.data(), component.data());
-    const auto size = component_sizes(points, points.label.data(), component.data());
+    typename Backend::template Buffer<std::uint32_t> component(points.cloud.size_with_ghosts());
+    auto seams = find_components(points, options.growth.cell_size, points.label.data(), component.data());
+    const auto size = component_sizes(points, points.label.data(), component.data(), seams);
     points.backend.for_each(n, Free_small_components{component.data(), size.data(),
                                                      std::uint64_t(options.minimum_region_size), points.label.data()});
   }
+  points.ranks.update(points.label.data());
   propagate_labels(points, shapes, options.growth.tolerance);
 }
 

@@ -68,6 +68,7 @@ void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, con
                  Take_changed_plane{shapes.shape.data(), shapes.plane.data(), plan.is_changed.data()});
   points.backend.for_each(points.cloud.size(), Transfer_point{points.cloud.view(), points.labels(), plan.target.data(),
                                                               plan.is_changed.data(), shapes.plane.data(), tolerance});
+  points.ranks.update(points.label.data());
 }
 
 struct Copy_sizes {
@@ -132,7 +133,7 @@ void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shape
     const std::int64_t moved =
       backend.template sum<1>(shapes.size, Sum_moved{shapes.shape.data(), before.data()})[0] / 2;
     drop_small(points, shapes, transfer.minimum_size);
-    if(moved < std::int64_t(points.cloud.size() / tuning::transfer::points_per_moved_point))
+    if(moved < std::int64_t(points.total_points() / tuning::transfer::points_per_moved_point))
       return;
   }
 }

@@ -110,12 +110,14 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   using Ids = typename Backend::template Buffer<std::uint32_t>;
   Backend& backend = points.backend;
   const std::size_t first_new = shapes.size;
+  points.ranks.sum(shapes.delta.data(), first_new);
+  Ids started = backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new});
+  ids = points.ranks.share_started(shapes, ids, started);
   Shared_moments* const delta = shapes.delta.data();
   const auto sums = backend.template sum<2>(ids, Count_grown{shapes.shape.data(), delta, first_new});
   const std::size_t live = std::size_t(sums[1]);
   const bool is_sparse = 2 * live < first_new;
   const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.shape.data(), 1}) : Ids();
-  const Ids started = backend.compact(ids - first_new, Has_started{delta + first_new});
   const std::size_t number_kept = is_sparse ? live : first_new, size = number_kept + started.size();
   typename Backend::template Buffer<Shape> shape;
   typename Backend::template Buffer<Plane> plane;
@@ -140,6 +142,7 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   shapes.size = size;
   if(is_sparse || started.size() > 0)
     backend.for_each(points.cloud.size(), Replace_ids{new_id.data(), points.label.data()});
+  points.ranks.update(points.label.data());
   return std::size_t(sums[0]);
 }
 

@@ -10,6 +10,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_ESTIMATE_NORMALS_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
 #include <utility>
@@ -126,29 +127,35 @@ struct Finish {
 // epsilon in grid steps: shares of it define what is free of noise, and what is no clutter. Temporary memory: 100
 // bytes a point.
 template <class Backend>
-void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_grid)
+void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_grid,
+                      const Ranks<Backend>& ranks = Ranks<Backend>())
 {
   using namespace normals;
-  const std::size_t n = cloud.size;
-  typename Backend::template Buffer<Candidate> candidate(n);
+  const std::size_t n = cloud.size, with_ghosts = n + cloud.ghosts;
+  typename Backend::template Buffer<Candidate> candidate(with_ghosts);
   Workspace w = make_workspace(cloud, candidate.data(), epsilon_grid);
   {
-    typename Backend::template Buffer<Neighborhood> current(n), next(n);
+    typename Backend::template Buffer<Neighborhood> current(with_ghosts), next(n);
     w.current = current.data();
     w.next = next.data();
     backend.for_each(n, Start{w});
+    ranks.update(w.current);
     for(int scale = 2; scale <= last_scale; ++scale) {
       backend.for_each(n, Grow{w});
       backend.for_each(n, Commit{w, scale});
+      ranks.update(w.current);
     }
   }
-  typename Backend::template Buffer<std::uint32_t> source(n), next_source(n);
+  typename Backend::template Buffer<std::uint32_t> source(with_ghosts), next_source(with_ghosts);
   backend.for_each(n, Own{source.data()});
+  ranks.update_adopted(candidate.data(), point, source.data(), 0);
   for(int pass = 0; pass < adoption_passes; ++pass) {
     backend.for_each(n, Take_neighbor_plane{w, source.data(), next_source.data()});
     std::swap(source, next_source);
+    ranks.update_adopted(candidate.data(), point, source.data(), pass + 1);
   }
   backend.for_each(n, Finish{w, source.data(), point});
+  ranks.update_all(point);
 }
 
 } // namespace internal

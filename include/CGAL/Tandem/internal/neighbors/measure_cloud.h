@@ -24,6 +24,8 @@ namespace internal {
 template <class Backend>
 std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
 {
+  if constexpr(Ranks<Backend>::are_many)
+    return Ranks<Backend>(backend).sample_cells(point);
   const Code_frame frame = make_code_frame(point.data(), point.size());
   const auto order = sort_along_curve(backend, point.data(), point.size(), frame);
   const std::vector<Range> cells = split_cells(backend, order, frame, tuning::estimation::sampled_cell_size);

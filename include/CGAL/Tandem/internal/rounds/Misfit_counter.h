@@ -62,7 +62,7 @@ private:
   CGAL_TANDEM_HD std::uint32_t selected_place(std::uint32_t i) const
   {
     const std::uint32_t p = label[i] < first_mark ? place_of[label[i]] : no_index;
-    return p != no_index && (i & mask[p]) == 0 ? p : no_index;
+    return p != no_index && ((i + cloud.first) & mask[p]) == 0 ? p : no_index;
   }
 };
 
@@ -181,7 +181,7 @@ public:
       tested_ + query.size(), [&](std::size_t i) { return i < tested_ ? query_of[i] : 0; });
     const auto queries = to_buffer(backend, query);
     std::uint32_t* const misfits = numbers.data() + tested_;
-    count_samples(numbers.data(), queries.data(), misfits);
+    count_samples(numbers.data(), queries.data(), query.size(), misfits);
     return to_vector(backend, misfits, query.size());
   }
 
@@ -197,7 +197,7 @@ public:
                      Start_query{shapes.shape.data(), ids.data(), candidates.data(), options_.maximum_distance,
                                  share.data(), query.data(), query_of.data(), misfits.data()},
                      shapes_per_thread);
-    count_samples(query_of.data(), query.data(), misfits.data());
+    count_samples(query_of.data(), query.data(), tested_, misfits.data());
     backend.for_each(
       tested_,
       Finish_query{shapes.shape.data(), ids.data(), candidates.data(), query_of.data(), misfits.data(), share.data()},
@@ -223,12 +223,14 @@ private:
                                mask.data(), points_.sample.data(), size.data(), range_.data()});
   }
 
-  void count_samples(const std::uint32_t* query_of, const Misfit_query* query, std::uint32_t* misfits)
+  void count_samples(const std::uint32_t* query_of, const Misfit_query* query, std::size_t queries,
+                     std::uint32_t* misfits)
   {
     points_.backend.template for_each_cell<Count_scratch>(
       points_.number_of_parts(),
       Count_misfits<Backend>{points_.parts_view(), points_.sample.data(), range_.data(), place_of_.data(), query_of,
                              query, misfits, options_.growth.tolerance});
+    points_.ranks.sum(misfits, queries);
   }
 
   Labeled_cloud<Backend>& points_;

@@ -119,6 +119,7 @@ std::vector<double> find_layers(Labeled_cloud<Backend>& points, std::size_t ids,
   backend.template for_each_cell<Count_scratch>(
     points.number_of_parts(), Count_distances<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
                                                        histogram_of.data(), test.data(), counts.data(), epsilon});
+  points.ranks.sum(counts.data(), counts.size());
   const auto crooked = to_buffer(backend, is_crooked);
   typename Backend::template Buffer<double> layer(n);
   backend.for_each(n, Find_layer{counts.data(), crooked.data(), layer.data()}, shapes_per_thread);
@@ -145,7 +146,7 @@ struct Sum_normals {
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
       const std::uint32_t q = label[i] < first_mark ? query_of[label[i]] : no_index;
-      if(q == no_index || (i & query[q].mask) != 0)
+      if(q == no_index || ((i + cloud.first) & query[q].mask) != 0)
         return;
       const Int_vector m = decode_normal(cloud.point[i].normal);
       const std::int64_t side = normal_product(query[q].plane, m) < 0 ? -1 : 1;
@@ -167,6 +168,7 @@ std::vector<std::int64_t> sum_normals(Labeled_cloud<Backend>& points, std::size_
   backend.template for_each_cell<Count_scratch>(
     points.number_of_parts(), Sum_normals<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
                                                    query_of.data(), query.data(), sums.data()});
+  points.ranks.sum(sums.data(), sums.size());
   return to_vector(backend, sums);
 }
 

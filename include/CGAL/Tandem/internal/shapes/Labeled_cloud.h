@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LABELED_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LABELED_CLOUD_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 
@@ -77,7 +78,11 @@ struct Labeled_cloud {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
-  explicit Labeled_cloud(Backend& backend) : backend(backend) {}
+  explicit Labeled_cloud(Backend& backend) : backend(backend), ranks(backend) {}
+
+  // Of all ranks.
+  std::size_t total_points() const { return ranks.total(cloud.size()); }
+  std::size_t total_cells() const { return ranks.total(cells.size()); }
 
   std::size_t number_of_cells() const { return cells.size(); }
   Cells_view cells_view() const { return {cells.data(), cell_shapes.data()}; }
@@ -87,6 +92,7 @@ struct Labeled_cloud {
   Labels_view labels() { return {label.data(), state.data()}; }
 
   Backend& backend;
+  Ranks<Backend> ranks;
   Sorted_cloud<Backend> cloud;
   Buffer<Range> cells;
   Buffer<Cell_shapes> cell_shapes; // by cell

@@ -171,10 +171,11 @@ typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& po
                                                        points.labels(),
                                                        is_selected.data(),
                                                        {table.data(), std::uint32_t(size), lost.data()}});
-    auto links =
-      backend.template collect<Link>(size, Take_links{table.data(), lost.data(), tuning::merging::minimum_edges});
+    points.ranks.sum(lost.data(), 1);
+    constexpr std::uint32_t minimum = Ranks<Backend>::are_many ? 1 : tuning::merging::minimum_edges;
+    auto links = backend.template collect<Link>(size, Take_links{table.data(), lost.data(), minimum});
     if(links.size() < size)
-      return links;
+      return points.ranks.join_links(std::move(links), tuning::merging::minimum_edges);
   }
 }
 

@@ -145,8 +145,11 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
     points.number_of_cells(),
     Update_points<Backend>{points.cloud.view(), points.cells.data(), points.cell_shapes.data(), points.labels(),
                            target.data(), is_checked, shapes.plane.data(), losses, tolerance});
-  if(is_checked != nullptr)
+  points.ranks.update(points.label.data());
+  if(is_checked != nullptr) {
+    points.ranks.sum(losses, shapes.size);
     add_deltas(backend, shapes);
+  }
 }
 
 // Merges the shapes and their points. No point is checked.

@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exact neighbors across ranks. Each rank has searched its own points. A point whose ball, up to its last neighbor,
+// meets a box of another rank is sent there; the nearest points within the ball come back, and the k smallest keys of
+// all are its neighbors. A key is (squared distance, rank, position): the order of one process, as ranks have
+// consecutive points.
+
+#ifndef CGAL_TANDEM_INTERNAL_MPI_BORDER_SEARCH_H
+#define CGAL_TANDEM_INTERNAL_MPI_BORDER_SEARCH_H
+
+#include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
+#include <CGAL/Tandem/internal/neighbors/Box_tree.h>
+#include <CGAL/Tandem/internal/neighbors/Bucket_neighbors.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// A point of any rank: its position there.
+struct Rank_point {
+  std::uint32_t rank, index;
+
+  bool operator<(const Rank_point& p) const { return rank < p.rank || (rank == p.rank && index < p.index); }
+  bool operator==(const Rank_point& p) const { return rank == p.rank && index == p.index; }
+};
+
+// A point for another rank, with the squared radius of its ball.
+struct Ball {
+  std::int32_t x, y, z;
+  std::uint32_t gap; // so that all bytes are defined
+  std::uint64_t squared;
+};
+
+inline Node_box box_of(const Grid_point& p) { return {{p.x, p.y, p.z}, {p.x, p.y, p.z}}; }
+
+// One of the points of a rank within a ball.
+struct Point_in_ball {
+  std::uint64_t squared;
+  std::uint64_t index; // wide, so that all bytes are defined
+
+  bool operator<(const Point_in_ball& p) const
+  {
+    return squared < p.squared || (squared == p.squared && index < p.index);
+  }
+};
+
+// The nearest points within a ball, in a box tree. All distances are exact.
+template <class Tree>
+class Ball_search {
+public:
+  Ball_search(const Tree& tree, int k) : tree_(tree), k_(std::size_t(k)) {}
+
+  // At most k points, ascending.
+  std::vector<Point_in_ball> operator()(const Ball& ball) const
+  {
+    const Node_box center = {{ball.x, ball.y, ball.z}, {ball.x, ball.y, ball.z}};
+    std::vector<Point_in_ball> found; // a heap, the worst one on top
+    std::vector<Node> stack;
+    visit({0, 0, tree_.levels() - 1}, center, ball.squared, found, stack);
+    while(!stack.empty()) {
+      const Node node = stack.back();
+      stack.pop_back();
+      if(node.squared <= reach(found, ball.squared))
+        visit(node, center, ball.squared, found, stack);
+    }
+    std::sort_heap(found.begin(), found.end());
+    return found;
+  }
+
+private:
+  struct Node {
+    std::uint64_t squared;
+    std::uint32_t index;
+    int level;
+  };
+
+  std::uint64_t reach(const std::vector<Point_in_ball>& found, std::uint64_t limit) const
+  {
+    return found.size() < k_ ? limit : found.front().squared;
+  }
+
+  void visit(const Node& node, const Node_box& center, std::uint64_t limit, std::vector<Point_in_ball>& found,
+             std::vector<Node>& stack) const
+  {
+    if(node.level == 0)
+      return scan(node.index, center, limit, found);
+    const std::uint32_t first = node.index * branching;
+    const std::uint32_t last = (std::min)(first + branching, tree_.count(node.level - 1));
+    const std::size_t base = stack.size();
+    for(std::uint32_t child = first; child < last; ++child) {
+      const std::uint64_t squared = squared_distance(center, tree_.box(node.level - 1, child));
+      if(squared <= reach(found, limit))
+        stack.push_back({squared, child, node.level - 1});
+    }
+    // The nearest child is searched first.
+    std::sort(stack.begin() + std::ptrdiff_t(base), stack.end(),
+              [](const Node& a, const Node& b) { return a.squared > b.squared; });
+  }
+
+  void scan(std::uint32_t bucket, const Node_box& center, std::uint64_t limit, std::vector<Point_in_ball>& found) const
+  {
+    const Point_bucket& b = tree_.buckets()[bucket];
+    for(std::uint32_t i = 0; i < tree_.points_in_bucket(bucket); ++i) {
+      const Point_in_ball p = {squared_distance(center, {{b.x[i], b.y[i], b.z[i]}, {b.x[i], b.y[i], b.z[i]}}),
+                               bucket * bucket_size + i};
+      if(p.squared > limit || (found.size() == k_ && !(p < found.front())))
+        continue;
+      if(found.size() == k_) {
+        std::pop_heap(found.begin(), found.end());
+        found.pop_back();
+      }
+      found.push_back(p);
+      std::push_heap(found.begin(), found.end());
+    }
+  }
+
+  const Tree& tree_;
+  std::size_t k_;
+};
+
+// Where an entry of the rows of this rank is a point of another one.
+struct Remote_entry {
+  std::size_t entry;
+  Rank_point point;
+};
+
+template <class Local>
+class Border_search {
+  using Backend = Mpi_backend<Local>;
+
+public:
+  // The points of this rank, and their rows from a search among them.
+  Border_search(Backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor)
+    : backend_(backend), communicator_(backend.communicator()), point_(point), n_(n), k_(std::size_t(k)),
+      neighbor_(neighbor)
+  {}
+
+  // Completes the rows. Entries that are points of other ranks are returned; their places in the table are undefined.
+  std::vector<Remote_entry> operator()()
+  {
+    find_balls();
+    std::vector<std::vector<std::uint32_t>> sizes(balls_.size());
+    std::vector<std::vector<Point_in_ball>> answers(balls_.size());
+    answer(communicator_.exchange(balls_), sizes, answers);
+    return merge(communicator_.exchange(sizes), communicator_.exchange(answers));
+  }
+
+private:
+  // The boxes of the points of a rank, in their order.
+  struct Rank_boxes {
+    std::vector<Node_box> box;
+    std::vector<std::size_t> first; // of each rank, and the end
+  };
+
+  static constexpr std::uint32_t largest_number_of_boxes = 64;
+  static constexpr std::uint32_t chunk = 256; // points that are tested together first
+
+  Node_box box_around(std::uint32_t first, std::uint32_t last) const
+  {
+    Node_box box = box_of(point_[first]);
+    for(std::uint32_t i = first + 1; i < last; ++i)
+      box = joined(box, box_of(point_[i]));
+    return box;
+  }
+
+  Rank_boxes share_boxes()
+  {
+    std::vector<Node_box> own;
+    const std::uint32_t size = n_ / largest_number_of_boxes + 1;
+    for(std::uint32_t first = 0; first < n_; first += size)
+      own.push_back(box_around(first, (std::min)(first + size, n_)));
+    Rank_boxes boxes;
+    boxes.box = communicator_.gather(own, &boxes.first);
+    return boxes;
+  }
+
+  // The squared distance to the last neighbor. A row that is not full has none that is far enough.
+  std::uint64_t squared_radius(std::uint32_t i) const
+  {
+    const std::uint32_t last = neighbor_[std::size_t(i) * k_ + k_ - 1];
+    return last == no_index ? ~std::uint64_t(0) : squared_distance(box_of(point_[i]), box_of(point_[last]));
+  }
+
+  void find_balls()
+  {
+    const Rank_boxes boxes = share_boxes();
+    balls_.resize(std::size_t(communicator_.size()));
+    asked_.resize(balls_.size());
+    const std::size_t chunks = (n_ + chunk - 1) / chunk;
+    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found(chunks); // rank, point
+    backend_.for_each(
+      chunks, [&](std::size_t c) { find_balls_of_chunk(boxes, std::uint32_t(c), found[c]); }, 16);
+    for(const auto& of_chunk : found)
+      for(const auto& ball : of_chunk) {
+        const Grid_point& p = point_[ball.second];
+        balls_[ball.first].push_back({p.x, p.y, p.z, 0, squared_radius(ball.second)});
+        asked_[ball.first].push_back(ball.second);
+      }
+  }
+
+  void find_balls_of_chunk(const Rank_boxes& boxes, std::uint32_t c,
+                           std::vector<std::pair<std::uint32_t, std::uint32_t>>& found) const
+  {
+    const std::uint32_t first = c * chunk, last = (std::min)(first + chunk, n_);
+    const Node_box around = box_around(first, last);
+    std::uint64_t largest = 0;
+    for(std::uint32_t i = first; i < last; ++i)
+      largest = (std::max)(largest, squared_radius(i));
+    std::vector<Node_box> near;
+    for(std::uint32_t r = 0; r < std::uint32_t(communicator_.size()); ++r) {
+      near.clear();
+      for(std::size_t b = boxes.first[r]; b < boxes.first[r + 1] && int(r) != communicator_.rank(); ++b)
+        if(squared_distance(around, boxes.box[b]) <= largest)
+          near.push_back(boxes.box[b]);
+      for(std::uint32_t i = first; i < last && !near.empty(); ++i) {
+        const std::uint64_t radius = squared_radius(i);
+        const Node_box own = box_of(point_[i]);
+        if(std::any_of(near.begin(), near.end(),
+                       [&](const Node_box& box) { return squared_distance(own, box) <= radius; }))
+          found.emplace_back(r, i);
+      }
+    }
+  }
+
+  void answer(const std::vector<std::vector<Ball>>& balls, std::vector<std::vector<std::uint32_t>>& sizes,
+              std::vector<std::vector<Point_in_ball>>& answers)
+  {
+    if(n_ == 0) {
+      for(std::size_t r = 0; r < balls.size(); ++r)
+        sizes[r].assign(balls[r].size(), 0);
+      return;
+    }
+    const Box_tree<Backend> tree(backend_, point_, n_);
+    const Ball_search<Box_tree<Backend>> search(tree, int(k_));
+    for(std::size_t r = 0; r < balls.size(); ++r) {
+      std::vector<std::vector<Point_in_ball>> found(balls[r].size());
+      backend_.for_each(
+        found.size(), [&](std::size_t i) { found[i] = search(balls[r][i]); }, 64);
+      for(const auto& points : found) {
+        sizes[r].push_back(std::uint32_t(points.size()));
+        answers[r].insert(answers[r].end(), points.begin(), points.end());
+      }
+    }
+  }
+
+  // A candidate of a row.
+  struct Candidate {
+    std::uint64_t squared;
+    Rank_point point;
+
+    bool operator<(const Candidate& c) const { return squared < c.squared || (squared == c.squared && point < c.point); }
+  };
+
+  // One after the other: the points that have asked are few.
+  std::vector<Remote_entry> merge(const std::vector<std::vector<std::uint32_t>>& sizes,
+                                  const std::vector<std::vector<Point_in_ball>>& answers)
+  {
+    std::vector<std::size_t> ball(sizes.size(), 0), answer(sizes.size(), 0);
+    std::vector<std::uint32_t> points;
+    for(const auto& of_rank : asked_)
+      points.insert(points.end(), of_rank.begin(), of_rank.end());
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::vector<Remote_entry> remote;
+    std::vector<Candidate> candidates;
+    for(const std::uint32_t i : points) {
+      candidates.clear();
+      const std::size_t row = std::size_t(i) * k_;
+      for(std::size_t j = 0; j < k_ && neighbor_[row + j] != no_index; ++j)
+        candidates.push_back({squared_distance(box_of(point_[i]), box_of(point_[neighbor_[row + j]])),
+                              {std::uint32_t(communicator_.rank()), neighbor_[row + j]}});
+      for(std::uint32_t r = 0; r < sizes.size(); ++r) {
+        if(ball[r] == asked_[r].size() || asked_[r][ball[r]] != i)
+          continue;
+        for(std::uint32_t a = 0; a < sizes[r][ball[r]]; ++a, ++answer[r])
+          candidates.push_back({answers[r][answer[r]].squared, {r, std::uint32_t(answers[r][answer[r]].index)}});
+        ++ball[r];
+      }
+      std::sort(candidates.begin(), candidates.end());
+      for(std::size_t j = 0; j < k_; ++j) {
+        neighbor_[row + j] = j < candidates.size() ? candidates[j].point.index : no_index;
+        if(j < candidates.size() && candidates[j].point.rank != std::uint32_t(communicator_.rank()))
+          remote.push_back({row + j, candidates[j].point});
+      }
+    }
+    return remote;
+  }
+
+  Backend& backend_;
+  Communicator& communicator_;
+  const Grid_point* point_;
+  std::uint32_t n_;
+  std::size_t k_;
+  std::uint32_t* neighbor_;
+  std::vector<std::vector<Ball>> balls_;          // by rank that is asked
+  std::vector<std::vector<std::uint32_t>> asked_; // the same: their points, ascending
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MPI_BORDER_SEARCH_H

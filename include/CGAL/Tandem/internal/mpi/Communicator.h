@@ -1,0 +1,263 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What ranks send each other, on a communicator of its own. Nothing here knows of points or shapes.
+//
+// Every operation is called by all ranks, in the same order, and begins with an agreement: whether some rank has failed
+// meanwhile. A rank that has takes part in the next agreement with its exception; then all ranks throw the same one. So
+// no rank waits for another one for ever.
+
+#ifndef CGAL_TANDEM_INTERNAL_MPI_COMMUNICATOR_H
+#define CGAL_TANDEM_INTERNAL_MPI_COMMUNICATOR_H
+
+#include <CGAL/Tandem/internal/mpi/Failure.h>
+
+#include <boost/mpi/communicator.hpp>
+#include <boost/mpi/environment.hpp>
+
+#include <algorithm>
+#include <climits>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+class Communicator {
+public:
+  // A duplicate, so that messages of the caller do not meet ours.
+  explicit Communicator(const boost::mpi::communicator& caller) : comm_(duplicate(caller)) {}
+
+  int rank() const { return comm_.rank(); }
+  int size() const { return comm_.size(); }
+
+  // Bytes that this rank has sent to others.
+  std::uint64_t bytes_sent() const { return sent_; }
+
+  // f(), after which all ranks go on, or throw the same exception. f may call the operations below.
+  template <class F>
+  auto together(F f)
+  {
+    try {
+      if constexpr(std::is_void<decltype(f())>::value) {
+        f();
+        agree();
+      } else {
+        auto result = f();
+        agree();
+        return result;
+      }
+    } catch(const Agreed_failure& failure) {
+      failure.rethrow();
+      throw; // not reached
+    } catch(...) {
+      fail(std::current_exception());
+      throw;
+    }
+  }
+
+  // table[i] becomes the sum over all ranks.
+  template <class T>
+  void sum(T* table, std::size_t n)
+  {
+    reduce(table, n, MPI_SUM);
+  }
+
+  template <class T>
+  T sum(T value)
+  {
+    sum(&value, 1);
+    return value;
+  }
+
+  template <class T>
+  void minimize(T* table, std::size_t n)
+  {
+    reduce(table, n, MPI_MIN);
+  }
+
+  template <class T>
+  void maximize(T* table, std::size_t n)
+  {
+    reduce(table, n, MPI_MAX);
+  }
+
+  // The items of all ranks, one rank after the other. first: where those of each rank begin, and the end.
+  template <class T>
+  std::vector<T> gather(const std::vector<T>& own, std::vector<std::size_t>* first = nullptr)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "items are sent as bytes");
+    agree();
+    const std::vector<std::uint64_t> sizes = gather_one(std::uint64_t(own.size()));
+    const Layout layout(sizes);
+    std::vector<T> all(layout.total);
+    agree(); // there is memory
+    const Item_type type(sizeof(T));
+    MPI_Allgatherv(own.data(), int(own.size()), type, all.data(), layout.size.data(), layout.first.data(), type, comm_);
+    sent_ += own.size() * sizeof(T) * std::uint64_t(size() - 1);
+    if(first != nullptr) {
+      first->assign(layout.first.begin(), layout.first.end());
+      first->push_back(layout.total);
+    }
+    return all;
+  }
+
+  // Sends to each rank its items, and returns what came from each.
+  template <class T>
+  std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>>& send)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "items are sent as bytes");
+    agree();
+    std::vector<std::uint64_t> to(send.size()), from(send.size());
+    for(std::size_t r = 0; r < send.size(); ++r)
+      to[r] = send[r].size();
+    MPI_Alltoall(to.data(), 1, MPI_UINT64_T, from.data(), 1, MPI_UINT64_T, comm_);
+    std::vector<std::vector<T>> received(send.size());
+    for(std::size_t r = 0; r < send.size(); ++r)
+      received[r].resize(from[r]);
+    agree(); // there is memory
+    std::vector<MPI_Request> requests;
+    const Item_type type(sizeof(T));
+    const auto is_peer = [&](std::size_t r) { return int(r) != rank(); };
+    for(std::size_t r = 0; r < send.size(); ++r)
+      if(is_peer(r)) {
+        for_each_piece(from[r], [&](std::size_t first, int n) {
+          requests.emplace_back();
+          MPI_Irecv(received[r].data() + first, n, type, int(r), 0, comm_, &requests.back());
+        });
+      }
+    for(std::size_t r = 0; r < send.size(); ++r)
+      if(is_peer(r)) {
+        for_each_piece(to[r], [&](std::size_t first, int n) {
+          requests.emplace_back();
+          MPI_Isend(send[r].data() + first, n, type, int(r), 0, comm_, &requests.back());
+        });
+        sent_ += to[r] * sizeof(T);
+      }
+    MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    received[std::size_t(rank())] = send[std::size_t(rank())];
+    return received;
+  }
+
+private:
+  // Sizes and places of the items of each rank, as MPI counts them.
+  struct Layout {
+    explicit Layout(const std::vector<std::uint64_t>& sizes)
+    {
+      for(const std::uint64_t n : sizes) {
+        first.push_back(int(total));
+        size.push_back(int(n));
+        total += n;
+      }
+      if(total > std::uint64_t(INT_MAX))
+        throw std::length_error("the ranks share more than 2^31 items of one table");
+    }
+
+    std::vector<int> size, first;
+    std::uint64_t total = 0;
+  };
+
+  // Items of so many bytes, so that counts of MPI are those of items.
+  class Item_type {
+  public:
+    explicit Item_type(std::size_t bytes)
+    {
+      MPI_Type_contiguous(int(bytes), MPI_BYTE, &type_);
+      MPI_Type_commit(&type_);
+    }
+    Item_type(const Item_type&) = delete;
+    Item_type& operator=(const Item_type&) = delete;
+    ~Item_type() { MPI_Type_free(&type_); }
+    operator MPI_Datatype() const { return type_; }
+
+  private:
+    MPI_Datatype type_;
+  };
+
+  static boost::mpi::communicator duplicate(const boost::mpi::communicator& caller)
+  {
+    if(!boost::mpi::environment::initialized())
+      throw std::logic_error("MPI is not initialized: make a boost::mpi::environment before");
+    return boost::mpi::communicator(caller, boost::mpi::comm_duplicate);
+  }
+
+  template <class T>
+  static MPI_Datatype type_of()
+  {
+    static_assert(std::is_arithmetic<T>::value, "numbers");
+    return boost::mpi::get_mpi_datatype(T());
+  }
+
+  // In pieces, as MPI counts with int.
+  template <class F>
+  static void for_each_piece(std::size_t n, F f)
+  {
+    constexpr std::size_t largest = std::size_t(1) << 24;
+    for(std::size_t first = 0; first < n; first += largest)
+      f(first, int((std::min)(largest, n - first)));
+  }
+
+  template <class T>
+  void reduce(T* table, std::size_t n, MPI_Op operation)
+  {
+    agree();
+    for_each_piece(n, [&](std::size_t first, int size) {
+      MPI_Allreduce(MPI_IN_PLACE, table + first, size, type_of<T>(), operation, comm_);
+    });
+    sent_ += n * sizeof(T);
+  }
+
+  std::vector<std::uint64_t> gather_one(std::uint64_t value)
+  {
+    std::vector<std::uint64_t> values(static_cast<std::size_t>(size()));
+    MPI_Allgather(&value, 1, MPI_UINT64_T, values.data(), 1, MPI_UINT64_T, comm_);
+    return values;
+  }
+
+  // Throws if some rank has failed.
+  void agree()
+  {
+    const int first = first_failed(INT_MAX);
+    if(first < INT_MAX)
+      throw Agreed_failure(broadcast(first, std::string()));
+  }
+
+  // The part of a rank that has failed in an agreement; of several failures, that of the smallest rank counts.
+  void fail(std::exception_ptr failure)
+  {
+    const int first = first_failed(rank());
+    const std::string message = broadcast(first, first == rank() ? encoded_failure(failure) : std::string());
+    if(first != rank())
+      throw_failure(message);
+    std::rethrow_exception(failure);
+  }
+
+  int first_failed(int own)
+  {
+    int first = own;
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm_);
+    return first;
+  }
+
+  std::string broadcast(int root, std::string text)
+  {
+    std::uint64_t size = text.size();
+    MPI_Bcast(&size, 1, MPI_UINT64_T, root, comm_);
+    text.resize(size);
+    MPI_Bcast(&text[0], int(size), MPI_CHAR, root, comm_);
+    return text;
+  }
+
+  boost::mpi::communicator comm_;
+  std::uint64_t sent_ = 0;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MPI_COMMUNICATOR_H

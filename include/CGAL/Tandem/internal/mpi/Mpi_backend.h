@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The back end of many processes: that of one process, and a communicator. Loops over points and cells are over those
+// of the rank; what goes on between ranks is in Mpi_ranks.h.
+
+#ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H
+#define CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H
+
+#include <CGAL/Tandem/internal/mpi/Communicator.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+template <class Local>
+class Mpi_backend : public Local {
+public:
+  explicit Mpi_backend(std::shared_ptr<Communicator> communicator) : communicator_(std::move(communicator)) {}
+
+  Communicator& communicator() const { return *communicator_; }
+
+private:
+  std::shared_ptr<Communicator> communicator_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The engine over many processes: points go to the ranks of their leaves, the engine runs there, and labels come back.
+
+#ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_ENGINE_H
+#define CGAL_TANDEM_INTERNAL_MPI_MPI_ENGINE_H
+
+#include <CGAL/Tandem/internal/mpi/Distribution.h>
+#include <CGAL/Tandem/internal/mpi/Mpi_ranks.h>
+
+#include <CGAL/Tandem/internal/engine/Engine.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The interface is that of Engine. Each function is called by all ranks.
+template <class Local>
+class Mpi_engine {
+  using Backend = Mpi_backend<Local>;
+
+public:
+  using Upload = No_upload;
+
+  // The values of the import go to other ranks; it keeps its numbers of points and items.
+  Mpi_engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress)
+    : backend_(backend), distribution_(backend, in, parameters.cell_size), in_(distribution_.distribute(in)),
+      engine_(backend, in_, parameters, progress)
+  {}
+
+  static const char* name() { return Backend::name(); }
+
+  bool iterate() { return engine_.iterate(); }
+  void finish() { engine_.finish(); }
+
+  Engine_result result()
+  {
+    Engine_result r = engine_.result();
+    Communicator& communicator = backend_.communicator();
+    if(communicator.sum(std::uint64_t(r.shape_of.size())) == 0)
+      return r; // cancelled before the first round
+    r.shape_of = distribution_.collect(r.shape_of);
+    if(!in_.has_normals)
+      r.normal = distribution_.collect(r.normal);
+    r.points = group_points(backend_, r.shape_of.data(), r.shape_of.size(), r.shapes.size());
+    return r;
+  }
+
+private:
+  Backend& backend_;
+  Distribution distribution_;
+  Import in_; // the points of this rank
+  Engine<Backend> engine_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MPI_MPI_ENGINE_H

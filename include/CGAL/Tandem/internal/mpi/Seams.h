@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Components of points that lie on several ranks. Each rank has found those of its own points and ghosts. A ghost and
+// its owner's point are one point, so they join a component here with one there: these pairs are few, and each rank
+// joins all of them.
+
+#ifndef CGAL_TANDEM_INTERNAL_MPI_SEAMS_H
+#define CGAL_TANDEM_INTERNAL_MPI_SEAMS_H
+
+#include <CGAL/Tandem/internal/mpi/Ghosts.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The components of this rank that go on beyond it.
+class Seams {
+public:
+  struct Seam {
+    std::uint32_t root;        // the smallest position on this rank
+    std::uint64_t global_root; // the smallest one of all: rank << 32 | position
+    std::uint64_t size;        // of the whole component, after sum_sizes()
+  };
+
+  Seams() = default;
+  // Roots are unique.
+  explicit Seams(std::vector<Seam> seams) : seams_(std::move(seams))
+  {
+    std::sort(seams_.begin(), seams_.end(), [](const Seam& a, const Seam& b) { return a.root < b.root; });
+  }
+
+  // size: by root, of the points of this rank; larger ones than 32 bits can hold become the largest number.
+  void sum_sizes(Communicator& communicator, std::uint32_t* size)
+  {
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> parts;
+    for(const Seam& s : seams_)
+      parts.emplace_back(s.global_root, size[s.root]);
+    parts = gather_sums(communicator, parts);
+    for(Seam& s : seams_) {
+      s.size = std::lower_bound(parts.begin(), parts.end(), std::make_pair(s.global_root, std::uint64_t(0)))->second;
+      size[s.root] = std::uint32_t((std::min)(s.size, std::uint64_t(0xffffffffu)));
+    }
+  }
+
+  // own: large components with points on this rank, by root. Returns those of all ranks, in the order of their global
+  // roots.
+  template <class Component>
+  std::vector<Component> join_large(Communicator& communicator, const std::vector<Component>& own) const
+  {
+    struct Large {
+      std::uint64_t global_root, size, entry;
+    };
+    const std::uint64_t rank = std::uint64_t(communicator.rank());
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> root_of; // by global root
+    std::vector<Large> reported;                                  // by the rank of the global root
+    for(const Component& c : own) {
+      const Seam* const seam = find(c.root);
+      const std::uint64_t global = seam != nullptr ? seam->global_root : rank << 32 | c.root;
+      root_of.emplace_back(global, c.root);
+      if(global >> 32 == rank)
+        reported.push_back({global, seam != nullptr ? seam->size : c.size, c.entry});
+    }
+    std::sort(root_of.begin(), root_of.end());
+    std::vector<Component> all;
+    for(const Large& l : communicator.gather(reported)) {
+      const auto it = std::lower_bound(root_of.begin(), root_of.end(), std::make_pair(l.global_root, std::uint32_t(0)));
+      const bool is_here = it != root_of.end() && it->first == l.global_root;
+      all.push_back({is_here ? it->second : no_index, std::uint32_t(l.entry), l.size});
+    }
+    return all;
+  }
+
+private:
+  const Seam* find(std::uint32_t root) const
+  {
+    const auto it = std::lower_bound(seams_.begin(), seams_.end(), root,
+                                     [](const Seam& s, std::uint32_t r) { return s.root < r; });
+    return it != seams_.end() && it->root == root ? &*it : nullptr;
+  }
+
+  // The sums by first number, ascending.
+  static std::vector<std::pair<std::uint64_t, std::uint64_t>>
+  gather_sums(Communicator& communicator, const std::vector<std::pair<std::uint64_t, std::uint64_t>>& own)
+  {
+    struct Part {
+      std::uint64_t key, value;
+    };
+    std::vector<Part> parts;
+    for(const auto& p : own)
+      parts.push_back({p.first, p.second});
+    parts = communicator.gather(parts);
+    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.key < b.key; });
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> sums;
+    for(const Part& p : parts) {
+      if(sums.empty() || sums.back().first != p.key)
+        sums.emplace_back(p.key, 0);
+      sums.back().second += p.value;
+    }
+    return sums;
+  }
+
+  std::vector<Seam> seams_;
+};
+
+// A union-find of points of any rank, by rank << 32 | position. The smallest one of a set is its root.
+class Point_sets {
+public:
+  struct Edge {
+    std::uint64_t a, b;
+  };
+
+  explicit Point_sets(const std::vector<Edge>& edges)
+  {
+    for(const Edge& e : edges) {
+      point_.push_back(e.a);
+      point_.push_back(e.b);
+    }
+    std::sort(point_.begin(), point_.end());
+    point_.erase(std::unique(point_.begin(), point_.end()), point_.end());
+    for(std::size_t i = 0; i < point_.size(); ++i)
+      parent_.push_back(i);
+    for(const Edge& e : edges) {
+      const std::size_t a = root(place(e.a)), b = root(place(e.b));
+      parent_[(std::max)(a, b)] = (std::min)(a, b);
+    }
+  }
+
+  std::size_t size() const { return point_.size(); }
+  std::uint64_t point(std::size_t i) const { return point_[i]; }
+  std::uint64_t root_point(std::size_t i) { return point_[root(i)]; }
+
+private:
+  std::size_t place(std::uint64_t point) const
+  {
+    return std::size_t(std::lower_bound(point_.begin(), point_.end(), point) - point_.begin());
+  }
+
+  std::size_t root(std::size_t i)
+  {
+    while(parent_[i] != i)
+      i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  std::vector<std::uint64_t> point_; // ascending
+  std::vector<std::size_t> parent_;
+};
+
+// component: by point, its root on this rank, where roots are the smallest places; ghosts of the first ring have entries.
+// Afterwards parts of one component on this rank have one root.
+inline Seams join_components(Communicator& communicator, const Ghosts& ghosts, const std::uint32_t* label,
+                             std::uint32_t* component)
+{
+  const std::uint64_t rank = std::uint64_t(communicator.rank());
+  const auto id_of = [](const Rank_point& p) { return std::uint64_t(p.rank) << 32 | p.index; };
+  // Ghosts tell their owners the component that they are in here.
+  struct Joined {
+    std::uint64_t component, index;
+  };
+  std::vector<std::vector<Joined>> send(std::size_t(communicator.size()));
+  for(std::uint32_t g = ghosts.ring_begin(0); g < ghosts.ring_begin(0) + ghosts.ring_size(0); ++g)
+    if(label[g] < first_mark) {
+      const Rank_point owner = ghosts.point_at(g);
+      send[owner.rank].push_back({id_of(ghosts.point_at(component[g])), owner.index});
+    }
+  std::vector<Point_sets::Edge> edges;
+  for(const auto& from : communicator.exchange(send))
+    for(const Joined& j : from)
+      edges.push_back({j.component, rank << 32 | component[j.index]});
+  const auto is_before = [](const Point_sets::Edge& a, const Point_sets::Edge& b) {
+    return a.a < b.a || (a.a == b.a && a.b < b.b);
+  };
+  const auto is_same = [](const Point_sets::Edge& a, const Point_sets::Edge& b) { return a.a == b.a && a.b == b.b; };
+  std::sort(edges.begin(), edges.end(), is_before);
+  edges.erase(std::unique(edges.begin(), edges.end(), is_same), edges.end());
+  Point_sets sets(communicator.gather(edges));
+
+  std::vector<Seams::Seam> seams;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> roots; // global root, and a root of this rank
+  for(std::size_t i = 0; i < sets.size(); ++i) {
+    const std::uint32_t index = std::uint32_t(sets.point(i));
+    if(sets.point(i) >> 32 == rank && component[index] == index)
+      roots.emplace_back(sets.root_point(i), index);
+  }
+  std::sort(roots.begin(), roots.end());
+  bool has_joined = false;
+  for(std::size_t i = 0; i < roots.size(); ++i) {
+    if(i == 0 || roots[i].first != roots[i - 1].first)
+      seams.push_back({roots[i].second, roots[i].first, 0});
+    else {
+      component[roots[i].second] = seams.back().root;
+      has_joined = true;
+    }
+  }
+  for(std::uint32_t i = 0; has_joined && i < ghosts.own_size() + ghosts.ring_size(0); ++i)
+    component[i] = component[component[i]];
+  return Seams(std::move(seams));
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_MPI_SEAMS_H

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#include <CGAL/Tandem/internal/mpi/tandem_mpi_impl.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+using Backend = Mpi_backend<Tbb_backend>;
+
+template class Compiled_mpi_engine<Tbb_backend>;
+template void complete_parameters(Backend&, const Import&, bool, Parameters&);
+template void set_scale(Backend&, Import&, bool, Parameters&);
+template Shapes_data export_shapes(Backend&, const Import&, const Parameters&, const Engine_result&);
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
