@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The headers and a package config; afterwards find_package(Tandem) gives Tandem::tandem, and
-# with the components engine and cuda, if they were built, Tandem::tandem_engine and
-# Tandem::tandem_cuda.
+# with the components engine, cuda and mpi, if they were built, Tandem::tandem_engine,
+# Tandem::tandem_cuda and Tandem::tandem_mpi.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -21,6 +21,9 @@ if(TARGET tandem_cuda)
 endif()
 if(TANDEM_BUILD_ENGINE)
   tandem_require_built(tandem_engine TANDEM_BUILD_ENGINE)
+endif()
+if(TARGET tandem_mpi AND TANDEM_BUILD_ENGINE)
+  tandem_require_built(tandem_mpi TANDEM_WITH_MPI)
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(TARGETS tandem EXPORT Tandem_targets)
@@ -46,6 +49,11 @@ endif()
 set(TANDEM_HAS_CUDA FALSE)
 if(TARGET tandem_cuda)
   tandem_install_library(tandem_cuda TANDEM_HAS_CUDA)
+endif()
+
+set(TANDEM_HAS_MPI FALSE)
+if(TARGET tandem_mpi AND TANDEM_BUILD_ENGINE) # it needs the engine
+  tandem_install_library(tandem_mpi TANDEM_HAS_MPI)
 endif()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/TandemConfig.cmake.in"

@@ -7,7 +7,7 @@
 
 set -eu
 
-order='base memory backend cloud neighbors regularity shapes growth rounds finish engine
+order='base memory backend cloud neighbors regularity shapes growth rounds finish engine mpi
   cuda/interface cuda/runtime cuda/execution cuda/neighbors cuda/stages cuda'
 longest=14
 

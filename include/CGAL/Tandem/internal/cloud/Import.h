@@ -215,8 +215,8 @@ CGAL_TANDEM_HD inline Grid_point to_grid(const Grid& grid, double inverse_step, 
 // Fills in.grid and the corners of the box on the grid. Rounding is monotone, so all points lie between them.
 inline void choose_grid(Import& in, double epsilon)
 {
-  if(in.total.points == 0)
-    return;
+  if(!(in.box.extent() >= 0))
+    return; // there is no point
   const Coordinate_box& box = in.box;
   in.grid = make_grid(box, epsilon);
   in.low = to_grid(in.grid, 1 / in.grid.step, {box.low[0], box.low[1], box.low[2]}, no_normal);

@@ -252,7 +252,10 @@ private:
     std::uint64_t squared;
     Rank_point point;
 
-    bool operator<(const Candidate& c) const { return squared < c.squared || (squared == c.squared && point < c.point); }
+    bool operator<(const Candidate& c) const
+    {
+      return squared < c.squared || (squared == c.squared && point < c.point);
+    }
   };
 
   // One after the other: the points that have asked are few.

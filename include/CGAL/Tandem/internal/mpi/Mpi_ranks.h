@@ -123,7 +123,8 @@ public:
     for(int ring = 1; ring < rings; ++ring)
       add_ring(cloud.neighbor, k);
     // While normals are estimated, ghosts adopt planes of points that are no ghosts: one for each of the passes.
-    const std::size_t adopted = rings > 1 ? std::size_t(tuning::normals::adoption_passes + 1) * ghosts_->ring_size(0) : 0;
+    const std::size_t adopted =
+      rings > 1 ? std::size_t(tuning::normals::adoption_passes + 1) * ghosts_->ring_size(0) : 0;
     cloud.ghosts = ghosts_->size() + adopted;
     cloud.first = first_position(n);
     cloud.point = extended(std::move(cloud.point), n + cloud.ghosts);
@@ -151,10 +152,13 @@ public:
       Grid_point point;
     };
     const std::uint32_t first_ghost = ghosts_->ring_begin(0);
-    const std::uint32_t first_slot = std::uint32_t(ghosts_->own_size() + ghosts_->size() +
-                                                   std::size_t(pass) * ghosts_->ring_size(0));
+    const std::uint32_t first_slot =
+      std::uint32_t(ghosts_->own_size() + ghosts_->size() + std::size_t(pass) * ghosts_->ring_size(0));
     ghosts_->exchange<Adopted>(
-      0, [&](std::uint32_t i) { return Adopted{candidate[source[i]], point[source[i]]}; },
+      0,
+      [&](std::uint32_t i) {
+        return Adopted{candidate[source[i]], point[source[i]]};
+      },
       [&](std::uint32_t place, const Adopted& a) {
         const std::uint32_t slot = first_slot + place - first_ghost;
         candidate[slot] = a.candidate;

@@ -77,8 +77,8 @@ public:
 private:
   const Seam* find(std::uint32_t root) const
   {
-    const auto it = std::lower_bound(seams_.begin(), seams_.end(), root,
-                                     [](const Seam& s, std::uint32_t r) { return s.root < r; });
+    const auto it =
+      std::lower_bound(seams_.begin(), seams_.end(), root, [](const Seam& s, std::uint32_t r) { return s.root < r; });
     return it != seams_.end() && it->root == root ? &*it : nullptr;
   }
 

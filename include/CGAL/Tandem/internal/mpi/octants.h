@@ -36,7 +36,8 @@ inline void append_children(const Octant& parent, const Host_sort_table::View& o
   std::uint32_t first = parent.own.first;
   for(std::uint64_t child = 0; child < 8; ++child) {
     const std::uint64_t code = parent.code + (child << bits), end = parent.code + ((child + 1) << bits);
-    const std::uint32_t last = partition_point(first, parent.own.last, [&](std::uint32_t i) { return order.key(i) < end; });
+    const std::uint32_t last =
+      partition_point(first, parent.own.last, [&](std::uint32_t i) { return order.key(i) < end; });
     children.push_back({code, 0, {first, last}, parent.level + 1});
     first = last;
   }
