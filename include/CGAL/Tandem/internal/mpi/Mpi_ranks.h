@@ -105,7 +105,7 @@ public:
         table[id] = Shared_moments();
       }
     for(const Shape_moments& s : communicator().gather(changed))
-      atomic_add<Sequential_backend>(table[s.id], s.moments.moments(), s.moments.box);
+      atomic_add<Backend>(table[s.id], s.moments.moments(), s.moments.box);
   }
 
   template <class Points>
