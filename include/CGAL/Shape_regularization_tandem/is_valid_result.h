@@ -12,6 +12,15 @@
 namespace CGAL {
 namespace Tandem {
 
+namespace internal {
+
+// What executes the check: many processes where there is a communicator.
+template <class NP>
+using Checking_tag = typename std::conditional<Is_given<internal_np::communicator_t, NP>::value, Mpi_tag<>,
+                                               CGAL::Parallel_if_available_tag>::type;
+
+} // namespace internal
+
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
@@ -24,7 +33,8 @@ the rounding of that evaluation, 8 units in the last place of its largest term.
 
 \param points the range that the shapes were detected in
 \param shapes the shapes
-\param np the named parameters of the detection, of which only `point_map`, `normal_map` and `geom_traits` are read
+\param np the named parameters of the detection, of which only `point_map`, `normal_map`, `geom_traits` and
+`communicator` are read. A result of `Mpi_tag` needs the communicator, and is checked by all of its processes.
 \param why if it is not null, gets the first violation that was found: what, and for which point or shape
 */
 template <class PointRange, class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -32,15 +42,17 @@ bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>
                      const NamedParameters& np = NamedParameters(), std::string* why = nullptr)
 {
   const internal::Round_to_nearest rounding;
-  return internal::with_traits<CGAL::Parallel_if_available_tag>(points, np, [&](const auto& traits) {
+  return internal::with_traits<internal::Checking_tag<NamedParameters>>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();
-    internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
-    internal::put_on_grid(backend, in, shapes.parameters().maximum_distance);
-    internal::Result_checker<GeomTraits> checker(in, shapes);
-    const bool is_valid = checker.check(backend);
-    if(why)
-      *why = checker.violation();
-    return is_valid;
+    return internal::Ranks<decltype(backend)>::together(backend, [&] {
+      internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+      internal::put_on_grid(backend, in, shapes.parameters().maximum_distance);
+      internal::Result_checker<GeomTraits> checker(in, shapes);
+      const bool is_valid = checker.check(backend);
+      if(why)
+        *why = checker.violation();
+      return is_valid;
+    });
   });
 }
 

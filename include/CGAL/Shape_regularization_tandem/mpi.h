@@ -11,6 +11,7 @@
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
 #include <CGAL/Tandem/internal/mpi/Compiled_mpi_engine.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_ranks.h>
+#include <CGAL/Tandem/internal/mpi/first_unconnected.h>
 
 #include <memory>
 

@@ -8,14 +8,9 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Tandem/internal/cloud/cells.h>
+#include <CGAL/Shape_regularization_tandem/internal/first_unconnected.h>
 #include <CGAL/Tandem/internal/finish/exact_check.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
-#ifdef CGAL_TANDEM_USE_ENGINE
-#include <CGAL/Tandem/internal/engine/compiled_engine.h>
-#else
-#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
-#endif
 
 #include <cmath>
 #include <string>
@@ -37,9 +32,10 @@ public:
   template <class Backend>
   bool check(Backend& backend)
   {
-    return check_tables() && check_labels() && check_planes() && check_groups() && check_orthogonality() &&
-           check_given_directions() && check_points() && check_sizes() && check_statistics() &&
-           check_connectivity(backend);
+    const bool is_valid_here = check_tables() && check_labels() && check_planes() && check_groups() &&
+                               check_orthogonality() && check_given_directions() && check_points();
+    return Ranks<Backend>(backend).all(is_valid_here, violation_) && check_sizes(backend) &&
+           check_statistics(backend) && check_connectivity(backend);
   }
 
   const std::string& violation() const { return violation_; }
@@ -205,24 +201,31 @@ private:
   }
 
   // Size: no shape is below the minimum.
-  bool check_sizes()
+  template <class Backend>
+  bool check_sizes(Backend& backend)
   {
+    std::vector<std::uint64_t> size;
     for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s)
-      if(shapes_.points(s).size() < data_.parameters.minimum_region_size)
-        return fail(at("too small is shape", s) + ": " + to_text(shapes_.points(s).size()) + " points");
+      size.push_back(shapes_.points(s).size());
+    Ranks<Backend>(backend).sum(size.data(), size.size());
+    for(std::size_t s = 0; s < size.size(); ++s)
+      if(size[s] < data_.parameters.minimum_region_size)
+        return fail(at("too small is shape", s) + ": " + to_text(size[s]) + " points");
     return true;
   }
 
   // Counts and ratios of the statistics, counted again from the tables.
-  bool check_statistics()
+  template <class Backend>
+  bool check_statistics(Backend& backend)
   {
     const Statistics& t = data_.statistics;
     std::size_t assigned = 0;
     for(std::int32_t s : data_.shape_of)
       assigned += s >= 0;
-    const bool has_counts = t.number_of_points == data_.shape_of.size() && t.number_of_assigned_points == assigned &&
-                            t.number_of_ignored_coordinates == in_.number_of_ignored_coordinates &&
-                            t.number_of_ignored_normals == in_.number_of_ignored_normals;
+    assigned = Ranks<Backend>(backend).total(assigned);
+    const bool has_counts = t.number_of_points == in_.total.items && t.number_of_assigned_points == assigned &&
+                            t.number_of_ignored_coordinates == in_.total.ignored_coordinates &&
+                            t.number_of_ignored_normals == in_.total.ignored_normals;
     if(!has_counts)
       return fail("the statistics count other points: " + to_text(t.number_of_assigned_points) + " instead of " +
                   to_text(assigned) + " assigned ones");
@@ -243,72 +246,16 @@ private:
   }
 
   // Connectivity: each shape is one component. Two points are adjacent if one is a neighbor of the other, or both are
-  // neighbors of one point. Neighbors are searched again, on points that are sorted as in the engine.
+  // neighbors of one point.
   template <class Backend>
   bool check_connectivity(Backend& backend)
   {
-    const std::size_t n = in_.size();
-    if(n == 0)
-      return true;
-    const std::size_t k = data_.parameters.k_neighbors;
-    // In the order of the engine, because positions break ties between neighbors at equal distance.
-    const auto order =
-      sort_along_curve(backend, in_.point.data(), n, make_code_frame(in_.point.data(), n),
-                       make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in_.precedes(i, j); }, Nothing()));
-    std::vector<Grid_point> point(n);
-    std::vector<std::int32_t> label(n);
-    for(std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t index = order.view().index(i);
-      point[i] = in_.point[index];
-      label[i] = data_.shape_of[in_.item_of(index)];
-    }
-    std::vector<std::uint32_t> neighbor(n * k);
-    find_neighbors(backend, point.data(), std::uint32_t(n), int(k), neighbor.data());
-    std::vector<std::uint32_t> parent(n);
-    for(std::size_t i = 0; i < n; ++i)
-      parent[i] = std::uint32_t(i);
-    for(std::size_t i = 0; i < n; ++i)
-      unite_around(i, neighbor.data() + i * k, k, label, parent);
-    return check_one_component(label, parent);
-  }
-
-  // Union-find by one thread, with halved paths.
-  static std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i)
-  {
-    while(parent[i] != i)
-      i = parent[i] = parent[parent[i]];
-    return i;
-  }
-
-  // The point and its neighbors: those of one shape are connected, all pairs of them.
-  static void unite_around(std::size_t i, const std::uint32_t* row, std::size_t k,
-                           const std::vector<std::int32_t>& label, std::vector<std::uint32_t>& parent)
-  {
-    auto unite = [&](std::uint32_t a, std::uint32_t b) {
-      if(label[a] >= 0 && label[a] == label[b])
-        parent[root(parent, a)] = root(parent, b);
-    };
-    for(std::size_t j = 0; j < k && row[j] != no_index; ++j) {
-      unite(std::uint32_t(i), row[j]);
-      for(std::size_t l = 0; l < j; ++l)
-        unite(row[l], row[j]);
-    }
-  }
-
-  // All points of a shape have the root of its first one.
-  bool check_one_component(const std::vector<std::int32_t>& label, std::vector<std::uint32_t>& parent)
-  {
-    std::vector<std::uint32_t> component(data_.coefficients.size(), no_index);
-    for(std::uint32_t i = 0; i < label.size(); ++i) {
-      if(label[i] < 0)
-        continue;
-      std::uint32_t& first = component[label[i]];
-      if(first == no_index)
-        first = root(parent, i);
-      else if(first != root(parent, i))
-        return fail(at("not connected is shape", std::size_t(label[i])));
-    }
-    return true;
+    std::vector<std::int32_t> label;
+    for(std::size_t i = 0; i < in_.size(); ++i)
+      label.push_back(data_.shape_of[in_.item_of(i)]);
+    const std::size_t k = data_.parameters.k_neighbors, shapes = data_.coefficients.size();
+    const std::size_t s = first_unconnected(backend, in_, label, k, shapes);
+    return s == shapes || fail(at("not connected is shape", s));
   }
 
   // The points as they were imported, and the result in two forms: planes of the kernel, and plain tables.

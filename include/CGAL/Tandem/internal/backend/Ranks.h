@@ -14,6 +14,7 @@
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,9 @@ public:
   template <class Import>
   void join_imports(Import&) const
   {}
+
+  // Whether all ranks say so. If not, `why` becomes that of the first one that does not.
+  bool all(bool own, std::string&) const { return own; }
 
   // Finds the ghosts. `rings`: how many steps from neighbor to neighbor lead
   // to them; all but those of the last ring have rows, too.

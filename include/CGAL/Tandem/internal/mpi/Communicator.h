@@ -19,7 +19,7 @@
 #include <climits>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -143,6 +143,16 @@ public:
     return received;
   }
 
+  // Whether it is true on all ranks; if not, `why` becomes that of the first rank where it is not.
+  bool all(bool own, std::string& why)
+  {
+    agree();
+    const int first = first_failed(own ? INT_MAX : rank());
+    if(first < INT_MAX)
+      why = broadcast(first, why);
+    return first == INT_MAX;
+  }
+
 private:
   // Sizes and places of the items of each rank, as MPI counts them.
   struct Layout {
@@ -185,12 +195,12 @@ private:
     return boost::mpi::communicator(caller, boost::mpi::comm_duplicate);
   }
 
-  template <class T>
-  static MPI_Datatype type_of()
-  {
-    static_assert(std::is_arithmetic<T>::value, "numbers");
-    return boost::mpi::get_mpi_datatype(T());
-  }
+  // By width: some versions of Open MPI compare MPI_UNSIGNED_LONG as if it had a sign.
+  static MPI_Datatype type_of(const double*) { return MPI_DOUBLE; }
+  static MPI_Datatype type_of(const std::int32_t*) { return MPI_INT32_T; }
+  static MPI_Datatype type_of(const std::uint32_t*) { return MPI_UINT32_T; }
+  static MPI_Datatype type_of(const std::int64_t*) { return MPI_INT64_T; }
+  static MPI_Datatype type_of(const std::uint64_t*) { return MPI_UINT64_T; }
 
   // In pieces, as MPI counts with int.
   template <class F>
@@ -206,7 +216,7 @@ private:
   {
     agree();
     for_each_piece(n, [&](std::size_t first, int size) {
-      MPI_Allreduce(MPI_IN_PLACE, table + first, size, type_of<T>(), operation, comm_);
+      MPI_Allreduce(MPI_IN_PLACE, table + first, size, type_of(table), operation, comm_);
     });
     sent_ += n * sizeof(T);
   }

@@ -43,9 +43,9 @@ public:
       sent_[std::size_t(rank_of[i])].push_back(std::uint32_t(i));
   }
 
-  // Moves the values to the ranks of their leaves. There they have the order of the ranks they come from, and of their
+  // Sends the values to the ranks of their leaves. There they have the order of the ranks they come from, and of their
   // imports: ties of exact duplicates are broken as in one process that has the imports one after the other.
-  Import distribute(Import& in) const
+  Import distribute(const Import& in) const
   {
     Import own;
     own.has_normals = in.has_normals;
@@ -54,10 +54,24 @@ public:
     own.low = in.low;
     own.high = in.high;
     own.total = in.total;
-    own.count = own.number_of_items = move_values(in.coordinates, own.coordinates);
+    own.count = own.number_of_items = send_values(in.coordinates, own.coordinates);
     if(in.has_normals)
-      move_values(in.normals, own.normals);
+      send_values(in.normals, own.normals);
     return own;
+  }
+
+  // Sends a value of each imported point to where distribute() sends the point.
+  template <class T>
+  std::vector<T> distribute(const std::vector<T>& values) const
+  {
+    std::vector<std::vector<T>> send(sent_.size());
+    for(std::size_t r = 0; r < sent_.size(); ++r)
+      for(const std::uint32_t i : sent_[r])
+        send[r].push_back(values[i]);
+    std::vector<T> all;
+    for(const std::vector<T>& part : communicator_.exchange(send))
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
   }
 
   // Brings back what was found for each point of distribute(), in its order; the result has the order of the import.
@@ -86,15 +100,15 @@ private:
   }
 
   // A rank without points does not know the type.
-  std::size_t move_values(Vector_table& from, Vector_table& to) const
+  std::size_t send_values(const Vector_table& from, Vector_table& to) const
   {
     int is_double = size_ > 0 && !from.view().is_float;
     communicator_.maximize(&is_double, 1);
-    return is_double ? move_as<double>(from, to) : move_as<float>(from, to);
+    return is_double ? send_as<double>(from, to) : send_as<float>(from, to);
   }
 
   template <class T>
-  std::size_t move_as(Vector_table& from, Vector_table& to) const
+  std::size_t send_as(const Vector_table& from, Vector_table& to) const
   {
     using Value = std::array<T, 3>;
     std::vector<std::vector<Value>> send(sent_.size());
@@ -102,7 +116,6 @@ private:
     for(std::size_t r = 0; r < sent_.size(); ++r)
       for(const std::uint32_t i : sent_[r])
         send[r].push_back(values[i]);
-    from = Vector_table();
     const std::vector<std::vector<Value>> received = communicator_.exchange(send);
     send.clear();
     received_.clear();

@@ -25,7 +25,7 @@ public:
 
   // The values of the import go to other ranks; it keeps its numbers of points and items.
   Mpi_engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress)
-    : backend_(backend), distribution_(backend, in, parameters.cell_size), in_(distribution_.distribute(in)),
+    : backend_(backend), distribution_(backend, in, parameters.cell_size), in_(take(distribution_, in)),
       engine_(backend, in_, parameters, progress)
   {}
 
@@ -48,6 +48,15 @@ public:
   }
 
 private:
+  // The caller's import keeps its numbers of points.
+  static Import take(const Distribution& distribution, Import& in)
+  {
+    Import own = distribution.distribute(in);
+    in.coordinates = Vector_table();
+    in.normals = Vector_table();
+    return own;
+  }
+
   Backend& backend_;
   Distribution distribution_;
   Import in_; // the points of this rank

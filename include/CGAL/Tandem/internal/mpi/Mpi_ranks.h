@@ -67,6 +67,12 @@ public:
     in.total = {counts[0], counts[1], counts[2], counts[3]};
   }
 
+  bool all(bool own, std::string& why) const { return communicator().all(own, why); }
+
+  // See first_unconnected.h, for a result over many ranks.
+  std::size_t first_unconnected(const Import& in, const std::vector<std::int32_t>& labels, std::size_t k,
+                                std::size_t shapes) const;
+
   std::vector<Grid_point> sample_cells(const Host_buffer<Grid_point>& point) const
   {
     return internal::sample_cells(*backend_, point);

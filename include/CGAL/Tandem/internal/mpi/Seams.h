@@ -46,6 +46,13 @@ public:
     }
   }
 
+  // rank: of the component with this root.
+  std::uint64_t global_root(std::uint64_t rank, std::uint32_t root) const
+  {
+    const Seam* const seam = find(root);
+    return seam != nullptr ? seam->global_root : rank << 32 | root;
+  }
+
   // own: large components with points on this rank, by root. Returns those of all ranks, in the order of their global
   // roots.
   template <class Component>
@@ -59,7 +66,7 @@ public:
     std::vector<Large> reported;                                  // by the rank of the global root
     for(const Component& c : own) {
       const Seam* const seam = find(c.root);
-      const std::uint64_t global = seam != nullptr ? seam->global_root : rank << 32 | c.root;
+      const std::uint64_t global = global_root(rank, c.root);
       root_of.emplace_back(global, c.root);
       if(global >> 32 == rank)
         reported.push_back({global, seam != nullptr ? seam->size : c.size, c.entry});
