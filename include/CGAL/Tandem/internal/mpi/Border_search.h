@@ -14,6 +14,8 @@
 #include <CGAL/Tandem/internal/neighbors/Bucket_neighbors.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -202,25 +204,34 @@ private:
       }
   }
 
+  // Most points have a small ball: of these only the boxes near the chunk are looked at. Stray points have large ones.
   void find_balls_of_chunk(const Rank_boxes& boxes, std::uint32_t c,
                            std::vector<std::pair<std::uint32_t, std::uint32_t>>& found) const
   {
     const std::uint32_t first = c * chunk, last = (std::min)(first + chunk, n_);
-    const Node_box around = box_around(first, last);
-    std::uint64_t largest = 0;
+    std::vector<std::uint64_t> radius;
     for(std::uint32_t i = first; i < last; ++i)
-      largest = (std::max)(largest, squared_radius(i));
+      radius.push_back(squared_radius(i));
+    std::vector<std::uint64_t> ordered = radius;
+    const auto median = ordered.begin() + std::ptrdiff_t(ordered.size() / 2);
+    std::nth_element(ordered.begin(), median, ordered.end());
+    const std::uint64_t usual = *median < (std::uint64_t(1) << 60) ? 4 * *median : *median;
+
+    const Node_box around = box_around(first, last);
     std::vector<Node_box> near;
     for(std::uint32_t r = 0; r < std::uint32_t(communicator_.size()); ++r) {
+      if(int(r) == communicator_.rank())
+        continue;
+      const auto begin = boxes.box.begin() + std::ptrdiff_t(boxes.first[r]);
+      const auto end = boxes.box.begin() + std::ptrdiff_t(boxes.first[r + 1]);
       near.clear();
-      for(std::size_t b = boxes.first[r]; b < boxes.first[r + 1] && int(r) != communicator_.rank(); ++b)
-        if(squared_distance(around, boxes.box[b]) <= largest)
-          near.push_back(boxes.box[b]);
-      for(std::uint32_t i = first; i < last && !near.empty(); ++i) {
-        const std::uint64_t radius = squared_radius(i);
+      std::copy_if(begin, end, std::back_inserter(near),
+                   [&](const Node_box& box) { return squared_distance(around, box) <= usual; });
+      for(std::uint32_t i = first; i < last; ++i) {
+        const std::uint64_t squared = radius[i - first];
         const Node_box own = box_of(point_[i]);
-        if(std::any_of(near.begin(), near.end(),
-                       [&](const Node_box& box) { return squared_distance(own, box) <= radius; }))
+        const auto is_met = [&](const Node_box& box) { return squared_distance(own, box) <= squared; };
+        if(squared <= usual ? std::any_of(near.begin(), near.end(), is_met) : std::any_of(begin, end, is_met))
           found.emplace_back(r, i);
       }
     }
