@@ -217,6 +217,10 @@ private:
     std::nth_element(ordered.begin(), median, ordered.end());
     const std::uint64_t usual = *median < (std::uint64_t(1) << 60) ? 4 * *median : *median;
 
+    std::vector<std::uint32_t> few, all; // points to be tested with near boxes only, and with all
+    for(std::uint32_t i = first; i < last; ++i)
+      (radius[i - first] <= usual ? few : all).push_back(i);
+
     const Node_box around = box_around(first, last);
     std::vector<Node_box> near;
     for(std::uint32_t r = 0; r < std::uint32_t(communicator_.size()); ++r) {
@@ -227,14 +231,18 @@ private:
       near.clear();
       std::copy_if(begin, end, std::back_inserter(near),
                    [&](const Node_box& box) { return squared_distance(around, box) <= usual; });
-      for(std::uint32_t i = first; i < last; ++i) {
-        const std::uint64_t squared = radius[i - first];
+      const auto is_met = [&](std::uint32_t i, auto b, auto e) {
         const Node_box own = box_of(point_[i]);
-        const auto is_met = [&](const Node_box& box) { return squared_distance(own, box) <= squared; };
-        if(squared <= usual ? std::any_of(near.begin(), near.end(), is_met) : std::any_of(begin, end, is_met))
+        return std::any_of(b, e, [&](const Node_box& box) { return squared_distance(own, box) <= radius[i - first]; });
+      };
+      for(const std::uint32_t i : near.empty() ? std::vector<std::uint32_t>() : few)
+        if(is_met(i, near.begin(), near.end()))
           found.emplace_back(r, i);
-      }
+      for(const std::uint32_t i : all)
+        if(is_met(i, begin, end))
+          found.emplace_back(r, i);
     }
+    std::sort(found.begin(), found.end()); // by rank, then by point
   }
 
   void answer(const std::vector<std::vector<Ball>>& balls, std::vector<std::vector<std::uint32_t>>& sizes,
