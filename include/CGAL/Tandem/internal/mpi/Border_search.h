@@ -130,15 +130,13 @@ struct Remote_entry {
   Rank_point point;
 };
 
-template <class Local>
+// Host: the back end that searches.
+template <class Host>
 class Border_search {
-  using Backend = Mpi_backend<Local>;
-
 public:
   // The points of this rank, and their rows from a search among them.
-  Border_search(Backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor)
-    : backend_(backend), communicator_(backend.communicator()), point_(point), n_(n), k_(std::size_t(k)),
-      neighbor_(neighbor)
+  Border_search(Communicator& communicator, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor)
+    : communicator_(communicator), point_(point), n_(n), k_(std::size_t(k)), neighbor_(neighbor)
   {}
 
   // Completes the rows. Entries that are points of other ranks are returned; their places in the table are undefined.
@@ -253,8 +251,8 @@ private:
         sizes[r].assign(balls[r].size(), 0);
       return;
     }
-    const Box_tree<Backend> tree(backend_, point_, n_);
-    const Ball_search<Box_tree<Backend>> search(tree, int(k_));
+    const Box_tree<Host> tree(backend_, point_, n_);
+    const Ball_search<Box_tree<Host>> search(tree, int(k_));
     for(std::size_t r = 0; r < balls.size(); ++r) {
       std::vector<std::vector<Point_in_ball>> found(balls[r].size());
       backend_.for_each(
@@ -312,7 +310,7 @@ private:
     return remote;
   }
 
-  Backend& backend_;
+  Host backend_;
   Communicator& communicator_;
   const Grid_point* point_;
   std::uint32_t n_;

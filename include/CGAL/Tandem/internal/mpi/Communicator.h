@@ -19,6 +19,7 @@
 #include <climits>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -110,36 +111,39 @@ public:
   template <class T>
   std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>>& send)
   {
-    static_assert(std::is_trivially_copyable<T>::value, "items are sent as bytes");
-    agree();
-    std::vector<std::uint64_t> to(send.size()), from(send.size());
-    for(std::size_t r = 0; r < send.size(); ++r)
-      to[r] = send[r].size();
-    MPI_Alltoall(to.data(), 1, MPI_UINT64_T, from.data(), 1, MPI_UINT64_T, comm_);
+    std::vector<const T*> items;
+    std::vector<std::size_t> sizes;
+    for(const std::vector<T>& to_rank : send) {
+      items.push_back(to_rank.data());
+      sizes.push_back(to_rank.size());
+    }
+    const std::vector<std::size_t> from = announce(sizes);
     std::vector<std::vector<T>> received(send.size());
-    for(std::size_t r = 0; r < send.size(); ++r)
+    std::vector<T*> to;
+    for(std::size_t r = 0; r < send.size(); ++r) {
       received[r].resize(from[r]);
-    agree(); // there is memory
-    std::vector<MPI_Request> requests;
-    const Item_type type(sizeof(T));
-    const auto is_peer = [&](std::size_t r) { return int(r) != rank(); };
-    for(std::size_t r = 0; r < send.size(); ++r)
-      if(is_peer(r)) {
-        for_each_piece(from[r], [&](std::size_t first, int n) {
-          requests.emplace_back();
-          MPI_Irecv(received[r].data() + first, n, type, int(r), 0, comm_, &requests.back());
-        });
-      }
-    for(std::size_t r = 0; r < send.size(); ++r)
-      if(is_peer(r)) {
-        for_each_piece(to[r], [&](std::size_t first, int n) {
-          requests.emplace_back();
-          MPI_Isend(send[r].data() + first, n, type, int(r), 0, comm_, &requests.back());
-        });
-        sent_ += to[r] * sizeof(T);
-      }
-    MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-    received[std::size_t(rank())] = send[std::size_t(rank())];
+      to.push_back(received[r].data());
+    }
+    transfer(items, sizes, to, from);
+    return received;
+  }
+
+  // The same for tables with the items of one rank after the other.
+  template <class T>
+  std::vector<T> exchange(const std::vector<T>& send, const std::vector<std::size_t>& sizes)
+  {
+    const std::vector<std::size_t> from = announce(sizes);
+    std::vector<T> received(std::accumulate(from.begin(), from.end(), std::size_t(0)));
+    std::vector<const T*> items;
+    std::vector<T*> to;
+    std::size_t first = 0, first_received = 0;
+    for(std::size_t r = 0; r < sizes.size(); ++r) {
+      items.push_back(send.data() + first);
+      to.push_back(received.data() + first_received);
+      first += sizes[r];
+      first_received += from[r];
+    }
+    transfer(items, sizes, to, from);
     return received;
   }
 
@@ -201,6 +205,42 @@ private:
   static MPI_Datatype type_of(const std::uint32_t*) { return MPI_UINT32_T; }
   static MPI_Datatype type_of(const std::int64_t*) { return MPI_INT64_T; }
   static MPI_Datatype type_of(const std::uint64_t*) { return MPI_UINT64_T; }
+
+  // How many items come from each rank.
+  std::vector<std::size_t> announce(const std::vector<std::size_t>& sizes)
+  {
+    agree();
+    const std::vector<std::uint64_t> to(sizes.begin(), sizes.end());
+    std::vector<std::uint64_t> from(sizes.size());
+    MPI_Alltoall(to.data(), 1, MPI_UINT64_T, from.data(), 1, MPI_UINT64_T, comm_);
+    return std::vector<std::size_t>(from.begin(), from.end());
+  }
+
+  template <class T>
+  void transfer(const std::vector<const T*>& items, const std::vector<std::size_t>& sizes, const std::vector<T*>& to,
+                const std::vector<std::size_t>& from)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "items are sent as bytes");
+    agree(); // there is memory
+    const Item_type type(sizeof(T));
+    std::vector<MPI_Request> requests;
+    for(std::size_t r = 0; r < sizes.size(); ++r)
+      if(int(r) != rank())
+        for_each_piece(from[r], [&](std::size_t first, int n) {
+          requests.emplace_back();
+          MPI_Irecv(to[r] + first, n, type, int(r), 0, comm_, &requests.back());
+        });
+    for(std::size_t r = 0; r < sizes.size(); ++r)
+      if(int(r) != rank()) {
+        for_each_piece(sizes[r], [&](std::size_t first, int n) {
+          requests.emplace_back();
+          MPI_Isend(items[r] + first, n, type, int(r), 0, comm_, &requests.back());
+        });
+        sent_ += sizes[r] * sizeof(T);
+      }
+    std::copy_n(items[std::size_t(rank())], sizes[std::size_t(rank())], to[std::size_t(rank())]);
+    MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  }
 
   // In pieces, as MPI counts with int.
   template <class F>

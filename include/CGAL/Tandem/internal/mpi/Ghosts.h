@@ -8,16 +8,47 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_GHOSTS_H
 #define CGAL_TANDEM_INTERNAL_MPI_GHOSTS_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/mpi/Border_search.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// What a table of points sends to ghosts, and how it takes what comes: the value of a point itself.
+template <class T>
+struct Point_values {
+  using Value = T;
+  T* table;
+
+  CGAL_TANDEM_HD T value(std::uint32_t i) const { return table[i]; }
+  CGAL_TANDEM_HD void take(std::uint32_t place, const T& v) const { table[place] = v; }
+};
+
+template <class Values>
+struct Pack_values {
+  Values values;
+  const std::uint32_t* index;
+  typename Values::Value* packed;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { packed[i] = values.value(index[i]); }
+};
+
+template <class Values>
+struct Unpack_values {
+  Values values;
+  std::uint32_t first; // place of the first ghost
+  const typename Values::Value* packed;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { values.take(first + std::uint32_t(i), packed[i]); }
+};
+
+// Tables of points are where the functors of the back end run; the rest is on the host.
+template <class Backend>
 class Ghosts {
 public:
   // n: number of own points.
-  Ghosts(Communicator& communicator, std::uint32_t n) : communicator_(communicator), n_(n) {}
+  Ghosts(Backend& backend, std::uint32_t n) : backend_(backend), communicator_(backend.communicator()), n_(n) {}
 
   std::size_t rings() const { return ring_.size(); }
   std::size_t size() const { return size_; }
@@ -39,7 +70,12 @@ public:
     for(const Rank_point& p : points)
       wanted[p.rank].push_back(p.index);
     ring.point = std::move(points);
-    ring.exported = communicator_.exchange(wanted);
+    std::vector<std::uint32_t> exported;
+    for(const std::vector<std::uint32_t>& by_rank : communicator_.exchange(wanted)) {
+      ring.exported_to.push_back(by_rank.size());
+      exported.insert(exported.end(), by_rank.begin(), by_rank.end());
+    }
+    ring.exported = to_buffer(backend_, exported);
     ring_.push_back(std::move(ring));
   }
 
@@ -66,37 +102,44 @@ public:
     return {no_index, no_index};
   }
 
-  // value(i) of the owner, for each ghost of a ring: take(place, value).
-  template <class T, class Value, class Take>
-  void exchange(std::size_t r, Value value, Take take) const
+  // The ghosts of a ring take the values of their owners.
+  template <class Values>
+  void exchange(std::size_t r, const Values& values) const
   {
+    using T = typename Values::Value;
     const Ring& ring = ring_[r];
-    std::vector<std::vector<T>> send(ring.exported.size());
-    for(std::size_t to = 0; to < send.size(); ++to) {
-      send[to].reserve(ring.exported[to].size());
-      for(const std::uint32_t i : ring.exported[to])
-        send[to].push_back(value(i));
-    }
-    std::uint32_t place = ring_begin(r);
-    for(const std::vector<T>& values : communicator_.exchange(send)) // ranks ascend, as the ghosts of a ring
-      for(const T& v : values)
-        take(place++, v);
+    typename Backend::template Buffer<T> packed(ring.exported.size());
+    backend_.for_each(packed.size(), Pack_values<Values>{values, ring.exported.data(), packed.data()});
+    // Ranks ascend, as the ghosts of a ring do.
+    const auto received = to_buffer(backend_, communicator_.exchange(to_vector(backend_, packed), ring.exported_to));
+    backend_.for_each(received.size(), Unpack_values<Values>{values, ring_begin(r), received.data()});
+  }
+
+  // value(i) of their owners on the host, for the ghosts of a ring.
+  template <class F>
+  auto exchange_on_host(std::size_t r, F value) const
+  {
+    std::vector<decltype(value(0u))> send;
+    for(const std::uint32_t i : to_vector(backend_, ring_[r].exported))
+      send.push_back(value(i));
+    return communicator_.exchange(send, ring_[r].exported_to);
   }
 
   template <class T>
   void update(std::size_t r, T* table) const
   {
-    exchange<T>(
-      r, [&](std::uint32_t i) { return table[i]; }, [&](std::uint32_t place, const T& v) { table[place] = v; });
+    exchange(r, Point_values<T>{table});
   }
 
 private:
   struct Ring {
-    std::vector<Rank_point> point;                    // ascending
-    std::vector<std::vector<std::uint32_t>> exported; // by rank: own points that are its ghosts of this ring
-    std::size_t offset;                               // of the first ghost among all
+    std::vector<Rank_point> point;                             // ascending
+    typename Backend::template Buffer<std::uint32_t> exported; // own points that are ghosts of this ring elsewhere
+    std::vector<std::size_t> exported_to;                      // how many of them on each rank
+    std::size_t offset;                                        // of the first ghost among all
   };
 
+  Backend& backend_;
   Communicator& communicator_;
   std::uint32_t n_;
   std::size_t size_ = 0;

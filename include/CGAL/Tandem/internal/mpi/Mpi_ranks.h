@@ -8,21 +8,33 @@
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#endif
 #include <CGAL/Tandem/internal/finish/clutter.h>
-#include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/mpi/Ghosts.h>
+#include <CGAL/Tandem/internal/mpi/Host_view.h>
 #include <CGAL/Tandem/internal/mpi/Seams.h>
 #include <CGAL/Tandem/internal/mpi/octants.h>
+#include <CGAL/Tandem/internal/mpi/rank_functors.h>
 #include <CGAL/Tandem/internal/mpi/sample_cells.h>
-#include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
-#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
 #include <memory>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// Where points of other ranks are searched.
+#ifdef CGAL_LINKED_WITH_TBB
+using Parallel_host = Tbb_backend;
+#else
+using Parallel_host = Sequential_backend;
+#endif
+template <class Local>
+using Search_host = typename std::conditional<std::is_base_of<Host_memory, Local>::value, Local, Parallel_host>::type;
 
 template <class Local>
 class Ranks<Mpi_backend<Local>> {
@@ -79,10 +91,15 @@ public:
   }
 
   // The own cells: leaves of the octree are on one rank.
-  std::vector<Range> split_cells(const Host_sort_table& sorted, const Code_frame& frame, std::size_t cell_size) const
+  std::vector<Range> split_cells(const typename Backend::Sort_table& sorted, const Code_frame& frame,
+                                 std::size_t cell_size) const
   {
+    Buffer<std::uint64_t> keys(sorted.size());
+    backend_->for_each(keys.size(), Copy_keys<typename Backend::Sort_table::View>{sorted.view(), keys.data()});
+    const std::vector<std::uint64_t> key = to_vector(*backend_, keys);
     std::vector<Range> cells;
-    for(const Octant& leaf : find_leaves(communicator(), sorted, frame, cell_size))
+    for(const Octant& leaf : find_leaves(
+          communicator(), key.size(), [&](std::uint32_t i) { return key[i]; }, frame, cell_size))
       append_cells(leaf.own, cell_size, cells);
     return cells;
   }
@@ -92,46 +109,53 @@ public:
   template <class T>
   void sum(T* table, std::size_t n) const
   {
-    communicator().sum(table, n);
+    Host_view<Backend, T> view(*backend_, table, n);
+    communicator().sum(view.data(), n);
+    view.write_back();
   }
 
   void sum(Neighbor_counts* table, std::size_t n) const
   {
     static_assert(sizeof(Neighbor_counts) == 3 * sizeof(std::uint64_t), "three numbers");
-    communicator().sum(reinterpret_cast<std::uint64_t*>(table), 3 * n);
+    sum(reinterpret_cast<std::uint64_t*>(table), 3 * n);
   }
 
   // Each rank has changed few shapes.
   void sum(Shared_moments* table, std::size_t n) const
   {
-    std::vector<Shape_moments> changed;
-    for(std::size_t id = 0; id < n; ++id)
-      if(is_any(table[id])) {
-        changed.push_back({id, table[id]});
-        table[id] = Shared_moments();
-      }
-    for(const Shape_moments& s : communicator().gather(changed))
-      atomic_add<Backend>(table[s.id], s.moments.moments(), s.moments.box);
+    const auto changed = backend_->template collect<Shape_moments>(n, Take_moments{table});
+    const auto all = to_buffer(*backend_, communicator().gather(to_vector(*backend_, changed)));
+    backend_->for_each(all.size(), Add_moments<Backend>{all.data(), table});
   }
 
+  // Rows are completed on the host.
   template <class Points>
   void connect(Points& points, int rings)
   {
     auto& cloud = points.cloud;
     const std::uint32_t n = std::uint32_t(cloud.size());
-    const std::size_t k = std::size_t(cloud.k);
-    const std::vector<Remote_entry> remote =
-      Border_search<Local>(*backend_, cloud.point.data(), n, cloud.k, cloud.neighbor.data())();
-    ghosts_ = std::make_shared<Ghosts>(communicator(), n);
-    ghosts_->add_ring(points_of(remote));
-    for(const Remote_entry& e : remote)
-      cloud.neighbor[e.entry] = ghosts_->place_of(e.point);
-    for(int ring = 1; ring < rings; ++ring)
-      add_ring(cloud.neighbor, k);
+    ghosts_ = std::make_shared<Ghosts<Backend>>(*backend_, n);
+    std::vector<std::uint32_t> ghost_rows;
+    {
+      const Host_view<Backend, const Grid_point> point(*backend_, cloud.point.data(), n);
+      Host_view<Backend, std::uint32_t> rows(*backend_, cloud.neighbor.data(), cloud.neighbor.size());
+      const std::vector<Remote_entry> remote =
+        Border_search<Search_host<Local>>(communicator(), point.data(), n, cloud.k, rows.data())();
+      ghosts_->add_ring(points_of(remote));
+      for(const Remote_entry& e : remote)
+        rows.data()[e.entry] = ghosts_->place_of(e.point);
+      for(int ring = 1; ring < rings; ++ring)
+        add_ring(rows.data(), std::size_t(cloud.k), ghost_rows);
+      rows.write_back();
+    }
+    if(!ghost_rows.empty()) {
+      const std::size_t own = cloud.neighbor.size();
+      cloud.neighbor = extended(std::move(cloud.neighbor), own + ghost_rows.size());
+      write_to(*backend_, ghost_rows, cloud.neighbor.data() + own);
+    }
     // While normals are estimated, ghosts adopt planes of points that are no ghosts: one for each of the passes.
-    const std::size_t adopted =
-      rings > 1 ? std::size_t(tuning::normals::adoption_passes + 1) * ghosts_->ring_size(0) : 0;
-    cloud.ghosts = ghosts_->size() + adopted;
+    const std::size_t passes = rings > 1 ? std::size_t(tuning::normals::adoption_passes) + 1 : 0;
+    cloud.ghosts = ghosts_->size() + passes * ghosts_->ring_size(0);
     cloud.first = first_position(n);
     cloud.point = extended(std::move(cloud.point), n + cloud.ghosts);
     update_all(cloud.point.data());
@@ -153,49 +177,33 @@ public:
   template <class Candidate>
   void update_adopted(Candidate* candidate, Grid_point* point, std::uint32_t* source, int pass) const
   {
-    struct Adopted {
-      Candidate candidate;
-      Grid_point point;
-    };
-    const std::uint32_t first_ghost = ghosts_->ring_begin(0);
-    const std::uint32_t first_slot =
-      std::uint32_t(ghosts_->own_size() + ghosts_->size() + std::size_t(pass) * ghosts_->ring_size(0));
-    ghosts_->exchange<Adopted>(
-      0,
-      [&](std::uint32_t i) {
-        return Adopted{candidate[source[i]], point[source[i]]};
-      },
-      [&](std::uint32_t place, const Adopted& a) {
-        const std::uint32_t slot = first_slot + place - first_ghost;
-        candidate[slot] = a.candidate;
-        point[slot] = a.point;
-        source[place] = slot;
-      });
+    const std::size_t first_slot = ghosts_->own_size() + ghosts_->size() + std::size_t(pass) * ghosts_->ring_size(0);
+    ghosts_->exchange(
+      0, Adopted_values<Candidate>{candidate, point, source, ghosts_->ring_begin(0), std::uint32_t(first_slot)});
   }
 
   template <class Shapes>
   std::size_t share_started(Shapes& shapes, std::size_t ids, Buffer<std::uint32_t>& started) const
   {
-    std::vector<Shared_moments> own;
-    for(const std::uint32_t place : started)
-      own.push_back(shapes.delta[shapes.size + place]);
+    const std::vector<std::uint32_t> own = to_vector(*backend_, started);
+    Buffer<Shared_moments> sums(own.size());
+    backend_->for_each(own.size(), Get_started{started.data(), shapes.delta.data() + shapes.size, sums.data()});
     std::vector<std::size_t> first;
-    const std::vector<Shared_moments> all = communicator().gather(own, &first);
-    const std::size_t own_first = first[std::size_t(communicator().rank())], end = ids + all.size() - own.size();
-    if(shapes.delta.size() < end) {
-      const std::size_t old = shapes.delta.size();
+    const std::vector<Shared_moments> all = communicator().gather(to_vector(*backend_, sums), &first);
+    const std::size_t own_first = first[std::size_t(communicator().rank())], own_last = own_first + own.size();
+    std::vector<Shared_moments> others(all.begin(), all.begin() + std::ptrdiff_t(own_first));
+    others.insert(others.end(), all.begin() + std::ptrdiff_t(own_last), all.end());
+    std::vector<std::uint32_t> places;
+    std::uint32_t next = std::uint32_t(ids - shapes.size);
+    for(std::size_t i = 0; i < all.size(); ++i)
+      places.push_back(i >= own_first && i < own_last ? own[i - own_first] : next++);
+    started = to_buffer(*backend_, places);
+    const std::size_t end = ids + others.size(), old = shapes.delta.size();
+    if(old < end) {
       shapes.delta = extended(std::move(shapes.delta), end + end / 2);
-      std::fill(shapes.delta.begin() + old, shapes.delta.end(), Shared_moments());
+      backend_->for_each(shapes.delta.size() - old, Fill<Shared_moments>{shapes.delta.data() + old, Shared_moments()});
     }
-    Buffer<std::uint32_t> places(all.size());
-    std::size_t next = ids;
-    for(std::size_t i = 0; i < all.size(); ++i) {
-      const bool is_own = i >= own_first && i < own_first + own.size();
-      places[i] = is_own ? started[i - own_first] : std::uint32_t(next - shapes.size);
-      if(!is_own)
-        shapes.delta[next++] = all[i];
-    }
-    started = std::move(places);
+    write_to(*backend_, others, shapes.delta.data() + ids);
     return end;
   }
 
@@ -205,27 +213,37 @@ public:
   {
     const std::size_t lanes = (std::max)((std::min)(n, std::size_t(4096)), std::size_t(1));
     const auto run = [&](int step, std::size_t round) {
-      backend.for_each(
-        lanes, [&](std::size_t lane) { rounds.run(step, round, lane, lanes); }, lanes / 64 + 1);
+      backend.for_each(lanes, Run_step<Propagation>{rounds, step, round, lanes}, lanes / 64 + 1);
     };
     std::uint32_t* const end = rounds.proposed.end;
-    send_proposals(rounds, end[0], end[1]);
+    send_proposals(rounds, end);
     for(std::size_t round = 0; round < maximum_rounds; ++round) {
       run(Propagation::accept, round);
       update(rounds.labels.label);
-      if(total(end[round + 1] - end[round]) <= rounds.few_points)
+      const std::vector<std::uint32_t> of_round = to_vector(backend, end + round, 2);
+      if(total(of_round[1] - of_round[0]) <= rounds.few_points)
         return;
       run(Propagation::propose, round);
-      send_proposals(rounds, end[round + 1], end[round + 2]);
+      send_proposals(rounds, end + round + 1);
     }
   }
 
   Seams join_components(const std::uint32_t* label, std::uint32_t* component) const
   {
-    return internal::join_components(communicator(), *ghosts_, label, component);
+    const std::size_t n = ghosts_->own_size() + ghosts_->ring_size(0);
+    const Host_view<Backend, const std::uint32_t> labels(*backend_, label, n);
+    Host_view<Backend, std::uint32_t> roots(*backend_, component, n);
+    const Seams seams = internal::join_components(communicator(), *ghosts_, labels.data(), roots.data());
+    roots.write_back();
+    return seams;
   }
 
-  void sum_sizes(Seams& seams, std::uint32_t* size) const { seams.sum_sizes(communicator(), size); }
+  void sum_sizes(Seams& seams, std::uint32_t* size) const
+  {
+    Host_view<Backend, std::uint32_t> sizes(*backend_, size, ghosts_->own_size());
+    seams.sum_sizes(communicator(), sizes.data());
+    sizes.write_back();
+  }
 
   template <class Component>
   std::vector<Component> join_large(const Seams& seams, const std::vector<Component>& own) const
@@ -236,7 +254,7 @@ public:
   template <class Links>
   Links join_links(Links&& own, std::uint32_t minimum) const
   {
-    std::vector<Link> all = communicator().gather(std::vector<Link>(own.begin(), own.end()));
+    std::vector<Link> all = communicator().gather(to_vector(*backend_, own));
     std::sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
     std::vector<Link> joined;
     for(const Link& link : all) {
@@ -250,16 +268,6 @@ public:
   }
 
 private:
-  struct Shape_moments {
-    std::uint64_t id;
-    Shared_moments moments;
-  };
-
-  struct Proposal {
-    std::uint64_t value;
-    std::uint64_t index; // wide, so that all bytes are defined
-  };
-
   Communicator& communicator() const { return backend_->communicator(); }
 
   static std::vector<Rank_point> points_of(const std::vector<Remote_entry>& entries)
@@ -280,66 +288,67 @@ private:
   }
 
   template <class T>
-  static Host_buffer<T> extended(Host_buffer<T>&& table, std::size_t size)
+  Buffer<T> extended(Buffer<T>&& table, std::size_t size) const
   {
-    Host_buffer<T> larger(size);
-    std::copy(table.begin(), table.end(), larger.begin());
+    Buffer<T> larger(size);
+    backend_->for_each(table.size(), Copy_items<T>{table.data(), larger.data()});
     table.release();
     return larger;
   }
 
-  // Gives rows to the last ring, and adds what they refer to as the next one.
-  void add_ring(Buffer<std::uint32_t>& neighbor, std::size_t k)
+  // Gives rows to the last ring, and adds what they refer to as the next one. neighbor: the rows of own points.
+  void add_ring(const std::uint32_t* neighbor, std::size_t k, std::vector<std::uint32_t>& ghost_rows)
   {
     const std::size_t last = ghosts_->rings() - 1;
-    const std::uint32_t begin = ghosts_->ring_begin(last);
-    std::vector<Rank_point> rows(k * ghosts_->ring_size(last)), unknown;
-    for(std::size_t j = 0; j < k; ++j)
-      ghosts_->exchange<Rank_point>(
-        last,
-        [&](std::uint32_t i) {
-          const std::uint32_t q = neighbor[i * k + j];
-          return q == no_index ? Rank_point{no_index, no_index} : ghosts_->point_at(q);
-        },
-        [&](std::uint32_t place, const Rank_point& p) { rows[(place - begin) * k + j] = p; });
+    const std::size_t ghosts = ghosts_->ring_size(last);
+    std::vector<Rank_point> rows(k * ghosts), unknown;
+    for(std::size_t j = 0; j < k; ++j) {
+      const auto column = ghosts_->exchange_on_host(last, [&](std::uint32_t i) {
+        const std::uint32_t q = neighbor[i * k + j];
+        return q == no_index ? Rank_point{no_index, no_index} : ghosts_->point_at(q);
+      });
+      for(std::size_t g = 0; g < ghosts; ++g)
+        rows[g * k + j] = column[g];
+    }
     for(const Rank_point& p : rows)
       if(p.rank != no_index && ghosts_->place_of(p) == no_index)
         unknown.push_back(p);
     ghosts_->add_ring(std::move(unknown));
-    neighbor = extended(std::move(neighbor), begin * k + rows.size());
-    for(std::size_t e = 0; e < rows.size(); ++e)
-      neighbor[begin * k + e] = rows[e].rank == no_index ? no_index : ghosts_->place_of(rows[e]);
+    for(const Rank_point& p : rows)
+      ghost_rows.push_back(p.rank == no_index ? no_index : ghosts_->place_of(p));
   }
 
-  // Takes the ghosts from a list of points with proposals, and adds own points that other ranks have proposed to.
+  // Takes the ghosts from the list of points with proposals between end[0] and end[1], and adds own points that other
+  // ranks have proposed to.
   template <class Propagation>
-  void send_proposals(const Propagation& rounds, std::uint32_t first, std::uint32_t& last) const
+  void send_proposals(const Propagation& rounds, std::uint32_t* end) const
   {
-    std::uint32_t* const point = rounds.proposed.point;
+    const std::vector<std::uint32_t> ends = to_vector(*backend_, end, 2);
+    const std::size_t size = ends[1] - ends[0];
+    std::uint32_t* const point = rounds.proposed.point + ends[0];
     std::uint64_t* const proposal = rounds.proposal.proposal;
-    std::vector<std::vector<Proposal>> send(std::size_t(communicator().size()));
-    std::uint32_t kept = first;
-    for(std::uint32_t at = first; at < last; ++at) {
-      const std::uint32_t i = point[at];
-      if(i < ghosts_->own_size()) {
-        point[kept++] = i;
-        continue;
-      }
-      const Rank_point owner = ghosts_->point_at(i);
-      send[owner.rank].push_back({proposal[i], owner.index});
-      proposal[i] = no_proposal;
+    const auto sent = backend_->template collect<Sent_proposal>(size, Take_sent{point, proposal, ghosts_->own_size()});
+    if(sent.size() > 0) {
+      const auto kept = backend_->template collect<std::uint32_t>(size, Take_kept{point, ghosts_->own_size()});
+      backend_->for_each(kept.size(), Copy_items<std::uint32_t>{kept.data(), point});
+      write_to(*backend_, std::vector<std::uint32_t>{ends[0] + std::uint32_t(kept.size())}, end + 1);
     }
-    for(const std::vector<Proposal>& from : communicator().exchange(send))
-      for(const Proposal& p : from) {
-        if(proposal[p.index] == no_proposal)
-          point[kept++] = std::uint32_t(p.index);
-        proposal[p.index] = (std::min)(proposal[p.index], p.value);
-      }
-    last = kept;
+    std::vector<std::vector<Sent_proposal>> by_rank(std::size_t(communicator().size()));
+    for(Sent_proposal p : to_vector(*backend_, sent)) {
+      const Rank_point owner = ghosts_->point_at(std::uint32_t(p.index));
+      p.index = owner.index;
+      by_rank[owner.rank].push_back(p);
+    }
+    std::vector<Sent_proposal> all;
+    for(const std::vector<Sent_proposal>& from : communicator().exchange(by_rank))
+      all.insert(all.end(), from.begin(), from.end());
+    const auto received = to_buffer(*backend_, all);
+    backend_->for_each(received.size(),
+                       Receive_proposals<Backend>{received.data(), proposal, rounds.proposed.point, end + 1});
   }
 
   Backend* backend_;
-  std::shared_ptr<Ghosts> ghosts_;
+  std::shared_ptr<Ghosts<Backend>> ghosts_;
 };
 
 } // namespace internal

@@ -159,8 +159,9 @@ private:
 
 // component: by point, its root on this rank, where roots are the smallest places; ghosts of the first ring have entries.
 // Afterwards parts of one component on this rank have one root.
-inline Seams join_components(Communicator& communicator, const Ghosts& ghosts, const std::uint32_t* label,
-                             std::uint32_t* component)
+template <class Ghosts>
+Seams join_components(Communicator& communicator, const Ghosts& ghosts, const std::uint32_t* label,
+                      std::uint32_t* component)
 {
   const std::uint64_t rank = std::uint64_t(communicator.rank());
   const auto id_of = [](const Rank_point& p) { return std::uint64_t(p.rank) << 32 | p.index; };

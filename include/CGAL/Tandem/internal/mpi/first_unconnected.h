@@ -32,8 +32,9 @@ std::size_t Ranks<Mpi_backend<Local>>::first_unconnected(const Import& in, const
     point[i] = unsorted[order.view().index(i)];
   std::vector<std::uint32_t> neighbor(n * k);
   find_neighbors(static_cast<Local&>(*backend_), point.data(), n, int(k), neighbor.data());
-  const std::vector<Remote_entry> remote = Border_search<Local>(*backend_, point.data(), n, int(k), neighbor.data())();
-  Ghosts ghosts(communicator(), n);
+  const std::vector<Remote_entry> remote =
+    Border_search<Local>(communicator(), point.data(), n, int(k), neighbor.data())();
+  Ghosts<Backend> ghosts(*backend_, n);
   ghosts.add_ring(points_of(remote));
   for(const Remote_entry& e : remote)
     neighbor[e.entry] = ghosts.place_of(e.point);

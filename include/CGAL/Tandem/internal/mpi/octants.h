@@ -30,14 +30,14 @@ struct Octant {
 };
 
 // The eight octants of one.
-inline void append_children(const Octant& parent, const Host_sort_table::View& order, std::vector<Octant>& children)
+template <class Key>
+void append_children(const Octant& parent, const Key& key, std::vector<Octant>& children)
 {
   const int bits = 3 * (curve_bits - parent.level - 1);
   std::uint32_t first = parent.own.first;
   for(std::uint64_t child = 0; child < 8; ++child) {
     const std::uint64_t code = parent.code + (child << bits), end = parent.code + ((child + 1) << bits);
-    const std::uint32_t last =
-      partition_point(first, parent.own.last, [&](std::uint32_t i) { return order.key(i) < end; });
+    const std::uint32_t last = partition_point(first, parent.own.last, [&](std::uint32_t i) { return key(i) < end; });
     children.push_back({code, 0, {first, last}, parent.level + 1});
     first = last;
   }
@@ -53,12 +53,12 @@ inline void count_octants(Communicator& communicator, std::vector<Octant>& octan
     octants[i].total = counts[i];
 }
 
-// The leaves with points, by code. order: the points of this rank, sorted by code.
-inline std::vector<Octant> find_leaves(Communicator& communicator, const Host_sort_table& sorted,
-                                       const Code_frame& frame, std::size_t cell_size)
+// The leaves with points, by code. key(i): the codes of the n points of this rank, ascending.
+template <class Key>
+std::vector<Octant> find_leaves(Communicator& communicator, std::size_t n, const Key& key, const Code_frame& frame,
+                                std::size_t cell_size)
 {
-  const Host_sort_table::View order = sorted.view();
-  std::vector<Octant> leaves, level = {{0, 0, {0, std::uint32_t(sorted.size())}, 0}};
+  std::vector<Octant> leaves, level = {{0, 0, {0, std::uint32_t(n)}, 0}};
   while(!level.empty()) {
     count_octants(communicator, level);
     std::vector<Octant> next;
@@ -68,7 +68,7 @@ inline std::vector<Octant> find_leaves(Communicator& communicator, const Host_so
         if(o.total > 0)
           leaves.push_back(o);
       } else if(o.total > 0)
-        append_children(o, order, next);
+        append_children(o, key, next);
     }
     level.swap(next);
   }
@@ -81,6 +81,15 @@ inline void append_cells(const Range& leaf, std::size_t cell_size, std::vector<R
 {
   for(std::uint32_t first = leaf.first; first < leaf.last; first += std::uint32_t(cell_size))
     cells.push_back({first, (std::min)(first + std::uint32_t(cell_size), leaf.last)});
+}
+
+// The same from a sorted table of the host.
+inline std::vector<Octant> find_leaves(Communicator& communicator, const Host_sort_table& sorted,
+                                       const Code_frame& frame, std::size_t cell_size)
+{
+  const Host_sort_table::View order = sorted.view();
+  return find_leaves(
+    communicator, sorted.size(), [&](std::uint32_t i) { return order.key(i); }, frame, cell_size);
 }
 
 } // namespace internal
