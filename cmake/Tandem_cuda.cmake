@@ -18,31 +18,30 @@ macro(tandem_enable_cuda)
   find_package(CUDAToolkit REQUIRED)
 endmacro()
 
-# Needs nothing of CGAL. No product is fused with a sum unless the code says so: the
-# results are those of the other back ends, bit for bit.
-function(tandem_add_cuda_library)
-  add_library(tandem_cuda STATIC "${PROJECT_SOURCE_DIR}/include/CGAL/Tandem/internal/cuda/tandem_cuda.cu")
-  add_library(Tandem::tandem_cuda ALIAS tandem_cuda)
+# tandem_add_cuda_library(name source): needs nothing of CGAL. No product is fused with a sum
+# unless the code says so: the results are those of the other back ends, bit for bit.
+function(tandem_add_cuda_library name source)
+  add_library(${name} STATIC "${PROJECT_SOURCE_DIR}/include/CGAL/Tandem/internal/${source}")
+  add_library(Tandem::${name} ALIAS ${name})
   if(NOT TANDEM_IS_TOP_LEVEL)
-    set_target_properties(tandem_cuda PROPERTIES EXCLUDE_FROM_ALL ON)
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()
-  set_target_properties(tandem_cuda PROPERTIES
+  set_target_properties(${name} PROPERTIES
     CUDA_STANDARD 17 CUDA_STANDARD_REQUIRED ON CUDA_RUNTIME_LIBRARY Static POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(tandem_cuda PRIVATE
+  target_compile_options(${name} PRIVATE
     --expt-relaxed-constexpr --fmad=false "SHELL:--default-stream per-thread" "SHELL:-Xcompiler -Wall,-Wextra")
   # What the host does between two kernels has many of these; without the instruction each one is
   # a call. The library has inline functions in common with its users, so they have it, too.
   if(TANDEM_CUDA_WITH_FMA AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    target_compile_options(tandem_cuda
+    target_compile_options(${name}
       PRIVATE "SHELL:-Xcompiler -mfma,-ffp-contract=off"
       INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-mfma> $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
   endif()
   if(TARGET CGAL::TBB_support)
-    target_link_libraries(tandem_cuda PRIVATE "$<BUILD_INTERFACE:CGAL::TBB_support>")
+    target_link_libraries(${name} PRIVATE "$<BUILD_INTERFACE:CGAL::TBB_support>")
   endif()
-  target_include_directories(tandem_cuda PRIVATE "${PROJECT_SOURCE_DIR}/include")
-  target_compile_definitions(tandem_cuda INTERFACE CGAL_TANDEM_USE_CUDA=1)
-  target_link_libraries(tandem_cuda INTERFACE tandem PRIVATE CUDA::cudart_static)
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/include")
+  target_link_libraries(${name} INTERFACE tandem PRIVATE CUDA::cudart_static)
 endfunction()
 
 if(NOT TANDEM_WITH_CUDA)
@@ -60,6 +59,7 @@ if(DEFINED without_cuda)
   message(STATUS "Tandem: the CUDA back end is not built: ${without_cuda}")
 else()
   tandem_enable_cuda()
-  tandem_add_cuda_library()
+  tandem_add_cuda_library(tandem_cuda cuda/tandem_cuda.cu)
+  target_compile_definitions(tandem_cuda INTERFACE CGAL_TANDEM_USE_CUDA=1)
   message(STATUS "Tandem: the CUDA back end is built for ${CMAKE_CUDA_ARCHITECTURES} (target Tandem::tandem_cuda)")
 endif()

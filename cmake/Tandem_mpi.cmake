@@ -1,7 +1,8 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The library tandem_mpi, where there are MPI and Boost.MPI. To be included after the engine.
+# The library tandem_mpi, where there are MPI and Boost.MPI, and tandem_mpi_cuda, where there is the
+# CUDA back end as well. To be included after these.
 
 function(tandem_add_mpi_library)
   set(mpi_dir "${PROJECT_SOURCE_DIR}/include/CGAL/Tandem/internal/mpi")
@@ -31,9 +32,19 @@ else()
     set(without_mpi "there is no Boost.MPI")
   endif()
 endif()
+# Each process has a CUDA device.
+function(tandem_add_mpi_cuda_library)
+  tandem_add_cuda_library(tandem_mpi_cuda mpi/tandem_mpi_cuda.cu)
+  target_link_libraries(tandem_mpi_cuda PUBLIC tandem_mpi tandem_cuda)
+  target_compile_definitions(tandem_mpi_cuda INTERFACE CGAL_TANDEM_USE_MPI_CUDA=1)
+endfunction()
+
 if(DEFINED without_mpi)
   message(STATUS "Tandem: the back end of many processes is not built: ${without_mpi}")
 else()
   tandem_add_mpi_library()
+  if(TARGET tandem_cuda)
+    tandem_add_mpi_cuda_library()
+  endif()
   message(STATUS "Tandem: the back end of many processes is built (target Tandem::tandem_mpi)")
 endif()

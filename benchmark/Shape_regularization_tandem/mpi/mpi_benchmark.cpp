@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Times, memory and messages of many processes: one CSV row a run, of the slowest and the largest rank.
-//   mpirun -n RANKS mpi_benchmark strong|tiles POINTS [RUNS]
+//   mpirun -n RANKS mpi_benchmark BACKEND strong|tiles POINTS [RUNS]
+// BACKEND: mpi (one thread a rank), mpi-parallel or mpi-cuda; sequential, parallel or cuda, without MPI, for one rank.
 // strong: a simulated scan of a hall with so many points, of which each rank has a random part. tiles: each rank has a
-// hall of its own with so many points, side by side with those of the others. One thread a rank; with one rank, the
-// rows of the back ends of one process follow.
+// hall of its own with so many points, side by side with those of the others.
 
 #include "cuda/hall_scan.h"
 
@@ -56,15 +56,29 @@ double memory(const std::string& name)
   return 0;
 }
 
+// A sum over the points of a rank, so that sums over ranks do not depend on who has which point.
+template <class Shapes>
+std::uint64_t hash_of_labels(const Shapes& shapes, std::size_t points, std::size_t first)
+{
+  std::uint64_t sum = 0;
+  for(std::size_t i = 0; i < points; ++i) {
+    std::uint64_t h = (first + i) * 0x9e3779b97f4a7c15u + std::uint64_t(shapes.shape_index(i) + 1);
+    h = (h ^ (h >> 31)) * 0xbf58476d1ce4e5b9u;
+    sum += h ^ (h >> 29);
+  }
+  return sum;
+}
+
 struct Row {
   double wall = 0, memory = 0;                    // seconds, bytes
   std::array<double, number_of_stages> sent = {}; // bytes, by stage
+  std::uint64_t hash = 0;
   CGAL::Tandem::Statistics statistics;
 };
 
-// before: bytes of this process when it had nothing but the points.
+// first: number of the first point of this rank. before: bytes of this process when it had nothing but the points.
 template <class Traits, class NP, class Bytes>
-Row detect(const Cloud& cloud, const NP& np, const Traits& traits, Bytes bytes_sent, double before)
+Row detect(const Cloud& cloud, std::size_t first, const NP& np, const Traits& traits, Bytes bytes_sent, double before)
 {
   Row row;
   Stage stage = Stage::sort;
@@ -82,6 +96,7 @@ Row detect(const Cloud& cloud, const NP& np, const Traits& traits, Bytes bytes_s
   row.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   row.sent[number_of_stages - 1] += bytes_sent() - sent;
   row.memory = memory("VmHWM") - before;
+  row.hash = hash_of_labels(shapes, cloud.size(), first);
   row.statistics = shapes.statistics();
   return row;
 }
@@ -96,56 +111,105 @@ void print(const Row& row, int ranks, const std::string& backend)
   std::cout << ',' << row.memory * ranks / double(s.number_of_points);
   for(const double bytes : row.sent)
     std::cout << ',' << bytes / double(s.number_of_points);
-  std::cout << ',' << s.number_of_rounds << ',' << s.number_of_shapes << ',' << s.coverage << std::endl;
+  std::cout << ',' << s.number_of_rounds << ',' << s.number_of_shapes << ',' << s.coverage << ',' << std::hex
+            << row.hash << std::dec << std::endl;
+}
+
+struct Job {
+  std::string backend;
+  Cloud cloud;
+  std::size_t first;
+  int runs;
+  double before;
+  std::size_t minimum_region_size;
+};
+
+// bytes_sent: from the traits.
+template <class Tag, class Bytes>
+void run_with(const Job& job, const boost::mpi::communicator& world, Bytes bytes_sent)
+{
+  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, Point_map, Normal_map, Tag>;
+  const Traits traits;
+  const auto np = CGAL::Tandem::parameters::point_map(Point_map())
+                    .normal_map(Normal_map())
+                    .maximum_distance(.012)
+                    .minimum_region_size(job.minimum_region_size);
+  for(int run = 0; run < job.runs; ++run) {
+    world.barrier();
+    Row row = detect(
+      job.cloud, job.first, np, traits, [&] { return double(bytes_sent(traits)); }, job.before);
+    MPI_Allreduce(MPI_IN_PLACE, &row.wall, 2, MPI_DOUBLE, MPI_MAX, world);
+    MPI_Allreduce(MPI_IN_PLACE, row.sent.data(), int(row.sent.size()), MPI_DOUBLE, MPI_SUM, world);
+    MPI_Allreduce(MPI_IN_PLACE, &row.hash, 1, MPI_UINT64_T, MPI_SUM, world);
+    if(world.rank() == 0)
+      print(row, world.size(), job.backend);
+  }
+}
+
+template <class Tag>
+void run_ranks(const Job& job, const boost::mpi::communicator& world)
+{
+  run_with<CGAL::Tandem::Mpi_tag<Tag>>(job, world,
+                                       [](const auto& traits) { return traits.backend().communicator().bytes_sent(); });
+}
+
+template <class Tag>
+void run_alone(const Job& job, const boost::mpi::communicator& world)
+{
+  run_with<Tag>(job, world, [](const auto&) { return 0; });
+}
+
+// Whether there is such a back end.
+bool run(const Job& job, const boost::mpi::communicator& world)
+{
+  const std::string& b = job.backend;
+  const bool is_alone = world.size() == 1;
+  if(b == "mpi")
+    run_ranks<CGAL::Sequential_tag>(job, world);
+  else if(b == "mpi-parallel")
+    run_ranks<CGAL::Parallel_if_available_tag>(job, world);
+  else if(b == "sequential" && is_alone)
+    run_alone<CGAL::Sequential_tag>(job, world);
+  else if(b == "parallel" && is_alone)
+    run_alone<CGAL::Parallel_if_available_tag>(job, world);
+#ifdef CGAL_TANDEM_USE_MPI_CUDA
+  else if(b == "mpi-cuda")
+    run_ranks<CGAL::Tandem::Cuda_tag>(job, world);
+  else if(b == "cuda" && is_alone)
+    run_alone<CGAL::Tandem::Cuda_tag>(job, world);
+#endif
+  else
+    return false;
+  return true;
 }
 
 int main(int argc, char** argv)
 {
   const boost::mpi::environment environment;
   const boost::mpi::communicator world;
-  const std::string kind = argc > 1 ? argv[1] : "";
-  const std::size_t points = argc > 2 ? std::size_t(std::strtod(argv[2], nullptr)) : 0;
-  const int runs = argc > 3 ? std::atoi(argv[3]) : 1;
-  if((kind != "strong" && kind != "tiles") || points == 0) {
-    std::cerr << "mpirun -n RANKS mpi_benchmark strong|tiles POINTS [RUNS]" << std::endl;
-    return 2;
-  }
+  const std::string backend = argc > 1 ? argv[1] : "", kind = argc > 2 ? argv[2] : "";
+  const std::size_t points = argc > 3 ? std::size_t(std::strtod(argv[3], nullptr)) : 0;
   const std::size_t rank = std::size_t(world.rank()), ranks = std::size_t(world.size());
-  const Cloud cloud =
-    kind == "tiles" ? scan(0, points, 100 * float(rank)) : scan(points * rank / ranks, points * (rank + 1) / ranks, 0);
-  const double before = memory("VmRSS");
-  const auto np = CGAL::Tandem::parameters::point_map(Point_map())
-                    .normal_map(Normal_map())
-                    .maximum_distance(.012)
-                    .minimum_region_size((std::max)(std::size_t(200), points / 10000));
-  if(rank == 0)
-    std::cout << "backend,ranks,points,wall s,sort,neighbors,growth,regularity,final,bytes a point of the largest rank";
-  for(const char* stage : {"sort", "neighbors", "normals", "seeds", "rounds", "end game", "result"})
-    if(rank == 0)
-      std::cout << ",sent a point: " << stage;
-  if(rank == 0)
-    std::cout << ",rounds,shapes,coverage" << std::endl;
-  for(int run = 0; run < runs; ++run) {
-    using Traits =
-      CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, Point_map, Normal_map, CGAL::Tandem::Mpi_tag<CGAL::Sequential_tag>>;
-    const Traits traits;
-    world.barrier();
-    Row row = detect(
-      cloud, np, traits, [&] { return double(traits.backend().communicator().bytes_sent()); }, before);
-    MPI_Allreduce(MPI_IN_PLACE, &row.wall, 2, MPI_DOUBLE, MPI_MAX, world);
-    MPI_Allreduce(MPI_IN_PLACE, row.sent.data(), int(row.sent.size()), MPI_DOUBLE, MPI_SUM, world);
-    if(rank == 0)
-      print(row, int(ranks), "mpi");
+  const bool are_tiles = kind == "tiles";
+  Job job = {backend,
+             {},
+             are_tiles ? points * rank : points * rank / ranks,
+             argc > 4 ? std::atoi(argv[4]) : 1,
+             0,
+             (std::max)(std::size_t(200), points / 10000)};
+  if((are_tiles || kind == "strong") && points > 0) {
+    job.cloud = are_tiles ? scan(0, points, 100 * float(rank)) : scan(job.first, points * (rank + 1) / ranks, 0);
+    job.before = memory("VmRSS");
+    if(rank == 0) {
+      std::cout
+        << "backend,ranks,points,wall s,sort,neighbors,growth,regularity,final,bytes a point of the largest rank";
+      for(const char* stage : {"sort", "neighbors", "normals", "seeds", "rounds", "end game", "result"})
+        std::cout << ",sent a point: " << stage;
+      std::cout << ",rounds,shapes,coverage,hash" << std::endl;
+    }
+    if(run(job, world))
+      return 0;
   }
-  const auto in_one_process = [&](auto tag, const std::string& name) {
-    using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, Point_map, Normal_map, decltype(tag)>;
-    for(int run = 0; run < runs; ++run)
-      print(detect(
-              cloud, np, Traits(), [] { return 0.; }, before),
-            1, name);
-  };
-  if(ranks == 1) {
-    in_one_process(CGAL::Sequential_tag(), "sequential");
-    in_one_process(CGAL::Parallel_if_available_tag(), "parallel");
-  }
+  std::cerr << "mpirun -n RANKS mpi_benchmark BACKEND strong|tiles POINTS [RUNS]" << std::endl;
+  return 2;
 }

@@ -10,6 +10,9 @@
 
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
 #include <CGAL/Tandem/internal/mpi/Compiled_mpi_engine.h>
+#ifdef CGAL_TANDEM_USE_MPI_CUDA
+#include <CGAL/Tandem/internal/mpi/Cuda_mpi_engine.h>
+#endif
 #include <CGAL/Tandem/internal/mpi/Mpi_ranks.h>
 #include <CGAL/Tandem/internal/mpi/first_unconnected.h>
 
@@ -22,11 +25,20 @@ namespace internal {
 
 template <class Tag>
 struct Execution_of<Mpi_tag<Tag>> {
-  static_assert(!std::is_same<Tag, Cuda_tag>::value, "within a process, the host executes");
+  static_assert(!std::is_same<Tag, Cuda_tag>::value,
+                "Mpi_tag<Cuda_tag> needs the CUDA back end of many processes: link Tandem::tandem_mpi_cuda");
   using Local = typename Backend_of<Tag>::type;
   using Backend = Mpi_backend<Local>;
   using Engine = Compiled_mpi_engine<Local>;
 };
+
+#ifdef CGAL_TANDEM_USE_MPI_CUDA
+template <>
+struct Execution_of<Mpi_tag<Cuda_tag>> {
+  using Backend = Mpi_backend<Parallel_host>;
+  using Engine = Cuda_mpi_engine;
+};
+#endif
 
 } // namespace internal
 

@@ -40,8 +40,9 @@ Many processes that run the method together, each with a part of the points, and
 MPI. Each of them calls the same functions, with its points. The result is that of one process with all of the points,
 bit for bit. Needs the header `CGAL/Shape_regularization_tandem/mpi.h` and the library `Tandem::tandem_mpi`.
 
-\tparam ExecutionTag what executes within each process: `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
-`CGAL::Parallel_if_available_tag`
+\tparam ExecutionTag what executes within each process: `CGAL::Sequential_tag`, `CGAL::Parallel_tag`,
+`CGAL::Parallel_if_available_tag` or, with the library `Tandem::tandem_mpi_cuda`, `Cuda_tag`: the device that is current
+in the process
 */
 template <class ExecutionTag = CGAL::Parallel_if_available_tag>
 struct Mpi_tag {};

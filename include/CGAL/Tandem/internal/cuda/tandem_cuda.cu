@@ -7,6 +7,7 @@
 #pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
 
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
+#include <CGAL/Tandem/internal/cuda/runtime/run_and_wait.cuh>
 #include <CGAL/Tandem/internal/cuda/stages/Cuda_stages.cuh>
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
@@ -14,25 +15,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-namespace {
-
-// Calls f on the current device. Waits for all work that f has queued, also when f throws. So another
-// thread, with another stream, may call next, and no copy reads memory that the caller frees.
-template <class F>
-void run_and_wait(F f)
-{
-  try {
-    f();
-    synchronize();
-  } catch(...) {
-    // The exception of f counts, not an error of this wait.
-    static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
-    throw;
-  }
-}
-
-} // namespace
 
 // The engine with its back end. The caller's thread, and its current device, may differ from call to call.
 struct Cuda_engine::Implementation {

@@ -7,9 +7,16 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H
 
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/backend/Stage_overrides.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
+#endif
 #include <CGAL/Tandem/internal/mpi/Communicator.h>
 
 #include <memory>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -21,10 +28,24 @@ public:
   explicit Mpi_backend(std::shared_ptr<Communicator> communicator) : communicator_(std::move(communicator)) {}
 
   Communicator& communicator() const { return *communicator_; }
+  const std::shared_ptr<Communicator>& shared_communicator() const { return communicator_; }
 
 private:
   std::shared_ptr<Communicator> communicator_;
 };
+
+// A rank replaces the stages that its device replaces.
+template <class Local>
+struct Stage_overrides<Mpi_backend<Local>> : Stage_overrides<Local> {};
+
+// What executes on the host of a rank.
+#ifdef CGAL_LINKED_WITH_TBB
+using Parallel_host = Tbb_backend;
+#else
+using Parallel_host = Sequential_backend;
+#endif
+template <class Local>
+using Search_host = typename std::conditional<std::is_base_of<Host_memory, Local>::value, Local, Parallel_host>::type;
 
 } // namespace internal
 } // namespace Tandem

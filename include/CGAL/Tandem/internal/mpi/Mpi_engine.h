@@ -19,14 +19,15 @@ namespace internal {
 template <class Local>
 class Mpi_engine {
   using Backend = Mpi_backend<Local>;
+  using Host = Mpi_backend<Search_host<Local>>;
 
 public:
   using Upload = No_upload;
 
   // The values of the import go to other ranks; it keeps its numbers of points and items.
-  Mpi_engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress)
-    : backend_(backend), distribution_(backend, in, parameters.cell_size), in_(take(distribution_, in)),
-      engine_(backend, in_, parameters, progress)
+  Mpi_engine(Host& host, Import& in, const Parameters& parameters, Progress& progress)
+    : host_(host), distribution_(host_, in, parameters.cell_size), in_(take(distribution_, in)),
+      backend_(host.shared_communicator()), engine_(backend_, in_, parameters, progress)
   {}
 
   static const char* name() { return Backend::name(); }
@@ -37,13 +38,12 @@ public:
   Engine_result result()
   {
     Engine_result r = engine_.result();
-    Communicator& communicator = backend_.communicator();
-    if(communicator.sum(std::uint64_t(r.shape_of.size())) == 0)
+    if(host_.communicator().sum(std::uint64_t(r.shape_of.size())) == 0)
       return r; // cancelled before the first round
     r.shape_of = distribution_.collect(r.shape_of);
     if(!in_.has_normals)
       r.normal = distribution_.collect(r.normal);
-    r.points = group_points(backend_, r.shape_of.data(), r.shape_of.size(), r.shapes.size());
+    r.points = group_points(host_, r.shape_of.data(), r.shape_of.size(), r.shapes.size());
     return r;
   }
 
@@ -57,9 +57,10 @@ private:
     return own;
   }
 
-  Backend& backend_;
+  Host& host_;
   Distribution distribution_;
   Import in_; // the points of this rank
+  Backend backend_;
   Engine<Backend> engine_;
 };
 

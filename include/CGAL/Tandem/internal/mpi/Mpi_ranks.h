@@ -8,10 +8,6 @@
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
-#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
-#endif
 #include <CGAL/Tandem/internal/finish/clutter.h>
 #include <CGAL/Tandem/internal/mpi/Ghosts.h>
 #include <CGAL/Tandem/internal/mpi/Host_view.h>
@@ -26,15 +22,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Where points of other ranks are searched.
-#ifdef CGAL_LINKED_WITH_TBB
-using Parallel_host = Tbb_backend;
-#else
-using Parallel_host = Sequential_backend;
-#endif
-template <class Local>
-using Search_host = typename std::conditional<std::is_base_of<Host_memory, Local>::value, Local, Parallel_host>::type;
 
 template <class Local>
 class Ranks<Mpi_backend<Local>> {
