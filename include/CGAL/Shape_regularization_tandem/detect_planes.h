@@ -24,7 +24,7 @@ The method is that of sections 3 and 4 of \cgalCite{OLA16}. The user manual list
 linear in the number of points.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, `CGAL::Parallel_if_available_tag` (the default),
-`Cuda_tag` or `Cuda_if_available_tag`
+`Cuda_tag`, `Cuda_if_available_tag` or `Mpi_tag`
 \tparam PointRange a model of `ConstRange` whose iterators are random access; also `CGAL::Point_set_3`, whose maps are
 the defaults then
 
@@ -103,6 +103,11 @@ the defaults then
     throws ends the detection at once and reaches the caller.}
     \cgalParamDefault{none}
   \cgalParamNEnd
+  \cgalParamNBegin{communicator}
+    \cgalParamDescription{a `boost::mpi::communicator`, for `Mpi_tag` only: the processes that work together}
+    \cgalParamDefault{all processes}
+  \cgalParamNEnd
+
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{a model of `Kernel`}
     \cgalParamDefault{the kernel of the points}
@@ -112,7 +117,8 @@ the defaults then
 \return the shapes as a `Planar_shapes_3`
 
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
-\throw std::length_error more than 2^31 points, or than the memory of the device holds (`Cuda_tag`)
+\throw std::length_error more than 2^31 points (of one process), or than the memory of the device holds (`Cuda_tag`)
+\throw std::logic_error MPI is not initialized (`Mpi_tag`)
 \throw std::runtime_error there is no CUDA device (`Cuda_tag`), or it fails
 \throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
 */
