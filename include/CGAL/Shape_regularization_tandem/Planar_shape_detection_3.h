@@ -75,8 +75,10 @@ public:
     const internal::Round_to_nearest rounding;
     Ranks::together(backend_, [&] {
       internal::check_given_parameters(parameters_);
+      Ranks::check_same(backend_, parameters_);
       internal::Stop_watch watch;
-      in_ = internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
+      in_ =
+        internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
       internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
       import_time_ = watch.lap();
       if(progress_.show(0) && in_.total.points >= parameters_.minimum_region_size)
@@ -129,8 +131,9 @@ public:
     check_complete();
     internal::Stop_watch watch;
     Backend backend = traits_.backend();
-    internal::Shapes_data data =
-      internal::export_shapes(backend, in_, parameters_, engine_ ? Ranks::together(backend, [&] { return engine_->result(); }) : internal::Engine_result());
+    internal::Shapes_data data = internal::export_shapes(
+      backend, in_, parameters_,
+      engine_ ? Ranks::together(backend, [&] { return engine_->result(); }) : internal::Engine_result());
     Statistics& statistics = data.statistics;
     statistics.is_cancelled = is_cancelled();
     statistics.backend = engine_ ? engine_->name() : Backend::name();

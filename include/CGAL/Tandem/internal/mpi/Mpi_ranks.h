@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/mpi/Ghosts.h>
 #include <CGAL/Tandem/internal/mpi/Seams.h>
 #include <CGAL/Tandem/internal/mpi/octants.h>
+#include <CGAL/Tandem/internal/mpi/same_parameters.h>
 #include <CGAL/Tandem/internal/mpi/sample_cells.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
@@ -42,6 +43,11 @@ public:
     return backend.communicator().together(f);
   }
 
+  static void check_same(Backend& backend, const Parameters& parameters)
+  {
+    check_same_parameters(backend.communicator(), parameters);
+  }
+
   // Ranks without a callback agree with the others.
   template <class Callback>
   static Callback joined(Backend& backend, Callback callback)
@@ -65,6 +71,12 @@ public:
     std::uint64_t counts[4] = {in.total.points, in.total.items, in.total.ignored_coordinates, in.total.ignored_normals};
     communicator().sum(counts, 4);
     in.total = {counts[0], counts[1], counts[2], counts[3]};
+    // Ranks without points follow the others: an empty point set may have no normals.
+    int given[2] = {in.size() > 0 && in.has_normals, in.size() > 0 && !in.has_normals};
+    communicator().maximize(given, 2);
+    if(given[0] && given[1])
+      throw std::invalid_argument("normal_map is given on some ranks only");
+    in.has_normals = given[0] || (in.has_normals && !given[1]);
   }
 
   std::vector<Grid_point> sample_cells(const Host_buffer<Grid_point>& point) const
