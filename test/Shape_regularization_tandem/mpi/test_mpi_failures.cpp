@@ -4,58 +4,22 @@
 // What goes wrong on one rank ends all of them, with the same exception, and nobody waits: a parameter out of its range,
 // a property map or a callback that throws. Where the callback of one rank cancels, all have the result of one process
 // that is cancelled there.
-//   mpirun -n N test_mpi_failures [killed]   the last rank is killed: mpirun has to end the others
+//   mpirun -n N test_mpi_failures [few | killed]   a choice; or the last rank is killed: mpirun has to end the others
 
 #undef NDEBUG
 
+#include "testing/mpi_failure.h"
 #include "testing/mpi_support.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
+#include <CGAL/Point_set_3.h>
+
 #include <csignal>
-#include <new>
 #include <set>
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Callback;
-
-// Not of the standard library.
-struct Stop {};
-
-// The exception of f() by type and message. The types are those that other ranks can throw again.
-template <class F>
-std::string failure_of(F f)
-{
-  try {
-    f();
-  } catch(const std::invalid_argument& e) {
-    return std::string("invalid_argument: ") + e.what();
-  } catch(const std::logic_error& e) {
-    return std::string("logic_error: ") + e.what();
-  } catch(const std::range_error& e) {
-    return std::string("range_error: ") + e.what();
-  } catch(const std::runtime_error& e) {
-    return std::string("runtime_error: ") + e.what();
-  } catch(const std::bad_alloc&) {
-    return "bad_alloc";
-  } catch(const Stop&) {
-    return "Stop";
-  }
-  return "nothing";
-}
-
-// The same text on all ranks, which has the words.
-void check_failure(const Ranks& ranks, const std::string& text, std::initializer_list<const char*> words,
-                   const std::string& name)
-{
-  for(const char* word : words)
-    CHECK_AT(text.find(word) != std::string::npos, name + ": " + word + " is not in: " + text);
-  const Words letters(text.begin(), text.end()), all = gather(ranks, letters, 0);
-  Words expected;
-  for(int r = 0; r < ranks.size() && ranks.rank() == 0; ++r)
-    expected.insert(expected.end(), letters.begin(), letters.end());
-  CHECK_AT(all == expected, name + ": the ranks do not agree on: " + text);
-}
 
 Dealt_case make_case()
 {
@@ -103,6 +67,51 @@ void test_parameters(const Ranks& ranks)
   parameters.k_neighbors = std::size_t(1000 + ranks.rank());
   check_failure(ranks, failure_of([&] { detect_with(ranks, part, np::settings(parameters)); }), {"k_neighbors", "1000"},
                 "every rank fails");
+  check_alive(ranks);
+}
+
+// Valid on each rank, but not the same.
+void test_different_parameters(const Ranks& ranks)
+{
+  if(ranks.size() == 1)
+    return;
+  const Cloud part = make_case().part(ranks);
+  const bool is_last = ranks.rank() == ranks.size() - 1;
+  const auto check = [&](const char* name, auto change) {
+    Parameters parameters = make_parameters(.01, 30);
+    if(is_last)
+      change(parameters);
+    check_failure(ranks, failure_of([&] { detect_with(ranks, part, np::settings(parameters)); }),
+                  {"invalid_argument", name, "the same on all ranks"}, name);
+  };
+  check("maximum_distance", [](Parameters& p) { p.maximum_distance = .02; });
+  check("minimum_region_size", [](Parameters& p) { p.minimum_region_size = 5000; });
+  check("cell_size", [](Parameters& p) { p.cell_size = 100; });
+  check("regularize_coplanarity", [](Parameters& p) { p.regularize_coplanarity = false; });
+  check("fixed_directions", [](Parameters& p) { p.fixed_directions = {{0, 0, 1}}; });
+  check_alive(ranks);
+}
+
+// A point set knows at run time only whether it has normals. One without points need not have them.
+void test_normals_of_some_ranks(const Ranks& ranks)
+{
+  const Dealt_case c = make_case();
+  const bool is_last = ranks.rank() == ranks.size() - 1;
+  const auto list = np::settings(c.parameters).communicator(ranks);
+  const auto detect = [&](bool has_points) {
+    CGAL::Point_set_3<Kernel::Point_3> points(!is_last);
+    for(const auto& item : c.part(ranks))
+      if(has_points && is_last)
+        points.insert(item.first);
+      else if(!is_last)
+        points.insert(item.first, item.second);
+    return CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(points, list);
+  };
+  if(ranks.size() == 1)
+    return;
+  check_failure(ranks, failure_of([&] { detect(true); }), {"invalid_argument", "normal_map", "some ranks"}, "normals");
+  const Shapes shapes = detect(false);
+  CHECK(!shapes.has_estimated_normals() && shapes.number_of_shapes() >= 6);
   check_alive(ranks);
 }
 
@@ -175,10 +184,10 @@ int number_of_calls()
 }
 
 // Whatever stage the callback of one rank ends by an exception.
-void test_throwing_callbacks(const Ranks& ranks)
+void test_throwing_callbacks(const Ranks& ranks, int stride)
 {
   const int calls = number_of_calls();
-  for(int call = 1; call <= calls; ++call)
+  for(int call = calls; call > 0; call -= stride)
     for(const int bad : first_and_last(ranks)) {
       int count = 0;
       const std::string name = "call " + std::to_string(call), found = failure_with_callback(ranks, bad, [&](double) {
@@ -217,13 +226,13 @@ void test_class_after_exception(const Ranks& ranks)
 }
 
 // The callback of one rank cancels for all: the shapes found until then are those of one process.
-void test_cancellation(const Ranks& ranks)
+void test_cancellation(const Ranks& ranks, int stride)
 {
   const Dealt_case c = make_case();
   const Cloud part = c.part(ranks), whole = c.whole(ranks);
   const auto list = np::settings(c.parameters);
   const int calls = number_of_calls();
-  for(int call = 1; call < calls; ++call) {
+  for(int call = 1; call < calls; call += stride) {
     const int bad = call % ranks.size();
     int left = call;
     const Callback none, cancel = [&](double) { return --left > 0; };
@@ -261,13 +270,17 @@ int main(int argc, char** argv)
                                  {"MPI is not initialized"}, __LINE__);
   const boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
   const Ranks world;
-  if(argc > 1)
+  const std::string what = argc > 1 ? argv[1] : "";
+  if(what == "killed")
     be_killed(world);
+  const int stride = what == "few" ? 4 : 1;
   test_parameters(world);
+  test_different_parameters(world);
+  test_normals_of_some_ranks(world);
   test_maps(world);
   test_extent(world);
-  test_throwing_callbacks(world);
+  test_throwing_callbacks(world, stride);
   test_class_after_exception(world);
-  test_cancellation(world);
+  test_cancellation(world, stride);
   return report_on(world);
 }
