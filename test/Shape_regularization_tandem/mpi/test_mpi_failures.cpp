@@ -273,7 +273,7 @@ int main(int argc, char** argv)
   const std::string what = argc > 1 ? argv[1] : "";
   if(what == "killed")
     be_killed(world);
-  const int stride = what == "few" ? 4 : 1;
+  const int stride = what == "few" ? 7 : 1;
   test_parameters(world);
   test_different_parameters(world);
   test_normals_of_some_ranks(world);
