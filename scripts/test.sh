@@ -24,7 +24,7 @@ program_dir=$root/examples/Shape_regularization_tandem/program
 # The tests that the other configurations build as well: they reach every part of the
 # engine and are small, and compiling is what takes the time.
 examples='^detect_planes(_of_vector)?$'
-sanitized='test_(bad_input|regularize_planes|output_file)'
+sanitized='test_(bad_input|regularize_planes|output_file|mpi_)'
 
 fail() { echo "test.sh: $*" >&2; exit 1; }
 
@@ -46,6 +46,14 @@ seconds_of()
 }
 
 python_packages='pybind11-dev python3-numpy python3-dev'
+mpi_packages='libopenmpi-dev openmpi-bin libboost-mpi-dev'
+
+install_mpi()
+{
+  # shellcheck disable=SC2086
+  "$root/scripts/install_dependencies.sh" $mpi_packages ||
+    echo "not all can be installed: many processes are not tested"
+}
 
 # install PART: what it needs beside CGAL and its companions
 install()
@@ -56,9 +64,11 @@ install()
       echo "not all can be installed: pictures or --view are not tested, or micro-benchmarks or the manual page not built"
       # shellcheck disable=SC2086
       "$root/scripts/install_dependencies.sh" $python_packages ||
-        echo "not all can be installed: the Python module is not tested" ;;
+        echo "not all can be installed: the Python module is not tested"
+      install_mpi ;;
     benchmark) "$root/scripts/install_dependencies.sh" gnuplot-nox xz-utils ;;
-    bits | asan | tsan | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev ;;
+    bits | asan | tsan | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev
+      [ "$1" != asan ] || install_mpi ;;
   esac
 }
 
@@ -172,7 +182,7 @@ run_asan()
 run_tsan()
 {
   export CXX=clang++
-  configuration tsan 'threads|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF \
+  configuration tsan 'threads|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF -DTANDEM_WITH_MPI=OFF \
     "-DTANDEM_TESTS=test_(thread_backend|bad_input)" '-DTANDEM_EXAMPLES=^detect_planes_of_vector$' \
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
   step program
@@ -203,7 +213,7 @@ run_cuda()
   [ -n "$architecture" ] || { cuda_flags='-Xcicc -O1 -Xptxas -O0'; cxx_flags=-O0; }
   configuration cuda cuda -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
     "-DCMAKE_CUDA_FLAGS=$cuda_flags" "-DCMAKE_CUDA_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
-    -DTANDEM_WITH_CUDA=ON -DTANDEM_BUILD_ENGINE=OFF "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" \
+    -DTANDEM_WITH_CUDA=ON -DTANDEM_WITH_MPI=OFF -DTANDEM_BUILD_ENGINE=OFF "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" \
     -DTANDEM_TESTS=test_cuda -DTANDEM_EXAMPLES=detect_planes_on_device
 }
 

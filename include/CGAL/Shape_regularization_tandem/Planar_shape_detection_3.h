@@ -69,12 +69,14 @@ public:
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters(),
                                     const Traits& traits = Traits())
-    : traits_(traits), backend_(traits_.backend()), parameters_(internal::read_parameters(np)),
+    : traits_(traits), backend_(traits_.backend()),
+      parameters_(Ranks::together(backend_, [&] { return internal::read_parameters(np); })),
       progress_(Ranks::joined(backend_, internal::parameter<internal_np::callback_t>(np, Callback())))
   {
     const internal::Round_to_nearest rounding;
     Ranks::together(backend_, [&] {
       internal::check_given_parameters(parameters_);
+      Ranks::check_same(backend_, parameters_);
       internal::Stop_watch watch;
       in_ =
         internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
@@ -119,7 +121,7 @@ public:
     if(engine_)
       Ranks::together(backend_, [&] { engine_->finish(); });
     is_finished_ = true;
-    progress_.show_end();
+    Ranks::together(backend_, [&] { progress_.show_end(); });
   }
 
   /// the shapes: of the last round, whose planes are not final, or the final ones after `finish()`, whose points are

@@ -62,16 +62,19 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRan
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 Parameters estimate_parameters(const PointRange& points, const NamedParameters& np = NamedParameters())
 {
-  Parameters p = internal::read_parameters(np);
   const internal::Round_to_nearest rounding;
-  internal::check_given_parameters(p);
-  internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
+  return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();
-    const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
-    internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
-    return 0;
+    using Ranks = internal::Ranks<decltype(backend)>;
+    return Ranks::together(backend, [&] {
+      Parameters p = internal::read_parameters(np);
+      internal::check_given_parameters(p);
+      Ranks::check_same(backend, p);
+      const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+      internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
+      return p;
+    });
   });
-  return p;
 }
 
 } // namespace Tandem

@@ -48,6 +48,11 @@ public:
     return f();
   }
 
+  // Throws on all ranks unless they have the same parameters.
+  template <class Parameters>
+  static void check_same(Backend&, const Parameters&)
+  {}
+
   // The callback that asks those of all ranks.
   template <class Callback>
   static Callback joined(Backend&, Callback callback)
@@ -55,7 +60,7 @@ public:
     return callback;
   }
 
-  // Box and counts become those of all ranks.
+  // Box and counts become those of all ranks. All of them have normals, or none.
   template <class Import>
   void join_imports(Import&) const
   {}

@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_CLOUD_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>

@@ -14,6 +14,7 @@
 #include <CGAL/Tandem/internal/mpi/Seams.h>
 #include <CGAL/Tandem/internal/mpi/octants.h>
 #include <CGAL/Tandem/internal/mpi/rank_functors.h>
+#include <CGAL/Tandem/internal/mpi/same_parameters.h>
 #include <CGAL/Tandem/internal/mpi/sample_cells.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
 
@@ -41,6 +42,11 @@ public:
     return backend.communicator().together(f);
   }
 
+  static void check_same(Backend& backend, const Parameters& parameters)
+  {
+    check_same_parameters(backend.communicator(), parameters);
+  }
+
   // Ranks without a callback agree with the others.
   template <class Callback>
   static Callback joined(Backend& backend, Callback callback)
@@ -64,6 +70,12 @@ public:
     std::uint64_t counts[4] = {in.total.points, in.total.items, in.total.ignored_coordinates, in.total.ignored_normals};
     communicator().sum(counts, 4);
     in.total = {counts[0], counts[1], counts[2], counts[3]};
+    // Ranks without points follow the others: an empty point set may have no normals.
+    int given[2] = {in.size() > 0 && in.has_normals, in.size() > 0 && !in.has_normals};
+    communicator().maximize(given, 2);
+    if(given[0] && given[1])
+      throw std::invalid_argument("normal_map is given on some ranks only");
+    in.has_normals = given[0] || (in.has_normals && !given[1]);
   }
 
   bool all(bool own, std::string& why) const { return communicator().all(own, why); }

@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Many processes have the bits of one: on all scenes, in random cases, wherever the points are, on any communicator, and
+// after each round.
+//   mpirun -n N test_mpi_bits [few | SEED NUMBER]   a choice of the cases, or so many random ones, from this seed on
+
+#undef NDEBUG
+
+#include "testing/mpi_support.h"
+
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
+
+#include <cstdlib>
+#include <limits>
+#include <memory>
+
+const Deal deals[] = {Deal::blocks, Deal::random, Deal::reversed};
+
+Parameters with_cells(Parameters parameters, std::size_t cell_size)
+{
+  parameters.cell_size = cell_size;
+  return parameters;
+}
+
+Cloud make_cloud(const std::string& scene, std::size_t points)
+{
+  return to_cloud(scenes::make_scene(scene, scene_options(points, .001, .1)));
+}
+
+// Every scene, with and without normals. Options change from scene to scene, and the points are elsewhere for each number
+// of ranks.
+std::vector<Dealt_case> scene_cases(const Ranks& ranks, std::size_t stride)
+{
+  std::vector<Dealt_case> cases;
+  const std::vector<std::string>& names = scenes::scene_names();
+  for(std::size_t i = 0; i < 2 * names.size(); i += stride) {
+    const std::string& name = names[i / 2];
+    const scenes::Scene scene = scenes::make_scene(name, scene_options(1500 + 50 * i, .001, .1));
+    Parameters p = i % 5 == 0 ? Parameters() : make_parameters(.006 * scene.diagonal, 25);
+    p.cell_size = std::size_t(64) << i % 3;
+    p.k_neighbors = 8 + i % 9;
+    if(i % 4 >= 2)
+      p.fixed_directions = {{0, 0, 1}, {1, .1, 0}};
+    p.regularize_axis_symmetry = i % 7 == 0;
+    cases.push_back({{name, to_cloud(scene), p, i % 2 == 0 ? Given::normals : Given::nothing},
+                     deals[(i + std::size_t(ranks.size())) % 3]});
+  }
+  return cases;
+}
+
+std::vector<Dealt_case> random_cases(std::uint64_t seed, std::size_t number)
+{
+  std::vector<Dealt_case> cases;
+  for(std::uint64_t s = seed; s < seed + number; ++s)
+    cases.push_back({make_random_case(s, 2500), deals[s % 3]});
+  return cases;
+}
+
+Cloud repeated(std::size_t n) { return Cloud(n, {Kernel::Point_3(1, 2, 3), Kernel::Vector_3(0, 0, 1)}); }
+
+Cloud joined(Cloud a, const Cloud& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// One wall, so long that it has parts on all ranks.
+Cloud wall(std::size_t n, double length)
+{
+  scenes::Random random(3);
+  Cloud cloud;
+  for(std::size_t i = 0; i < n; ++i)
+    cloud.emplace_back(Kernel::Point_3(length * random.uniform(), .003 * random.uniform(), random.uniform()),
+                       Kernel::Vector_3(.05 * random.uniform(), 1, 0));
+  return cloud;
+}
+
+Cloud moved(Cloud cloud, double x, double y, double z)
+{
+  for(auto& item : cloud)
+    item.first = item.first + Kernel::Vector_3(x, y, z);
+  return cloud;
+}
+
+// Only among the first points: in blocks, those of the first rank.
+Cloud spoiled(Cloud cloud, std::size_t n)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for(std::size_t i = 0; i < n; ++i)
+    if(i % 2 == 0)
+      cloud[i].first = Kernel::Point_3(0, i % 4 == 0 ? nan : infinite, 0);
+    else
+      cloud[i].second = Kernel::Vector_3(0, i % 3 == 0 ? nan : 0, 0);
+  return cloud;
+}
+
+// Clouds, and distributions of them, that are at the border of what there can be.
+std::vector<Dealt_case> border_cases(const Ranks& ranks, std::size_t stride)
+{
+  const std::size_t size = std::size_t(ranks.size());
+  const Cloud cube = make_cloud("cube", 1500), house = make_cloud("house", 2000);
+  Cloud twice = joined(cube, cube), close = joined(cube, moved(cube, 1e-9, 0, 0));
+  shuffle(twice, 1);
+  struct Named {
+    const char* name;
+    Cloud cloud;
+    std::size_t cell_size;
+    Deal deal;
+  };
+  const std::vector<Named> list = {
+    {"nothing", {}, 64, Deal::blocks},
+    {"a point", repeated(1), 64, Deal::last},
+    {"two points for each rank", make_cloud("cube", 2 * size), 64, Deal::blocks},
+    {"equal points", repeated(700), 64, Deal::cyclic},
+    {"all on one rank", house, 128, Deal::last},
+    {"ranks without points", house, 64, Deal::odd},
+    {"one leaf", cube, 8192, Deal::random},
+    {"a leaf for each rank", make_cloud("cube", 60 * size), 64, Deal::blocks},
+    {"duplicates on other ranks", joined(cube, cube), 64, Deal::blocks},
+    {"duplicates anywhere", twice, 100, Deal::cyclic},
+    {"close twins", close, 64, Deal::blocks},
+    {"a wall", wall(3000, 30), 64, Deal::random},
+    {"a strip", wall(2000, 3000), 64, Deal::blocks},
+    {"two places", joined(cube, moved(cube, 900, -400, 200)), 64, Deal::random},
+    {"a far point", joined(cube, moved(repeated(1), 30000, 0, 0)), 64, Deal::blocks},
+    {"a huge offset", moved(cube, 4e6, -5e6, 300), 64, Deal::reversed},
+    {"bad points on one rank", spoiled(cube, cube.size() / size), 64, Deal::blocks},
+    {"nothing but bad points", spoiled(cube, cube.size()), 64, Deal::cyclic},
+    {"fewer than a shape needs", make_cloud("cube", 20), 64, Deal::cyclic},
+  };
+  std::vector<Dealt_case> cases;
+  for(std::size_t i = 0; i < 2 * list.size(); i += stride) {
+    const Named& n = list[i / 2];
+    const Given given = i % 2 == 0 ? Given::normals : Given::nothing;
+    cases.push_back({{n.name, n.cloud, with_cells(make_parameters(.01, 24), n.cell_size), given}, n.deal});
+  }
+  return cases;
+}
+
+// The wall is one shape, and it has points of all ranks.
+void test_wall(const Ranks& ranks)
+{
+  const Dealt_case c = {{"wall", wall(3000, 30), with_cells(make_parameters(.01, 24), 64), Given::normals},
+                        Deal::blocks};
+  const Shapes shapes = detect_on<CGAL::Sequential_tag>(ranks, c.part(ranks), c.parameters, c.given);
+  check_equal(shapes.number_of_shapes(), 1u, c.text(ranks) + ": number of shapes");
+  CHECK_AT(shapes.points(0).size() > 0, c.text(ranks));
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+void test_threads(const Ranks& ranks)
+{
+  std::vector<Dealt_case> cases;
+  for(const char* name : {"house", "indoor"})
+    cases.push_back({{name, make_cloud(name, 1500), with_cells(make_parameters(.2, 20), 100), Given::nothing},
+                     name[0] == 'h' ? Deal::random : Deal::odd});
+  CHECK(sum_over(ranks, compare_with_one<CGAL::Parallel_tag>(ranks, cases)) > 5);
+}
+#else
+void test_threads(const Ranks&) { std::cout << "threads are not tested, there is no TBB" << std::endl; }
+#endif
+
+template <class Normal_map, class Tag>
+using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Normal_map, Tag>;
+
+// A difference is reported with the round in which it comes up.
+template <class Normal_map>
+void compare_rounds(const Ranks& ranks, const Dealt_case& c)
+{
+  using One = CGAL::Tandem::Planar_shape_detection_3<Traits<Normal_map, CGAL::Sequential_tag>>;
+  using Many_traits = Traits<Normal_map, Mpi_tag<CGAL::Sequential_tag>>;
+  const auto list =
+    CGAL::Tandem::parameters::settings(c.parameters).point_map(First<Kernel>()).normal_map(Normal_map());
+  std::unique_ptr<One> one;
+  if(ranks.rank() == 0)
+    one = std::make_unique<One>(c.whole(ranks), list);
+  CGAL::Tandem::Planar_shape_detection_3<Many_traits> many(c.part(ranks), list, Many_traits(Kernel(), ranks));
+  const auto compare = [&](const std::string& where) {
+    const Shapes expected = one ? one->shapes() : Shapes();
+    check_same_on_ranks(ranks, many.shapes(), &expected, 0, c.text(ranks) + where);
+  };
+  compare(", before the first round");
+  bool goes_on = true;
+  for(int round = 0; goes_on; ++round) {
+    goes_on = many.iterate();
+    const std::string where = ", round " + std::to_string(round);
+    CHECK_AT(!one || one->iterate() == goes_on, c.text(ranks) + where + ": one of them has ended");
+    compare(where);
+  }
+  many.finish();
+  if(one)
+    one->finish();
+  compare(", after the end game");
+  CHECK_AT(!many.iterate(), c.text(ranks));
+  many.finish();
+  compare(", finished twice");
+  CHECK_AT(many.shapes().number_of_shapes() >= 2, c.text(ranks));
+}
+
+void test_rounds(const Ranks& ranks)
+{
+  const Parameters parameters = with_cells(make_parameters(.2, 30), 128);
+  compare_rounds<Second<Kernel>>(ranks,
+                                 {{"house", make_cloud("house", 2500), parameters, Given::normals}, Deal::random});
+  compare_rounds<CGAL::Default>(ranks,
+                                {{"indoor", make_cloud("indoor", 2000), parameters, Given::nothing}, Deal::blocks});
+}
+
+// Messages of the caller that are under way while the ranks work.
+class Pending_messages {
+public:
+  explicit Pending_messages(const Ranks& ranks)
+    : ranks_(ranks), next_((ranks.rank() + 1) % ranks.size()), last_((ranks.rank() + ranks.size() - 1) % ranks.size())
+  {
+    MPI_Irecv(&received_[0], 1, MPI_INT, MPI_ANY_SOURCE, MPI_ANY_TAG, ranks_, &requests_[0]);
+    MPI_Irecv(&received_[1], 1, MPI_INT, MPI_ANY_SOURCE, 1, ranks_, &requests_[1]);
+    for(int i : {0, 2}) // nobody receives the second one meanwhile
+      MPI_Isend(&sent_[i], 1, MPI_INT, next_, i, ranks_, &requests_[2 + i]);
+    MPI_Iallreduce(&one_, &all_, 1, MPI_INT, MPI_SUM, ranks_, &requests_[5]);
+  }
+
+  void check_received(const std::string& name)
+  {
+    MPI_Isend(&sent_[1], 1, MPI_INT, next_, 1, ranks_, &requests_[3]);
+    MPI_Recv(&received_[2], 1, MPI_INT, last_, 2, ranks_, MPI_STATUS_IGNORE);
+    MPI_Waitall(6, requests_, MPI_STATUSES_IGNORE);
+    for(int i : {0, 1, 2})
+      check_equal(received_[i], sent_[i], name + ": message " + std::to_string(i));
+    check_equal(all_, ranks_.size(), name + ": sum over the ranks");
+  }
+
+private:
+  const Ranks& ranks_;
+  int next_, last_;
+  const int sent_[3] = {101, 102, 103}, one_ = 1;
+  int received_[3] = {0, 0, 0}, all_ = 0;
+  MPI_Request requests_[6];
+};
+
+// Half of the ranks, in reversed order, do something else than the others; then each rank by itself.
+void test_communicators(const Ranks& world)
+{
+  const Ranks half = world.split(world.rank() % 2, -world.rank());
+  Pending_messages in_world(world), in_half(half);
+  compare_with_one(half, random_cases(std::uint64_t(20 + world.rank() % 2), std::size_t(1 + world.rank() % 2)));
+  const Ranks self(MPI_COMM_SELF, boost::mpi::comm_attach);
+  compare_with_one(self, random_cases(std::uint64_t(30 + world.rank()), 1));
+  in_half.check_received("half of the ranks");
+  in_world.check_received("all ranks");
+
+  // The default is the world.
+  const Dealt_case c = {make_random_case(1, 2000), Deal::blocks};
+  const Shapes shapes = detect<Mpi_tag<CGAL::Sequential_tag>>(c.part(world), c.parameters, c.given);
+  const Shapes expected = detect(c.whole(world), c.parameters, c.given);
+  check_same_on_ranks(world, shapes, &expected, 0, c.text(world) + ", without a communicator");
+}
+
+// So many points that a sample of their cells is measured.
+void test_estimates(const Ranks& ranks, std::size_t points)
+{
+  const Dealt_case c = {{"wall", wall(points, 50), Parameters(), Given::nothing}, Deal::cyclic};
+  const auto list = CGAL::Tandem::parameters::point_map(First<Kernel>());
+  const Parameters estimated =
+    CGAL::Tandem::estimate_parameters<Mpi_tag<CGAL::Sequential_tag>>(c.part(ranks), list.communicator(ranks));
+  Words own, expected;
+  add_parameters(own, estimated);
+  own = gather(ranks, own, 0);
+  if(ranks.rank() != 0)
+    return;
+  for(int r = 0; r < ranks.size(); ++r)
+    add_parameters(expected, CGAL::Tandem::estimate_parameters<CGAL::Sequential_tag>(c.cloud, list));
+  CHECK_AT(own == expected, c.text(ranks) + ": estimated parameters");
+}
+
+int main(int argc, char** argv)
+{
+  const boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
+  const Ranks world;
+  if(argc > 2) {
+    compare_with_one(world, random_cases(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10)));
+    return report_on(world);
+  }
+  const bool are_few = argc > 1;
+  const std::size_t stride = are_few ? 11 : 1;
+  const std::size_t shapes =
+    compare_with_one(world, scene_cases(world, stride)) + compare_with_one(world, random_cases(1, 20 / stride));
+  CHECK(sum_over(world, shapes) > 150 / stride);
+  compare_with_one(world, border_cases(world, stride));
+  test_threads(world);
+  test_communicators(world);
+  if(!are_few) {
+    test_wall(world);
+    test_estimates(world, 2000);
+    test_estimates(world, 150000);
+    test_rounds(world);
+  }
+  return report_on(world);
+}

@@ -1,0 +1,286 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What goes wrong on one rank ends all of them, with the same exception, and nobody waits: a parameter out of its range,
+// a property map or a callback that throws. Where the callback of one rank cancels, all have the result of one process
+// that is cancelled there.
+//   mpirun -n N test_mpi_failures [few | killed]   a choice; or the last rank is killed: mpirun has to end the others
+
+#undef NDEBUG
+
+#include "testing/mpi_failure.h"
+#include "testing/mpi_support.h"
+
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
+
+#include <CGAL/Point_set_3.h>
+
+#include <csignal>
+#include <set>
+
+namespace np = CGAL::Tandem::parameters;
+using CGAL::Tandem::Callback;
+
+Dealt_case make_case()
+{
+  Parameters parameters = make_parameters(.01, 30);
+  parameters.cell_size = 64;
+  return {{"cube", to_cloud(scenes::make_scene("cube", scene_options(1200, .001, .1))), parameters, Given::normals},
+          Deal::random};
+}
+
+std::set<int> first_and_last(const Ranks& ranks) { return {0, ranks.size() - 1}; }
+
+// The ranks are as they were before.
+void check_alive(const Ranks& ranks) { CHECK(sum_over(ranks, compare_with_one(ranks, {make_case()})) >= 6); }
+
+template <class List>
+auto detect_with(const Ranks& ranks, const Cloud& part, const List& list)
+{
+  return CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(
+    part, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()).communicator(ranks));
+}
+
+void test_parameters(const Ranks& ranks)
+{
+  const Cloud part = make_case().part(ranks);
+  for(const int bad : first_and_last(ranks)) {
+    const bool is_bad = ranks.rank() == bad;
+    const auto check = [&](const auto& list, std::initializer_list<const char*> words) {
+      check_failure(ranks, failure_of([&] { detect_with(ranks, part, list); }), words, *words.begin());
+      using Tag = Mpi_tag<CGAL::Sequential_tag>;
+      const auto both = list.point_map(First<Kernel>()).communicator(ranks);
+      check_failure(ranks, failure_of([&] { CGAL::Tandem::estimate_parameters<Tag>(part, both); }), words,
+                    std::string("estimate_parameters, ") + *words.begin());
+    };
+    Parameters parameters = make_parameters(.01, 30);
+    parameters.maximum_angle = is_bad ? 95 : 25;
+    check(np::settings(parameters), {"invalid_argument", "maximum_angle", "95"});
+    parameters.maximum_angle = 25;
+    parameters.fixed_directions = {{0, 0, is_bad ? 0. : 1.}};
+    check(np::settings(parameters), {"invalid_argument", "fixed_directions"});
+    check(np::maximum_distance(is_bad ? -1. : .01), {"invalid_argument", "maximum_distance", "-1"});
+    check(np::k_neighbors(is_bad ? 2 : 12), {"invalid_argument", "k_neighbors", "2"});
+  }
+  // Of several failures, that of the first rank counts.
+  Parameters parameters = make_parameters(.01, 30);
+  parameters.k_neighbors = std::size_t(1000 + ranks.rank());
+  check_failure(ranks, failure_of([&] { detect_with(ranks, part, np::settings(parameters)); }), {"k_neighbors", "1000"},
+                "every rank fails");
+  check_alive(ranks);
+}
+
+// Valid on each rank, but not the same.
+void test_different_parameters(const Ranks& ranks)
+{
+  if(ranks.size() == 1)
+    return;
+  const Cloud part = make_case().part(ranks);
+  const bool is_last = ranks.rank() == ranks.size() - 1;
+  const auto check = [&](const char* name, auto change) {
+    Parameters parameters = make_parameters(.01, 30);
+    if(is_last)
+      change(parameters);
+    check_failure(ranks, failure_of([&] { detect_with(ranks, part, np::settings(parameters)); }),
+                  {"invalid_argument", name, "the same on all ranks"}, name);
+  };
+  check("maximum_distance", [](Parameters& p) { p.maximum_distance = .02; });
+  check("minimum_region_size", [](Parameters& p) { p.minimum_region_size = 5000; });
+  check("cell_size", [](Parameters& p) { p.cell_size = 100; });
+  check("regularize_coplanarity", [](Parameters& p) { p.regularize_coplanarity = false; });
+  check("fixed_directions", [](Parameters& p) { p.fixed_directions = {{0, 0, 1}}; });
+  check_alive(ranks);
+}
+
+// A point set knows at run time only whether it has normals. One without points need not have them.
+void test_normals_of_some_ranks(const Ranks& ranks)
+{
+  const Dealt_case c = make_case();
+  const bool is_last = ranks.rank() == ranks.size() - 1;
+  const auto list = np::settings(c.parameters).communicator(ranks);
+  const auto detect = [&](bool has_points) {
+    CGAL::Point_set_3<Kernel::Point_3> points(!is_last);
+    for(const auto& item : c.part(ranks))
+      if(has_points && is_last)
+        points.insert(item.first);
+      else if(!is_last)
+        points.insert(item.first, item.second);
+    return CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(points, list);
+  };
+  if(ranks.size() == 1)
+    return;
+  check_failure(ranks, failure_of([&] { detect(true); }), {"invalid_argument", "normal_map", "some ranks"}, "normals");
+  const Shapes shapes = detect(false);
+  CHECK(!shapes.has_estimated_normals() && shapes.number_of_shapes() >= 6);
+  check_alive(ranks);
+}
+
+// On one rank it fails at one of the points.
+struct Failing_map {
+  using key_type = Cloud::value_type;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+
+  friend reference get(const Failing_map& map, const key_type& item)
+  {
+    if(&item == map.failing)
+      map.fail();
+    return item.first;
+  }
+
+  const key_type* failing;
+  std::function<void()> fail;
+};
+
+template <class Tag>
+void test_map(const Ranks& ranks, const std::string& expected, const std::function<void()>& fail)
+{
+  const Cloud part = make_case().part(ranks);
+  for(const int bad : first_and_last(ranks)) {
+    const Failing_map map = {ranks.rank() == bad ? &part[part.size() / 2] : nullptr, fail};
+    const auto list = np::maximum_distance(.01).point_map(map).normal_map(Second<Kernel>()).communicator(ranks);
+    const std::string found = failure_of([&] { CGAL::Tandem::detect_planes<Mpi_tag<Tag>>(part, list); });
+    check_failure(ranks, found, {expected.c_str()}, "a property map");
+  }
+}
+
+void test_maps(const Ranks& ranks)
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  test_map<CGAL::Sequential_tag>(ranks, "runtime_error: lost", [] { throw std::runtime_error("lost"); });
+  test_map<Tag>(ranks, "invalid_argument: lost", [] { throw std::invalid_argument("lost"); });
+  test_map<Tag>(ranks, "bad_alloc", [] { throw std::bad_alloc(); });
+  check_alive(ranks);
+}
+
+// All have the extent of the points of all ranks.
+void test_extent(const Ranks& ranks)
+{
+  Dealt_case c = make_case();
+  c.cloud.emplace_back(Kernel::Point_3(1e9, 0, 0), Kernel::Vector_3(0, 0, 1));
+  check_failure(ranks, failure_of([&] { detect_with(ranks, c.part(ranks), np::maximum_distance(.01)); }),
+                {"range_error"}, "extent");
+  check_alive(ranks);
+}
+
+template <class F>
+std::string failure_with_callback(const Ranks& ranks, int calling, F callback)
+{
+  const Callback none, own = callback;
+  const Cloud part = make_case().part(ranks);
+  const auto list = np::settings(make_case().parameters).callback(ranks.rank() == calling ? own : none);
+  return failure_of([&] { detect_with(ranks, part, list); });
+}
+
+// How often the callback is called in the case of these tests.
+int number_of_calls()
+{
+  int calls = 0;
+  const Callback count = [&](double) { return ++calls > 0; };
+  const auto list = np::settings(make_case().parameters).point_map(First<Kernel>()).normal_map(Second<Kernel>());
+  CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(make_case().cloud, list.callback(count));
+  return calls;
+}
+
+// Whatever stage the callback of one rank ends by an exception.
+void test_throwing_callbacks(const Ranks& ranks, int stride)
+{
+  const int calls = number_of_calls();
+  for(int call = calls; call > 0; call -= stride)
+    for(const int bad : first_and_last(ranks)) {
+      int count = 0;
+      const std::string name = "call " + std::to_string(call), found = failure_with_callback(ranks, bad, [&](double) {
+                                                                 if(++count == call)
+                                                                   throw std::runtime_error("enough");
+                                                                 return true;
+                                                               });
+      check_failure(ranks, found, {"runtime_error: enough"}, name);
+      CHECK_AT(count == (ranks.rank() == bad ? call : 0), name + ", " + std::to_string(count));
+    }
+  // A type that other ranks do not know.
+  const std::string found = failure_with_callback(ranks, 0, [](double) -> bool { throw Stop(); });
+  CHECK_AT(found == (ranks.rank() == 0 ? "Stop" : "runtime_error: another rank has failed"), found);
+  check_alive(ranks);
+}
+
+// There are no shapes on any rank after that.
+void test_class_after_exception(const Ranks& ranks)
+{
+  using Traits =
+    CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, Mpi_tag<CGAL::Sequential_tag>>;
+  bool is_complete = false;
+  const Callback none, own = [&](double) {
+    if(is_complete)
+      throw std::invalid_argument("enough");
+    return true;
+  };
+  const auto list = np::settings(make_case().parameters).callback(ranks.rank() == ranks.size() - 1 ? own : none);
+  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(make_case().part(ranks), list, Traits(Kernel(), ranks));
+  is_complete = true;
+  check_failure(ranks, failure_of([&] { detection.iterate(); }), {"invalid_argument: enough"}, "iterate");
+  check_failure(ranks, failure_of([&] { detection.iterate(); }), {"logic_error"}, "iterate again");
+  check_failure(ranks, failure_of([&] { detection.finish(); }), {"logic_error"}, "finish");
+  check_failure(ranks, failure_of([&] { detection.shapes(); }), {"logic_error"}, "shapes");
+  check_alive(ranks);
+}
+
+// The callback of one rank cancels for all: the shapes found until then are those of one process.
+void test_cancellation(const Ranks& ranks, int stride)
+{
+  const Dealt_case c = make_case();
+  const Cloud part = c.part(ranks), whole = c.whole(ranks);
+  const auto list = np::settings(c.parameters);
+  const int calls = number_of_calls();
+  for(int call = 1; call < calls; call += stride) {
+    const int bad = call % ranks.size();
+    int left = call;
+    const Callback none, cancel = [&](double) { return --left > 0; };
+    const Shapes own = detect_with(ranks, part, list.callback(ranks.rank() == bad ? cancel : none));
+    const std::string name = "cancelled by call " + std::to_string(call);
+    CHECK_AT(own.is_cancelled(), name);
+    Shapes expected;
+    if(ranks.rank() == 0) {
+      left = call;
+      expected = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(
+        whole, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()).callback(cancel));
+      check_valid(whole, expected, name);
+    }
+    check_same_on_ranks(ranks, own, &expected, 0, name);
+  }
+  check_alive(ranks);
+}
+
+// mpirun ends the others, so none of them writes.
+void be_killed(const Ranks& ranks)
+{
+  const Callback none, own = [](double share) {
+    if(CGAL::Tandem::stage_at(share) == CGAL::Tandem::Detection_stage::rounds)
+      std::raise(SIGKILL);
+    return true;
+  };
+  const auto list = np::settings(make_case().parameters).callback(ranks.rank() == ranks.size() - 1 ? own : none);
+  detect_with(ranks, make_case().part(ranks), list);
+  std::cout << "a rank has gone on" << std::endl;
+}
+
+int main(int argc, char** argv)
+{
+  check_throws<std::logic_error>([] { detect<Mpi_tag<CGAL::Sequential_tag>>(Cloud(), Parameters()); },
+                                 {"MPI is not initialized"}, __LINE__);
+  const boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
+  const Ranks world;
+  const std::string what = argc > 1 ? argv[1] : "";
+  if(what == "killed")
+    be_killed(world);
+  const int stride = what == "few" ? 7 : 1;
+  test_parameters(world);
+  test_different_parameters(world);
+  test_normals_of_some_ranks(world);
+  test_maps(world);
+  test_extent(world);
+  test_throwing_callbacks(world, stride);
+  test_class_after_exception(world);
+  test_cancellation(world, stride);
+  return report_on(world);
+}
