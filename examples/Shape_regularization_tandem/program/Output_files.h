@@ -34,10 +34,10 @@ class Output_files {
 public:
   Output_files(const Options& o, const Input_cloud& cloud, bool is_first) : options(o), cloud(cloud)
   {
-    if(is_first)
-      open_files_of_all();
     if(!o.output_directory.empty())
       try_directory();
+    if(is_first) // some of them may be in that folder
+      open_files_of_all();
   }
 
   bool is_empty() const { return files.empty() && options.output_directory.empty(); }

@@ -51,6 +51,8 @@ inline void check_directory(const Options& o)
     return;
   for(const std::string& input : o.inputs) {
     const std::string output = output_of_input(o.output_directory, input);
+    if(unique_name(output) == unique_name(input))
+      throw Usage_error("--output-directory is the folder of " + input + ", which would be replaced");
     const auto [place, is_new] = input_of.emplace(output, input);
     if(!is_new && unique_name(place->second) != unique_name(input))
       throw Usage_error("--output-directory: " + place->second + " and " + input + " would both become " + output);
