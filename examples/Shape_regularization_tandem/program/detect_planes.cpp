@@ -165,7 +165,7 @@ void read_inputs(const Options& o, const std::vector<int>& rank_of_input, Ranks&
   for(std::size_t input = 0; input < o.inputs.size(); ++input)
     if(rank_of_input[input] == ranks.rank())
       own.push_back(input);
-  ranks.together([&] { check_files(o.inputs, own); });
+  ranks.together([&] { check_inputs(o.inputs, own); });
   ranks.together([&] {
     const Progress_line progress(!o.is_quiet && ranks.is_first(), "reading");
     read_clouds(o.inputs, own, input_settings(o.inputs, o.columns, o.classes), cloud);

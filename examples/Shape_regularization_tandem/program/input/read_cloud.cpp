@@ -215,7 +215,7 @@ void read_cloud(const std::string& path, const Input_settings& settings, Point_s
   }
 }
 
-void check_files(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen)
+void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen)
 {
   for(std::size_t input : chosen) {
     try {

@@ -44,7 +44,7 @@ struct Input_cloud {
 };
 
 // Finds what is wrong before any file is read. `chosen`: the places of the files to read, in increasing order.
-void check_files(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen);
+void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen);
 
 void read_clouds(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen,
                  const Input_settings& settings, Input_cloud& cloud);
