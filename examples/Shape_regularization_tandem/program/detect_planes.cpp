@@ -7,7 +7,6 @@
 #include "Output_files.h"
 #include "detection.h"
 #include "fail.h"
-#include "input/read_cloud.h"
 #include "output/write_las.h"
 #include "output/write_mesh.h"
 #include "program_options.h"
@@ -16,7 +15,7 @@
 #include "ranks/check_ranks.h"
 #include "ranks/hash_of_all.h"
 #include "ranks/launch.h"
-#include "ranks/share_files.h"
+#include "ranks/read_inputs.h"
 #include "signals.h"
 #include "view/write_view.h"
 
@@ -30,14 +29,11 @@
 #endif
 
 #include <algorithm>
-#include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -126,55 +122,6 @@ void name_device(const Shapes& shapes, int threads, Run& run)
 #else
   static_cast<void>(threads);
 #endif
-}
-
-// The rank that reads each of the inputs.
-std::vector<int> rank_of_inputs(const Options& o, const Ranks& ranks)
-{
-  std::vector<std::uint64_t> bytes;
-  for(const std::string& path : o.inputs) {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    bytes.push_back(ranks.number_of(0, error ? 0 : size));
-  }
-  return share_files(bytes, ranks.size());
-}
-
-// Takes the notes out of the parts, for people.
-void collect_notes(const Input_cloud& cloud, const Ranks& ranks, Run& run)
-{
-  std::vector<Placed_notes> own;
-  for(const Input_part& part : cloud.parts)
-    own.emplace_back(part.input, part.notes);
-  for(const auto& [input, notes] : ranks.gather(own)) {
-    run.notes.insert(run.notes.end(), notes.lines.begin(), notes.lines.end());
-    for(const std::string& warning : notes.warnings)
-      std::cerr << "detect_planes: warning: " << warning << std::endl;
-  }
-  const Attributes removed = ~ranks.common_bits(~cloud.of_some) & ~ranks.common_bits(cloud.of_all);
-  if(removed != 0)
-    run.notes.emplace_back("left out", names_of(removed) + ": not all of the inputs have them");
-}
-
-// Reads the inputs of this rank, and prints what may be wrong with those of all.
-void read_inputs(const Options& o, const std::vector<int>& rank_of_input, Ranks& ranks, Input_cloud& cloud, Run& run)
-{
-  CGAL::Real_timer timer;
-  timer.start();
-  std::vector<std::size_t> own;
-  for(std::size_t input = 0; input < o.inputs.size(); ++input)
-    if(rank_of_input[input] == ranks.rank())
-      own.push_back(input);
-  ranks.together([&] { check_inputs(o.inputs, own); });
-  ranks.together([&] {
-    const Progress_line progress(!o.is_quiet && ranks.is_first(), "reading");
-    read_clouds(o.inputs, own, input_settings(o.inputs, o.columns, o.classes), cloud);
-  });
-  run.read_seconds = ranks.largest(timer.time());
-  for(const std::string& path : o.inputs)
-    run.input += (run.input.empty() ? "" : ", ") + path;
-  collect_notes(cloud, ranks, run);
-  ranks.together([&] { keep_attributes(ranks.common_bits(cloud.of_all), cloud.points); });
 }
 
 void check_standard_output(const std::string& rest)

@@ -237,12 +237,8 @@ void read_clouds(const std::vector<std::string>& paths, const std::vector<std::s
     Input_notes notes;
     read_cloud(path, settings, points, notes);
     reduce_attributes(points, cloud);
-    if(paths.size() > 1) {
-      for(auto& [word, text] : notes.lines)
-        text += " (" + path + ")";
-    }
     for(std::string& warning : notes.warnings)
-      warning = path + ": " + warning;
+      warning.insert(0, path + ": ");
     if(first > 0)
       cloud.points.join(next);
     cloud.parts.push_back({input, first, cloud.points.size(), notes});

@@ -23,7 +23,7 @@
 namespace program {
 
 struct Run {
-  std::string input;
+  std::string input, short_input;                         // the names of all inputs, and of some
   std::vector<std::pair<std::string, std::string>> notes; // of the reading: a word, and what there is to say
   std::string normals;                                    // "given", "estimated" or how else
   std::string device = "CPU";
@@ -256,7 +256,7 @@ inline void print_summary(std::ostream& out, const Shapes& shapes, const Run& ru
   const auto row = [&out](const char* name) -> std::ostream& {
     return out << "  " << std::left << std::setw(12) << name;
   };
-  out << run.input << '\n' << std::setprecision(4);
+  out << run.short_input << '\n' << std::setprecision(4);
   row("points") << s.number_of_points << ", normals " << run.normals;
   if(s.number_of_ignored_points() > 0)
     out << "; ignored: " << s.number_of_ignored_coordinates << " not finite, " << s.number_of_ignored_normals
