@@ -24,7 +24,7 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 // What was not given is left to the library.
 struct Options {
   std::vector<std::string> inputs;
-  std::string output, labels, planes, report, vg, polygons, mesh, mesh_method, view;
+  std::string output, output_directory, labels, planes, report, vg, polygons, mesh, mesh_method, view;
   std::string columns, classes; // of the inputs
   std::string colors;           // of the output: shape, input or empty
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset;

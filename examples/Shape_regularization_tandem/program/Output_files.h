@@ -5,7 +5,9 @@
 #define DETECT_PLANES_OUTPUT_FILES_H
 
 #include "Options.h"
+#include "formats.h"
 #include "signals.h"
+#include "input/read_cloud.h"
 #include "output/Output_file.h"
 #include "output/report.h"
 #include "output/write_cloud.h"
@@ -16,45 +18,43 @@
 #include "view/write_view.h"
 
 #include <deque>
+#include <filesystem>
+#include <optional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace program {
 
-// The files to be written, opened before the work starts, so that a bad name costs no time.
+// The files to be written, opened before the work starts, so that a bad name costs no time. What one process writes for
+// all is written by the first one, the file of an input by the one that has read it.
 class Output_files {
 public:
-  explicit Output_files(const Options& o) : options(o)
+  Output_files(const Options& o, const Input_cloud& cloud, bool is_first) : options(o), cloud(cloud)
   {
-    open(o.output, [](std::ostream& out, const Results& r) {
-      write_cloud(out, r.points, r.shapes, {output_extension(r.o.output), r.o.colors, r.notes.las_frame});
-    });
-    open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
-    open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
-    open(o.vg,
-         [](std::ostream& out, const Results& r) { write_vg(out, r.points, r.shapes, r.o.has_group_for_each_plane); });
-    open(o.polygons, [](std::ostream& out, const Results& r) {
-      write_polygons(out, r.points, r.shapes, r.o.polygons, r.o.has_triangles_only);
-    });
-    open(o.mesh, [](std::ostream& out, const Results& r) { write_mesh(out, r.points, r.shapes, r.o); });
-    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.points, r.shapes, r.run); });
-    open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
+    if(!o.output_directory.empty())
+      try_directory();
+    if(is_first) // some of them may be in that folder
+      open_files_of_all();
   }
 
-  bool is_empty() const { return files.empty(); }
+  bool is_empty() const { return files.empty() && options.output_directory.empty(); }
 
-  // All of them or, if one cannot be written, none.
-  void write(const Point_set& points, const Input_notes& notes, const Shapes& shapes, const Run& run)
+  // None of them has its name before commit().
+  void write(const Shapes& shapes, const Run& run)
   {
-    for(std::size_t i = 0; i < files.size(); ++i) {
-      if(is_interrupted())
-        throw Interrupted();
-      writers[i](files[i].stream(), Results{options, points, notes, shapes, run});
-      files[i].close();
-    }
-    if(is_interrupted())
-      throw Interrupted();
+    for(std::size_t i = 0; i < writers.size(); ++i)
+      write_file(i, Results{options, cloud, shapes, run});
+    if(!options.output_directory.empty())
+      for(const Input_part& part : cloud.parts)
+        write_part(part, shapes);
+  }
+
+  // Gives the files their names.
+  void commit()
+  {
     for(Output_file& file : files)
       file.commit();
   }
@@ -62,12 +62,31 @@ public:
 private:
   struct Results {
     const Options& o;
-    const Point_set& points;
-    const Input_notes& notes;
+    const Input_cloud& cloud;
     const Shapes& shapes;
     const Run& run;
   };
   using Writer = void (*)(std::ostream&, const Results&);
+
+  void open_files_of_all()
+  {
+    const Options& o = options;
+    open(o.output, [](std::ostream& out, const Results& r) {
+      write_cloud(out, r.cloud.points, Point_part(r.cloud.points, 0, r.cloud.points.size()), r.shapes,
+                  {output_extension(r.o.output), r.o.colors, first_las_frame(r.cloud)});
+    });
+    open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
+    open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
+    open(o.vg, [](std::ostream& out, const Results& r) {
+      write_vg(out, r.cloud.points, r.shapes, r.o.has_group_for_each_plane);
+    });
+    open(o.polygons, [](std::ostream& out, const Results& r) {
+      write_polygons(out, r.cloud.points, r.shapes, r.o.polygons, r.o.has_triangles_only);
+    });
+    open(o.mesh, [](std::ostream& out, const Results& r) { write_mesh(out, r.cloud.points, r.shapes, r.o); });
+    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.cloud.points, r.shapes, r.run); });
+    open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
+  }
 
   void open(const std::string& path, Writer writer)
   {
@@ -77,9 +96,51 @@ private:
     writers.push_back(writer);
   }
 
+  // There may be more files than a process can have open: they are opened, and closed again.
+  void try_directory() const
+  {
+    std::error_code error;
+    std::filesystem::create_directories(options.output_directory, error);
+    if(error)
+      throw std::runtime_error(options.output_directory + ": cannot be made (" + error.message() + ")");
+    for(const Input_part& part : cloud.parts)
+      Output_file(output_of(part));
+  }
+
+  std::string output_of(const Input_part& part) const
+  {
+    return output_of_input(options.output_directory, options.inputs[part.input]);
+  }
+
+  void write_file(std::size_t i, const Results& results)
+  {
+    check_signals();
+    writers[i](files[i].stream(), results);
+    files[i].close();
+  }
+
+  void write_part(const Input_part& part, const Shapes& shapes)
+  {
+    check_signals();
+    const std::string path = output_of(part);
+    files.emplace_back(path);
+    write_cloud(files.back().stream(), cloud.points, Point_part(cloud.points, part.first, part.last), shapes,
+                {output_extension(path), options.colors, part.notes.las_frame});
+    files.back().close();
+  }
+
+  static std::optional<Las_frame> first_las_frame(const Input_cloud& cloud)
+  {
+    for(const Input_part& part : cloud.parts)
+      if(part.notes.las_frame)
+        return part.notes.las_frame;
+    return std::nullopt;
+  }
+
   const Options& options;
+  const Input_cloud& cloud;
   std::deque<Output_file> files; // a file does not move
-  std::vector<Writer> writers;
+  std::vector<Writer> writers;   // of the first files
 };
 
 } // namespace program

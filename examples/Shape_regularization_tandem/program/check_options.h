@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,17 +27,35 @@ namespace program {
 inline void check_files(const Options& o)
 {
   namespace fs = std::filesystem;
-  std::vector<fs::path> files;
+  std::set<fs::path> files;
   std::vector<std::string> names = o.inputs;
+  if(!o.output_directory.empty())
+    for(const std::string& input : o.inputs)
+      names.push_back(output_of_input(o.output_directory, input));
   names.insert(names.end(), {o.output, o.labels, o.planes, o.report, o.vg, o.polygons, o.mesh, o.view});
   for(const std::string& name : names) {
     std::error_code error;
     const fs::file_status status = fs::status(name, error);
     if(name.empty() || (fs::exists(status) && !fs::is_regular_file(status)))
       continue;
-    files.push_back(unique_name(name));
-    if(std::count(files.begin(), files.end(), files.back()) > 1)
+    if(!files.insert(unique_name(name)).second)
       throw Usage_error("the file " + name + " is named twice");
+  }
+}
+
+// Each input needs an output of its own.
+inline void check_directory(const Options& o)
+{
+  std::map<std::string, std::string> input_of;
+  if(o.output_directory.empty())
+    return;
+  for(const std::string& input : o.inputs) {
+    const std::string output = output_of_input(o.output_directory, input);
+    if(unique_name(output) == unique_name(input))
+      throw Usage_error("--output-directory is the folder of " + input + ", which would be replaced");
+    const auto [place, is_new] = input_of.emplace(output, input);
+    if(!is_new && unique_name(place->second) != unique_name(input))
+      throw Usage_error("--output-directory: " + place->second + " and " + input + " would both become " + output);
   }
 }
 
@@ -47,6 +67,8 @@ inline void check_dashes(const Options& o)
       throw Usage_error("INPUT is '-', must be the name of a file");
   const std::pair<const char*, std::string> outputs[] = {
     {"output", o.output}, {"labels", o.labels}, {"planes", o.planes}, {"vg", o.vg}, {"report", o.report}};
+  if(o.output_directory == "-")
+    throw Usage_error("--output-directory is '-', must be the name of a folder");
   for(const auto& [name, path] : outputs)
     if(path == "-")
       throw Usage_error(std::string("--") + name +
@@ -80,8 +102,8 @@ inline void check_formats(const Options& o)
     throw Usage_error("--output is '" + o.output + "', must end in one of " + known_outputs);
   if(!o.colors.empty() && o.colors != "shape" && o.colors != "input")
     throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
-  if(!o.colors.empty() && o.output.empty())
-    throw Usage_error("--colors needs --output");
+  if(!o.colors.empty() && o.output.empty() && o.output_directory.empty())
+    throw Usage_error("--colors needs --output or --output-directory");
   try {
     input_settings(o.inputs, o.columns, o.classes);
   } catch(const std::invalid_argument& e) {
@@ -115,6 +137,7 @@ inline void check(const Options& o)
   check_count("mesh-planes", o.mesh_planes, 4, 1000);
   check_dashes(o);
   check_formats(o);
+  check_directory(o);
   check_files(o);
 }
 

@@ -9,6 +9,10 @@ _detect_planes()
   case $previous in
     --backend) COMPREPLY=($(compgen -W 'auto sequential parallel cuda' -- "$current")) ;;
     --mesh-method) COMPREPLY=($(compgen -W 'kinetic polygonal' -- "$current")) ;;
+    --output-directory)
+      mapfile -t COMPREPLY < <(compgen -d -- "$current")
+      compopt -o filenames 2> /dev/null
+      ;;
     *)
       COMPREPLY=()
       [[ $current != -* ]] ||

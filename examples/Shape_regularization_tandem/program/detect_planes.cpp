@@ -5,16 +5,20 @@
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
 #include "Output_files.h"
+#include "detection.h"
 #include "fail.h"
-#include "input/read_cloud.h"
 #include "output/write_las.h"
 #include "output/write_mesh.h"
 #include "program_options.h"
 #include "progress.h"
+#include "ranks/Ranks.h"
+#include "ranks/check_ranks.h"
+#include "ranks/hash_of_all.h"
+#include "ranks/launch.h"
+#include "ranks/read_inputs.h"
 #include "signals.h"
 #include "view/write_view.h"
 
-#include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
 
@@ -25,69 +29,15 @@
 #endif
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace program {
-
-// A number below 0 is outside of the ranges of the library, as 0 is.
-std::size_t count_of(const std::optional<long long>& given, std::size_t otherwise)
-{
-  return given ? std::size_t((std::max)(*given, 0LL)) : otherwise;
-}
-
-// From what the library says about a parameter, "NAME is VALUE, allowed is RANGE", what to say about the option.
-Usage_error option_error(const std::string& message, const Options& o)
-{
-  const std::string is = " is ", allowed = ", allowed is ";
-  const std::size_t value_at = message.find(is), range_at = message.find(allowed);
-  if(value_at == message.npos || range_at == message.npos)
-    return Usage_error(message);
-  std::string option = "--" + message.substr(0, value_at);
-  std::replace(option.begin(), option.end(), '_', '-');
-  std::string value = message.substr(value_at + is.size(), range_at - value_at - is.size());
-  const std::pair<const char*, std::optional<long long>> counts[] = {
-    {"--minimum-region-size", o.minimum_region_size}, {"--k-neighbors", o.k_neighbors}, {"--cell-size", o.cell_size}};
-  for(const auto& [name, given] : counts)
-    if(option == name && given)
-      value = std::to_string(*given);
-  return Usage_error(option + is + value + ", must be in " + message.substr(range_at + allowed.size()));
-}
-
-// What was given, checked. A length or size that is to be estimated is 0.
-CGAL::Tandem::Parameters parameters_of(const Options& o)
-{
-  CGAL::Tandem::Parameters p;
-  p.maximum_angle = o.maximum_angle.value_or(p.maximum_angle);
-  p.angle_tolerance = o.angle_tolerance.value_or(p.angle_tolerance);
-  p.k_neighbors = count_of(o.k_neighbors, p.k_neighbors);
-  p.cell_size = count_of(o.cell_size, p.cell_size);
-  p.regularize_parallelism = o.regularize_parallelism;
-  p.regularize_orthogonality = o.regularize_orthogonality;
-  p.regularize_coplanarity = o.regularize_coplanarity;
-  p.fixed_directions = o.fixed_directions;
-  if(o.symmetry_direction) {
-    p.regularize_axis_symmetry = true;
-    p.symmetry_direction = *o.symmetry_direction;
-  }
-  CGAL::Tandem::Parameters checked = p;
-  checked.maximum_distance = o.maximum_distance.value_or(1);
-  checked.maximum_offset = o.maximum_offset.value_or(1);
-  checked.minimum_region_size = count_of(o.minimum_region_size, 3);
-  try {
-    CGAL::Tandem::check_parameters(checked);
-  } catch(const std::invalid_argument& e) {
-    throw option_error(e.what(), o);
-  }
-  p.maximum_distance = o.maximum_distance.value_or(0);
-  p.minimum_region_size = count_of(o.minimum_region_size, 0);
-  return p;
-}
 
 void check_backend(const Options& o)
 {
@@ -134,26 +84,12 @@ void prepare_normals(Point_set& points, const Options& o, Run& run)
   run.normal_seconds = timer.time();
 }
 
-template <class Tag>
-Shapes detect(const Point_set& points, const Options& o, Progress_line& progress)
-{
-  namespace np = CGAL::Tandem::parameters;
-  const std::function<bool(double)> callback = [&](double share) {
-    if(is_interrupted())
-      throw Interrupted();
-    progress.show(share);
-    return true;
-  };
-  const auto all = np::settings(parameters_of(o)).callback(callback);
-  if(o.maximum_offset)
-    return CGAL::Tandem::detect_planes<Tag>(points, all.maximum_offset(*o.maximum_offset));
-  return CGAL::Tandem::detect_planes<Tag>(points, all);
-}
-
 // Only the points tell whether a given distance is too small for them.
-Shapes detect_on_backend(const Point_set& points, const Options& o)
+Shapes detect_on_backend(const Point_set& points, const Options& o, Ranks& ranks)
 try {
-  Progress_line progress(!o.is_quiet, "estimating parameters");
+  Progress_line progress(!o.is_quiet && ranks.is_first(), "estimating parameters");
+  if(ranks.are_many())
+    return ranks.detect(points, o, progress);
 #ifdef CGAL_TANDEM_USE_CUDA
   if(o.backend == "cuda")
     return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
@@ -173,7 +109,7 @@ try {
 }
 
 // What the back end that was chosen in the end ran on.
-void name_device(const Shapes& shapes, const Options& o, Run& run)
+void name_device(const Shapes& shapes, int threads, Run& run)
 {
   if(shapes.statistics().backend == "cuda")
     run.device = CGAL::Tandem::cuda_device_report();
@@ -181,30 +117,11 @@ void name_device(const Shapes& shapes, const Options& o, Run& run)
   if(shapes.statistics().backend != "parallel")
     return;
   run.threads = tbb::this_task_arena::max_concurrency();
-  if(o.threads)
-    run.threads = (std::min)(run.threads, int(*o.threads));
+  if(threads > 0)
+    run.threads = (std::min)(run.threads, threads);
 #else
-  static_cast<void>(o);
+  static_cast<void>(threads);
 #endif
-}
-
-// Reads the inputs, and prints what may be wrong with them.
-Input_notes read_inputs(const Options& o, Point_set& points, Run& run)
-{
-  CGAL::Real_timer timer;
-  timer.start();
-  Input_notes notes;
-  {
-    const Progress_line progress(!o.is_quiet, "reading");
-    notes = read_clouds(o.inputs, input_settings(o.inputs, o.columns, o.classes), points);
-  }
-  run.read_seconds = timer.time();
-  for(const std::string& path : o.inputs)
-    run.input += (run.input.empty() ? "" : ", ") + path;
-  run.notes = notes.lines;
-  for(const std::string& warning : notes.warnings)
-    std::cerr << "detect_planes: warning: " << warning << std::endl;
-  return notes;
 }
 
 void check_standard_output(const std::string& rest)
@@ -213,9 +130,12 @@ void check_standard_output(const std::string& rest)
     throw std::runtime_error("standard output cannot be written" + rest);
 }
 
-void run(const Options& o)
+// Finds what is wrong before any work.
+void check_program(const Options& o, const Ranks& ranks)
 {
-  parameters_of(o); // bad values must not wait for a large file
+  parameters_of(o);
+  if(ranks.are_many())
+    check_ranks(o);
   check_backend(o);
   if(output_extension(o.output) == ".laz")
     check_laszip(o.output);
@@ -223,27 +143,81 @@ void run(const Options& o)
     check_mesh_method(o);
   if(!o.view.empty() && !has_view())
     throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
+}
+
+void run(const Options& o, Ranks& ranks)
+{
+  ranks.together([&] { check_program(o, ranks); });
+  const int threads = o.threads ? int(*o.threads) : ranks.threads();
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> limit;
-  if(o.threads)
-    limit =
-      std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(*o.threads));
+  if(threads > 0)
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
 #endif
   Run run;
-  Point_set points;
-  const Input_notes notes = read_inputs(o, points, run);
-  Output_files files(o);
-  prepare_normals(points, o, run);
+  run.ranks = ranks.size();
+  Input_cloud cloud;
+  const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
+  read_inputs(o, rank_of_input, ranks, cloud, run);
+  std::optional<Output_files> files;
+  ranks.together([&] {
+    files.emplace(o, cloud, ranks.is_first());
+    prepare_normals(cloud.points, o, run);
+  });
 
-  const Shapes shapes = detect_on_backend(points, o);
-  name_device(shapes, o, run);
-  {
-    const Progress_line progress(!o.is_quiet, "writing");
-    files.write(points, notes, shapes, run);
+  std::optional<Shapes> shapes;
+  ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
+  name_device(*shapes, threads, run);
+  run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
+  run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
+  ranks.together([&] {
+    const Progress_line progress(!o.is_quiet && ranks.is_first(), "writing");
+    files->write(*shapes, run);
+  });
+  ranks.together([&] {
+    first_signal_removes = 0; // from here on, all files get their names
+    check_signals();
+  });
+  ranks.together([&] { files->commit(); });
+  ranks.together([&] {
+    if(!o.is_quiet && ranks.is_first())
+      print_summary(std::cout, *shapes, run);
+    check_standard_output(files->is_empty() ? "" : "; the files are complete");
+  });
+}
+
+void run_command_line(int argc, const char* const argv[], Ranks& ranks)
+{
+  Command_line command_line;
+  ranks.together([&] { command_line = parse(argc, argv); });
+  const Options& o = command_line.options;
+  if(!o.wants_help && !o.wants_version)
+    run(o, ranks);
+  else if(ranks.is_first())
+    std::cout << (o.wants_help ? command_line.help
+                               : "detect_planes (Tandem) " + std::string(CGAL_TANDEM_VERSION) + "\n");
+  ranks.together([] { check_standard_output(""); });
+}
+
+// If the processes that were started cannot work together, the first one says so.
+int main_of_rank(int argc, char* argv[])
+{
+  std::unique_ptr<Ranks> ranks;
+  try {
+    ranks = make_ranks(argc, argv);
+  } catch(const std::exception& e) {
+    return find_launch().rank == 0 ? fail(1, e.what()) : 0;
   }
-  if(!o.is_quiet)
-    print_summary(std::cout, shapes, run);
-  check_standard_output(files.is_empty() ? "" : "; the files are complete");
+  try {
+    run_command_line(argc, argv, *ranks);
+    return 0;
+  } catch(const Usage_error& e) {
+    return ranks->end(2, e.what(), " (detect_planes --help lists the options)");
+  } catch(const std::bad_alloc&) {
+    return ranks->end(1, "not enough memory");
+  } catch(const std::exception& e) {
+    return ranks->end(1, e.what());
+  }
 }
 
 } // namespace program
@@ -251,21 +225,5 @@ void run(const Options& o)
 int main(int argc, char* argv[])
 {
   program::catch_signals();
-  try {
-    const program::Command_line command_line = program::parse(argc, argv);
-    if(command_line.options.wants_help)
-      std::cout << command_line.help;
-    else if(command_line.options.wants_version)
-      std::cout << "detect_planes (Tandem) " << CGAL_TANDEM_VERSION << "\n";
-    else
-      program::run(command_line.options);
-    program::check_standard_output("");
-    return 0;
-  } catch(const program::Usage_error& e) {
-    return program::fail(2, e.what(), " (detect_planes --help lists the options)");
-  } catch(const std::bad_alloc&) {
-    return program::fail(1, "not enough memory");
-  } catch(const std::exception& e) {
-    return program::fail(1, e.what());
-  }
+  return program::main_of_rank(argc, argv);
 }

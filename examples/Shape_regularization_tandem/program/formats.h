@@ -66,10 +66,22 @@ inline std::string output_extension(const std::string& path)
   return extension.empty() && (is_special || path.compare(0, 5, "/dev/") == 0) ? ".ply" : extension;
 }
 
-inline bool is_known_output(const std::string& path)
+inline bool is_output_extension(const std::string& extension)
 {
-  const std::string extension = output_extension(path);
   return std::find(output_extensions.begin(), output_extensions.end(), extension) != output_extensions.end();
+}
+
+inline bool is_known_output(const std::string& path) { return is_output_extension(output_extension(path)); }
+
+// Of --output-directory: the name of the input, without .gz, and with .ply in place of what is not written.
+inline std::string output_of_input(const std::string& directory, const std::string& input)
+{
+  std::filesystem::path name = std::filesystem::path(input).filename();
+  if(is_gzip(input))
+    name = name.stem();
+  if(!is_output_extension(lower_case_extension(name)))
+    name.replace_extension(".ply");
+  return (directory / name).string();
 }
 
 } // namespace program

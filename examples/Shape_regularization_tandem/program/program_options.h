@@ -30,7 +30,9 @@ inline std::string usage()
          "also with .gz behind (but .laz). Several are one cloud, in their order. Normals are estimated where the\n"
          "input has none, or only null ones. Exit code: 0 success, 1 the data cannot be read, processed or written, "
          "or\n"
-         "the run was interrupted, 2 bad usage. A second Ctrl-C ends it at once.\n";
+         "the run was interrupted, 2 bad usage. A second Ctrl-C ends it at once.\n"
+         "mpirun -n N detect_planes INPUT... --output-directory DIR: N processes share the inputs, also on many\n"
+         "machines; the result is that of one process (where the program was built with MPI).\n";
 }
 
 namespace po = boost::program_options;
@@ -103,7 +105,8 @@ inline void add_execution_options(po::options_description& all, Options& o)
   add("backend", po::value<std::string>(&o.backend)->value_name("NAME"),
       "auto, sequential, parallel or cuda; all give the same result (default: auto)");
   add("threads", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.threads = n; }),
-      "largest number of threads, up to 4096 (default: all processors)");
+      "largest number of threads, of each process, up to 4096 (default: all processors; those of a machine are shared "
+      "by the processes on it)");
   add("quiet", po::bool_switch(&o.is_quiet), "print nothing but warnings and errors");
   add("help", po::bool_switch(&o.wants_help), "print this text");
   add("version", po::bool_switch(&o.wants_version), "print the version");
@@ -119,8 +122,12 @@ inline void add_output_options(po::options_description& all, Options& o)
       "classification kept: .ply or .pcd (binary), .xyz, .txt or .csv (text with a line of names), .las or .laz (the "
       "shape as extra bytes, without normals; coordinates on the grid of the first .las input, else on one of at most "
       "2e-4 of the maximum distance; points that are not finite are left out)");
+  add("output-directory", po::value<std::string>(&o.output_directory)->value_name("DIR"),
+      "a file as --output for each INPUT, with the points of that one: of its name and format in this folder, which is "
+      "made if it is not there; .ply in place of what --output does not write, without .gz");
   add("colors", po::value<std::string>(&o.colors)->value_name("NAME"),
-      "the colors of --output: shape, one for each, or input (default: input for .las and .laz, else shape)");
+      "the colors of --output and --output-directory: shape, one for each, or input (default: input for .las and .laz, "
+      "else shape)");
   add("labels", po::value<std::string>(&o.labels)->value_name("FILE"),
       "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
   add("planes", po::value<std::string>(&o.planes)->value_name("FILE"),

@@ -6,7 +6,6 @@
 #ifndef DETECT_PLANES_SIGNALS_H
 #define DETECT_PLANES_SIGNALS_H
 
-#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -24,33 +23,50 @@ inline volatile std::sig_atomic_t interrupt_flag = 0;
 
 inline bool is_interrupted() { return interrupt_flag != 0; }
 
+inline void check_signals()
+{
+  if(is_interrupted())
+    throw Interrupted();
+}
+
 // The name of a file that a signal removes if it ends the process.
 struct Removed_name {
   std::atomic<bool> is_set{false};
   char text[4096];
+  Removed_name* next = nullptr;
 };
 
-// A handler of signals may use neither the heap nor a lock: there is room for a fixed number of names.
-inline std::array<Removed_name, 8> removed_names;
+// A handler of signals may use neither the heap nor a lock: the list only grows, and its entries are used again.
+inline std::atomic<Removed_name*> removed_names{nullptr};
 
-// Null if there is no room.
+// Null if the name is too long.
 inline Removed_name* remove_at_signal(const std::string& name)
 {
-  for(Removed_name& entry : removed_names) {
-    if(entry.is_set || name.size() >= sizeof entry.text)
-      continue;
-    std::memcpy(entry.text, name.c_str(), name.size() + 1);
-    entry.is_set = true;
-    return &entry;
+  if(name.size() >= sizeof Removed_name::text)
+    return nullptr;
+  Removed_name* entry = removed_names;
+  while(entry != nullptr && entry->is_set)
+    entry = entry->next;
+  if(entry == nullptr) {
+    entry = new Removed_name;
+    entry->next = removed_names;
+    removed_names = entry;
   }
-  return nullptr;
+  std::memcpy(entry->text, name.c_str(), name.size() + 1);
+  entry->is_set = true;
+  return entry;
+}
+
+inline void remove_names()
+{
+  for(const Removed_name* entry = removed_names; entry != nullptr; entry = entry->next)
+    if(entry->is_set)
+      std::remove(entry->text);
 }
 
 inline void end_by_signal(int signal)
 {
-  for(const Removed_name& entry : removed_names)
-    if(entry.is_set)
-      std::remove(entry.text);
+  remove_names();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -66,6 +82,9 @@ inline void handle(int signal, void (*handler)(int))
 #endif
 }
 
+// Where a second signal, which no program can catch, may come soon: mpirun sends it.
+inline volatile std::sig_atomic_t first_signal_removes = 0;
+
 // The first signal requests the end of the run, a second one ends the process.
 inline void request_end(int signal)
 {
@@ -74,6 +93,8 @@ inline void request_end(int signal)
     return;
   }
   interrupt_flag = 1;
+  if(first_signal_removes != 0)
+    remove_names();
   handle(signal, request_end); // some systems reset it
 }
 

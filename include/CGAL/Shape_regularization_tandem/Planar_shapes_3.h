@@ -213,27 +213,32 @@ public:
     std::uint64_t h = 14695981039346656037u;
     for(std::int32_t s : shape_indices)
       add_to_hash(h, std::uint32_t(s));
-    for(const Coefficients& c : planes)
-      for(double x : c) {
-        std::uint64_t bits;
-        std::memcpy(&bits, &x, sizeof bits);
-        add_to_hash(h, bits);
-      }
+    add_to_hash(h, planes);
     return h;
   }
   /// @}
 
   /// \cond SKIP_IN_MANUAL
   const Data& data() const { return data_; }
-  /// \endcond
 
-private:
   static void add_to_hash(std::uint64_t& h, std::uint64_t word)
   {
     h = (h ^ word) * 1099511628211u;
     h ^= h >> 29;
   }
 
+  static void add_to_hash(std::uint64_t& h, const std::vector<Coefficients>& planes)
+  {
+    for(const Coefficients& c : planes)
+      for(double x : c) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        add_to_hash(h, bits);
+      }
+  }
+  /// \endcond
+
+private:
   // Labels outside of the shapes are left out; is_valid_result() reports them.
   void take_points()
   {

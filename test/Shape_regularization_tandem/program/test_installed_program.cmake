@@ -25,6 +25,7 @@ if(BASH)
   complete("cloud.ply" "--ang" "--angle-tolerance")
   complete("--backend" "s" "sequential")
   complete("detect_planes" "cloud" "")
+  complete("--output-directory" "${WORK_DIR}/us" "${WORK_DIR}/usr")
 endif()
 
 if(HELP2MAN)

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -39,6 +40,21 @@ std::optional<Point_set::Property_map<T>> find_property(const Point_set& points,
   return points.property_map<T>(name).first;
 #endif
 }
+
+// Consecutive points of a cloud.
+class Point_part {
+public:
+  Point_part(const Point_set& points, std::size_t first, std::size_t last)
+    : begin_(points.begin() + std::ptrdiff_t(first)), end_(points.begin() + std::ptrdiff_t(last))
+  {}
+
+  Point_set::const_iterator begin() const { return begin_; }
+  Point_set::const_iterator end() const { return end_; }
+  std::size_t size() const { return std::size_t(end_ - begin_); }
+
+private:
+  Point_set::const_iterator begin_, end_;
+};
 
 inline bool is_finite(const Kernel::Point_3& p)
 {

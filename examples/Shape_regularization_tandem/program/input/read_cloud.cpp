@@ -135,39 +135,70 @@ void check_points(const Input_settings& settings, Point_set& points)
     points.remove_normal_map();
 }
 
-template <class T>
-void remove_named(Point_set& points, const char* name)
+// Calls f with the bit of each attribute, its word, whether the points have it, and what removes it.
+template <class F>
+void for_each_attribute(Point_set& points, F f)
 {
-  auto map = find_property<T>(points, name);
-  if(map)
-    points.remove_property_map(*map);
+  const auto visit_property = [&](Attributes bit, const char* word, const char* name, auto value) {
+    using T = decltype(value);
+    f(bit, word, points.has_property_map<T>(name), [&points, name] {
+      auto map = find_property<T>(points, name);
+      points.remove_property_map(*map);
+    });
+  };
+  f(normals_bit, "normals", points.has_normal_map(), [&points] { points.remove_normal_map(); });
+  visit_property(colors_bit, "colors", color_name, Input_color());
+  visit_property(intensity_bit, "intensity", intensity_name, float());
+  visit_property(classification_bit, "classification", classification_name, std::uint8_t());
 }
 
-// Removes what only one of the clouds has, and tells the word for it.
-template <class T>
-void remove_different(Point_set& a, Point_set& b, const char* name, const char* word, std::string& words)
+Attributes attributes_of(Point_set& points)
 {
-  if(a.has_property_map<T>(name) == b.has_property_map<T>(name))
-    return;
-  remove_named<T>(a, name);
-  remove_named<T>(b, name);
-  words += (words.empty() ? "" : ", ") + std::string(word);
+  Attributes attributes = 0;
+  for_each_attribute(points,
+                     [&](Attributes bit, const char*, bool is_there, auto) { attributes |= is_there ? bit : 0; });
+  return attributes;
 }
 
-void append(Point_set& points, Point_set& more, std::string& removed)
+// Both have the same attributes then.
+void reduce_attributes(Point_set& more, Input_cloud& cloud)
 {
-  if(points.has_normal_map() != more.has_normal_map()) {
-    points.remove_normal_map();
-    more.remove_normal_map();
-    removed += removed.empty() ? "normals" : ", normals";
-  }
-  remove_different<Input_color>(points, more, color_name, "colors", removed);
-  remove_different<float>(points, more, intensity_name, "intensity", removed);
-  remove_different<std::uint8_t>(points, more, classification_name, "classification", removed);
-  points.join(more);
+  const Attributes attributes = attributes_of(more);
+  cloud.of_all &= attributes;
+  cloud.of_some |= attributes;
+  keep_attributes(cloud.of_all, more);
+  keep_attributes(cloud.of_all, cloud.points);
+}
+
+[[noreturn]] void rethrow_with(const std::string& path, const std::runtime_error& e)
+{
+  if(is_interrupted()) // what a signal has cut off is no fault of the file
+    throw Interrupted();
+  throw std::runtime_error(path + ": " + e.what());
 }
 
 } // namespace
+
+std::string names_of(Attributes attributes)
+{
+  std::string names;
+  Point_set none;
+  for_each_attribute(none, [&](Attributes bit, const char* word, bool, auto) {
+    if((attributes & bit) != 0)
+      names += (names.empty() ? "" : ", ") + std::string(word);
+  });
+  return names;
+}
+
+void keep_attributes(Attributes kept, Point_set& points)
+{
+  for_each_attribute(points, [&](Attributes bit, const char*, bool is_there, auto remove) {
+    if(is_there && (kept & bit) == 0)
+      remove();
+  });
+  if(points.empty() && (kept & normals_bit) != 0 && !points.has_normal_map())
+    points.add_normal_map();
+}
 
 void read_cloud(const std::string& path, const Input_settings& settings, Point_set& points, Input_notes& notes)
 {
@@ -180,33 +211,38 @@ void read_cloud(const std::string& path, const Input_settings& settings, Point_s
   } catch(const Interrupted&) {
     throw;
   } catch(const std::runtime_error& e) {
-    if(is_interrupted()) // what a signal has cut off is no fault of the file
-      throw Interrupted();
-    throw std::runtime_error(path + ": " + e.what());
+    rethrow_with(path, e);
   }
 }
 
-Input_notes read_clouds(const std::vector<std::string>& paths, const Input_settings& settings, Point_set& points)
+void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen)
 {
-  Input_notes notes;
-  std::string removed;
-  for(const std::string& path : paths) {
-    const bool is_first = points.empty();
-    Point_set next;
-    Input_notes of_file;
-    read_cloud(path, settings, is_first ? points : next, of_file);
-    for(const auto& [word, text] : of_file.lines)
-      notes.lines.emplace_back(word, text + (paths.size() > 1 ? " (" + path + ")" : ""));
-    for(const std::string& warning : of_file.warnings)
-      notes.warnings.push_back(path + ": " + warning);
-    if(!notes.las_frame)
-      notes.las_frame = of_file.las_frame;
-    if(!is_first)
-      append(points, next, removed);
+  for(std::size_t input : chosen) {
+    try {
+      check_file(paths[input]);
+    } catch(const std::runtime_error& e) {
+      rethrow_with(paths[input], e);
+    }
   }
-  if(!removed.empty())
-    notes.lines.emplace_back("left out", removed + ": not all of the inputs have them");
-  return notes;
+}
+
+void read_clouds(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen,
+                 const Input_settings& settings, Input_cloud& cloud)
+{
+  for(std::size_t input : chosen) {
+    const std::string& path = paths[input];
+    const std::size_t first = cloud.points.size();
+    Point_set next;
+    Point_set& points = first == 0 ? cloud.points : next;
+    Input_notes notes;
+    read_cloud(path, settings, points, notes);
+    reduce_attributes(points, cloud);
+    for(std::string& warning : notes.warnings)
+      warning.insert(0, path + ": ");
+    if(first > 0)
+      cloud.points.join(next);
+    cloud.parts.push_back({input, first, cloud.points.size(), notes});
+  }
 }
 
 } // namespace program

@@ -9,19 +9,19 @@
 
 namespace program {
 
-// The cloud with the result, as the formats of --output get it.
+// A part of the cloud with the result, as the formats of --output get it.
 class Output_points {
 public:
   // `has_shape_colors`: even if the input has colors.
-  Output_points(const Point_set& points, const Shapes& shapes, bool has_shape_colors)
-    : points(points), shapes(shapes), intensity(find_property<float>(points, intensity_name)),
+  Output_points(const Point_set& points, const Point_part& part, const Shapes& shapes, bool has_shape_colors)
+    : points(points), part(part), shapes(shapes), intensity(find_property<float>(points, intensity_name)),
       classification(find_property<std::uint8_t>(points, classification_name))
   {
     if(has_shape_colors)
       return;
     colors = find_property<Input_color>(points, color_name);
     has_narrow_colors =
-      colors && std::all_of(points.begin(), points.end(), [&](Point_set::Index i) {
+      colors && std::all_of(part.begin(), part.end(), [&](Point_set::Index i) {
         return std::all_of((*colors)[i].begin(), (*colors)[i].end(), [](std::uint16_t c) { return c <= 255; });
       });
   }
@@ -52,6 +52,7 @@ public:
   }
 
   const Point_set& points;
+  const Point_part part;
   const Shapes& shapes;
   std::optional<Point_set::Property_map<float>> intensity;
   std::optional<Point_set::Property_map<std::uint8_t>> classification;

@@ -12,6 +12,8 @@
 #include <sys/resource.h>
 #endif
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -21,11 +23,13 @@
 namespace program {
 
 struct Run {
-  std::string input;
+  std::string input, short_input;                         // the names of all inputs, and of some
   std::vector<std::pair<std::string, std::string>> notes; // of the reading: a word, and what there is to say
   std::string normals;                                    // "given", "estimated" or how else
   std::string device = "CPU";
-  int threads = 1;
+  int threads = 1, ranks = 1;
+  std::uint64_t hash = 0;
+  std::size_t peak_bytes = 0; // the largest of a process, before the writing
   double read_seconds = 0;
   double normal_seconds = 0; // of normals estimated outside of the library
 };
@@ -206,14 +210,14 @@ inline void write_numbers(Json_writer& json, const CGAL::Tandem::Statistics& s, 
   json.end();
   json.begin("memory");
   json.count("engine_peak_bytes", s.peak_bytes);
-  json.count("process_peak_bytes", peak_process_bytes());
+  json.count("process_peak_bytes", (std::max)(run.peak_bytes, peak_process_bytes()));
   json.end();
 }
 
-inline std::string hash_text(const Shapes& shapes)
+inline std::string hash_text(const Run& run)
 {
   std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << shapes.hash();
+  text << std::hex << std::setw(16) << std::setfill('0') << run.hash;
   return text.str();
 }
 
@@ -226,7 +230,8 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
   json.text("backend", s.backend);
   json.text("device", run.device);
   json.count("threads", std::size_t(run.threads));
-  json.text("hash", hash_text(shapes));
+  json.count("processes", std::size_t(run.ranks));
+  json.text("hash", hash_text(run));
   json.number("grid_step", s.grid_step);
   json.boolean("is_grid_coarse", s.is_grid_coarse);
   write_parameters(json, shapes.parameters());
@@ -251,7 +256,7 @@ inline void print_summary(std::ostream& out, const Shapes& shapes, const Run& ru
   const auto row = [&out](const char* name) -> std::ostream& {
     return out << "  " << std::left << std::setw(12) << name;
   };
-  out << run.input << '\n' << std::setprecision(4);
+  out << run.short_input << '\n' << std::setprecision(4);
   row("points") << s.number_of_points << ", normals " << run.normals;
   if(s.number_of_ignored_points() > 0)
     out << "; ignored: " << s.number_of_ignored_coordinates << " not finite, " << s.number_of_ignored_normals
@@ -270,9 +275,10 @@ inline void print_summary(std::ostream& out, const Shapes& shapes, const Run& ru
                  << ", sort " << s.times.sort << ", neighbors " << s.times.neighbors << ", growth " << s.times.growth
                  << ", regularity " << s.times.regularity << ", final " << s.times.finish << "), reading "
                  << run.read_seconds << '\n';
-  row("execution") << s.backend << ", " << run.threads << (run.threads == 1 ? " thread, " : " threads, ")
-                   << s.number_of_rounds << " rounds, " << peak_process_bytes() / 1048576 << " MiB\n";
-  row("hash") << hash_text(shapes) << '\n';
+  row("execution") << s.backend << ", " << (run.ranks == 1 ? "" : std::to_string(run.ranks) + " processes of ")
+                   << run.threads << (run.threads == 1 ? " thread, " : " threads, ") << s.number_of_rounds
+                   << " rounds, " << (std::max)(run.peak_bytes, peak_process_bytes()) / 1048576 << " MiB\n";
+  row("hash") << hash_text(run) << '\n';
 }
 
 } // namespace program

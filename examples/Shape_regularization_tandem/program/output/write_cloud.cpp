@@ -13,8 +13,8 @@ namespace {
 // One type for coordinates and normals: some readers want them to agree.
 bool has_double(const Output_points& cloud)
 {
-  return needs_double(cloud.points, [&](Point_set::Index i) { return cloud.points.point(i); }) ||
-         needs_double(cloud.points, [&](Point_set::Index i) { return cloud.normal(i); });
+  return needs_double(cloud.part, [&](Point_set::Index i) { return cloud.points.point(i); }) ||
+         needs_double(cloud.part, [&](Point_set::Index i) { return cloud.normal(i); });
 }
 
 void write_coordinates(Binary_writer& binary, const Output_points& cloud, Point_set::Index i, bool is_double)
@@ -37,15 +37,14 @@ void write_attributes(Binary_writer& binary, const Output_points& cloud, Point_s
 void write_ply(std::ostream& out, const Output_points& cloud)
 {
   const bool is_double = has_double(cloud);
-  out << "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex "
-      << cloud.points.size();
+  out << "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex " << cloud.part.size();
   for(const char* name : {"x", "y", "z", "nx", "ny", "nz"})
     out << "\nproperty " << (is_double ? "double " : "float ") << name;
   out << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
       << (cloud.intensity ? "property float intensity\n" : "")
       << (cloud.classification ? "property uchar classification\n" : "") << "property int shape\nend_header\n";
   Binary_writer binary(out);
-  for(Point_set::Index i : cloud.points) {
+  for(Point_set::Index i : cloud.part) {
     write_coordinates(binary, cloud, i, is_double);
     for(std::uint8_t channel : cloud.color(i))
       binary.write(channel);
@@ -65,10 +64,10 @@ void write_pcd(std::ostream& out, const Output_points& cloud)
       << (has_intensity ? " intensity" : "") << (has_class ? " classification" : "") << " shape\nSIZE" << sizes << " 4"
       << (has_intensity ? " 4" : "") << (has_class ? " 1" : "") << " 4\nTYPE F F F F F F F"
       << (has_intensity ? " F" : "") << (has_class ? " U" : "") << " I\nCOUNT 1 1 1 1 1 1 1"
-      << (has_intensity ? " 1" : "") << (has_class ? " 1" : "") << " 1\nWIDTH " << cloud.points.size()
-      << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.points.size() << "\nDATA binary\n";
+      << (has_intensity ? " 1" : "") << (has_class ? " 1" : "") << " 1\nWIDTH " << cloud.part.size()
+      << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.part.size() << "\nDATA binary\n";
   Binary_writer binary(out);
-  for(Point_set::Index i : cloud.points) {
+  for(Point_set::Index i : cloud.part) {
     write_coordinates(binary, cloud, i, is_double);
     const Color c = cloud.color(i);
     binary.write(std::uint32_t(c[0]) << 16 | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]));
@@ -83,7 +82,7 @@ void write_table(std::ostream& out, const Output_points& cloud, char separator, 
     std::string(cloud.intensity ? " intensity" : "") + (cloud.classification ? " classification" : "") + " shape";
   std::replace(names.begin(), names.end(), ' ', separator);
   out << comment << names << '\n';
-  for(Point_set::Index i : cloud.points) {
+  for(Point_set::Index i : cloud.part) {
     const Kernel::Point_3& p = cloud.points.point(i);
     const Kernel::Vector_3 n = cloud.normal(i);
     for(double x : {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()})
@@ -100,11 +99,12 @@ void write_table(std::ostream& out, const Output_points& cloud, char separator, 
 
 } // namespace
 
-void write_cloud(std::ostream& out, const Point_set& points, const Shapes& shapes, const Cloud_format& format)
+void write_cloud(std::ostream& out, const Point_set& points, const Point_part& part, const Shapes& shapes,
+                 const Cloud_format& format)
 {
   const std::string& extension = format.extension;
   const bool is_las = extension == ".las" || extension == ".laz";
-  const Output_points cloud(points, shapes, format.colors.empty() ? !is_las : format.colors == "shape");
+  const Output_points cloud(points, part, shapes, format.colors.empty() ? !is_las : format.colors == "shape");
   if(extension == ".las")
     write_las(out, cloud, format.las_frame);
   else if(extension == ".laz")

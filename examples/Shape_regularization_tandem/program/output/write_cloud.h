@@ -21,7 +21,9 @@ struct Cloud_format {
   std::optional<Las_frame> las_frame; // of the input
 };
 
-void write_cloud(std::ostream& out, const Point_set& points, const Shapes& shapes, const Cloud_format& format);
+// The part of the points that belongs to the file.
+void write_cloud(std::ostream& out, const Point_set& points, const Point_part& part, const Shapes& shapes,
+                 const Cloud_format& format);
 
 } // namespace program
 

@@ -16,12 +16,12 @@ struct Bounds {
   std::uint64_t count = 0; // of the points that are finite
 };
 
-Bounds bounds_of(const Point_set& points)
+Bounds bounds_of(const Output_points& cloud)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Bounds b = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  for(Point_set::Index i : points) {
-    const Kernel::Point_3& p = points.point(i);
+  for(Point_set::Index i : cloud.part) {
+    const Kernel::Point_3& p = cloud.points.point(i);
     if(!is_finite(p))
       continue;
     ++b.count;
@@ -66,7 +66,7 @@ Las_frame make_frame(const Bounds& b, double maximum_distance)
 bool needs_format_7(const Output_points& cloud, const Las_frame& frame)
 {
   return frame.is_wkt ||
-         (cloud.classification && std::any_of(cloud.points.begin(), cloud.points.end(),
+         (cloud.classification && std::any_of(cloud.part.begin(), cloud.part.end(),
                                               [&](Point_set::Index i) { return (*cloud.classification)[i] > 31; }));
 }
 
@@ -100,7 +100,7 @@ public:
     write_header();
     for(const std::string& record : records)
       out << record;
-    for(Point_set::Index i : cloud.points)
+    for(Point_set::Index i : cloud.part)
       if(is_finite(cloud.points.point(i)))
         write_point(i);
   }
@@ -179,7 +179,7 @@ private:
 
 void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input)
 {
-  const Bounds bounds = bounds_of(cloud.points);
+  const Bounds bounds = bounds_of(cloud);
   const bool is_kept = frame_of_input && has_room(*frame_of_input, bounds);
   Las_frame frame = is_kept ? *frame_of_input : make_frame(bounds, cloud.shapes.parameters().maximum_distance);
   if(frame_of_input) {

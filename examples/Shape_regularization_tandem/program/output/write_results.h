@@ -38,8 +38,8 @@ void write_shortest(std::ostream& out, Real x, char end)
 
 inline bool fits_float(double x) { return !std::isfinite(x) || double(float(x)) == x; }
 
-template <class Get_vector>
-bool needs_double(const Point_set& points, Get_vector get_vector)
+template <class Points, class Get_vector>
+bool needs_double(const Points& points, Get_vector get_vector)
 {
   return std::any_of(points.begin(), points.end(), [&](Point_set::Index i) {
     const auto& v = get_vector(i);

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_PLANES_RANKS_H
+#define DETECT_PLANES_RANKS_H
+
+#include "Options.h"
+#include "fail.h"
+#include "input/input_settings.h"
+#include "input/point_set.h"
+#include "output/write_results.h"
+#include "progress.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+// The notes of an input, with its place among the inputs.
+using Placed_notes = std::pair<std::size_t, Input_notes>;
+
+// The processes of a run, each with some of the inputs. This one is alone; make_ranks() gives those that mpirun has
+// started. All ranks call the same members in the same order.
+class Ranks {
+public:
+  Ranks() = default;
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+  virtual ~Ranks() = default;
+
+  virtual int rank() const { return 0; }
+  virtual int size() const { return 1; }
+  bool are_many() const { return size() > 1; }
+  bool is_first() const { return rank() == 0; }
+
+  // f(). Then all ranks go on, or throw what the first of those that failed has thrown.
+  virtual void together(const std::function<void()>& f) { f(); }
+
+  // The bits that all ranks have.
+  virtual unsigned common_bits(unsigned own) const { return own; }
+
+  // The largest number of a rank.
+  virtual double largest(double own) const { return own; }
+
+  // The number of one rank.
+  virtual std::uint64_t number_of(int /* rank */, std::uint64_t own) const { return own; }
+
+  // The notes of all ranks on the first one, without what is for outputs only.
+  virtual std::vector<Placed_notes> gather(const std::vector<Placed_notes>& own) const { return own; }
+
+  // How many threads this rank may have, if the ranks of a machine share its processors; 0: no limit.
+  virtual int threads() const { return 0; }
+
+  // The shapes of the points of all ranks. Only where there are many.
+  virtual Shapes detect(const Point_set& /* own */, const Options&, Progress_line&) const
+  {
+    throw std::logic_error("there is one process");
+  }
+
+  // Reports once why the run ends; the exit code.
+  virtual int end(int code, const char* message, const char* advice = "") const { return fail(code, message, advice); }
+};
+
+// An exception where mpirun has started several processes that cannot work together.
+std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv);
+
+} // namespace program
+
+#endif // DETECT_PLANES_RANKS_H

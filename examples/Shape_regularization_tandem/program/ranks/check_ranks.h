@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_PLANES_CHECK_RANKS_H
+#define DETECT_PLANES_CHECK_RANKS_H
+
+#include "Options.h"
+
+#include <string>
+#include <utility>
+
+namespace program {
+
+// Finds options that need all points in one process, where there are several.
+inline void check_ranks(const Options& o)
+{
+  const std::pair<const char*, std::string> outputs[] = {{"output", o.output}, {"labels", o.labels},
+                                                         {"vg", o.vg},         {"polygons", o.polygons},
+                                                         {"mesh", o.mesh},     {"view", o.view}};
+  for(const auto& [name, path] : outputs)
+    if(!path.empty())
+      throw Usage_error(std::string("--") + name +
+                        " needs all points in one process; several write them with --output-directory");
+  if(o.estimate_normals && *o.estimate_normals != by_library)
+    throw Usage_error("--estimate-normals with a number needs all points in one process");
+  if(o.backend == "cuda")
+    throw Usage_error("--backend is 'cuda', which is for one process; several compute on processors only");
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_CHECK_RANKS_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Each rank reads some of the inputs; what there is to say about them is said once.
+
+#ifndef DETECT_PLANES_READ_INPUTS_H
+#define DETECT_PLANES_READ_INPUTS_H
+
+#include "Options.h"
+#include "input/read_cloud.h"
+#include "input_options.h"
+#include "output/report.h"
+#include "progress.h"
+#include "ranks/Ranks.h"
+#include "ranks/share_files.h"
+
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace program {
+
+// The rank that reads each of the inputs.
+inline std::vector<int> rank_of_inputs(const Options& o, const Ranks& ranks)
+{
+  std::vector<std::uint64_t> bytes;
+  for(const std::string& path : o.inputs) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    bytes.push_back(ranks.number_of(0, error ? 0 : size));
+  }
+  return share_files(bytes, ranks.size());
+}
+
+// The first names of a list, and the number of the others.
+inline std::string joined(const std::vector<std::string>& names, std::size_t most)
+{
+  std::string text;
+  for(std::size_t i = 0; i < (std::min)(names.size(), most); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() <= most ? text : text + " and " + std::to_string(names.size() - most) + " more";
+}
+
+// What there is to say about inputs, once for those of which it is the same.
+inline void collect_notes(const Options& o, const Input_cloud& cloud, const Ranks& ranks, Run& run)
+{
+  std::vector<Placed_notes> own;
+  for(const Input_part& part : cloud.parts)
+    own.emplace_back(part.input, part.notes);
+  std::vector<std::vector<std::string>> paths_of_note;
+  for(const auto& [input, notes] : ranks.gather(own)) {
+    for(const auto& line : notes.lines) {
+      const auto place = std::find(run.notes.begin(), run.notes.end(), line) - run.notes.begin();
+      if(std::size_t(place) == run.notes.size()) {
+        run.notes.push_back(line);
+        paths_of_note.emplace_back();
+      }
+      paths_of_note[std::size_t(place)].push_back(o.inputs[input]);
+    }
+    for(const std::string& warning : notes.warnings)
+      std::cerr << "detect_planes: warning: " << warning << std::endl;
+  }
+  for(std::size_t i = 0; i < run.notes.size() && o.inputs.size() > 1; ++i)
+    run.notes[i].second += " (" + joined(paths_of_note[i], 4) + ")";
+  const Attributes removed = ~ranks.common_bits(~cloud.of_some) & ~ranks.common_bits(cloud.of_all);
+  if(removed != 0)
+    run.notes.emplace_back("left out", names_of(removed) + ": not all of the inputs have them");
+}
+
+// Reads the inputs of this rank, and prints what may be wrong with those of all.
+inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input, Ranks& ranks, Input_cloud& cloud,
+                        Run& run)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  std::vector<std::size_t> own;
+  for(std::size_t input = 0; input < o.inputs.size(); ++input)
+    if(rank_of_input[input] == ranks.rank())
+      own.push_back(input);
+  ranks.together([&] { check_inputs(o.inputs, own); });
+  ranks.together([&] {
+    const Progress_line progress(!o.is_quiet && ranks.is_first(), "reading");
+    read_clouds(o.inputs, own, input_settings(o.inputs, o.columns, o.classes), cloud);
+  });
+  run.read_seconds = ranks.largest(timer.time());
+  run.input = joined(o.inputs, o.inputs.size());
+  run.short_input = joined(o.inputs, 8);
+  collect_notes(o, cloud, ranks, run);
+  ranks.together([&] { keep_attributes(ranks.common_bits(cloud.of_all), cloud.points); });
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_READ_INPUTS_H

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ranks/Ranks.h"
+
+#include "detection.h"
+#include "ranks/launch.h"
+#include "signals.h"
+
+#include <CGAL/Shape_regularization_tandem/mpi.h>
+
+#include <boost/mpi.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <string>
+#include <thread>
+
+namespace boost {
+namespace serialization {
+
+template <class Archive>
+void serialize(Archive& archive, program::Input_notes& notes, unsigned /* version */)
+{
+  archive& notes.lines& notes.warnings;
+}
+
+} // namespace serialization
+} // namespace boost
+
+namespace program {
+
+namespace {
+
+namespace mpi = boost::mpi;
+
+// An exception as text: its kind, and what it says.
+struct Failure {
+  enum Kind { none, usage, memory, other };
+  Kind kind = none;
+  std::string message;
+};
+
+Failure failure_of(const std::exception_ptr& exception)
+{
+  try {
+    std::rethrow_exception(exception);
+  } catch(const Usage_error& e) {
+    return {Failure::usage, e.what()};
+  } catch(const std::bad_alloc&) {
+    return {Failure::memory, ""};
+  } catch(const std::exception& e) {
+    return {Failure::other, e.what()};
+  }
+}
+
+[[noreturn]] void rethrow(const Failure& failure)
+{
+  if(failure.kind == Failure::usage)
+    throw Usage_error(failure.message);
+  if(failure.kind == Failure::memory)
+    throw std::bad_alloc();
+  throw std::runtime_error(failure.message);
+}
+
+class Mpi_ranks : public Ranks {
+public:
+  Mpi_ranks(int& argc, char**& argv, const Launch& launch) : environment(argc, argv, mpi::threading::funneled, false)
+  {
+    if(world.size() != launch.size)
+      throw std::runtime_error(std::to_string(launch.size) + " processes were started (" + launch.variable +
+                               "), of which MPI knows " + std::to_string(world.size()) +
+                               "; take the mpirun of the MPI that this program was built with");
+    first_signal_removes = 1;
+  }
+
+  int rank() const override { return world.rank(); }
+  int size() const override { return world.size(); }
+
+  void together(const std::function<void()>& f) override
+  {
+    Failure failure;
+    try {
+      f();
+    } catch(...) {
+      failure = failure_of(std::current_exception());
+    }
+    const int own = failure.kind == Failure::none ? size() : rank();
+    const int first = mpi::all_reduce(world, own, mpi::minimum<int>());
+    if(first == size())
+      return;
+    int kind = failure.kind;
+    mpi::broadcast(world, kind, first);
+    mpi::broadcast(world, failure.message, first);
+    failure.kind = Failure::Kind(kind);
+    has_agreed = true;
+    rethrow(failure);
+  }
+
+  unsigned common_bits(unsigned own) const override
+  {
+    return mpi::all_reduce(world, own, mpi::bitwise_and<unsigned>());
+  }
+
+  double largest(double own) const override { return mpi::all_reduce(world, own, mpi::maximum<double>()); }
+
+  std::uint64_t number_of(int rank, std::uint64_t own) const override
+  {
+    mpi::broadcast(world, own, rank);
+    return own;
+  }
+
+  std::vector<Placed_notes> gather(const std::vector<Placed_notes>& own) const override
+  {
+    std::vector<std::vector<Placed_notes>> of_ranks;
+    mpi::gather(world, own, of_ranks, 0);
+    std::vector<Placed_notes> all;
+    for(const std::vector<Placed_notes>& notes : of_ranks)
+      all.insert(all.end(), notes.begin(), notes.end());
+    std::sort(all.begin(), all.end(), [](const Placed_notes& a, const Placed_notes& b) { return a.first < b.first; });
+    return all;
+  }
+
+  int threads() const override
+  {
+    MPI_Comm local;
+    MPI_Comm_split_type(world, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &local);
+    const mpi::communicator machine(local, mpi::comm_take_ownership);
+#ifdef __linux__
+    // A launcher may have bound ranks to some of the processors, the same or others.
+    cpu_set_t own, all;
+    CPU_ZERO(&own);
+    if(sched_getaffinity(0, sizeof own, &own) == 0) {
+      MPI_Allreduce(&own, &all, int(sizeof own), MPI_BYTE, MPI_BOR, machine);
+      return (std::max)((std::min)(CPU_COUNT(&own), CPU_COUNT(&all) / machine.size()), 1);
+    }
+#endif
+    return (std::max)(int(std::thread::hardware_concurrency()) / machine.size(), 1);
+  }
+
+  Shapes detect(const Point_set& own, const Options& o, Progress_line& progress) const override
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(o.backend != "sequential")
+      return program::detect<CGAL::Tandem::Mpi_tag<CGAL::Parallel_tag>>(own, o, progress);
+#endif
+    return program::detect<CGAL::Tandem::Mpi_tag<CGAL::Sequential_tag>>(own, o, progress);
+  }
+
+  // What only this rank knows of ends the others, too.
+  int end(int code, const char* message, const char* advice) const override
+  {
+    if(!has_agreed || is_first())
+      fail(code, message, advice);
+    if(!has_agreed)
+      environment.abort(code);
+    world.barrier(); // mpirun may end the others when the first one has ended
+    return code;
+  }
+
+private:
+  mpi::environment environment;
+  mpi::communicator world;
+  bool has_agreed = false; // on the failure
+};
+
+} // namespace
+
+std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv)
+{
+  const Launch launch = find_launch();
+  if(launch.size > 1)
+    return std::make_unique<Mpi_ranks>(argc, argv, launch);
+  return std::make_unique<Ranks>();
+}
+
+} // namespace program

@@ -1,0 +1,126 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# detect_planes by several processes: they write the bytes of one, and leave no file that looks complete if one of them
+# fails or is killed. PROGRAM is tested in WORK_DIR, started by MPIEXEC.
+
+cmake_minimum_required(VERSION 3.19)
+
+if(NOT MPIEXEC)
+  message(STATUS "skipped: the program was built without MPI")
+  return()
+endif()
+include("${CMAKE_CURRENT_LIST_DIR}/tiles_support.cmake")
+
+# Open MPI asks who wants it as root, or with more processes than processors.
+foreach(variable IN ITEMS ALLOW_RUN_AS_ROOT ALLOW_RUN_AS_ROOT_CONFIRM MCA_rmaps_base_oversubscribe
+                 MCA_mpi_yield_when_idle)
+  set(ENV{OMPI_${variable}} 1)
+endforeach()
+set(ENV{OMPI_MCA_hwloc_base_binding_policy} none)
+
+# expect_ranks(n code pattern argument...). What mpirun says of a failure comes with the one line of the program.
+macro(expect_ranks n code pattern)
+  execute_process(COMMAND "${MPIEXEC}" -n ${n} "${PROGRAM}" ${ARGN} WORKING_DIRECTORY "${WORK_DIR}" TIMEOUT 100
+                  RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  check_ranks("${code}" "${pattern}" "${n} ranks: ${ARGN}")
+endmacro()
+
+macro(check_ranks code pattern what)
+  expect_equal("${what}\n${out}${err}\n  exit code" "${status}" "${code}")
+  if(NOT "${out}${err}" MATCHES "${pattern}")
+    complain("${what}\n  output does not match '${pattern}': ${out}${err}")
+  endif()
+  string(REPLACE ";" "," lines "${err}")
+  string(REGEX MATCHALL "detect_planes: [^\n]+\n" lines "${lines}")
+  list(LENGTH lines count)
+  if(NOT "${code}" STREQUAL "0" AND NOT count EQUAL 1)
+    complain("${what}\n  not one line of error: '${err}'")
+  endif()
+endmacro()
+
+# --- The same bytes
+foreach(normals IN ITEMS estimated given)
+  expect(0 "normals ${normals}.*hash" ${tiles} ${parameters} --output-directory one_${normals}
+         --planes one_${normals}/planes --report one_${normals}/report)
+  foreach(n IN ITEMS 1 2 3 6)
+    set(folder ${n}_${normals})
+    set(processes "execution +[a-z]+, ${n} processes of 1 thread,")
+    if(n EQUAL 1)
+      set(processes "execution +[a-z]+, 1 thread,")
+    endif()
+    expect_ranks(${n} 0 "normals ${normals}.*${processes}.*hash" ${tiles} ${parameters} --threads 1
+                 --output-directory ${folder} --planes ${folder}/planes --report ${folder}/report)
+    expect_same_results(one_${normals} ${folder})
+  endforeach()
+  if(normals STREQUAL "estimated") # what was written has some, but for .las
+    list(REMOVE_ITEM outputs last.las)
+    list(TRANSFORM outputs PREPEND one_estimated/ OUTPUT_VARIABLE tiles)
+  endif()
+endforeach()
+expect_ranks(2 0 "execution +sequential, 2 processes of 1 thread" ${tiles} ${parameters} --backend sequential)
+expect_ranks(2 0 "^$" ${tiles} ${parameters} --quiet)
+expect_ranks(2 0 "^detect_planes .Tandem. [0-9.]+\n$" --version)
+
+# --- Inputs that do not have the same
+expect(0 "left out +normals, intensity, classification: not" ${tiles} last.las ${parameters} --output-directory mixed
+       --planes mixed/planes --report mixed/report)
+list(APPEND outputs last.las)
+expect_ranks(3 0 "left out +normals, intensity, classification: not" ${tiles} last.las ${parameters} --output-directory mixed_3
+             --planes mixed_3/planes --report mixed_3/report)
+expect_same_results(mixed mixed_3)
+
+# --- One message, and no file
+expect_ranks(3 1 "nothere.ply: no such file" ${tiles} nothere.ply --output-directory none --planes none/planes)
+expect_ranks(2 2 "--threads is 0" ${tiles} --threads 0 --output-directory none)
+foreach(option IN ITEMS output labels vg polygons mesh view)
+  set(file out.ply)
+  if(option STREQUAL "view")
+    set(file out.html)
+  endif()
+  expect_ranks(2 2 "--${option} needs all points in one process; several write them with --output-directory" ${tiles}
+               --${option} ${file})
+endforeach()
+expect_ranks(2 2 "--backend is 'cuda', which is for one process" ${tiles} --backend cuda)
+expect_ranks(2 2 "--estimate-normals with a number needs all points" ${tiles} --estimate-normals 12)
+file(MAKE_DIRECTORY "${WORK_DIR}/taken/seam.csv")
+expect_ranks(3 1 "taken/seam.csv: is a directory" ${tiles} --output-directory taken --planes taken/planes)
+expect_no_file(none out.ply out.html taken/corner.ply taken/Middle.XYZ taken/planes)
+
+# --- A rank that gets a signal, once all tiles were read
+file(WRITE "${WORK_DIR}/signals.sh" [=[
+for tile in 0 1 2; do
+  awk -v t=$tile 'BEGIN { for(i = 0; i < 60000; ++i) print t * 60 + i % 59, i % 997, i % 3 }' > slow$tile.xyz
+done
+rm -f rank* messages
+"$MPIEXEC" -n 3 sh -c 'echo $$ > rank${OMPI_COMM_WORLD_RANK:-$PMI_RANK}
+  exec "$P" slow0.xyz slow1.xyz slow2.xyz --quiet --maximum-distance .5 --output-directory never --planes never.planes' \
+  > messages 2>&1 &
+started=$!
+while [ $(find . -name '*.part*' | wc -l) -lt 1 ] && kill -0 $started; do sleep .01; done
+kill -$1 $(cat rank$2)
+code=0
+wait $started || code=$?
+cat messages >&2
+exit $code
+]=])
+set(ENV{MPIEXEC} "${MPIEXEC}")
+set(ENV{P} "${PROGRAM}")
+foreach(signal IN ITEMS KILL INT TERM)
+  foreach(rank IN ITEMS 1 2)
+    execute_process(COMMAND sh signals.sh ${signal} ${rank} WORKING_DIRECTORY "${WORK_DIR}" TIMEOUT 100
+                    RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+    if(signal STREQUAL "KILL")
+      if("${status}" STREQUAL "0" OR "${err}" STREQUAL "")
+        complain("killed rank ${rank}: exit code ${status}, '${err}'")
+      endif()
+    else()
+      check_ranks(1 "detect_planes: interrupted, nothing was written" "SIG${signal} for rank ${rank}")
+    endif()
+    file(GLOB found "${WORK_DIR}/never*/*")
+    expect_equal("files of the run that SIG${signal} ended" "${found}" "")
+    expect_no_file(never.planes)
+  endforeach()
+endforeach()
+
+finish()

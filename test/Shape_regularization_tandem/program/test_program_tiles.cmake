@@ -1,0 +1,71 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Tiles of an area: --output-directory of detect_planes, by one process. PROGRAM is tested in WORK_DIR.
+
+cmake_minimum_required(VERSION 3.19)
+
+include("${CMAKE_CURRENT_LIST_DIR}/tiles_support.cmake")
+
+# --- Each input has its points in a file of its own, with shapes of the whole area
+expect(0 "^corner.pts, .*points +9600.*hash" ${tiles} ${parameters} --output-directory new/one --planes planes --output all.csv)
+file(GLOB found RELATIVE "${WORK_DIR}/new/one" "${WORK_DIR}/new/one/*")
+list(SORT found)
+set(expected ${outputs})
+list(SORT expected)
+expect_equal("files of the folder" "${found}" "${expected}")
+file(STRINGS "${WORK_DIR}/planes" planes)
+list(LENGTH planes count)
+expect_equal("number of shapes" ${count} 4)
+file(STRINGS "${WORK_DIR}/all.csv" all)
+file(STRINGS "${WORK_DIR}/new/one/seam.csv" seam)
+foreach(row IN LISTS seam)
+  if(NOT row IN_LIST all)
+    complain("of one tile only: ${row}")
+    break()
+  endif()
+endforeach()
+file(STRINGS "${WORK_DIR}/folder/sub/seam.csv" rows)
+list(LENGTH rows expected)
+list(LENGTH seam found)
+expect_equal("rows of a tile" ${found} ${expected})
+foreach(shape IN ITEMS 0 1 2 3)
+  if(NOT seam MATCHES ",${shape}(;|$)")
+    complain("shape ${shape} is not in each tile")
+  endif()
+endforeach()
+
+# --- What is written is read again, and stays what it is
+expect(0 "left out +normals" new/one/corner.ply new/one/last.las ${parameters} --colors shape --output-directory new/two)
+expect(0 "^$" new/one/last.las ${parameters} --output-directory new/two --quiet)
+expect_shell(0 "^$" "cmp new/one/last.las new/two/last.las")
+expect(0 "^$" folder/Middle.XYZ ${parameters} --output-directory new/two --output middle.xyz --quiet)
+expect_shell(0 "^$" "cmp middle.xyz new/two/Middle.XYZ")
+find_program(gzip gzip)
+if(gzip)
+  expect_shell(0 "" "gzip -k folder/Middle.XYZ; \"$P\" folder/Middle.XYZ.gz --quiet --maximum-distance .01 \
+    --minimum-region-size 100 --output-directory new/two; status=$?; cmp middle.xyz new/two/Middle.XYZ || exit; \
+    [ $status = 0 ] || echo built without zlib")
+endif()
+
+# --- Names
+file(COPY "${WORK_DIR}/last.las" DESTINATION "${WORK_DIR}/folder")
+expect(2 "last.las and folder/last.las would both become out/last.las" last.las folder/last.las --output-directory out)
+expect(2 "corner.pts and corner.ply would both become out/corner.ply" corner.pts corner.ply --output-directory out)
+expect(2 "--output-directory is the folder of folder/last.las" folder/last.las --output-directory folder/sub/..)
+expect(2 "out/last.las is named twice" last.las --output-directory out --labels out/last.las)
+expect(2 "--output-directory is '-'" last.las --output-directory -)
+expect(1 "last.xyz: cannot be made" last.las --output-directory last.xyz)
+file(MAKE_DIRECTORY "${WORK_DIR}/taken/last.las")
+expect(1 "taken/last.las: is a directory" last.las corner.pts ${parameters} --output-directory taken)
+expect(1 "nothere.las: no such file" corner.pts nothere.las --output-directory out)
+expect_no_file(out taken/corner.ply)
+
+# --- What mpirun would tell a program that cannot work with others
+if(NOT MPIEXEC)
+  expect_shell(1 "3 processes were started .OMPI_COMM_WORLD_SIZE., but this program was built without MPI"
+               "OMPI_COMM_WORLD_SIZE=3 \"$P\" last.las")
+  expect_shell(0 "^$" "OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=1 \"$P\" last.las")
+endif()
+
+finish()
