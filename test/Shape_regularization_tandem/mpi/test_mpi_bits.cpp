@@ -119,9 +119,9 @@ void test_communicators(const Ranks& world)
 {
   const Ranks half = world.split(world.rank() % 2, -world.rank());
   Pending_messages in_world(world), in_half(half);
-  compare_with_one(half, random_cases(std::uint64_t(20 + world.rank() % 2), std::size_t(1 + world.rank() % 2)));
+  compare_with_one(half, random_cases(std::uint64_t(20 + world.rank() % 2), std::size_t(1 + world.rank() % 2), 1500));
   const Ranks self(MPI_COMM_SELF, boost::mpi::comm_attach);
-  compare_with_one(self, random_cases(std::uint64_t(30 + world.rank()), 1));
+  compare_with_one(self, random_cases(std::uint64_t(30 + world.rank()), 1, 1500));
   in_half.check_received("half of the ranks");
   in_world.check_received("all ranks");
 
@@ -159,8 +159,8 @@ int main(int argc, char** argv)
   }
   const bool are_few = argc > 1;
   const std::size_t stride = are_few ? 11 : 1;
-  const std::size_t shapes =
-    compare_with_one(world, scene_cases(world, stride)) + compare_with_one(world, random_cases(1, 20 / stride));
+  const std::size_t shapes = compare_with_one(world, scene_cases(world, stride)) +
+                             compare_with_one(world, random_cases(1, 20 / stride, are_few ? 1500 : 15000));
   CHECK(sum_over(world, shapes) > 150 / stride);
   compare_with_one(world, border_cases(world, stride));
   test_threads(world);

@@ -44,12 +44,12 @@ inline std::vector<Dealt_case> scene_cases(const Ranks& ranks, std::size_t strid
   return cases;
 }
 
-// Up to so many points that of the largest shapes only a sample is counted.
-inline std::vector<Dealt_case> random_cases(std::uint64_t seed, std::size_t number)
+// With so many points that of the largest shapes only a sample is counted, or with fewer.
+inline std::vector<Dealt_case> random_cases(std::uint64_t seed, std::size_t number, std::size_t more_points = 15000)
 {
   std::vector<Dealt_case> cases;
   for(std::uint64_t s = seed; s < seed + number; ++s)
-    cases.push_back({make_random_case(s, 15000), deals[s % 3]});
+    cases.push_back({make_random_case(s, more_points), deals[s % 3]});
   return cases;
 }
 
