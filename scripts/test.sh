@@ -33,9 +33,9 @@ seconds_of()
 {
   case $1 in
     style) echo 15 ;;
-    release) echo 480 ;;
+    release) echo 525 ;;
     bits) echo 55 ;;
-    asan) echo 240 ;;
+    asan) echo 290 ;;
     tsan) echo 80 ;;
     fuzz) echo 25 ;;
     cuda) echo 100 ;;

@@ -15,6 +15,26 @@
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
 
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// What the library has compiled is tested, although the precompiled header defines it, too.
+using Sequential_ranks = Mpi_backend<Sequential_backend>;
+extern template void complete_parameters(Sequential_ranks&, const Import&, bool, Parameters&);
+extern template void set_scale(Sequential_ranks&, Import&, bool, Parameters&);
+extern template Shapes_data export_shapes(Sequential_ranks&, const Import&, const Parameters&, const Engine_result&);
+#ifdef CGAL_LINKED_WITH_TBB
+using Tbb_ranks = Mpi_backend<Tbb_backend>;
+extern template void complete_parameters(Tbb_ranks&, const Import&, bool, Parameters&);
+extern template void set_scale(Tbb_ranks&, Import&, bool, Parameters&);
+extern template Shapes_data export_shapes(Tbb_ranks&, const Import&, const Parameters&, const Engine_result&);
+#endif
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
 using Ranks = boost::mpi::communicator;
 using CGAL::Tandem::Mpi_tag;
 using Words = std::vector<std::uint64_t>;
