@@ -59,7 +59,7 @@ struct Sorted_cloud {
   Buffer<std::uint32_t> neighbor;
   Buffer<std::uint32_t> order; // position in the import of each point
   int k = 0;
-  std::size_t ghosts = 0;  // these two as those of Cloud_view
+  std::size_t ghosts = 0; // these two as those of Cloud_view
   std::uint32_t first = 0;
 };
 

@@ -188,8 +188,8 @@ bool Engine<Backend>::is_going_on(std::size_t new_points) const
   const Shape_table<Backend>& shapes = state_.shapes;
   const auto count = [&](std::size_t n, auto f) { return backend.template sum<1>(n, f)[0]; };
   return new_points > 0 ||
-         state_.points.ranks.total(std::size_t(count(
-           seeds.count.size(), Count_cells_with_seeds{seeds.cursor.data(), seeds.count.data()}))) > 0 ||
+         state_.points.ranks.total(std::size_t(
+           count(seeds.count.size(), Count_cells_with_seeds{seeds.cursor.data(), seeds.count.data()}))) > 0 ||
          count(shapes.size, Count_restarted{shapes.shape.data(), shapes.is_restarted.data()}) > 0;
 }
 

@@ -164,8 +164,8 @@ struct Find_root {
 // component[i] becomes the smallest position of the component of point i; free points are components of their own.
 // label: of any kind, by point, with marks for free points. Takes nearly linear time.
 template <class Backend>
-typename Ranks<Backend>::Seams find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, const std::uint32_t* label,
-                     std::uint32_t* component)
+typename Ranks<Backend>::Seams find_components(Labeled_cloud<Backend>& points, std::size_t cell_size,
+                                               const std::uint32_t* label, std::uint32_t* component)
 {
   Backend& backend = points.backend;
   const std::size_t cells = points.number_of_cells();
@@ -175,7 +175,8 @@ typename Ranks<Backend>::Seams find_components(Labeled_cloud<Backend>& points, s
     backend.template for_each_cell<Union_scratch<small_cell>>(cells, inside);
   else
     backend.template for_each_cell<Union_scratch<largest_cell>>(cells, inside);
-  backend.for_each(points.cloud.ghosts, Start_ghost{component + points.cloud.size(), std::uint32_t(points.cloud.size())});
+  backend.for_each(points.cloud.ghosts,
+                   Start_ghost{component + points.cloud.size(), std::uint32_t(points.cloud.size())});
   // The unions of the cells are complete here, so that roots from all cells can be joined.
   const Border<Backend>& border = points.border;
   backend.template for_each_cell<Pair_scratch>(

@@ -147,8 +147,9 @@ Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& 
   if(!in.has_normals)
     data.normal = by_item(backend, in, result.normal, no_normal);
   measure_relations(data);
-  statistics.coverage =
-    statistics.number_of_points > 0 ? double(statistics.number_of_assigned_points) / double(statistics.number_of_points) : 0;
+  statistics.coverage = statistics.number_of_points > 0
+                          ? double(statistics.number_of_assigned_points) / double(statistics.number_of_points)
+                          : 0;
   statistics.mean_distance = result.mean_distance * parameters.maximum_distance;
   statistics.number_of_rounds = result.rounds;
   statistics.is_cancelled = result.is_cancelled;

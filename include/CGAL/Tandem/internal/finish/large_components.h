@@ -95,9 +95,8 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int
   typename Backend::template Buffer<Component> buffer(root.size());
   backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
   std::vector<Component> components = points.ranks.join_large(seams, to_vector(backend, buffer));
-  std::stable_sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
-    return a.size > b.size;
-  });
+  std::stable_sort(components.begin(), components.end(),
+                   [](const Component& a, const Component& b) { return a.size > b.size; });
   return components;
 }
 

@@ -177,7 +177,8 @@ std::size_t count_untried_cells(Labeled_cloud<Backend>& points, const Seeds<Back
                                 std::int64_t minimum_region_size)
 {
   auto found = filled_buffer(points.backend, 1, std::uint32_t(0));
-  const std::uint32_t smallest = std::uint32_t((std::min)({minimum_region_size, std::int64_t(points.total_points()), std::int64_t(first_mark)}));
+  const std::uint32_t smallest =
+    std::uint32_t((std::min)({minimum_region_size, std::int64_t(points.total_points()), std::int64_t(first_mark)}));
   points.backend.template for_each_cell<std::uint32_t>(
     points.number_of_cells(),
     Find_untried_cells<Backend>{points.labels(), points.cells_view(), seeds.seed.data(), seeds.count.data(),

@@ -10,7 +10,7 @@
 #define CGAL_TANDEM_INTERNAL_MPI_BORDER_SEARCH_H
 
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
-#include <CGAL/Tandem/internal/neighbors/Box_tree.h>
+#include <CGAL/Tandem/internal/mpi/Rank_boxes.h>
 #include <CGAL/Tandem/internal/neighbors/Bucket_neighbors.h>
 
 #include <algorithm>
@@ -36,8 +36,6 @@ struct Ball {
   std::uint32_t gap; // so that all bytes are defined
   std::uint64_t squared;
 };
-
-inline Node_box box_of(const Grid_point& p) { return {{p.x, p.y, p.z}, {p.x, p.y, p.z}}; }
 
 // One of the points of a rank within a ball.
 struct Point_in_ball {
@@ -150,33 +148,13 @@ public:
   }
 
 private:
-  // The boxes of the points of a rank, in their order.
-  struct Rank_boxes {
-    std::vector<Node_box> box;
-    std::vector<std::size_t> first; // of each rank, and the end
+  // A rank that is asked for neighbors of a point.
+  struct Asked {
+    std::uint32_t rank, point;
   };
 
-  static constexpr std::uint32_t largest_number_of_boxes = 64;
+  static constexpr std::size_t boxes_of_rank = 256;
   static constexpr std::uint32_t chunk = 256; // points that are tested together first
-
-  Node_box box_around(std::uint32_t first, std::uint32_t last) const
-  {
-    Node_box box = box_of(point_[first]);
-    for(std::uint32_t i = first + 1; i < last; ++i)
-      box = joined(box, box_of(point_[i]));
-    return box;
-  }
-
-  Rank_boxes share_boxes()
-  {
-    std::vector<Node_box> own;
-    const std::uint32_t size = n_ / largest_number_of_boxes + 1;
-    for(std::uint32_t first = 0; first < n_; first += size)
-      own.push_back(box_around(first, (std::min)(first + size, n_)));
-    Rank_boxes boxes;
-    boxes.box = communicator_.gather(own, &boxes.first);
-    return boxes;
-  }
 
   // The squared distance to the last neighbor. A row that is not full has none that is far enough.
   std::uint64_t squared_radius(std::uint32_t i) const
@@ -187,26 +165,27 @@ private:
 
   void find_balls()
   {
-    const Rank_boxes boxes = share_boxes();
+    const Rank_boxes boxes(communicator_, cover(point_, n_, boxes_of_rank));
     balls_.resize(std::size_t(communicator_.size()));
     asked_.resize(balls_.size());
     const std::size_t chunks = (n_ + chunk - 1) / chunk;
-    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found(chunks); // rank, point
+    std::vector<std::vector<Asked>> found(chunks);
     backend_.for_each(
       chunks, [&](std::size_t c) { find_balls_of_chunk(boxes, std::uint32_t(c), found[c]); }, 16);
     for(const auto& of_chunk : found)
-      for(const auto& ball : of_chunk) {
-        const Grid_point& p = point_[ball.second];
-        balls_[ball.first].push_back({p.x, p.y, p.z, 0, squared_radius(ball.second)});
-        asked_[ball.first].push_back(ball.second);
+      for(const Asked& a : of_chunk) {
+        const Grid_point& p = point_[a.point];
+        balls_[a.rank].push_back({p.x, p.y, p.z, 0, squared_radius(a.point)});
+        asked_[a.rank].push_back(a.point);
       }
   }
 
-  // Most points have a small ball: of these only the boxes near the chunk are looked at. Stray points have large ones.
-  void find_balls_of_chunk(const Rank_boxes& boxes, std::uint32_t c,
-                           std::vector<std::pair<std::uint32_t, std::uint32_t>>& found) const
+  // Most points have a small ball: of these only the boxes near the chunk are looked at. Stray points have large ones,
+  // and look at all.
+  void find_balls_of_chunk(const Rank_boxes& boxes, std::uint32_t c, std::vector<Asked>& found) const
   {
-    const std::uint32_t first = c * chunk, last = (std::min)(first + chunk, n_);
+    const std::uint32_t first = c * chunk, last = (std::min)(first + chunk, n_),
+                        own = std::uint32_t(communicator_.rank());
     std::vector<std::uint64_t> radius;
     for(std::uint32_t i = first; i < last; ++i)
       radius.push_back(squared_radius(i));
@@ -214,33 +193,28 @@ private:
     const auto median = ordered.begin() + std::ptrdiff_t(ordered.size() / 2);
     std::nth_element(ordered.begin(), median, ordered.end());
     const std::uint64_t usual = *median < (std::uint64_t(1) << 60) ? 4 * *median : *median;
-
-    std::vector<std::uint32_t> few, all; // points to be tested with near boxes only, and with all
-    for(std::uint32_t i = first; i < last; ++i)
-      (radius[i - first] <= usual ? few : all).push_back(i);
-
-    const Node_box around = box_around(first, last);
-    std::vector<Node_box> near;
-    for(std::uint32_t r = 0; r < std::uint32_t(communicator_.size()); ++r) {
-      if(int(r) == communicator_.rank())
-        continue;
-      const auto begin = boxes.box.begin() + std::ptrdiff_t(boxes.first[r]);
-      const auto end = boxes.box.begin() + std::ptrdiff_t(boxes.first[r + 1]);
-      near.clear();
-      std::copy_if(begin, end, std::back_inserter(near),
-                   [&](const Node_box& box) { return squared_distance(around, box) <= usual; });
-      const auto is_met = [&](std::uint32_t i, auto b, auto e) {
-        const Node_box own = box_of(point_[i]);
-        return std::any_of(b, e, [&](const Node_box& box) { return squared_distance(own, box) <= radius[i - first]; });
+    std::vector<std::size_t> near;
+    boxes.for_each_near(box_around(point_ + first, last - first), usual, [&](std::size_t b) {
+      if(boxes.rank(b) != own)
+        near.push_back(b);
+    });
+    for(std::uint32_t i = first; i < last; ++i) {
+      const std::uint64_t squared = radius[i - first];
+      const Node_box center = box_of(point_[i]);
+      std::uint32_t asked = own; // the rank of the last box
+      const auto ask = [&](std::size_t b) {
+        if(boxes.rank(b) == own || boxes.rank(b) == asked)
+          return;
+        asked = boxes.rank(b);
+        found.push_back({asked, i});
       };
-      for(const std::uint32_t i : near.empty() ? std::vector<std::uint32_t>() : few)
-        if(is_met(i, near.begin(), near.end()))
-          found.emplace_back(r, i);
-      for(const std::uint32_t i : all)
-        if(is_met(i, begin, end))
-          found.emplace_back(r, i);
+      if(squared > usual)
+        boxes.for_each_near(center, squared, ask);
+      else
+        for(const std::size_t b : near)
+          if(squared_distance(center, boxes[b]) <= squared)
+            ask(b);
     }
-    std::sort(found.begin(), found.end()); // by rank, then by point
   }
 
   void answer(const std::vector<std::vector<Ball>>& balls, std::vector<std::vector<std::uint32_t>>& sizes,

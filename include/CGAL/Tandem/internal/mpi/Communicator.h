@@ -128,9 +128,10 @@ public:
     return received;
   }
 
-  // The same for tables with the items of one rank after the other.
+  // The same for tables with the items of one rank after the other; from_ranks gets the numbers of those that came.
   template <class T>
-  std::vector<T> exchange(const std::vector<T>& send, const std::vector<std::size_t>& sizes)
+  std::vector<T> exchange(const std::vector<T>& send, const std::vector<std::size_t>& sizes,
+                          std::vector<std::size_t>* from_ranks = nullptr)
   {
     const std::vector<std::size_t> from = announce(sizes);
     std::vector<T> received(std::accumulate(from.begin(), from.end(), std::size_t(0)));
@@ -144,6 +145,8 @@ public:
       first_received += from[r];
     }
     transfer(items, sizes, to, from);
+    if(from_ranks != nullptr)
+      *from_ranks = from;
     return received;
   }
 

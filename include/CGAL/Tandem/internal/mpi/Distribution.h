@@ -9,13 +9,27 @@
 
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
-#include <CGAL/Tandem/internal/mpi/octants.h>
+#include <CGAL/Tandem/internal/mpi/rank_boundaries.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// The code of an imported point.
+struct Write_code {
+  Place_on_grid grid;
+  Code_frame frame;
+  std::uint64_t* code;
+
+  void operator()(std::size_t i) const
+  {
+    code[i] = frame.code(to_grid(grid.grid, grid.inverse_step, grid.coordinates[i], no_normal));
+  }
+};
 
 class Distribution {
 public:
@@ -24,23 +38,13 @@ public:
   Distribution(Mpi_backend<Local>& backend, const Import& in, std::size_t cell_size)
     : communicator_(backend.communicator()), sent_(std::size_t(communicator_.size())), size_(in.size())
   {
-    std::vector<int> rank_of(in.size());
-    {
-      Host_buffer<Grid_point> point(in.size());
-      backend.for_each(in.size(), place_on_grid(in, point.data()));
-      const Code_frame frame = make_code_frame(in.low, in.high);
-      Host_sort_table sorted(in.size());
-      backend.for_each(in.size(), Write_codes<Host_sort_table::View>{point.data(), frame, sorted.view()});
-      backend.sort(sorted);
-      std::uint64_t first = 0;
-      for(const Octant& leaf : find_leaves(communicator_, sorted, frame, cell_size)) {
-        for(std::uint32_t i = leaf.own.first; i < leaf.own.last; ++i)
-          rank_of[sorted.view().index(i)] = rank_of_leaf(first, leaf, in.total.points);
-        first += leaf.total;
-      }
-    }
+    Host_buffer<std::uint64_t> code(in.size());
+    backend.for_each(in.size(), Write_code{place_on_grid(in, nullptr), make_code_frame(in.low, in.high), code.data()});
+    const std::vector<std::uint64_t> begin = Boundary_search(communicator_, make_code_frame(in.low, in.high), cell_size,
+                                                             in.total.points)(code.data(), in.size());
     for(std::size_t i = 0; i < in.size(); ++i)
-      sent_[std::size_t(rank_of[i])].push_back(std::uint32_t(i));
+      sent_[std::size_t(std::upper_bound(begin.begin(), begin.end(), code[i]) - begin.begin() - 1)].push_back(
+        std::uint32_t(i));
   }
 
   // Sends the values to the ranks of their leaves. There they have the order of the ranks they come from, and of their
@@ -93,12 +97,6 @@ public:
   }
 
 private:
-  // The middle point of a leaf decides, so that ranks ascend with leaves.
-  int rank_of_leaf(std::uint64_t first, const Octant& leaf, std::uint64_t total) const
-  {
-    return int(Int128(first + leaf.total / 2) * communicator_.size() / Int128(total));
-  }
-
   // A rank without points does not know the type.
   std::size_t send_values(const Vector_table& from, Vector_table& to) const
   {
@@ -111,26 +109,22 @@ private:
   std::size_t send_as(const Vector_table& from, Vector_table& to) const
   {
     using Value = std::array<T, 3>;
-    std::vector<std::vector<Value>> send(sent_.size());
     const Value* const values = reinterpret_cast<const Value*>(from.view().data);
-    for(std::size_t r = 0; r < sent_.size(); ++r)
-      for(const std::uint32_t i : sent_[r])
-        send[r].push_back(values[i]);
-    const std::vector<std::vector<Value>> received = communicator_.exchange(send);
-    send.clear();
-    received_.clear();
-    std::size_t total = 0;
-    for(const std::vector<Value>& part : received) {
-      received_.push_back(part.size());
-      total += part.size();
+    std::vector<Value> send;
+    send.reserve(size_);
+    std::vector<std::size_t> sizes;
+    for(const std::vector<std::uint32_t>& to_rank : sent_) {
+      for(const std::uint32_t i : to_rank)
+        send.push_back(values[i]);
+      sizes.push_back(to_rank.size());
     }
+    const std::vector<Value> received = communicator_.exchange(send, sizes, &received_);
+    const std::size_t total = received.size();
     if(total > maximum_number_of_points)
       throw std::length_error("a rank would get " + to_text(total) + " points, at most " +
                               to_text(maximum_number_of_points) + " (2^31) can be handled: use more ranks");
     to.reset<T>(total);
-    T* out = to.data<T>();
-    for(const std::vector<Value>& part : received)
-      out = std::copy_n(reinterpret_cast<const T*>(part.data()), 3 * part.size(), out);
+    std::copy_n(reinterpret_cast<const T*>(received.data()), 3 * total, to.data<T>());
     return total;
   }
 
