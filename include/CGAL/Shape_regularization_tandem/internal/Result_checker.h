@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/first_unconnected.h>
+#include <CGAL/Tandem/internal/engine/first_unconnected.h>
 #include <CGAL/Tandem/internal/finish/exact_check.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_FIRST_UNCONNECTED_H
 #define CGAL_TANDEM_INTERNAL_MPI_FIRST_UNCONNECTED_H
 
-#include <CGAL/Shape_regularization_tandem/internal/first_unconnected.h>
+#include <CGAL/Tandem/internal/engine/first_unconnected.h>
 #include <CGAL/Tandem/internal/mpi/Distribution.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_ranks.h>
 

@@ -4,8 +4,8 @@
 // Connected components for the check of a result. Neighbors are searched again, on points that are sorted as in the
 // engine, since positions break ties between neighbors at equal distance.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_FIRST_UNCONNECTED_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_FIRST_UNCONNECTED_H
+#ifndef CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
+#define CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
 
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
@@ -110,4 +110,4 @@ std::size_t first_unconnected(Backend& backend, const Import& in, const std::vec
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_FIRST_UNCONNECTED_H
+#endif // CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
