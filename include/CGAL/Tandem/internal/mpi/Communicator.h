@@ -11,6 +11,7 @@
 #define CGAL_TANDEM_INTERNAL_MPI_COMMUNICATOR_H
 
 #include <CGAL/Tandem/internal/mpi/Failure.h>
+#include <CGAL/Tandem/internal/mpi/mpi_types.h>
 
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
@@ -94,7 +95,7 @@ public:
     static_assert(std::is_trivially_copyable<T>::value, "items are sent as bytes");
     agree();
     const std::vector<std::uint64_t> sizes = gather_one(std::uint64_t(own.size()));
-    const Layout layout(sizes);
+    const Gathered_layout layout(sizes);
     std::vector<T> all(layout.total);
     agree(); // there is memory
     const Item_type type(sizeof(T));
@@ -161,53 +162,12 @@ public:
   }
 
 private:
-  // Sizes and places of the items of each rank, as MPI counts them.
-  struct Layout {
-    explicit Layout(const std::vector<std::uint64_t>& sizes)
-    {
-      for(const std::uint64_t n : sizes) {
-        first.push_back(int(total));
-        size.push_back(int(n));
-        total += n;
-      }
-      if(total > std::uint64_t(INT_MAX))
-        throw std::length_error("the ranks share more than 2^31 items of one table");
-    }
-
-    std::vector<int> size, first;
-    std::uint64_t total = 0;
-  };
-
-  // Items of so many bytes, so that counts of MPI are those of items.
-  class Item_type {
-  public:
-    explicit Item_type(std::size_t bytes)
-    {
-      MPI_Type_contiguous(int(bytes), MPI_BYTE, &type_);
-      MPI_Type_commit(&type_);
-    }
-    Item_type(const Item_type&) = delete;
-    Item_type& operator=(const Item_type&) = delete;
-    ~Item_type() { MPI_Type_free(&type_); }
-    operator MPI_Datatype() const { return type_; }
-
-  private:
-    MPI_Datatype type_;
-  };
-
   static boost::mpi::communicator duplicate(const boost::mpi::communicator& caller)
   {
     if(!boost::mpi::environment::initialized())
       throw std::logic_error("MPI is not initialized: make a boost::mpi::environment before");
     return boost::mpi::communicator(caller, boost::mpi::comm_duplicate);
   }
-
-  // By width: some versions of Open MPI compare MPI_UNSIGNED_LONG as if it had a sign.
-  static MPI_Datatype type_of(const double*) { return MPI_DOUBLE; }
-  static MPI_Datatype type_of(const std::int32_t*) { return MPI_INT32_T; }
-  static MPI_Datatype type_of(const std::uint32_t*) { return MPI_UINT32_T; }
-  static MPI_Datatype type_of(const std::int64_t*) { return MPI_INT64_T; }
-  static MPI_Datatype type_of(const std::uint64_t*) { return MPI_UINT64_T; }
 
   // How many items come from each rank.
   std::vector<std::size_t> announce(const std::vector<std::size_t>& sizes)
@@ -229,13 +189,13 @@ private:
     std::vector<MPI_Request> requests;
     for(std::size_t r = 0; r < sizes.size(); ++r)
       if(int(r) != rank())
-        for_each_piece(from[r], [&](std::size_t first, int n) {
+        for_each_message(from[r], [&](std::size_t first, int n) {
           requests.emplace_back();
           MPI_Irecv(to[r] + first, n, type, int(r), 0, comm_, &requests.back());
         });
     for(std::size_t r = 0; r < sizes.size(); ++r)
       if(int(r) != rank()) {
-        for_each_piece(sizes[r], [&](std::size_t first, int n) {
+        for_each_message(sizes[r], [&](std::size_t first, int n) {
           requests.emplace_back();
           MPI_Isend(items[r] + first, n, type, int(r), 0, comm_, &requests.back());
         });
@@ -245,21 +205,12 @@ private:
     MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   }
 
-  // In pieces, as MPI counts with int.
-  template <class F>
-  static void for_each_piece(std::size_t n, F f)
-  {
-    constexpr std::size_t largest = std::size_t(1) << 24;
-    for(std::size_t first = 0; first < n; first += largest)
-      f(first, int((std::min)(largest, n - first)));
-  }
-
   template <class T>
   void reduce(T* table, std::size_t n, MPI_Op operation)
   {
     agree();
-    for_each_piece(n, [&](std::size_t first, int size) {
-      MPI_Allreduce(MPI_IN_PLACE, table + first, size, type_of(table), operation, comm_);
+    for_each_message(n, [&](std::size_t first, int size) {
+      MPI_Allreduce(MPI_IN_PLACE, table + first, size, mpi_type_of(table), operation, comm_);
     });
     sent_ += n * sizeof(T);
   }

@@ -11,12 +11,13 @@
 #include <CGAL/Tandem/internal/finish/clutter.h>
 #include <CGAL/Tandem/internal/mpi/Ghosts.h>
 #include <CGAL/Tandem/internal/mpi/Host_view.h>
+#include <CGAL/Tandem/internal/mpi/Rank_propagation.h>
 #include <CGAL/Tandem/internal/mpi/Seams.h>
+#include <CGAL/Tandem/internal/mpi/gather_links.h>
 #include <CGAL/Tandem/internal/mpi/octants.h>
 #include <CGAL/Tandem/internal/mpi/rank_functors.h>
 #include <CGAL/Tandem/internal/mpi/same_parameters.h>
 #include <CGAL/Tandem/internal/mpi/sample_cells.h>
-#include <CGAL/Tandem/internal/shapes/links.h>
 
 #include <memory>
 
@@ -206,25 +207,10 @@ public:
     return end;
   }
 
-  // See Label_propagation. Proposals to ghosts go to their owners, which list the points for the next round.
   template <class Propagation>
-  void run_propagation(Backend& backend, std::size_t maximum_rounds, std::size_t n, const Propagation& rounds) const
+  void run_propagation(Backend&, std::size_t maximum_rounds, std::size_t n, const Propagation& rounds) const
   {
-    const std::size_t lanes = (std::max)((std::min)(n, std::size_t(4096)), std::size_t(1));
-    const auto run = [&](int step, std::size_t round) {
-      backend.for_each(lanes, Run_step<Propagation>{rounds, step, round, lanes}, lanes / 64 + 1);
-    };
-    std::uint32_t* const end = rounds.proposed.end;
-    send_proposals(rounds, end);
-    for(std::size_t round = 0; round < maximum_rounds; ++round) {
-      run(Propagation::accept, round);
-      update(rounds.labels.label);
-      const std::vector<std::uint32_t> of_round = to_vector(backend, end + round, 2);
-      if(total(of_round[1] - of_round[0]) <= rounds.few_points)
-        return;
-      run(Propagation::propose, round);
-      send_proposals(rounds, end + round + 1);
-    }
+    Rank_propagation<Backend, Propagation>(*backend_, *ghosts_, rounds).run(maximum_rounds, n);
   }
 
   Seams join_components(const std::uint32_t* label, std::uint32_t* component) const
@@ -253,17 +239,7 @@ public:
   template <class Links>
   Links join_links(Links&& own, std::uint32_t minimum) const
   {
-    std::vector<Link> all = communicator().gather(to_vector(*backend_, own));
-    std::sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
-    std::vector<Link> joined;
-    for(const Link& link : all) {
-      if(joined.empty() || joined.back().pair != link.pair)
-        joined.push_back({link.pair, 0});
-      joined.back().count += link.count;
-    }
-    joined.erase(std::remove_if(joined.begin(), joined.end(), [&](const Link& l) { return l.count < minimum; }),
-                 joined.end());
-    return to_buffer(*backend_, joined);
+    return to_buffer(*backend_, gather_links(communicator(), to_vector(*backend_, own), minimum));
   }
 
 private:
@@ -315,35 +291,6 @@ private:
     ghosts_->add_ring(std::move(unknown));
     for(const Rank_point& p : rows)
       ghost_rows.push_back(p.rank == no_index ? no_index : ghosts_->place_of(p));
-  }
-
-  // Takes the ghosts from the list of points with proposals between end[0] and end[1], and adds own points that other
-  // ranks have proposed to.
-  template <class Propagation>
-  void send_proposals(const Propagation& rounds, std::uint32_t* end) const
-  {
-    const std::vector<std::uint32_t> ends = to_vector(*backend_, end, 2);
-    const std::size_t size = ends[1] - ends[0];
-    std::uint32_t* const point = rounds.proposed.point + ends[0];
-    std::uint64_t* const proposal = rounds.proposal.proposal;
-    const auto sent = backend_->template collect<Sent_proposal>(size, Take_sent{point, proposal, ghosts_->own_size()});
-    if(sent.size() > 0) {
-      const auto kept = backend_->template collect<std::uint32_t>(size, Take_kept{point, ghosts_->own_size()});
-      backend_->for_each(kept.size(), Copy_items<std::uint32_t>{kept.data(), point});
-      write_to(*backend_, std::vector<std::uint32_t>{ends[0] + std::uint32_t(kept.size())}, end + 1);
-    }
-    std::vector<std::vector<Sent_proposal>> by_rank(std::size_t(communicator().size()));
-    for(Sent_proposal p : to_vector(*backend_, sent)) {
-      const Rank_point owner = ghosts_->point_at(std::uint32_t(p.index));
-      p.index = owner.index;
-      by_rank[owner.rank].push_back(p);
-    }
-    std::vector<Sent_proposal> all;
-    for(const std::vector<Sent_proposal>& from : communicator().exchange(by_rank))
-      all.insert(all.end(), from.begin(), from.end());
-    const auto received = to_buffer(*backend_, all);
-    backend_->for_each(received.size(),
-                       Receive_proposals<Backend>{received.data(), proposal, rounds.proposed.point, end + 1});
   }
 
   Backend* backend_;
