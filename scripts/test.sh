@@ -213,7 +213,7 @@ run_cuda()
   [ -n "$architecture" ] || { cuda_flags='-Xcicc -O1 -Xptxas -O0'; cxx_flags=-O0; }
   configuration cuda cuda -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
     "-DCMAKE_CUDA_FLAGS=$cuda_flags" "-DCMAKE_CUDA_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
-    -DTANDEM_WITH_CUDA=ON -DTANDEM_WITH_MPI=OFF -DTANDEM_BUILD_ENGINE=OFF "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" \
+    -DTANDEM_WITH_CUDA=ON -DTANDEM_BUILD_ENGINE=OFF "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" \
     -DTANDEM_TESTS=test_cuda -DTANDEM_EXAMPLES=detect_planes_on_device
 }
 

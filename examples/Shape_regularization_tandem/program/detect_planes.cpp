@@ -135,7 +135,7 @@ void check_program(const Options& o, const Ranks& ranks)
 {
   parameters_of(o);
   if(ranks.are_many())
-    check_ranks(o);
+    check_ranks(o, ranks.has_cuda());
   check_backend(o);
   if(output_extension(o.output) == ".laz")
     check_laszip(o.output);

@@ -53,6 +53,9 @@ public:
   // The notes of all ranks on the first one, without what is for outputs only.
   virtual std::vector<Placed_notes> gather(const std::vector<Placed_notes>& own) const { return own; }
 
+  // Whether the ranks can compute on devices.
+  virtual bool has_cuda() const { return true; }
+
   // How many threads this rank may have, if the ranks of a machine share its processors; 0: no limit.
   virtual int threads() const { return 0; }
 

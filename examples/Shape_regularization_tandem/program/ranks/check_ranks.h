@@ -11,8 +11,8 @@
 
 namespace program {
 
-// Finds options that need all points in one process, where there are several.
-inline void check_ranks(const Options& o)
+// Finds options that need all points in one process, where there are several. has_cuda: these may use devices.
+inline void check_ranks(const Options& o, bool has_cuda)
 {
   const std::pair<const char*, std::string> outputs[] = {{"output", o.output}, {"labels", o.labels},
                                                          {"vg", o.vg},         {"polygons", o.polygons},
@@ -23,8 +23,9 @@ inline void check_ranks(const Options& o)
                         " needs all points in one process; several write them with --output-directory");
   if(o.estimate_normals && *o.estimate_normals != by_library)
     throw Usage_error("--estimate-normals with a number needs all points in one process");
-  if(o.backend == "cuda")
-    throw Usage_error("--backend is 'cuda', which is for one process; several compute on processors only");
+  if(o.backend == "cuda" && !has_cuda)
+    throw Usage_error("--backend is 'cuda', which is for one process: this program was built without "
+                      "Tandem::tandem_mpi_cuda");
 }
 
 } // namespace program

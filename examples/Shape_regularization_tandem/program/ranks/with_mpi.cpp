@@ -146,8 +146,16 @@ public:
     return (std::max)(int(std::thread::hardware_concurrency()) / machine.size(), 1);
   }
 
+#ifndef CGAL_TANDEM_USE_MPI_CUDA
+  bool has_cuda() const override { return false; }
+#endif
+
   Shapes detect(const Point_set& own, const Options& o, Progress_line& progress) const override
   {
+#ifdef CGAL_TANDEM_USE_MPI_CUDA
+    if(o.backend == "cuda")
+      return program::detect<CGAL::Tandem::Mpi_tag<CGAL::Tandem::Cuda_tag>>(own, o, progress);
+#endif
 #ifdef CGAL_LINKED_WITH_TBB
     if(o.backend != "sequential")
       return program::detect<CGAL::Tandem::Mpi_tag<CGAL::Parallel_tag>>(own, o, progress);
