@@ -21,7 +21,7 @@ using Normal_map = CGAL::Second_of_pair_property_map<Point_with_normal>;
 
 int main(int argc, char* argv[])
 {
-  const boost::mpi::environment environment(argc, argv);
+  const boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
   const boost::mpi::communicator world;
 
   // Every rank has other points; here, each takes every n-th one. Tiles would be as good.

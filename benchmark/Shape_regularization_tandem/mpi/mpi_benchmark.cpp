@@ -185,7 +185,7 @@ bool run(const Job& job, const boost::mpi::communicator& world)
 
 int main(int argc, char** argv)
 {
-  const boost::mpi::environment environment;
+  const boost::mpi::environment environment(boost::mpi::threading::funneled);
   const boost::mpi::communicator world;
   const std::string backend = argc > 1 ? argv[1] : "", kind = argc > 2 ? argv[2] : "";
   const std::size_t points = argc > 3 ? std::size_t(std::strtod(argv[3], nullptr)) : 0;

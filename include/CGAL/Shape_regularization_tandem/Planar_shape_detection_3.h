@@ -42,8 +42,8 @@ private:
 
 \brief detects and regularizes planar shapes in tandem, step by step.
 
-The constructor reads the range once, through its maps; the range is not needed afterwards. After an exception of the
-callback there are no shapes: all functions but the destructor throw `std::logic_error`.
+The constructor reads the range once, through its maps; the range is not needed afterwards. After an exception, such as
+one of the callback, there are no shapes: all functions but the destructor throw `std::logic_error`.
 
 \tparam Traits a model of `TandemTraits_3`
 */
@@ -63,18 +63,23 @@ public:
   \param np the named parameters of `detect_planes()`
   \param traits the traits
   \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
-  \throw std::length_error more than 2^31 points
+  \throw std::length_error more than 2^31 points (of one process)
   \throw std::range_error the extent of the cloud is more than 2^24 times `maximum_distance`, or 2^24 times 1e270
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-  explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters(),
-                                    const Traits& traits = Traits())
+  explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters())
+    : Planar_shape_detection_3(points, np, internal::make_traits<Traits>(np))
+  {}
+
+  /// the same with given traits, whose communicator counts with `Mpi_tag`
+  template <class NamedParameters>
+  Planar_shape_detection_3(const Point_range& points, const NamedParameters& np, const Traits& traits)
     : traits_(traits), backend_(traits_.backend()),
       parameters_(Ranks::together(backend_, [&] { return internal::read_parameters(np); })),
       progress_(Ranks::joined(backend_, internal::parameter<internal_np::callback_t>(np, Callback())))
   {
     const internal::Round_to_nearest rounding;
-    Ranks::together(backend_, [&] {
+    together([&] {
       internal::check_given_parameters(parameters_);
       Ranks::check_same(backend_, parameters_);
       internal::Stop_watch watch;
@@ -107,7 +112,7 @@ public:
   {
     const internal::Round_to_nearest rounding;
     check_complete();
-    return engine_ && !is_finished_ && !is_cancelled() && Ranks::together(backend_, [&] { return engine_->iterate(); });
+    return engine_ && !is_finished_ && !is_cancelled() && together([&] { return engine_->iterate(); });
   }
 
   /// cleans up, and verifies each point against the final plane of its shape; also after a cancellation, with the
@@ -119,9 +124,9 @@ public:
       return;
     check_complete();
     if(engine_)
-      Ranks::together(backend_, [&] { engine_->finish(); });
+      together([&] { engine_->finish(); });
     is_finished_ = true;
-    Ranks::together(backend_, [&] { progress_.show_end(); });
+    together([&] { progress_.show_end(); });
   }
 
   /// the shapes: of the last round, whose planes are not final, or the final ones after `finish()`, whose points are
@@ -130,19 +135,20 @@ public:
   {
     const internal::Round_to_nearest rounding;
     check_complete();
-    internal::Stop_watch watch;
     Backend backend = traits_.backend();
-    internal::Shapes_data data = internal::export_shapes(
-      backend, in_, parameters_,
-      engine_ ? Ranks::together(backend, [&] { return engine_->result(); }) : internal::Engine_result());
-    Statistics& statistics = data.statistics;
-    statistics.is_cancelled = is_cancelled();
-    statistics.backend = engine_ ? engine_->name() : Backend::name();
-    Stage_times& times = statistics.times;
-    times.sort += import_time_;
-    times.finish += watch.lap();
-    times.total = times.normals + times.sort + times.neighbors + times.growth + times.regularity + times.finish;
-    return Shapes(std::move(data), traits_.geom_traits());
+    return Ranks::together(backend, [&] {
+      internal::Stop_watch watch;
+      internal::Shapes_data data =
+        internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
+      Statistics& statistics = data.statistics;
+      statistics.is_cancelled = is_cancelled();
+      statistics.backend = engine_ ? engine_->name() : Backend::name();
+      Stage_times& times = statistics.times;
+      times.sort += import_time_;
+      times.finish += watch.lap();
+      times.total = times.normals + times.sort + times.neighbors + times.growth + times.regularity + times.finish;
+      return Shapes(std::move(data), traits_.geom_traits());
+    });
   }
 
   /// the parameters in use, with what was estimated
@@ -156,10 +162,22 @@ private:
   using Engine = typename Traits::Engine;
   using Ranks = internal::Ranks<Backend>;
 
+  // f() on all ranks. What it throws ends the detection.
+  template <class F>
+  auto together(F f)
+  {
+    try {
+      return Ranks::together(backend_, f);
+    } catch(...) {
+      has_thrown_ = true;
+      throw;
+    }
+  }
+
   void check_complete() const
   {
-    if(progress_.has_thrown() && !is_finished_)
-      throw std::logic_error("the callback has ended the detection by an exception: there are no shapes");
+    if(has_thrown_ && !is_finished_)
+      throw std::logic_error("the detection has ended by an exception: there are no shapes");
   }
 
   Traits traits_;
@@ -169,6 +187,7 @@ private:
   internal::Import in_;
   double import_time_ = 0;
   bool is_finished_ = false;
+  bool has_thrown_ = false;
   std::unique_ptr<Engine> engine_;
 };
 

@@ -111,7 +111,11 @@ public:
   /// they have no orientation, and this is `plane(s)`.
   Plane_3 oriented_plane(std::size_t s) const { return is_flipped(s) ? planes_[s].opposite() : planes_[s]; }
 
-  /// the positions of the points of shape `s` in the caller's range, ascending
+  /// the number of points of shape `s`; with `Mpi_tag`, of all processes
+  std::size_t size(std::size_t s) const { return data_.size[s]; }
+
+  /// the positions of the points of shape `s` in the caller's range, ascending; with `Mpi_tag`, the range of this process,
+  /// as for all functions about points
   Positions points(std::size_t s) const
   {
     return Positions(points_.position.data() + points_.first[s], points_.position.data() + points_.first[s + 1]);

@@ -103,14 +103,13 @@ the defaults then
     throws ends the detection at once and reaches the caller.}
     \cgalParamDefault{none}
   \cgalParamNEnd
-  \cgalParamNBegin{communicator}
-    \cgalParamDescription{a `boost::mpi::communicator`, for `Mpi_tag` only: the processes that work together}
-    \cgalParamDefault{all processes}
-  \cgalParamNEnd
-
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{a model of `Kernel`}
     \cgalParamDefault{the kernel of the points}
+  \cgalParamNEnd
+  \cgalParamNBegin{communicator}
+    \cgalParamDescription{a `boost::mpi::communicator`, for `Mpi_tag` only: the processes that work together}
+    \cgalParamDefault{all processes}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

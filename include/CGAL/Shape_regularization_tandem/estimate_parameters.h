@@ -55,7 +55,7 @@ estimate does not depend on the order of the points. All lengths are in the unit
 \param np as those of `detect_planes()`. Parameters that are given are kept, and checked.
 
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
-\throw std::length_error more than 2^31 points
+\throw std::length_error more than 2^31 points (of one process)
 \throw std::range_error `maximum_distance` is not given, and the extent of the points is more than 2^24 times 1e270
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,

@@ -34,8 +34,9 @@ public:
   {
     const bool is_valid_here = check_tables() && check_labels() && check_planes() && check_groups() &&
                                check_orthogonality() && check_given_directions() && check_points();
-    return Ranks<Backend>(backend).all(is_valid_here, violation_) && check_sizes(backend) &&
-           check_statistics(backend) && check_connectivity(backend);
+    const Ranks<Backend> ranks(backend);
+    return ranks.all(is_valid_here, violation_) && check_same(ranks) && check_sizes(ranks) && check_statistics(ranks) &&
+           check_connectivity(backend);
   }
 
   const std::string& violation() const { return violation_; }
@@ -58,7 +59,8 @@ private:
   bool check_tables()
   {
     const std::size_t n = data_.coefficients.size();
-    if(data_.parallel_group.size() != n || data_.coplanar_group.size() != n || data_.is_flipped.size() != n)
+    if(data_.size.size() != n || data_.parallel_group.size() != n || data_.coplanar_group.size() != n ||
+       data_.is_flipped.size() != n)
       return fail("the tables of the shapes differ in size");
     if(data_.shape_of.size() != in_.number_of_items)
       return fail("there are " + to_text(data_.shape_of.size()) + " shape indices for " + to_text(in_.number_of_items) +
@@ -200,29 +202,61 @@ private:
     return true;
   }
 
-  // Size: no shape is below the minimum.
-  template <class Backend>
-  bool check_sizes(Backend& backend)
+  // All processes have the same shapes, up to the points. What follows is then the same on all of them.
+  template <class Ranks>
+  bool check_same(const Ranks& ranks)
+  {
+    std::uint64_t h = 0;
+    Shapes::add_to_hash(h, data_.coefficients);
+    const auto add = [&](const auto& list) {
+      Shapes::add_to_hash(h, list.size());
+      for(const auto& x : list)
+        Shapes::add_to_hash(h, std::uint64_t(x));
+    };
+    add(data_.size);
+    add(data_.parallel_group);
+    add(data_.coplanar_group);
+    add(data_.is_flipped);
+    add(data_.fixed_direction);
+    add(data_.symmetry_group);
+    for(const auto& pair : data_.orthogonal_groups)
+      add(std::vector<int>{pair.first, pair.second});
+    const Statistics& t = data_.statistics;
+    add(std::vector<std::size_t>{t.number_of_points, t.number_of_assigned_points, t.number_of_ignored_coordinates,
+                                 t.number_of_ignored_normals, t.number_of_shapes, t.number_of_directions,
+                                 t.number_of_planes, t.number_of_orthogonal_pairs, data_.parameters.k_neighbors,
+                                 data_.parameters.minimum_region_size});
+    Shapes::add_to_hash(h, {{t.coverage, t.complexity, t.mean_distance, data_.parameters.maximum_distance}});
+    return ranks.are_same(h) || fail("the processes have different shapes, statistics or parameters");
+  }
+
+  // Size: the number of points, and no shape is below the minimum.
+  template <class Ranks>
+  bool check_sizes(const Ranks& ranks)
   {
     std::vector<std::uint64_t> size;
     for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s)
       size.push_back(shapes_.points(s).size());
-    Ranks<Backend>(backend).sum(size.data(), size.size());
-    for(std::size_t s = 0; s < size.size(); ++s)
+    ranks.sum(size.data(), size.size());
+    for(std::size_t s = 0; s < size.size(); ++s) {
+      if(size[s] != data_.size[s])
+        return fail(at("the size is wrong of shape", s) + ": " + to_text(data_.size[s]) + " instead of " +
+                    to_text(size[s]) + " points");
       if(size[s] < data_.parameters.minimum_region_size)
         return fail(at("too small is shape", s) + ": " + to_text(size[s]) + " points");
+    }
     return true;
   }
 
   // Counts and ratios of the statistics, counted again from the tables.
-  template <class Backend>
-  bool check_statistics(Backend& backend)
+  template <class Ranks>
+  bool check_statistics(const Ranks& ranks)
   {
     const Statistics& t = data_.statistics;
     std::size_t assigned = 0;
     for(std::int32_t s : data_.shape_of)
       assigned += s >= 0;
-    assigned = Ranks<Backend>(backend).total(assigned);
+    assigned = ranks.total(assigned);
     const bool has_counts = t.number_of_points == in_.total.items && t.number_of_assigned_points == assigned &&
                             t.number_of_ignored_coordinates == in_.total.ignored_coordinates &&
                             t.number_of_ignored_normals == in_.total.ignored_normals;

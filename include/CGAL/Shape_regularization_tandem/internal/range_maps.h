@@ -113,6 +113,16 @@ Traits make_traits(const typename Traits::Geom_traits& geom_traits, const NP& np
     return Traits(geom_traits);
 }
 
+// The same for the default geometry.
+template <class Traits, class NP>
+Traits make_traits(const NP& np)
+{
+  if constexpr(Is_given<internal_np::communicator_t, NP>::value)
+    return Traits(typename Traits::Geom_traits(), parameter<internal_np::communicator_t>(np, 0));
+  else
+    return Traits();
+}
+
 // Calls f(traits) with the traits that fit the range as it is at run time. f is compiled twice for a point set: with
 // and without its normals.
 template <class ConcurrencyTag, class PointRange, class NP, class F>

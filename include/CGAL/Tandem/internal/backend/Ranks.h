@@ -53,7 +53,7 @@ public:
   static void check_same(Backend&, const Parameters&)
   {}
 
-  // The callback that asks those of all ranks.
+  // The callback that calls those of all ranks.
   template <class Callback>
   static Callback joined(Backend&, Callback callback)
   {
@@ -67,6 +67,9 @@ public:
 
   // Whether all ranks say so. If not, `why` becomes that of the first one that does not.
   bool all(bool own, std::string&) const { return own; }
+
+  // Whether all ranks have the same number.
+  bool are_same(std::uint64_t) const { return true; }
 
   // Finds the ghosts. `rings`: how many steps from neighbor to neighbor lead
   // to them; all but those of the last ring have rows, too.

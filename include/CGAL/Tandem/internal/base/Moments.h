@@ -18,7 +18,7 @@ namespace internal {
 __extension__ typedef __int128 Int128;
 
 // Number, sum and products of points. Product has 64 bits within a cell, 128 bits in the whole grid. The other sums
-// always fit 64 bits: 2^31 points of coordinates up to 2^28.
+// fit 64 bits up to 2^35 points of coordinates up to 2^28.
 template <class Product>
 struct Moment_sums {
   std::int64_t count = 0;
@@ -53,7 +53,7 @@ struct Cell_moments : Moment_sums<std::int64_t> {
   }
 };
 
-// Of any points, in grid coordinates: products of up to 2^56 times 2^31 points need 128 bits.
+// Of any points, in grid coordinates: products of up to 2^56 times 2^35 points need 128 bits.
 struct Moments : Moment_sums<Int128> {
   CGAL_TANDEM_HD void add(const Grid_point& p, int sign = 1)
   {

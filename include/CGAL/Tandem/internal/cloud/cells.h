@@ -280,7 +280,8 @@ std::vector<Range> split_cells(Backend& backend, const typename Backend::Sort_ta
 {
   if constexpr(Ranks<Backend>::are_many)
     return Ranks<Backend>(backend).split_cells(order, frame, cell_size);
-  return Cell_splitter<Backend>(backend, order.view(), frame.shift, cell_size)(std::uint32_t(order.size()));
+  else
+    return Cell_splitter<Backend>(backend, order.view(), frame.shift, cell_size)(std::uint32_t(order.size()));
 }
 
 } // namespace internal

@@ -10,7 +10,6 @@
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/concepts.h>
-#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
 #include <CGAL/number_utils.h>

@@ -21,6 +21,7 @@ namespace internal {
 // What Planar_shapes_3 is made of. Tests corrupt it to see whether Result_checker finds each violation.
 struct Shapes_data {
   std::vector<Coefficients> coefficients;             // of each shape
+  std::vector<std::size_t> size;                      // points of each shape, of all ranks
   std::vector<int> parallel_group;                    // of each shape
   std::vector<int> coplanar_group;                    // of each shape
   std::vector<std::pair<int, int>> orthogonal_groups; // pairs of parallel groups, first < second, sorted

@@ -46,7 +46,7 @@ struct Count_fitting {
   const std::uint32_t* label;
   const Range* queries_of; // by shape
   const Transfer_query* query;
-  std::uint32_t* count;
+  std::uint64_t* count;
   Tolerance tolerance;
   bool counts_after; // whether the second plane counts at all
 
@@ -88,7 +88,7 @@ struct Transfer_criterion {
 
   // The points that the first shape of a query would give, of so many that fit: none if they are too few, or a layer.
   // after: to the local plane of the second one.
-  CGAL_TANDEM_HD std::int64_t explained(const Transfer_query& q, bool after, std::uint32_t fitting) const
+  CGAL_TANDEM_HD std::int64_t explained(const Transfer_query& q, bool after, std::int64_t fitting) const
   {
     if(q.from == q.to)
       return fitting;
@@ -204,14 +204,14 @@ template <class Backend>
 struct Sum_explained {
   Transfer_criterion criterion;
   const Transfer_query* query;
-  const std::uint32_t* count; // two by query
+  const std::uint64_t* count; // two by query
   Explained* explained;       // by shape
 
   CGAL_TANDEM_HD void operator()(std::size_t q) const
   {
     Explained& e = explained[query[q].to];
-    Backend::atomic_add(e.before, criterion.explained(query[q], false, count[2 * q]));
-    Backend::atomic_add(e.after, criterion.explained(query[q], true, count[2 * q + 1]));
+    Backend::atomic_add(e.before, criterion.explained(query[q], false, std::int64_t(count[2 * q])));
+    Backend::atomic_add(e.after, criterion.explained(query[q], true, std::int64_t(count[2 * q + 1])));
   }
 };
 
@@ -232,7 +232,7 @@ struct Choose_target {
   Transfer_criterion criterion;
   const Transfer_query* query;
   const Range* queries_of;
-  const std::uint32_t* count;
+  const std::uint64_t* count;
   const std::uint8_t* is_changed;
   std::uint32_t* target;
 
@@ -243,7 +243,7 @@ struct Choose_target {
       const std::uint32_t s = query[q].to;
       const bool after = is_changed[s] != 0;
       if(s != id && (chosen == id || is_before(criterion.shape, s, chosen)) &&
-         criterion.explained(query[q], after, count[2 * q + after]) > 0)
+         criterion.explained(query[q], after, std::int64_t(count[2 * q + after])) > 0)
         chosen = s;
     }
     target[id] = chosen;
@@ -319,7 +319,7 @@ private:
 
   void count_points()
   {
-    count_ = filled_buffer(backend_, 2 * query_.size(), std::uint32_t(0));
+    count_ = filled_buffer(backend_, 2 * query_.size(), std::uint64_t(0));
     backend_.template for_each_cell<Count_scratch>(
       points_.number_of_parts(),
       Count_fitting<Backend>{points_.cloud.view(), points_.parts_view(), points_.label.data(), queries_of_.data(),
@@ -342,7 +342,7 @@ private:
   const Transfer_criterion criterion_;
   Buffer<Transfer_query> query_; // by giving shape
   Buffer<Range> queries_of_;     // by giving shape: its queries
-  Buffer<std::uint32_t> count_;  // two by query
+  Buffer<std::uint64_t> count_;  // two by query
 };
 
 } // namespace internal

@@ -15,8 +15,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Edges of the neighbor graph that start at the points of one shape. At most 2^31 points have 64 each, so the sums need
-// 64 bits.
+// Edges of the neighbor graph that start at the points of one shape. Each point has up to 64, so the sums need 64 bits.
 struct Neighbor_counts {
   std::uint64_t all = 0;  // ends of the edges, without those in other crisp shapes
   std::uint64_t near = 0; // ... within epsilon of its plane, whatever their shape

@@ -136,6 +136,7 @@ Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& 
   Statistics& statistics = data.statistics;
   for(const Engine_shape& shape : result.shapes) {
     data.coefficients.push_back(shape.plane);
+    data.size.push_back(shape.size);
     data.parallel_group.push_back(shape.direction);
     data.coplanar_group.push_back(shape.plane_group);
     data.is_flipped.push_back(shape.is_flipped);

@@ -220,7 +220,7 @@ private:
   // not oriented.
   void measure_shapes(const std::uint32_t* component, const std::uint32_t* number, Engine_result& result)
   {
-    auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint32_t(0));
+    auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint64_t(0));
     auto distance_sum = filled_buffer(backend_, 1, std::uint64_t(0));
     backend_.template for_each_cell<Measure_scratch>(
       points_.number_of_cells(),

@@ -36,7 +36,7 @@ struct Measure_points {
   const std::uint32_t* component; // of each point
   const std::uint32_t* number;    // of the shape, by component; no_index if there is none
   std::int64_t epsilon;           // in 2^-28 grid steps, as signed distances
-  std::uint32_t* opposed;         // by shape
+  std::uint64_t* opposed;         // by shape
   std::uint64_t* distance;        // one sum for all points
 
   template <class Block>

@@ -50,14 +50,14 @@ public:
   {
     find_balls();
     std::vector<std::vector<std::uint32_t>> sizes(balls_.size());
-    std::vector<std::vector<Point_in_ball>> answers(balls_.size());
-    answer(communicator_.exchange(balls_), sizes, answers);
-    return merge(communicator_.exchange(sizes), communicator_.exchange(answers));
+    std::vector<std::vector<Point_in_ball>> found(balls_.size());
+    search(communicator_.exchange(balls_), sizes, found);
+    return merge(communicator_.exchange(sizes), communicator_.exchange(found));
   }
 
 private:
-  // A rank that is asked for neighbors of a point.
-  struct Asked {
+  // A point that may have neighbors on a rank.
+  struct Query {
     std::uint32_t rank, point;
   };
 
@@ -75,22 +75,22 @@ private:
   {
     const Rank_boxes boxes(communicator_, cover(point_, n_, boxes_of_rank));
     balls_.resize(std::size_t(communicator_.size()));
-    asked_.resize(balls_.size());
+    queries_.resize(balls_.size());
     const std::size_t chunks = (n_ + chunk - 1) / chunk;
-    std::vector<std::vector<Asked>> found(chunks);
+    std::vector<std::vector<Query>> found(chunks);
     backend_.for_each(
       chunks, [&](std::size_t c) { find_balls_of_chunk(boxes, std::uint32_t(c), found[c]); }, 16);
     for(const auto& of_chunk : found)
-      for(const Asked& a : of_chunk) {
+      for(const Query& a : of_chunk) {
         const Grid_point& p = point_[a.point];
         balls_[a.rank].push_back({p.x, p.y, p.z, 0, squared_radius(a.point)});
-        asked_[a.rank].push_back(a.point);
+        queries_[a.rank].push_back(a.point);
       }
   }
 
   // Most points have a small ball: of these only the boxes near the chunk are looked at. Stray points have large ones,
   // and look at all.
-  void find_balls_of_chunk(const Rank_boxes& boxes, std::uint32_t c, std::vector<Asked>& found) const
+  void find_balls_of_chunk(const Rank_boxes& boxes, std::uint32_t c, std::vector<Query>& found) const
   {
     const std::uint32_t first = c * chunk, last = (std::min)(first + chunk, n_),
                         own = std::uint32_t(communicator_.rank());
@@ -109,24 +109,25 @@ private:
     for(std::uint32_t i = first; i < last; ++i) {
       const std::uint64_t squared = radius[i - first];
       const Node_box center = box_of(point_[i]);
-      std::uint32_t asked = own; // the rank of the last box
-      const auto ask = [&](std::size_t b) {
-        if(boxes.rank(b) == own || boxes.rank(b) == asked)
+      std::uint32_t last_rank = own; // of the last box
+      const auto add = [&](std::size_t b) {
+        if(boxes.rank(b) == own || boxes.rank(b) == last_rank)
           return;
-        asked = boxes.rank(b);
-        found.push_back({asked, i});
+        last_rank = boxes.rank(b);
+        found.push_back({last_rank, i});
       };
       if(squared > usual)
-        boxes.for_each_near(center, squared, ask);
+        boxes.for_each_near(center, squared, add);
       else
         for(const std::size_t b : near)
           if(squared_distance(center, boxes[b]) <= squared)
-            ask(b);
+            add(b);
     }
   }
 
-  void answer(const std::vector<std::vector<Ball>>& balls, std::vector<std::vector<std::uint32_t>>& sizes,
-              std::vector<std::vector<Point_in_ball>>& answers)
+  // For the balls of each rank: the number of points in each, and the points.
+  void search(const std::vector<std::vector<Ball>>& balls, std::vector<std::vector<std::uint32_t>>& sizes,
+              std::vector<std::vector<Point_in_ball>>& points)
   {
     if(n_ == 0) {
       for(std::size_t r = 0; r < balls.size(); ++r)
@@ -134,14 +135,14 @@ private:
       return;
     }
     const Box_tree<Host> tree(backend_, point_, n_);
-    const Ball_search<Box_tree<Host>> search(tree, int(k_));
+    const Ball_search<Box_tree<Host>> in_ball(tree, int(k_));
     for(std::size_t r = 0; r < balls.size(); ++r) {
       std::vector<std::vector<Point_in_ball>> found(balls[r].size());
       backend_.for_each(
-        found.size(), [&](std::size_t i) { found[i] = search(balls[r][i]); }, 64);
-      for(const auto& points : found) {
-        sizes[r].push_back(std::uint32_t(points.size()));
-        answers[r].insert(answers[r].end(), points.begin(), points.end());
+        found.size(), [&](std::size_t i) { found[i] = in_ball(balls[r][i]); }, 64);
+      for(const auto& of_ball : found) {
+        sizes[r].push_back(std::uint32_t(of_ball.size()));
+        points[r].insert(points[r].end(), of_ball.begin(), of_ball.end());
       }
     }
   }
@@ -157,13 +158,13 @@ private:
     }
   };
 
-  // One after the other: the points that have asked are few.
+  // One after the other: the points with queries are few.
   std::vector<Remote_entry> merge(const std::vector<std::vector<std::uint32_t>>& sizes,
-                                  const std::vector<std::vector<Point_in_ball>>& answers)
+                                  const std::vector<std::vector<Point_in_ball>>& found)
   {
-    std::vector<std::size_t> ball(sizes.size(), 0), answer(sizes.size(), 0);
+    std::vector<std::size_t> ball(sizes.size(), 0), place(sizes.size(), 0);
     std::vector<std::uint32_t> points;
-    for(const auto& of_rank : asked_)
+    for(const auto& of_rank : queries_)
       points.insert(points.end(), of_rank.begin(), of_rank.end());
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -176,10 +177,10 @@ private:
         candidates.push_back({squared_distance(box_of(point_[i]), box_of(point_[neighbor_[row + j]])),
                               {std::uint32_t(communicator_.rank()), neighbor_[row + j]}});
       for(std::uint32_t r = 0; r < sizes.size(); ++r) {
-        if(ball[r] == asked_[r].size() || asked_[r][ball[r]] != i)
+        if(ball[r] == queries_[r].size() || queries_[r][ball[r]] != i)
           continue;
-        for(std::uint32_t a = 0; a < sizes[r][ball[r]]; ++a, ++answer[r])
-          candidates.push_back({answers[r][answer[r]].squared, {r, std::uint32_t(answers[r][answer[r]].index)}});
+        for(std::uint32_t a = 0; a < sizes[r][ball[r]]; ++a, ++place[r])
+          candidates.push_back({found[r][place[r]].squared, {r, std::uint32_t(found[r][place[r]].index)}});
         ++ball[r];
       }
       std::sort(candidates.begin(), candidates.end());
@@ -198,8 +199,8 @@ private:
   std::uint32_t n_;
   std::size_t k_;
   std::uint32_t* neighbor_;
-  std::vector<std::vector<Ball>> balls_;          // by rank that is asked
-  std::vector<std::vector<std::uint32_t>> asked_; // the same: their points, ascending
+  std::vector<std::vector<Ball>> balls_;            // by rank
+  std::vector<std::vector<std::uint32_t>> queries_; // the same: their points, ascending
 };
 
 } // namespace internal

@@ -37,7 +37,8 @@ public:
   int rank() const { return comm_.rank(); }
   int size() const { return comm_.size(); }
 
-  // Bytes that this rank has sent to others.
+  // Bytes of the items that this rank has sent to others, without those of agreements and sizes. A reduction counts as if
+  // the table were sent once.
   std::uint64_t bytes_sent() const { return sent_; }
 
   // f(), after which all ranks go on, or throw the same exception. f may call the operations below.
@@ -135,19 +136,18 @@ public:
                           std::vector<std::size_t>* from_ranks = nullptr)
   {
     const std::vector<std::size_t> from = announce(sizes);
-    std::vector<T> received(std::accumulate(from.begin(), from.end(), std::size_t(0)));
-    std::vector<const T*> items;
-    std::vector<T*> to;
-    std::size_t first = 0, first_received = 0;
-    for(std::size_t r = 0; r < sizes.size(); ++r) {
-      items.push_back(send.data() + first);
-      to.push_back(received.data() + first_received);
-      first += sizes[r];
-      first_received += from[r];
-    }
-    transfer(items, sizes, to, from);
     if(from_ranks != nullptr)
       *from_ranks = from;
+    return exchange(send, sizes, from);
+  }
+
+  // The same where the numbers of items that come are known.
+  template <class T>
+  std::vector<T> exchange(const std::vector<T>& send, const std::vector<std::size_t>& sizes,
+                          const std::vector<std::size_t>& from)
+  {
+    std::vector<T> received(std::accumulate(from.begin(), from.end(), std::size_t(0)));
+    transfer(places(send.data(), sizes), sizes, places(received.data(), from), from);
     return received;
   }
 
@@ -177,6 +177,18 @@ private:
     std::vector<std::uint64_t> from(sizes.size());
     MPI_Alltoall(to.data(), 1, MPI_UINT64_T, from.data(), 1, MPI_UINT64_T, comm_);
     return std::vector<std::size_t>(from.begin(), from.end());
+  }
+
+  // Where the items of each rank begin.
+  template <class T>
+  static std::vector<T*> places(T* items, const std::vector<std::size_t>& sizes)
+  {
+    std::vector<T*> first;
+    for(const std::size_t n : sizes) {
+      first.push_back(items);
+      items += n;
+    }
+    return first;
   }
 
   template <class T>
@@ -212,7 +224,7 @@ private:
     for_each_message(n, [&](std::size_t first, int size) {
       MPI_Allreduce(MPI_IN_PLACE, table + first, size, mpi_type_of(table), operation, comm_);
     });
-    sent_ += n * sizeof(T);
+    sent_ += size() > 1 ? n * sizeof(T) : 0;
   }
 
   std::vector<std::uint64_t> gather_one(std::uint64_t value)

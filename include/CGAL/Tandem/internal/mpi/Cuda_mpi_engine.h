@@ -23,7 +23,7 @@ class Cuda_mpi_engine {
 public:
   using Upload = No_upload;
 
-  // Throws std::runtime_error without a device, std::length_error if its memory is too small.
+  // Throws std::runtime_error without a device, and for failures of it, such as too little memory.
   Cuda_mpi_engine(Mpi_backend<Parallel_host>& host, Import& in, const Parameters& parameters, Progress& progress);
   ~Cuda_mpi_engine();
 

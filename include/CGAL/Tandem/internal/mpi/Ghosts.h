@@ -69,6 +69,8 @@ public:
     std::vector<std::vector<std::uint32_t>> wanted(std::size_t(communicator_.size()));
     for(const Rank_point& p : points)
       wanted[p.rank].push_back(p.index);
+    for(const std::vector<std::uint32_t>& from_rank : wanted)
+      ring.imported_from.push_back(from_rank.size());
     ring.point = std::move(points);
     std::vector<std::uint32_t> exported;
     for(const std::vector<std::uint32_t>& by_rank : communicator_.exchange(wanted)) {
@@ -111,7 +113,8 @@ public:
     typename Backend::template Buffer<T> packed(ring.exported.size());
     backend_.for_each(packed.size(), Pack_values<Values>{values, ring.exported.data(), packed.data()});
     // Ranks ascend, as the ghosts of a ring do.
-    const auto received = to_buffer(backend_, communicator_.exchange(to_vector(backend_, packed), ring.exported_to));
+    const auto received =
+      to_buffer(backend_, communicator_.exchange(to_vector(backend_, packed), ring.exported_to, ring.imported_from));
     backend_.for_each(received.size(), Unpack_values<Values>{values, ring_begin(r), received.data()});
   }
 
@@ -122,7 +125,7 @@ public:
     std::vector<decltype(value(0u))> send;
     for(const std::uint32_t i : to_vector(backend_, ring_[r].exported))
       send.push_back(value(i));
-    return communicator_.exchange(send, ring_[r].exported_to);
+    return communicator_.exchange(send, ring_[r].exported_to, ring_[r].imported_from);
   }
 
   template <class T>
@@ -136,6 +139,7 @@ private:
     std::vector<Rank_point> point;                             // ascending
     typename Backend::template Buffer<std::uint32_t> exported; // own points that are ghosts of this ring elsewhere
     std::vector<std::size_t> exported_to;                      // how many of them on each rank
+    std::vector<std::size_t> imported_from;                    // how many ghosts of each rank
     std::size_t offset;                                        // of the first ghost among all
   };
 

@@ -30,6 +30,10 @@ public:
       backend_(host.shared_communicator()), engine_(backend_, in_, parameters, progress)
   {}
 
+  // The engine refers to members.
+  Mpi_engine(const Mpi_engine&) = delete;
+  Mpi_engine& operator=(const Mpi_engine&) = delete;
+
   static const char* name() { return Backend::name(); }
 
   bool iterate() { return engine_.iterate(); }

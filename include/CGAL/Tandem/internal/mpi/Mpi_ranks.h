@@ -79,6 +79,13 @@ public:
     in.has_normals = given[0] || (in.has_normals && !given[1]);
   }
 
+  bool are_same(std::uint64_t own) const
+  {
+    std::uint64_t range[2] = {own, ~own}; // the complement of the largest is the smallest complement
+    communicator().minimize(range, 2);
+    return range[0] == ~range[1];
+  }
+
   bool all(bool own, std::string& why) const { return communicator().all(own, why); }
 
   // See first_unconnected.h, for a result over many ranks.
@@ -199,6 +206,8 @@ public:
       places.push_back(i >= own_first && i < own_last ? own[i - own_first] : next++);
     started = to_buffer(*backend_, places);
     const std::size_t end = ids + others.size(), old = shapes.delta.size();
+    if(end >= first_mark)
+      throw std::length_error("there are more than 2^31 shapes while they grow: minimum_region_size is too small");
     if(old < end) {
       shapes.delta = extended(std::move(shapes.delta), end + end / 2);
       backend_->for_each(shapes.delta.size() - old, Fill<Shared_moments>{shapes.delta.data() + old, Shared_moments()});

@@ -36,12 +36,17 @@ public:
   // size: by root, of the points of this rank; larger ones than 32 bits can hold become the largest number.
   void sum_sizes(Communicator& communicator, std::uint32_t* size)
   {
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> parts;
+    std::vector<Part> parts;
     for(const Seam& s : seams_)
-      parts.emplace_back(s.global_root, size[s.root]);
-    parts = gather_sums(communicator, parts);
+      parts.push_back({s.global_root, size[s.root]});
+    parts = communicator.gather(parts);
+    const auto is_before = [](const Part& a, const Part& b) { return a.global_root < b.global_root; };
+    std::sort(parts.begin(), parts.end(), is_before);
     for(Seam& s : seams_) {
-      s.size = std::lower_bound(parts.begin(), parts.end(), std::make_pair(s.global_root, std::uint64_t(0)))->second;
+      s.size = 0;
+      for(auto part = std::lower_bound(parts.begin(), parts.end(), Part{s.global_root, 0}, is_before);
+          part != parts.end() && part->global_root == s.global_root; ++part)
+        s.size += part->size;
       size[s.root] = std::uint32_t((std::min)(s.size, std::uint64_t(0xffffffffu)));
     }
   }
@@ -89,26 +94,10 @@ private:
     return it != seams_.end() && it->root == root ? &*it : nullptr;
   }
 
-  // The sums by first number, ascending.
-  static std::vector<std::pair<std::uint64_t, std::uint64_t>>
-  gather_sums(Communicator& communicator, const std::vector<std::pair<std::uint64_t, std::uint64_t>>& own)
-  {
-    struct Part {
-      std::uint64_t key, value;
-    };
-    std::vector<Part> parts;
-    for(const auto& p : own)
-      parts.push_back({p.first, p.second});
-    parts = communicator.gather(parts);
-    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.key < b.key; });
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> sums;
-    for(const Part& p : parts) {
-      if(sums.empty() || sums.back().first != p.key)
-        sums.emplace_back(p.key, 0);
-      sums.back().second += p.value;
-    }
-    return sums;
-  }
+  // The points of a component on one rank.
+  struct Part {
+    std::uint64_t global_root, size;
+  };
 
   std::vector<Seam> seams_;
 };

@@ -25,7 +25,8 @@ inline std::vector<Link> gather_links(Communicator& communicator, const std::vec
   for(const Link& link : all) {
     if(joined.empty() || joined.back().pair != link.pair)
       joined.push_back({link.pair, 0});
-    joined.back().count += link.count;
+    const std::uint64_t count = std::uint64_t(joined.back().count) + link.count;
+    joined.back().count = std::uint32_t((std::min)(count, std::uint64_t(0xffffffffu)));
   }
   const auto is_weak = [&](const Link& link) { return link.count < minimum; };
   joined.erase(std::remove_if(joined.begin(), joined.end(), is_weak), joined.end());

@@ -63,7 +63,7 @@ struct Add_moments {
   }
 };
 
-// The sums of shapes that have started: those of this rank from `own` on.
+// The sums of the shapes that have started on this rank.
 struct Get_started {
   const std::uint32_t* started;
   const Shared_moments* sum; // by id, from the first new one on
@@ -72,7 +72,7 @@ struct Get_started {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { value[i] = sum[started[i]]; }
 };
 
-// The shape that a neighbor of a ghost has adopted: its candidate, and the point whose candidate it is.
+// What a point has adopted: a candidate, and the point whose candidate it is.
 template <class Candidate>
 struct Adopted_values {
   struct Value {

@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>

@@ -43,7 +43,7 @@ struct Count_distances {
   const std::uint32_t* label;
   const std::uint32_t* histogram_of; // by shape, no_index if not examined
   const Examined_shapes::Test* test; // by histogram
-  std::uint32_t* histogram;          // tuning::layers::bins each
+  std::uint64_t* histogram;          // tuning::layers::bins each
   std::int64_t epsilon;              // in the same unit
 
   template <class Block>
@@ -60,14 +60,14 @@ struct Count_distances {
       const std::int64_t from_first = signed_distance(test[h].plane, cloud.point[cell.first + at]) + 2 * epsilon;
       const std::int64_t bin = from_first / (epsilon / tuning::layers::bins_per_distance);
       if(bin >= 0 && bin < tuning::layers::bins)
-        Backend::atomic_add(histogram[h * tuning::layers::bins + std::uint32_t(bin)], 1u);
+        Backend::atomic_add(histogram[h * tuning::layers::bins + std::uint32_t(bin)], std::uint64_t(1));
     });
   }
 };
 
 // Where the smoothed histogram has its highest peak, in epsilons; of equal peaks the first one. 0 unless it is clearly
 // higher than the middle, or the shape is known to be crooked. No bin has its center at 0, so 0 means no layer.
-CGAL_TANDEM_HD inline double find_layer(const std::uint32_t* histogram, bool is_crooked)
+CGAL_TANDEM_HD inline double find_layer(const std::uint64_t* histogram, bool is_crooked)
 {
   constexpr int bins = tuning::layers::bins;
   constexpr tuning::layers::Kernel kernel = tuning::layers::kernel;
@@ -75,8 +75,8 @@ CGAL_TANDEM_HD inline double find_layer(const std::uint32_t* histogram, bool is_
   const auto density = [&](int bin) {
     std::int64_t sum = kernel.weight[0] * std::int64_t(histogram[bin]);
     for(int distance = 1; distance < kernel.size; ++distance) {
-      const std::int64_t before = bin >= distance ? histogram[bin - distance] : 0;
-      const std::int64_t after = bin + distance < bins ? histogram[bin + distance] : 0;
+      const std::int64_t before = bin >= distance ? std::int64_t(histogram[bin - distance]) : 0;
+      const std::int64_t after = bin + distance < bins ? std::int64_t(histogram[bin + distance]) : 0;
       sum += kernel.weight[distance] * (before + after);
     }
     return sum;
@@ -96,7 +96,7 @@ CGAL_TANDEM_HD inline double find_layer(const std::uint32_t* histogram, bool is_
 }
 
 struct Find_layer {
-  const std::uint32_t* histogram;
+  const std::uint64_t* histogram;
   const std::uint8_t* is_crooked;
   double* layer;
 
@@ -115,7 +115,7 @@ std::vector<double> find_layers(Labeled_cloud<Backend>& points, std::size_t ids,
   const auto test = to_buffer(backend, shapes.test);
   const auto histogram_of = places_of(backend, ids, to_buffer(backend, shapes.id));
   const std::size_t n = test.size();
-  auto counts = filled_buffer(backend, n * tuning::layers::bins, std::uint32_t(0));
+  auto counts = filled_buffer(backend, n * tuning::layers::bins, std::uint64_t(0));
   backend.template for_each_cell<Count_scratch>(
     points.number_of_parts(), Count_distances<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
                                                        histogram_of.data(), test.data(), counts.data(), epsilon});

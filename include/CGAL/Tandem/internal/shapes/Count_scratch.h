@@ -31,24 +31,24 @@ struct Count_scratch {
   }
 
   // Counts one point, by one lane. total: by key, shared by all cells.
-  template <class Backend, class Block>
-  CGAL_TANDEM_HD void add(Block& block, std::uint32_t k, std::uint32_t* total)
+  template <class Backend, class Block, class Total>
+  CGAL_TANDEM_HD void add(Block& block, std::uint32_t k, Total* total)
   {
     const std::uint32_t slot = k % slots;
     const std::uint32_t owner = block.exchange_if(key[slot], no_index, k);
     if(owner == no_index || owner == k)
       block.append(count[slot]);
     else
-      Backend::atomic_add(total[k], 1u);
+      Backend::atomic_add(total[k], Total(1));
   }
 
   // By all lanes, after the last add(): one atomic addition for each key of the cell, not for each point.
-  template <class Backend, class Block>
-  CGAL_TANDEM_HD void flush(Block& block, std::uint32_t* total)
+  template <class Backend, class Block, class Total>
+  CGAL_TANDEM_HD void flush(Block& block, Total* total)
   {
     block.for_each(slots, [&](std::uint32_t i) {
       if(count[i] > 0)
-        Backend::atomic_add(total[key[i]], count[i]);
+        Backend::atomic_add(total[key[i]], Total(count[i]));
     });
   }
 };
