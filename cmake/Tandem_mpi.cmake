@@ -21,6 +21,13 @@ function(tandem_add_mpi_library)
   target_compile_definitions(tandem_mpi PUBLIC CGAL_TANDEM_USE_MPI=1 OMPI_SKIP_MPICXX=1 MPICH_SKIP_MPICXX=1)
 endfunction()
 
+# Each process has a CUDA device.
+function(tandem_add_mpi_cuda_library)
+  tandem_add_cuda_library(tandem_mpi_cuda mpi/tandem_mpi_cuda.cu)
+  target_link_libraries(tandem_mpi_cuda PUBLIC tandem_mpi tandem_cuda)
+  target_compile_definitions(tandem_mpi_cuda INTERFACE CGAL_TANDEM_USE_MPI_CUDA=1)
+endfunction()
+
 if(NOT TANDEM_WITH_MPI)
   set(without_mpi "TANDEM_WITH_MPI is OFF")
 else()
@@ -32,13 +39,6 @@ else()
     set(without_mpi "there is no Boost.MPI")
   endif()
 endif()
-# Each process has a CUDA device.
-function(tandem_add_mpi_cuda_library)
-  tandem_add_cuda_library(tandem_mpi_cuda mpi/tandem_mpi_cuda.cu)
-  target_link_libraries(tandem_mpi_cuda PUBLIC tandem_mpi tandem_cuda)
-  target_compile_definitions(tandem_mpi_cuda INTERFACE CGAL_TANDEM_USE_MPI_CUDA=1)
-endfunction()
-
 if(DEFINED without_mpi)
   message(STATUS "Tandem: the back end of many processes is not built: ${without_mpi}")
 else()

@@ -189,6 +189,10 @@ void run(const Options& o, Ranks& ranks)
 void run_command_line(int argc, const char* const argv[], Ranks& ranks)
 {
   Command_line command_line;
+  std::string all;
+  for(int i = 1; i < argc; ++i)
+    all += std::string(argv[i]) + '\n';
+  ranks.check_same(all, "command lines");
   ranks.together([&] { command_line = parse(argc, argv); });
   const Options& o = command_line.options;
   if(!o.wants_help && !o.wants_version)

@@ -50,6 +50,9 @@ public:
   // The number of one rank.
   virtual std::uint64_t number_of(int /* rank */, std::uint64_t own) const { return own; }
 
+  // An exception unless all ranks have the same text.
+  virtual void check_same(const std::string& /* own */, const char* /* what */) {}
+
   // The notes of all ranks on the first one, without what is for outputs only.
   virtual std::vector<Placed_notes> gather(const std::vector<Placed_notes>& own) const { return own; }
 

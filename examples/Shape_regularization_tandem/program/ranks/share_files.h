@@ -6,7 +6,6 @@
 #ifndef DETECT_PLANES_SHARE_FILES_H
 #define DETECT_PLANES_SHARE_FILES_H
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -14,18 +13,18 @@
 
 namespace program {
 
-// The rank of each file: the largest file goes first, to the rank that has least until then. Of equal ones, the first.
+// The rank of each file: consecutive files, with about as many bytes on each rank; the middle of a file decides. So the
+// points have the order of the files, as in one process.
 inline std::vector<int> share_files(const std::vector<std::uint64_t>& bytes, int ranks)
 {
-  std::vector<std::size_t> order(bytes.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return bytes[a] > bytes[b]; });
-  std::vector<int> rank_of(bytes.size());
-  std::vector<std::uint64_t> load(std::size_t(ranks), 0);
-  for(std::size_t file : order) {
-    const auto least = std::min_element(load.begin(), load.end());
-    rank_of[file] = int(least - load.begin());
-    *least += bytes[file] + 1; // files that are not there are spread, too
+  const double files = double(bytes.size()); // each counts, so that files that are not there are spread, too
+  const double total = std::accumulate(bytes.begin(), bytes.end(), files);
+  std::vector<int> rank_of;
+  double before = 0;
+  for(const std::uint64_t n : bytes) {
+    const double size = double(n) + 1;
+    rank_of.push_back(int((before + size / 2) * ranks / total));
+    before += size;
   }
   return rank_of;
 }

@@ -118,6 +118,16 @@ public:
     return own;
   }
 
+  void check_same(const std::string& own, const char* what) override
+  {
+    std::string first = own;
+    mpi::broadcast(world, first, 0);
+    together([&] {
+      if(own != first)
+        throw Usage_error(std::string("the processes have different ") + what);
+    });
+  }
+
   std::vector<Placed_notes> gather(const std::vector<Placed_notes>& own) const override
   {
     std::vector<std::vector<Placed_notes>> of_ranks;

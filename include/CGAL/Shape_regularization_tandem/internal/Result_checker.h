@@ -35,7 +35,7 @@ public:
     const bool is_valid_here = check_tables() && check_labels() && check_planes() && check_groups() &&
                                check_orthogonality() && check_given_directions() && check_points();
     const Ranks<Backend> ranks(backend);
-    return ranks.all(is_valid_here, violation_) && check_same(ranks) && check_sizes(ranks) && check_statistics(ranks) &&
+    return ranks.all(is_valid_here, violation_) && check_same(ranks) && check_statistics(ranks) && check_sizes(ranks) &&
            check_connectivity(backend);
   }
 
