@@ -84,6 +84,7 @@ void test_points(Corruptions& c)
   });
   c.check_rejected("point freed behind the statistics", "count other points",
                    [](Data& d) { set_label(d, Corruptions::point_of(d, 0), -1); });
+  c.check_rejected("wrong size", "size", [](Data& d) { ++d.size[0]; });
   c.check_rejected("oblique normal", "oblique", [](Data& d) { d.parameters.maximum_angle = .5; });
   c.check_rejected("smaller epsilon", "too far", [](Data& d) { d.parameters.maximum_distance = .0005; });
 }
@@ -150,6 +151,7 @@ void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
         if(std::fabs((points[i].first - CGAL::ORIGIN) * axis - middle) < .12) {
           labels[i] = -1;
           --d.statistics.number_of_assigned_points;
+          --d.size[0];
         }
     });
     d.statistics.coverage = double(d.statistics.number_of_assigned_points) / double(points.size());
