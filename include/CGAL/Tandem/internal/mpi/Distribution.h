@@ -8,6 +8,11 @@
 #define CGAL_TANDEM_INTERNAL_MPI_DISTRIBUTION_H
 
 #include <CGAL/Tandem/internal/cloud/Import.h>
+#ifdef CGAL_TANDEM_USE_ENGINE
+#include <CGAL/Tandem/internal/engine/compiled_engine.h>
+#else
+#include <CGAL/Tandem/internal/finish/group_points.h>
+#endif
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 #include <CGAL/Tandem/internal/mpi/rank_boundaries.h>
 
@@ -31,25 +36,31 @@ struct Write_code {
   }
 };
 
+template <class Host>
 class Distribution {
 public:
   // Decides from the points of all ranks, of which the grid is chosen.
-  template <class Local>
-  Distribution(Mpi_backend<Local>& backend, const Import& in, std::size_t cell_size)
-    : communicator_(backend.communicator()), sent_(std::size_t(communicator_.size())), size_(in.size())
+  Distribution(Mpi_backend<Host>& backend, const Import& in, std::size_t cell_size)
+    : backend_(backend), communicator_(backend.communicator())
   {
+    const Code_frame frame = make_code_frame(in.low, in.high);
     Host_buffer<std::uint64_t> code(in.size());
-    backend.for_each(in.size(), Write_code{place_on_grid(in, nullptr), make_code_frame(in.low, in.high), code.data()});
-    const std::vector<std::uint64_t> begin = Boundary_search(communicator_, make_code_frame(in.low, in.high), cell_size,
-                                                             in.total.points)(code.data(), in.size());
-    for(std::size_t i = 0; i < in.size(); ++i)
-      sent_[std::size_t(std::upper_bound(begin.begin(), begin.end(), code[i]) - begin.begin() - 1)].push_back(
-        std::uint32_t(i));
+    backend_.for_each(in.size(), Write_code{place_on_grid(in, nullptr), frame, code.data()});
+    const std::vector<std::uint64_t> begin =
+      Boundary_search(communicator_, frame, cell_size, in.total.points)(code.data(), in.size());
+    Host_buffer<std::int32_t> rank_of(in.size());
+    backend_.for_each(in.size(), [&](std::size_t i) {
+      rank_of[i] = std::int32_t(std::upper_bound(begin.begin(), begin.end(), code[i]) - begin.begin()) - 1;
+    });
+    const Point_groups groups = group_points(static_cast<Host&>(backend_), rank_of.data(), in.size(), begin.size());
+    sent_ = groups.position;
+    for(std::size_t r = 0; r < begin.size(); ++r)
+      sizes_.push_back(groups.first[r + 1] - groups.first[r]);
   }
 
   // Sends the values to the ranks of their leaves. There they have the order of the ranks they come from, and of their
   // imports: ties of exact duplicates are broken as in one process that has the imports one after the other.
-  Import distribute(const Import& in) const
+  Import distribute(const Import& in)
   {
     Import own;
     own.has_normals = in.has_normals;
@@ -66,72 +77,52 @@ public:
 
   // Sends a value of each imported point to where distribute() sends the point.
   template <class T>
-  std::vector<T> distribute(const std::vector<T>& values) const
+  std::vector<T> distribute(const T* values)
   {
-    std::vector<std::vector<T>> send(sent_.size());
-    for(std::size_t r = 0; r < sent_.size(); ++r)
-      for(const std::uint32_t i : sent_[r])
-        send[r].push_back(values[i]);
-    std::vector<T> all;
-    for(const std::vector<T>& part : communicator_.exchange(send))
-      all.insert(all.end(), part.begin(), part.end());
-    return all;
+    std::vector<T> send(sent_.size());
+    backend_.for_each(send.size(), [&](std::size_t i) { send[i] = values[sent_[i]]; });
+    return communicator_.exchange(send, sizes_, &received_);
   }
 
   // Brings back what was found for each point of distribute(), in its order; the result has the order of the import.
   template <class T>
   Host_buffer<T> collect(const Shared_table<T>& found) const
   {
-    std::vector<std::vector<T>> back(sent_.size());
-    std::size_t first = 0;
-    for(std::size_t r = 0; r < sent_.size(); ++r) {
-      back[r].assign(found.begin() + first, found.begin() + first + received_[r]);
-      first += received_[r];
-    }
-    const std::vector<std::vector<T>> values = communicator_.exchange(back);
-    Host_buffer<T> result(size_);
-    for(std::size_t r = 0; r < sent_.size(); ++r)
-      for(std::size_t i = 0; i < sent_[r].size(); ++i)
-        result[sent_[r][i]] = values[r][i];
+    const std::vector<T> values = communicator_.exchange(std::vector<T>(found.begin(), found.end()), received_, sizes_);
+    Host_buffer<T> result(sent_.size());
+    backend_.for_each(values.size(), [&](std::size_t i) { result[sent_[i]] = values[i]; });
     return result;
   }
 
 private:
   // A rank without points does not know the type.
-  std::size_t send_values(const Vector_table& from, Vector_table& to) const
+  std::size_t send_values(const Vector_table& from, Vector_table& to)
   {
-    int is_double = size_ > 0 && !from.view().is_float;
+    int is_double = sent_.size() > 0 && !from.view().is_float;
     communicator_.maximize(&is_double, 1);
     return is_double ? send_as<double>(from, to) : send_as<float>(from, to);
   }
 
   template <class T>
-  std::size_t send_as(const Vector_table& from, Vector_table& to) const
+  std::size_t send_as(const Vector_table& from, Vector_table& to)
   {
     using Value = std::array<T, 3>;
-    const Value* const values = reinterpret_cast<const Value*>(from.view().data);
-    std::vector<Value> send;
-    send.reserve(size_);
-    std::vector<std::size_t> sizes;
-    for(const std::vector<std::uint32_t>& to_rank : sent_) {
-      for(const std::uint32_t i : to_rank)
-        send.push_back(values[i]);
-      sizes.push_back(to_rank.size());
-    }
-    const std::vector<Value> received = communicator_.exchange(send, sizes, &received_);
+    const std::vector<Value> received = distribute(reinterpret_cast<const Value*>(from.view().data));
     const std::size_t total = received.size();
     if(total > maximum_number_of_points)
       throw std::length_error("a rank would get " + to_text(total) + " points, at most " +
                               to_text(maximum_number_of_points) + " (2^31) can be handled: use more ranks");
     to.reset<T>(total);
-    std::copy_n(reinterpret_cast<const T*>(received.data()), 3 * total, to.data<T>());
+    T* const out = to.data<T>();
+    backend_.for_each(total, [&](std::size_t i) { std::copy_n(received[i].data(), 3, out + 3 * i); });
     return total;
   }
 
+  Mpi_backend<Host>& backend_;
   Communicator& communicator_;
-  std::vector<std::vector<std::uint32_t>> sent_; // by rank: imported points, ascending
-  std::size_t size_;                             // of the import
-  mutable std::vector<std::size_t> received_;    // points from each rank
+  Shared_table<std::uint32_t> sent_;  // imported points, rank by rank, ascending ...
+  std::vector<std::size_t> sizes_;    // ... and how many of them go to each rank
+  std::vector<std::size_t> received_; // points from each rank
 };
 
 } // namespace internal

@@ -53,7 +53,7 @@ public:
 
 private:
   // The caller's import keeps its numbers of points.
-  static Import take(const Distribution& distribution, Import& in)
+  static Import take(Distribution<Search_host<Local>>& distribution, Import& in)
   {
     Import own = distribution.distribute(in);
     in.coordinates = Vector_table();
@@ -62,7 +62,7 @@ private:
   }
 
   Host& host_;
-  Distribution distribution_;
+  Distribution<Search_host<Local>> distribution_;
   Import in_; // the points of this rank
   Backend backend_;
   Engine<Backend> engine_;

@@ -21,9 +21,9 @@ std::size_t Ranks<Mpi_backend<Local>>::first_unconnected(const Import& in, const
 {
   if(in.total.points == 0)
     return shapes;
-  const Distribution distribution(*backend_, in, Parameters().cell_size);
+  Distribution<Local> distribution(*backend_, in, Parameters().cell_size);
   const Import own = distribution.distribute(in);
-  const std::vector<std::int32_t> own_labels = distribution.distribute(labels);
+  const std::vector<std::int32_t> own_labels = distribution.distribute(labels.data());
   const std::uint32_t n = std::uint32_t(own.size());
   Host_buffer<Grid_point> unsorted(n), point(n);
   backend_->for_each(n, place_on_grid(own, unsorted.data()));
