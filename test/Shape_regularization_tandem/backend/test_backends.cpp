@@ -199,9 +199,8 @@ private:
   {
     const std::uint32_t n = f_.cloud.size;
     const std::size_t labels = f_.plane.size();
-    std::vector<std::uint32_t> component(n), number(n, no_index), root(labels, no_index), opposed(labels, 0),
-      sums(labels);
-    std::vector<std::uint64_t> distance(1, 0);
+    std::vector<std::uint32_t> component(n), number(n, no_index), root(labels, no_index);
+    std::vector<std::uint64_t> opposed(labels, 0), sums(labels), distance(1, 0);
     std::uint64_t expected = 0;
     for(std::uint32_t i = 0; i < n; ++i) {
       component[i] = i;

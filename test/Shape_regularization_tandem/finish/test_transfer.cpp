@@ -174,7 +174,7 @@ private:
       queries_of.push_back({first, std::uint32_t(query.size())});
     }
     for(bool counts_after : {false, true}) {
-      std::vector<std::uint32_t> count(2 * query.size(), 0), expected(2 * query.size(), 0);
+      std::vector<std::uint64_t> count(2 * query.size(), 0), expected(2 * query.size(), 0);
       for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
         if(f_.label[i] < first_mark)
           for(std::uint32_t q = queries_of[f_.label[i]].first; q < queries_of[f_.label[i]].last; ++q) {
