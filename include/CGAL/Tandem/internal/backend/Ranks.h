@@ -71,11 +71,12 @@ public:
   // Whether all ranks have the same number.
   bool are_same(std::uint64_t) const { return true; }
 
-  // Finds the ghosts. `rings`: how many steps from neighbor to neighbor lead
-  // to them; all but those of the last ring have rows, too.
+  // Finds the ghosts. `rings`: how many steps from neighbor to neighbor lead to them; all but those of the last ring
+  // have rows, too.
   template <class Points>
   void connect(Points&, int) const
   {}
+
   // The entries of the ghosts in a table of points become those of their owners: of the first ring, or of all.
   template <class T>
   void update(T*) const

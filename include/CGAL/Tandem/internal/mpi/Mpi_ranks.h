@@ -62,12 +62,8 @@ public:
   template <class Import>
   void join_imports(Import& in) const
   {
-    for(double& high : in.box.high) // so that minima do both
-      high = -high;
     communicator().minimize(in.box.low, 3);
-    communicator().minimize(in.box.high, 3);
-    for(double& high : in.box.high)
-      high = -high;
+    communicator().maximize(in.box.high, 3);
     std::uint64_t counts[4] = {in.total.points, in.total.items, in.total.ignored_coordinates, in.total.ignored_normals};
     communicator().sum(counts, 4);
     in.total = {counts[0], counts[1], counts[2], counts[3]};
