@@ -120,7 +120,7 @@ public:
   template <class Links>
   Links join_links(Links&& links, std::uint32_t) const
   {
-    return std::move(links);
+    return std::forward<Links>(links);
   }
 };
 

@@ -81,6 +81,27 @@ public:
     ring_.push_back(std::move(ring));
   }
 
+  // Appends the rows of the last ring, and adds what is unknown in them as the next one. neighbor: the rows of own points.
+  void add_next_ring(const std::uint32_t* neighbor, std::size_t k, std::vector<std::uint32_t>& rows)
+  {
+    const std::size_t last = rings() - 1, ghosts = ring_size(last);
+    std::vector<Rank_point> points(k * ghosts), unknown;
+    for(std::size_t j = 0; j < k; ++j) {
+      const std::vector<Rank_point> column = exchange_on_host(last, [&](std::uint32_t i) {
+        const std::uint32_t q = neighbor[i * k + j];
+        return q == no_index ? Rank_point{no_index, no_index} : point_at(q);
+      });
+      for(std::size_t g = 0; g < ghosts; ++g)
+        points[g * k + j] = column[g];
+    }
+    for(const Rank_point& p : points)
+      if(p.rank != no_index && place_of(p) == no_index)
+        unknown.push_back(p);
+    add_ring(std::move(unknown));
+    for(const Rank_point& p : points)
+      rows.push_back(p.rank == no_index ? no_index : place_of(p));
+  }
+
   // The place of a point in tables of points; no_index if it is neither an own one nor a ghost.
   std::uint32_t place_of(const Rank_point& p) const
   {

@@ -148,7 +148,7 @@ public:
       for(const Remote_entry& e : remote)
         rows.data()[e.entry] = ghosts_->place_of(e.point);
       for(int ring = 1; ring < rings; ++ring)
-        add_ring(rows.data(), std::size_t(cloud.k), ghost_rows);
+        ghosts_->add_next_ring(rows.data(), std::size_t(cloud.k), ghost_rows);
       rows.write_back();
     }
     if(!ghost_rows.empty()) {
@@ -274,28 +274,6 @@ private:
     backend_->for_each(table.size(), Copy_items<T>{table.data(), larger.data()});
     table.release();
     return larger;
-  }
-
-  // Gives rows to the last ring, and adds what they refer to as the next one. neighbor: the rows of own points.
-  void add_ring(const std::uint32_t* neighbor, std::size_t k, std::vector<std::uint32_t>& ghost_rows)
-  {
-    const std::size_t last = ghosts_->rings() - 1;
-    const std::size_t ghosts = ghosts_->ring_size(last);
-    std::vector<Rank_point> rows(k * ghosts), unknown;
-    for(std::size_t j = 0; j < k; ++j) {
-      const auto column = ghosts_->exchange_on_host(last, [&](std::uint32_t i) {
-        const std::uint32_t q = neighbor[i * k + j];
-        return q == no_index ? Rank_point{no_index, no_index} : ghosts_->point_at(q);
-      });
-      for(std::size_t g = 0; g < ghosts; ++g)
-        rows[g * k + j] = column[g];
-    }
-    for(const Rank_point& p : rows)
-      if(p.rank != no_index && ghosts_->place_of(p) == no_index)
-        unknown.push_back(p);
-    ghosts_->add_ring(std::move(unknown));
-    for(const Rank_point& p : rows)
-      ghost_rows.push_back(p.rank == no_index ? no_index : ghosts_->place_of(p));
   }
 
   Backend* backend_;
