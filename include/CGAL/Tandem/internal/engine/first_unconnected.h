@@ -71,7 +71,7 @@ typename Backend::Sort_table sort_import(Backend& backend, const Import& in, con
     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
 }
 
-// The first shape whose points are not one component, or the number of shapes. label: by imported point, -1 = none.
+// The first shape whose points are not one component, or the number of shapes. labels: by imported point, -1 = none.
 template <class Backend>
 std::size_t first_unconnected(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
                               std::size_t k, std::size_t shapes)

@@ -161,7 +161,8 @@ struct Find_root {
   }
 };
 
-// component[i] becomes the smallest position of the component of point i; free points are components of their own.
+// component[i] becomes the smallest position, on this rank, of the component of point i; free points are components of
+// their own. Ghosts have entries, too.
 // label: of any kind, by point, with marks for free points. Takes nearly linear time.
 template <class Backend>
 typename Ranks<Backend>::Seams find_components(Labeled_cloud<Backend>& points, std::size_t cell_size,

@@ -82,7 +82,7 @@ component_sizes(Labeled_cloud<Backend>& points, const std::uint32_t* label, cons
   return size;
 }
 
-// By falling number of points, then by position of the root, in the order of which they are found.
+// By falling number of points, then by position of the root: they are found in that order.
 template <class Backend>
 std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
                                         const std::uint32_t* label, const std::uint32_t* component,
