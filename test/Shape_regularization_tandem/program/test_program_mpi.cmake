@@ -78,7 +78,7 @@ foreach(option IN ITEMS output labels vg polygons mesh view)
   if(option STREQUAL "view")
     set(file out.html)
   endif()
-  expect_ranks(2 2 "--${option} needs all points in one process; several write them with --output-directory" ${tiles}
+  expect_ranks(2 2 "--${option} needs all points in one process: " ${tiles}
                --${option} ${file})
 endforeach()
 expect_ranks(2 2 "--backend is 'cuda', which is for one process" ${tiles} --backend cuda)

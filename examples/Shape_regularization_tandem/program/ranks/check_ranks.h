@@ -19,8 +19,9 @@ inline void check_ranks(const Options& o, bool has_cuda)
                                                          {"mesh", o.mesh},     {"view", o.view}};
   for(const auto& [name, path] : outputs)
     if(!path.empty())
-      throw Usage_error(std::string("--") + name +
-                        " needs all points in one process; several write them with --output-directory");
+      throw Usage_error(
+        std::string("--") + name + " needs all points in one process: " +
+        (std::string(name) == "output" ? "several write them with --output-directory" : "run it without mpirun"));
   if(o.estimate_normals && *o.estimate_normals != by_library)
     throw Usage_error("--estimate-normals with a number needs all points in one process");
   if(o.backend == "cuda" && !has_cuda)

@@ -124,7 +124,7 @@ public:
     mpi::broadcast(world, first, 0);
     together([&] {
       if(own != first)
-        throw Usage_error(std::string("the processes have different ") + what);
+        throw Usage_error(std::string("the processes have different ") + what + ", but work on one cloud");
     });
   }
 
