@@ -216,6 +216,19 @@ struct Find_octants {
   }
 };
 
+// Whether an octant of this level, with so many points, is a leaf of the octree. See cell_extent_bits for its width.
+inline bool is_leaf(int level, int shift, std::uint64_t points, std::size_t cell_size)
+{
+  return level == curve_bits || (points <= cell_size && curve_bits - level + shift <= cell_extent_bits);
+}
+
+// Appends the cells of a leaf: it is one, unless it is a finest octant of more points, which is cut.
+inline void append_cells(const Range& leaf, std::size_t cell_size, std::vector<Range>& cells)
+{
+  for(std::uint32_t first = leaf.first; first < leaf.last; first += std::uint32_t(cell_size))
+    cells.push_back({first, (std::min)(first + std::uint32_t(cell_size), leaf.last)});
+}
+
 // Computes the octree cells, as ascending ranges that cover the sorted cloud. The root octant is split until a cell has
 // at most cell_size points and is at most 2^23 steps wide. See cell_extent_bits for that bound. Points of one finest
 // octant are cut in the order of the sort; such an octant is never too wide.
@@ -253,17 +266,13 @@ private:
     open.swap(next);
   }
 
-  // An octant of the level becomes a cell, is split further, or is cut if it is a finest one.
+  // An octant of the level becomes a leaf, or is split further.
   void take(const Range& r, int level, std::vector<Range>& open)
   {
-    const bool is_narrow = curve_bits - level + shift_ <= cell_extent_bits;
-    if(r.size() > 0 && r.size() <= cell_size_ && is_narrow)
-      cells_.push_back(r);
-    else if(r.size() > 0 && level < curve_bits)
+    if(is_leaf(level, shift_, r.size(), cell_size_))
+      append_cells(r, cell_size_, cells_);
+    else if(r.size() > 0)
       open.push_back(r);
-    else
-      for(std::uint32_t first = r.first; first < r.last; first += std::uint32_t(cell_size_))
-        cells_.push_back({first, (std::min)(first + std::uint32_t(cell_size_), r.last)});
   }
 
   Backend& backend_;

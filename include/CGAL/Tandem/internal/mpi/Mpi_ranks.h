@@ -99,10 +99,10 @@ public:
   {
     Buffer<std::uint64_t> keys(sorted.size());
     backend_->for_each(keys.size(), Copy_keys<typename Backend::Sort_table::View>{sorted.view(), keys.data()});
-    const std::vector<std::uint64_t> key = to_vector(*backend_, keys);
+    const Host_view<Backend, const std::uint64_t> key(*backend_, keys.data(), keys.size());
     std::vector<Range> cells;
     for(const Octant& leaf : find_leaves(
-          communicator(), key.size(), [&](std::uint32_t i) { return key[i]; }, frame, cell_size))
+          communicator(), keys.size(), [&](std::uint32_t i) { return key.data()[i]; }, frame, cell_size))
       append_cells(leaf.own, cell_size, cells);
     return cells;
   }

@@ -8,6 +8,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_SEAMS_H
 #define CGAL_TANDEM_INTERNAL_MPI_SEAMS_H
 
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/mpi/Ghosts.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 
@@ -118,32 +120,25 @@ public:
     std::sort(point_.begin(), point_.end());
     point_.erase(std::unique(point_.begin(), point_.end()), point_.end());
     for(std::size_t i = 0; i < point_.size(); ++i)
-      parent_.push_back(i);
-    for(const Edge& e : edges) {
-      const std::size_t a = root(place(e.a)), b = root(place(e.b));
-      parent_[(std::max)(a, b)] = (std::min)(a, b);
-    }
+      parent_.push_back(std::uint32_t(i));
+    for(const Edge& e : edges)
+      sets().unite(place(e.a), place(e.b));
   }
 
   std::size_t size() const { return point_.size(); }
   std::uint64_t point(std::size_t i) const { return point_[i]; }
-  std::uint64_t root_point(std::size_t i) { return point_[root(i)]; }
+  std::uint64_t root_point(std::size_t i) { return point_[sets().root(std::uint32_t(i))]; }
 
 private:
-  std::size_t place(std::uint64_t point) const
+  std::uint32_t place(std::uint64_t point) const
   {
-    return std::size_t(std::lower_bound(point_.begin(), point_.end(), point) - point_.begin());
+    return std::uint32_t(std::lower_bound(point_.begin(), point_.end(), point) - point_.begin());
   }
 
-  std::size_t root(std::size_t i)
-  {
-    while(parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
+  Union_find<Shared_parents<Sequential_backend>> sets() { return {{parent_.data()}}; }
 
   std::vector<std::uint64_t> point_; // ascending
-  std::vector<std::size_t> parent_;
+  std::vector<std::uint32_t> parent_;
 };
 
 // component: by point, its root on this rank, where roots are the smallest places; ghosts of the first ring have entries.

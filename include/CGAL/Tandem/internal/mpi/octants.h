@@ -63,24 +63,17 @@ std::vector<Octant> find_leaves(Communicator& communicator, std::size_t n, const
     count_octants(communicator, level);
     std::vector<Octant> next;
     for(const Octant& o : level) {
-      const bool is_narrow = curve_bits - o.level + frame.shift <= cell_extent_bits;
-      if((o.total <= cell_size && is_narrow) || o.level == curve_bits) {
-        if(o.total > 0)
-          leaves.push_back(o);
-      } else if(o.total > 0)
+      if(o.total == 0)
+        continue;
+      if(is_leaf(o.level, frame.shift, o.total, cell_size))
+        leaves.push_back(o);
+      else
         append_children(o, key, next);
     }
     level.swap(next);
   }
   std::sort(leaves.begin(), leaves.end(), [](const Octant& a, const Octant& b) { return a.code < b.code; });
   return leaves;
-}
-
-// Appends the cells of the points of a leaf that is on one rank.
-inline void append_cells(const Range& leaf, std::size_t cell_size, std::vector<Range>& cells)
-{
-  for(std::uint32_t first = leaf.first; first < leaf.last; first += std::uint32_t(cell_size))
-    cells.push_back({first, (std::min)(first + std::uint32_t(cell_size), leaf.last)});
 }
 
 // The same from a sorted table of the host.

@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/mpi/Communicator.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -87,8 +88,7 @@ private:
 
   bool is_leaf(const Boundary_leaf& leaf) const
   {
-    return leaf.level == curve_bits ||
-           (leaf.total <= cell_size_ && curve_bits - leaf.level + frame_.shift <= cell_extent_bits);
+    return internal::is_leaf(leaf.level, frame_.shift, leaf.total, cell_size_);
   }
 
   // Whether all are leaves.
