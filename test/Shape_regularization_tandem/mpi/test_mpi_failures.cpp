@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What goes wrong on one rank ends all of them, with the same exception, and nobody waits: a parameter out of its range,
-// a property map or a callback that throws. Where the callback of one rank cancels, all have the result of one process
-// that is cancelled there.
-//   mpirun -n N test_mpi_failures [few | killed]   a choice; or the last rank is killed: mpirun has to end the others
+// a property map or a callback that throws, memory that is not there. Where the callback of one rank cancels, all have
+// the result of one process that is cancelled there.
+//   mpirun -n N test_mpi_failures [few | memory | killed]
+// A choice; or a large cloud in little memory, without a sanitizer; or the last rank is killed: mpirun has to end the others.
 
 #undef NDEBUG
 
 #include "testing/change_table.h"
+#include "testing/memory_limit.h"
 #include "testing/mpi_failure.h"
 #include "testing/mpi_support.h"
 
@@ -21,6 +23,9 @@
 #include <cmath>
 #include <csignal>
 #include <set>
+#include <utility>
+
+#include <malloc.h>
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Callback;
@@ -301,6 +306,60 @@ void test_corrupted_results(const Ranks& ranks)
   check_alive(ranks);
 }
 
+long minimum_over(const Ranks& ranks, long own)
+{
+  MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_LONG, MPI_MIN, ranks);
+  return own;
+}
+
+// Whatever table one rank cannot have.
+void test_lost_tables(const Ranks& ranks, int stride)
+{
+  const Cloud part = make_case().part(ranks);
+  const auto list = np::settings(make_case().parameters);
+  constexpr long all = 1000000;
+  tables_left() = all;
+  detect_with(ranks, part, list);
+  const long tables = minimum_over(ranks, all - std::exchange(tables_left(), -1));
+  CHECK_AT(tables > 200, std::to_string(tables) + " tables");
+  for(long lost = 0; lost < tables; lost += 1 + stride * tables / 40)
+    for(const int bad : first_and_last(ranks)) {
+      tables_left() = ranks.rank() == bad ? lost : -1;
+      const std::string found = failure_of([&] { detect_with(ranks, part, list); });
+      tables_left() = -1;
+      check_failure(ranks, found, {"bad_alloc"}, "table " + std::to_string(lost));
+    }
+  check_alive(ranks);
+}
+
+// Where each rank has memory for a quarter of the cloud, many ranks detect what one cannot.
+void test_bounded_memory(const Ranks& ranks)
+{
+  Dealt_case c = make_case();
+  c.cloud = to_cloud(scenes::make_scene("cube", scene_options(800000, .001, .1)));
+  c.parameters = make_parameters(.01, 300);
+  const Cloud part = c.part(ranks), whole = ranks.rank() == 0 ? c.whole(ranks) : Cloud();
+  c.cloud = Cloud();
+  const auto list = np::settings(c.parameters);
+  const auto detect_alone = [&] {
+    return CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(
+      whole, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()));
+  };
+  check_alive(ranks); // MPI has taken its memory
+  const Shapes expected = ranks.rank() == 0 ? detect_alone() : Shapes();
+  const std::size_t bytes = sum_over(ranks, expected.statistics().peak_bytes) / 4;
+  CHECK(bytes > 10000000);
+  malloc_trim(0);
+  const Memory_limit limit(bytes);
+  const std::string alone = ranks.rank() == 0 ? failure_of(detect_alone) : "bad_alloc";
+  CHECK_AT(alone == "bad_alloc", alone);
+  malloc_trim(0);
+  Shapes own;
+  const std::string found = failure_of([&] { own = detect_with(ranks, part, list); });
+  CHECK_AT(found == "nothing", found);
+  check_same_on_ranks(ranks, own, &expected, 0, "bounded memory");
+}
+
 int main(int argc, char** argv)
 {
   check_throws<std::logic_error>([] { detect<Mpi_tag<CGAL::Sequential_tag>>(Cloud(), Parameters()); },
@@ -310,12 +369,17 @@ int main(int argc, char** argv)
   const std::string what = argc > 1 ? argv[1] : "";
   if(what == "killed")
     be_killed(world);
+  if(what == "memory") {
+    test_bounded_memory(world);
+    return report_on(world);
+  }
   const int stride = what == "few" ? 7 : 1;
   test_parameters(world);
   test_different_parameters(world);
   test_normals_of_some_ranks(world);
   test_maps(world);
   test_extent(world);
+  test_lost_tables(world, stride);
   test_corrupted_results(world);
   test_throwing_callbacks(world, stride);
   test_class_after_exception(world);
