@@ -14,7 +14,6 @@
 #include <CGAL/Tandem/internal/mpi/Cuda_mpi_engine.h>
 #endif
 #include <CGAL/Tandem/internal/mpi/Mpi_ranks.h>
-#include <CGAL/Tandem/internal/mpi/first_unconnected.h>
 
 #include <memory>
 

@@ -76,8 +76,6 @@ template <class Backend>
 std::size_t first_unconnected(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
                               std::size_t k, std::size_t shapes)
 {
-  if constexpr(Ranks<Backend>::are_many)
-    return Ranks<Backend>(backend).first_unconnected(in, labels, k, shapes);
   const std::size_t n = in.size();
   if(n == 0)
     return shapes;

@@ -11,7 +11,10 @@
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -37,6 +40,11 @@ public:
 private:
   std::unique_ptr<Mpi_engine<Local>> engine_;
 };
+
+// The one of engine/first_unconnected.h for a result over many ranks, in the library as well.
+template <class Local>
+std::size_t first_unconnected(Mpi_backend<Local>& backend, const Import& in, const std::vector<std::int32_t>& labels,
+                              std::size_t k, std::size_t shapes);
 
 } // namespace internal
 } // namespace Tandem

@@ -43,6 +43,14 @@ struct Unpack_values {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { values.take(first + std::uint32_t(i), packed[i]); }
 };
 
+inline std::vector<Rank_point> points_of(const std::vector<Remote_entry>& entries)
+{
+  std::vector<Rank_point> points;
+  for(const Remote_entry& e : entries)
+    points.push_back(e.point);
+  return points;
+}
+
 // Tables of points are where the functors of the back end run; the rest is on the host.
 template <class Backend>
 class Ghosts {

@@ -84,10 +84,6 @@ public:
 
   bool all(bool own, std::string& why) const { return communicator().all(own, why); }
 
-  // See first_unconnected.h, for a result over many ranks.
-  std::size_t first_unconnected(const Import& in, const std::vector<std::int32_t>& labels, std::size_t k,
-                                std::size_t shapes) const;
-
   std::vector<Grid_point> sample_cells(const Host_buffer<Grid_point>& point) const
   {
     return internal::sample_cells(*backend_, point);
@@ -249,14 +245,6 @@ public:
 
 private:
   Communicator& communicator() const { return backend_->communicator(); }
-
-  static std::vector<Rank_point> points_of(const std::vector<Remote_entry>& entries)
-  {
-    std::vector<Rank_point> points;
-    for(const Remote_entry& e : entries)
-      points.push_back(e.point);
-    return points;
-  }
 
   std::uint32_t first_position(std::uint32_t n) const
   {

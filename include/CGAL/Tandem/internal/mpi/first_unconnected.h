@@ -16,25 +16,26 @@ namespace Tandem {
 namespace internal {
 
 template <class Local>
-std::size_t Ranks<Mpi_backend<Local>>::first_unconnected(const Import& in, const std::vector<std::int32_t>& labels,
-                                                         std::size_t k, std::size_t shapes) const
+std::size_t first_unconnected(Mpi_backend<Local>& backend, const Import& in, const std::vector<std::int32_t>& labels,
+                              std::size_t k, std::size_t shapes)
 {
+  Communicator& communicator = backend.communicator();
   if(in.total.points == 0)
     return shapes;
-  Distribution<Local> distribution(*backend_, in, Parameters().cell_size);
+  Distribution<Local> distribution(backend, in, Parameters().cell_size);
   const Import own = distribution.distribute(in);
   const std::vector<std::int32_t> own_labels = distribution.distribute(labels.data());
   const std::uint32_t n = std::uint32_t(own.size());
   Host_buffer<Grid_point> unsorted(n), point(n);
-  backend_->for_each(n, place_on_grid(own, unsorted.data()));
-  const auto order = sort_import(*backend_, own, unsorted.data());
+  backend.for_each(n, place_on_grid(own, unsorted.data()));
+  const auto order = sort_import(backend, own, unsorted.data());
   for(std::uint32_t i = 0; i < n; ++i)
     point[i] = unsorted[order.view().index(i)];
   std::vector<std::uint32_t> neighbor(n * k);
-  find_neighbors(static_cast<Local&>(*backend_), point.data(), n, int(k), neighbor.data());
+  find_neighbors(static_cast<Local&>(backend), point.data(), n, int(k), neighbor.data());
   const std::vector<Remote_entry> remote =
-    Border_search<Local>(communicator(), point.data(), n, int(k), neighbor.data())();
-  Ghosts<Backend> ghosts(*backend_, n);
+    Border_search<Local>(communicator, point.data(), n, int(k), neighbor.data())();
+  Ghosts<Mpi_backend<Local>> ghosts(backend, n);
   ghosts.add_ring(points_of(remote));
   for(const Remote_entry& e : remote)
     neighbor[e.entry] = ghosts.place_of(e.point);
@@ -51,10 +52,10 @@ std::size_t Ranks<Mpi_backend<Local>>::first_unconnected(const Import& in, const
     mark.push_back(label[i] < 0 ? free_label : std::uint32_t(label[i]));
     component.push_back(parents.root(i));
   }
-  const internal::Seams seams = internal::join_components(communicator(), ghosts, mark.data(), component.data());
+  const Seams seams = join_components(communicator, ghosts, mark.data(), component.data());
 
   // The smallest and the largest root of each shape.
-  const std::uint64_t rank = std::uint64_t(communicator().rank());
+  const std::uint64_t rank = std::uint64_t(communicator.rank());
   std::vector<std::uint64_t> first(shapes, ~std::uint64_t(0)), last(shapes, 0);
   for(std::uint32_t i = 0; i < n; ++i)
     if(label[i] >= 0) {
@@ -62,8 +63,8 @@ std::size_t Ranks<Mpi_backend<Local>>::first_unconnected(const Import& in, const
       first[std::size_t(label[i])] = (std::min)(first[std::size_t(label[i])], root);
       last[std::size_t(label[i])] = (std::max)(last[std::size_t(label[i])], root);
     }
-  communicator().minimize(first.data(), shapes);
-  communicator().maximize(last.data(), shapes);
+  communicator.minimize(first.data(), shapes);
+  communicator.maximize(last.data(), shapes);
   for(std::size_t s = 0; s < shapes; ++s)
     if(first[s] != last[s])
       return s;

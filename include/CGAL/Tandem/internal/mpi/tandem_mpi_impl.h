@@ -8,6 +8,7 @@
 
 #include <CGAL/Tandem/internal/mpi/Compiled_mpi_engine.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_engine.h>
+#include <CGAL/Tandem/internal/mpi/first_unconnected.h>
 
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
 #include <CGAL/Tandem/internal/finish/export_shapes.h>
