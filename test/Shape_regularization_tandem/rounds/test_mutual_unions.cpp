@@ -143,7 +143,8 @@ template <class Backend>
 Shape_unions<Backend> unite(Backend& backend, Shape_table<Backend>& shapes, const Link_list& links,
                             std::uint32_t* rounds = nullptr)
 {
-  Shape_unions<Backend> unions = unite_shapes(backend, shapes, criterion, to_buffer(backend, links), rounds);
+  Shape_unions<Backend> unions =
+    unite_shapes(backend, Ranks<Backend>(), shapes, criterion, to_buffer(backend, links), rounds);
   CHECK(std::is_sorted(unions.member.begin(), unions.member.end(), std::less_equal<std::uint32_t>()));
   for(const Shared_moments& d : shapes.delta)
     CHECK(d.count == 0 && d.sum[0] == 0 && d.low[5] == 0 && d.high[5] == 0);
@@ -167,8 +168,9 @@ Outcome unite(Backend& backend, int unevenness, unsigned seed)
   Outcome outcome;
   outcome.rounds = int(rounds);
   for(std::uint32_t id = 0; id < shapes.size; ++id) {
-    outcome.root.push_back(root_of(unions.target.data(), id));
-    outcome.plane.push_back(unions.whole[outcome.root.back()].local);
+    const std::uint32_t root = root_of(unions.target.data(), id), place = unions.root[root].place;
+    outcome.root.push_back(root);
+    outcome.plane.push_back(place == no_index ? shapes.shape[root].local : unions.whole[place].local);
   }
   return outcome;
 }
@@ -223,7 +225,7 @@ void check_planes(const Shape_table<Sequential_backend>& shapes, const Shape_uni
     whole[root_of(unions.target.data(), id)].moments += shapes.shape[id].moments;
   for(auto& w : whole) {
     refit(w.second);
-    CHECK(is_same(unions.whole[w.first].local, w.second.local));
+    CHECK(is_same(unions.whole[unions.root[w.first].place].local, w.second.local));
   }
 }
 

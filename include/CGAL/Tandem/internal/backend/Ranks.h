@@ -22,6 +22,13 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The items of a table that all ranks have, of which this rank does the work.
+struct Own_share {
+  std::uint32_t rank = 0, ranks = 1;
+
+  CGAL_TANDEM_HD bool has(std::size_t i) const { return i % ranks == rank; }
+};
+
 template <class Backend>
 class Ranks {
   template <class T>
@@ -85,6 +92,10 @@ public:
   void update_all(T*) const
   {}
 
+  // The same for the labels of the loop, of which only those that have changed are sent.
+  void update_labels(std::uint32_t*) const {}
+  void update_all_labels(std::uint32_t*) const {}
+
   // While points adopt candidates of their neighbors: renews what those of ghosts have adopted before the pass.
   template <class Candidate>
   void update_adopted(Candidate*, Grid_point*, std::uint32_t*, int) const
@@ -101,6 +112,20 @@ public:
   // The rounds of a label propagation, of which the first proposals have been made.
   template <class Propagation>
   void run_propagation(Backend& backend, std::size_t maximum_rounds, std::size_t n, const Propagation& rounds) const
+  {
+    backend.run_rounds(maximum_rounds, n, rounds);
+  }
+
+  // Before fits that all ranks need: each makes its share, and gets the others. fits.has(i): one is to be made for
+  // fits[i] of the n moments; fits.close(i): it has been.
+  template <class Fits>
+  void share_fits(std::size_t, const Fits&) const
+  {}
+
+  // The rounds of unions of shapes, see Mutual_unions.h, with the share of the work that is done by this rank.
+  Own_share own_share() const { return {}; }
+  template <class Rounds>
+  void run_unions(Backend& backend, std::size_t maximum_rounds, std::size_t n, const Rounds& rounds) const
   {
     backend.run_rounds(maximum_rounds, n, rounds);
   }

@@ -111,7 +111,7 @@ std::size_t Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cel
 {
   std::size_t new_points = 0;
   for(; untried_cells > maximum_untried_cells && passes < tuning::loop::maximum_passes; ++passes) {
-    take_local_planes(state_.points.backend, state_.shapes);
+    take_local_planes(state_.points, state_.shapes);
     new_points += grow_shapes(state_.points, state_.shapes, state_.seeds, state_.options.growth);
     untried_cells = count_untried_cells(state_.points, state_.seeds, state_.options.minimum_region_size);
   }
@@ -212,7 +212,7 @@ bool Engine<Backend>::iterate()
 
   Stage_timer regularity(times_.regularity);
   drop_fragments();
-  refit_shapes(points.backend, shapes);
+  refit_shapes(points.backend, points.ranks, shapes);
   auto links = collect_links(points, shapes, Links::changed);
   merge_by_joint_fit(points, shapes, options, links, tuning::merging::misfit_share);
   relations_ = regularize_shapes(points, shapes, options, {state_.round, false}, relations_);

@@ -214,7 +214,7 @@ void choose_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
   typename Backend::template Buffer<std::uint32_t> chosen(n), normal(n);
-  points.ranks.update_all(points.label.data());
+  points.ranks.update_all_labels(points.label.data());
   backend.for_each(n, Choose_side{{points.cloud.view(), points.label.data(), shapes.plane.data(), tolerance},
                                   chosen.data(),
                                   normal.data()});
@@ -231,7 +231,7 @@ void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Bac
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
   typename Backend::template Buffer<std::uint32_t> normal(n);
-  points.ranks.update_all(points.label.data());
+  points.ranks.update_all_labels(points.label.data());
   backend.for_each(
     n, Fit_to_shape{{points.cloud.view(), points.label.data(), shapes.plane.data(), tolerance}, normal.data()});
   backend.for_each(n, Take_normals{normal.data(), points.cloud.point.data()});

@@ -93,10 +93,11 @@ struct Take_local {
 
 // Fits all shapes whose points have changed. Fragments take their local planes, as after a rollback.
 template <class Backend>
-void refit_fragments(Backend& backend, Shape_table<Backend>& shapes, const Marks<Backend>& is_fragment)
+void refit_fragments(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                     const Marks<Backend>& is_fragment)
 {
-  refit_shapes(backend, shapes);
-  for_each_shape(backend, shapes, Take_local{shapes.shape.data(), is_fragment.data()});
+  refit_shapes(points.backend, points.ranks, shapes);
+  for_each_shape(points.backend, shapes, Take_local{shapes.shape.data(), is_fragment.data()});
 }
 
 struct Take_links_of_fragments {
@@ -118,11 +119,11 @@ void join_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
                     const Marks<Backend>& is_fragment)
 {
   Backend& backend = points.backend;
-  refit_shapes(backend, shapes);
+  refit_shapes(backend, points.ranks, shapes);
   const auto all = collect_links(points, shapes, Links::all);
   auto links = backend.template collect<Link>(all.size(), Take_links_of_fragments{all.data(), is_fragment.data()});
   if(is_any_joined(backend, merge_by_joint_fit(points, shapes, options, links, tuning::merging::final_misfit_share)))
-    refit_fragments(backend, shapes, is_fragment);
+    refit_fragments(points, shapes, is_fragment);
   points.sample.reset(0); // others need the memory
 }
 
@@ -137,7 +138,7 @@ void consolidate(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   for(int round = 0; round < consolidation_rounds; ++round) {
     const auto is_fragment = shapes_below(points.backend, shapes, options.minimum_region_size);
     const Shape_counts before = count_live(points.backend, shapes);
-    refit_fragments(points.backend, shapes, is_fragment);
+    refit_fragments(points, shapes, is_fragment);
     detach_misfits(points, shapes, is_fragment, tolerance);
     join_fragments(points, shapes, options, is_fragment);
     detach_misfits(points, shapes, is_fragment, tolerance);
@@ -161,7 +162,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
 {
   Backend& backend = points.backend;
   const Tolerance& tolerance = options.growth.tolerance;
-  refit_shapes(backend, shapes);
+  refit_shapes(backend, points.ranks, shapes);
   Shape_relations relations = regularize_shapes(points, shapes, options, {round, true}, before);
   points.sample.reset(0); // others need the memory
   const auto links = collect_links(points, shapes, Links::all);

@@ -156,7 +156,7 @@ bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   backend.template for_each_cell<Moment_table>(
     points.number_of_cells(), Apply_chosen<Backend>{points.cloud.view(), points.cells.data(), chosen, points.labels(),
                                                     start_deltas(backend, shapes, shapes.size)});
-  points.ranks.update(points.label.data());
+  points.ranks.update_labels(points.label.data());
   points.ranks.sum(shapes.delta.data(), shapes.size);
   const bool is_any = count_deltas(backend, shapes) > 0;
   add_deltas(backend, shapes);

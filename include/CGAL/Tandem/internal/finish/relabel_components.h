@@ -46,7 +46,7 @@ void relabel_small_components(Labeled_cloud<Backend>& points, const Shape_table<
     points.backend.for_each(n, Free_small_components{component.data(), size.data(),
                                                      std::uint64_t(options.minimum_region_size), points.label.data()});
   }
-  points.ranks.update(points.label.data());
+  points.ranks.update_labels(points.label.data());
   propagate_labels(points, shapes, options.growth.tolerance);
 }
 

@@ -68,7 +68,7 @@ void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, con
                  Take_changed_plane{shapes.shape.data(), shapes.plane.data(), plan.is_changed.data()});
   points.backend.for_each(points.cloud.size(), Transfer_point{points.cloud.view(), points.labels(), plan.target.data(),
                                                               plan.is_changed.data(), shapes.plane.data(), tolerance});
-  points.ranks.update(points.label.data());
+  points.ranks.update_labels(points.label.data());
 }
 
 struct Copy_sizes {
@@ -120,7 +120,7 @@ void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shape
   const Tolerance& tolerance = options.growth.tolerance;
   typename Backend::template Buffer<std::int64_t> before(shapes.size);
   for(int round = 0; round < transfer.maximum_rounds; ++round) {
-    refit_shapes(backend, shapes);
+    refit_shapes(backend, points.ranks, shapes);
     const auto links = collect_links(points, shapes, Links::all);
     const auto plan = Transfer_planner<Backend>(points, shapes, options, transfer.planes).plan(links);
     if(!plan.is_any)

@@ -8,7 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_GROWTH_GROW_SHAPES_H
 
 #include <CGAL/Tandem/internal/growth/grow_cells.h>
-#include <CGAL/Tandem/internal/shapes/cell_shapes.h>
+#include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 #include <utility>
 
@@ -142,7 +142,7 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   shapes.size = size;
   if(is_sparse || started.size() > 0)
     backend.for_each(points.cloud.size(), Replace_ids{new_id.data(), points.label.data()});
-  points.ranks.update(points.label.data());
+  points.ranks.update_labels(points.label.data());
   return std::size_t(sums[0]);
 }
 
@@ -174,9 +174,10 @@ struct Take_local_plane {
 // Between two passes of a round: shapes that started in the last one take their local planes. So they can go on before
 // they have relations. They are on the frontier as a whole, so they need no restart.
 template <class Backend>
-void take_local_planes(Backend& backend, Shape_table<Backend>& shapes)
+void take_local_planes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
-  for_each_shape(backend, shapes, Take_local_plane{shapes.shape.data(), shapes.plane.data()});
+  points.ranks.share_fits(shapes.size, Dirty_shapes{shapes.shape.data(), 1});
+  for_each_shape(points.backend, shapes, Take_local_plane{shapes.shape.data(), shapes.plane.data()});
 }
 
 } // namespace internal

@@ -10,6 +10,7 @@
 
 #include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/mpi/Border_search.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -41,6 +42,33 @@ struct Unpack_values {
   const typename Values::Value* packed;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const { values.take(first + std::uint32_t(i), packed[i]); }
+};
+
+struct Sent_label {
+  std::uint32_t place; // in the list of own points that are ghosts elsewhere, then among the ghosts from one rank
+  std::uint32_t label;
+};
+
+// The labels that have changed since they were sent.
+struct Take_changed {
+  const std::uint32_t* index;
+  const std::uint32_t* label;
+  std::uint32_t* sent;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return label[index[i]] != sent[i]; }
+
+  CGAL_TANDEM_HD Sent_label take(std::uint32_t i) const
+  {
+    sent[i] = label[index[i]];
+    return {i, sent[i]};
+  }
+};
+
+struct Put_labels {
+  const Sent_label* received;
+  std::uint32_t* label; // of the first ghost
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { label[received[i].place] = received[i].label; }
 };
 
 inline std::vector<Rank_point> points_of(const std::vector<Remote_entry>& entries)
@@ -147,6 +175,38 @@ public:
     backend_.for_each(received.size(), Unpack_values<Values>{values, ring_begin(r), received.data()});
   }
 
+  // The labels of the first ring, which are free at first. Nobody else changes labels of ghosts.
+  void update_labels(std::uint32_t* label)
+  {
+    const Ring& ring = ring_[0];
+    if(sent_.size() < ring.exported.size())
+      sent_ = filled_buffer(backend_, ring.exported.size(), std::uint32_t(free_label));
+    std::vector<Sent_label> sent = to_vector(
+      backend_,
+      backend_.template collect<Sent_label>(sent_.size(), Take_changed{ring.exported.data(), label, sent_.data()}));
+    std::vector<std::size_t> sizes;
+    std::size_t first = 0;
+    auto at = sent.begin();
+    for(const std::size_t n : ring.exported_to) {
+      const auto begin = at;
+      for(; at != sent.end() && at->place < first + n; ++at)
+        at->place -= std::uint32_t(first);
+      sizes.push_back(std::size_t(at - begin));
+      first += n;
+    }
+    std::vector<std::size_t> from;
+    std::vector<Sent_label> received = communicator_.exchange(sent, sizes, &from);
+    first = 0;
+    at = received.begin();
+    for(std::size_t r = 0; r < from.size(); ++r) {
+      for(const auto end = at + std::ptrdiff_t(from[r]); at != end; ++at)
+        at->place += std::uint32_t(first);
+      first += ring.imported_from[r];
+    }
+    const auto labels = to_buffer(backend_, received);
+    backend_.for_each(labels.size(), Put_labels{labels.data(), label + ring_begin(0)});
+  }
+
   // value(i) of their owners on the host, for the ghosts of a ring.
   template <class F>
   auto exchange_on_host(std::size_t r, F value) const
@@ -177,6 +237,7 @@ private:
   std::uint32_t n_;
   std::size_t size_ = 0;
   std::vector<Ring> ring_;
+  typename Backend::template Buffer<std::uint32_t> sent_; // the labels of the own points in the first ring elsewhere
 };
 
 } // namespace internal

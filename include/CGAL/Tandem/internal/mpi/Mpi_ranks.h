@@ -122,8 +122,7 @@ public:
   // Each rank has changed few shapes.
   void sum(Shared_moments* table, std::size_t n) const
   {
-    const auto changed = backend_->template collect<Shape_moments>(n, Take_moments{table});
-    const auto all = to_buffer(*backend_, communicator().gather(to_vector(*backend_, changed)));
+    const auto all = of_all<Shape_moments>(n, Take_moments{table});
     backend_->for_each(all.size(), Add_moments<Backend>{all.data(), table});
   }
 
@@ -173,6 +172,15 @@ public:
       ghosts_->update(ring, table);
   }
 
+  void update_labels(std::uint32_t* label) const { ghosts_->update_labels(label); }
+
+  void update_all_labels(std::uint32_t* label) const
+  {
+    ghosts_->update_labels(label);
+    for(std::size_t ring = 1; ring < ghosts_->rings(); ++ring)
+      ghosts_->update(ring, label);
+  }
+
   template <class Candidate>
   void update_adopted(Candidate* candidate, Grid_point* point, std::uint32_t* source, int pass) const
   {
@@ -214,6 +222,35 @@ public:
     Rank_propagation<Backend, Propagation>(*backend_, *ghosts_, rounds).run(maximum_rounds, n);
   }
 
+  Own_share own_share() const { return {std::uint32_t(communicator().rank()), std::uint32_t(communicator().size())}; }
+
+  template <class Fits>
+  void share_fits(std::size_t n, const Fits& fits) const
+  {
+    backend_->for_each(n, Make_fit<Fits>{fits, own_share()}, shapes_per_thread);
+    spread_fits(n, fits);
+  }
+
+  // After each step of which this rank has done its share, it gets what the others have.
+  template <class Rounds>
+  void run_unions(Backend&, std::size_t maximum_rounds, std::size_t n, const Rounds& rounds) const
+  {
+    for(std::size_t round = 0; round < maximum_rounds; ++round) {
+      const std::int32_t mark = std::int32_t(round + 1);
+      for(int step = 0; step < Rounds::fit; ++step) {
+        run_step(*backend_, rounds, step, round, n);
+        if(step == Rounds::test) {
+          const auto accepted = of_all<Accepted_pair>(rounds.pairs, Take_accepted<Rounds>{rounds, mark});
+          backend_->for_each(accepted.size(), Put_accepted<Rounds>{rounds, accepted.data()});
+        }
+      }
+      if(backend_->template sum<1>(1, Is_last<Rounds>{rounds, round})[0] != 0)
+        return;
+      run_step(*backend_, rounds, Rounds::fit, round, n);
+      spread_fits(rounds.shapes, Union_fits<Rounds>{rounds, mark});
+    }
+  }
+
   Seams join_components(const std::uint32_t* label, std::uint32_t* component) const
   {
     const std::size_t n = ghosts_->own_size() + ghosts_->ring_size(0);
@@ -245,6 +282,22 @@ public:
 
 private:
   Communicator& communicator() const { return backend_->communicator(); }
+
+  // The own fits have been made.
+  template <class Fits>
+  void spread_fits(std::size_t n, const Fits& fits) const
+  {
+    const auto all = of_all<Numbered_fit>(n, Take_fit<Fits>{fits, own_share()});
+    backend_->for_each(all.size(), Put_fit<Fits>{fits, all.data()});
+  }
+
+  // f.take(i) of the i in [0, n) with f.has(i), of all ranks.
+  template <class T, class F>
+  Buffer<T> of_all(std::size_t n, F f) const
+  {
+    const auto own = backend_->template collect<T>(n, f);
+    return to_buffer(*backend_, communicator().gather(to_vector(*backend_, own)));
+  }
 
   std::uint32_t first_position(std::uint32_t n) const
   {

@@ -10,7 +10,6 @@
 #include <CGAL/Tandem/internal/mpi/Ghosts.h>
 #include <CGAL/Tandem/internal/mpi/Host_view.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -21,32 +20,26 @@ template <class Backend, class Propagation>
 class Rank_propagation {
 public:
   // The first proposals of this rank have been made.
-  Rank_propagation(Backend& backend, const Ghosts<Backend>& ghosts, const Propagation& rounds)
+  Rank_propagation(Backend& backend, Ghosts<Backend>& ghosts, const Propagation& rounds)
     : backend_(backend), communicator_(backend.communicator()), ghosts_(ghosts), rounds_(rounds)
   {}
 
   void run(std::size_t maximum_rounds, std::size_t n)
   {
-    lanes_ = (std::max)((std::min)(n, std::size_t(4096)), std::size_t(1));
     std::uint32_t* const end = rounds_.proposed.end;
     send_proposals(end);
     for(std::size_t round = 0; round < maximum_rounds; ++round) {
-      run_step(Propagation::accept, round);
-      ghosts_.update(0, rounds_.labels.label);
+      run_step(backend_, rounds_, Propagation::accept, round, n);
+      ghosts_.update_labels(rounds_.labels.label);
       const std::vector<std::uint32_t> of_round = to_vector(backend_, end + round, 2);
       if(communicator_.sum(std::uint64_t(of_round[1] - of_round[0])) <= rounds_.few_points)
         return;
-      run_step(Propagation::propose, round);
+      run_step(backend_, rounds_, Propagation::propose, round, n);
       send_proposals(end + round + 1);
     }
   }
 
 private:
-  void run_step(int step, std::size_t round)
-  {
-    backend_.for_each(lanes_, Run_step<Propagation>{rounds_, step, round, lanes_}, lanes_ / 64 + 1);
-  }
-
   // Takes the ghosts from the list of points with proposals between end[0] and end[1], and adds own points that other
   // ranks have proposed to.
   void send_proposals(std::uint32_t* end)
@@ -82,9 +75,8 @@ private:
 
   Backend& backend_;
   Communicator& communicator_;
-  const Ghosts<Backend>& ghosts_;
+  Ghosts<Backend>& ghosts_;
   Propagation rounds_;
-  std::size_t lanes_ = 1;
 };
 
 } // namespace internal

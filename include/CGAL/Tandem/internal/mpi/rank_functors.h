@@ -8,8 +8,11 @@
 #define CGAL_TANDEM_INTERNAL_MPI_RANK_FUNCTORS_H
 
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
+#include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/shape_deltas.h>
+
+#include <algorithm>
 
 namespace CGAL {
 namespace Tandem {
@@ -144,13 +147,118 @@ struct Receive_proposals {
 };
 
 // A step of a round of a label propagation.
-template <class Propagation>
+template <class Rounds>
 struct Run_step {
-  Propagation rounds;
+  Rounds rounds;
   int step;
   std::size_t round, lanes;
 
   CGAL_TANDEM_HD void operator()(std::size_t lane) const { rounds.run(step, round, lane, lanes); }
+};
+
+// One step of rounds that exchange something between their steps.
+template <class Backend, class Rounds>
+void run_step(Backend& backend, const Rounds& rounds, int step, std::size_t round, std::size_t n)
+{
+  const std::size_t lanes = (std::max)((std::min)(n, std::size_t(4096)), std::size_t(1));
+  backend.for_each(lanes, Run_step<Rounds>{rounds, step, round, lanes}, lanes / 64 + 1);
+}
+
+template <class Rounds>
+struct Is_last {
+  Rounds rounds;
+  std::size_t round;
+
+  CGAL_TANDEM_HD void operator()(std::size_t, std::int64_t* sum) const { sum[0] += rounds.is_last(round); }
+};
+
+// The fits of a table of moments: the own share, then those of all ranks. The scatter costs less than to send it.
+template <class Fits>
+struct Make_fit {
+  Fits fits;
+  Own_share own;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    if(!fits.has(i))
+      return;
+    fits[i].scatter = make_scatter(fits[i].moments);
+    if(own.has(i))
+      fits[i].fit = fit_plane(fits[i].scatter);
+  }
+};
+
+struct Numbered_fit {
+  std::uint64_t number; // wide, so that all bytes are defined
+  Fit fit;
+};
+
+template <class Fits>
+struct Take_fit {
+  Fits fits;
+  Own_share own;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return own.has(i) && fits.has(i); }
+  CGAL_TANDEM_HD Numbered_fit take(std::uint32_t i) const { return {i, fits[i].fit}; }
+};
+
+template <class Fits>
+struct Put_fit {
+  Fits fits;
+  const Numbered_fit* of_all;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::size_t number = std::size_t(of_all[i].number);
+    set_fit(fits[number], of_all[i].fit);
+    fits.close(number);
+  }
+};
+
+// The unions that have changed in a round.
+template <class Rounds>
+struct Union_fits {
+  Rounds rounds;
+  std::int32_t round;
+
+  CGAL_TANDEM_HD bool has(std::size_t s) const { return rounds.root[s].changed == round; }
+  CGAL_TANDEM_HD Fitted_moments& operator[](std::size_t s) const { return rounds.whole[rounds.root[s].place]; }
+  CGAL_TANDEM_HD void close(std::size_t) const {}
+};
+
+// What the tests of a round of unions say. A pair that is not among these has been rejected.
+struct Accepted_pair {
+  std::uint32_t pair;
+  std::int32_t is_taken;
+  std::uint64_t cost;
+};
+
+template <class Rounds>
+struct Take_accepted {
+  Rounds rounds;
+  std::int32_t round;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const
+  {
+    return rounds.own.has(i) && rounds.pair[i].tested == round && rounds.pair[i].is_accepted();
+  }
+  CGAL_TANDEM_HD Accepted_pair take(std::uint32_t i) const
+  {
+    return {i, rounds.pair[i].is_taken, rounds.pair[i].key.cost};
+  }
+};
+
+template <class Rounds>
+struct Put_accepted {
+  Rounds rounds;
+  const Accepted_pair* accepted;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const Accepted_pair& a = accepted[i];
+    rounds.pair[a.pair].is_taken = a.is_taken;
+    rounds.pair[a.pair].key.cost = a.cost;
+  }
 };
 
 } // namespace internal

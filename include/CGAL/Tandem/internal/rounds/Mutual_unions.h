@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
@@ -51,7 +52,8 @@ struct Union_key {
 struct Union_pair {
   std::uint32_t first, second; // equal if the pair has been joined
   Union_key key;               // the cost is that of `rejected` if the test rejects the pair
-  bool is_taken;               // the second one tolerates the plane of the first one as it is
+  std::int32_t tested;         // the last round in which it was tested
+  std::int32_t is_taken;       // the second one tolerates the plane of the first one as it is
 
   static constexpr std::uint64_t rejected = ~std::uint64_t(0);
   CGAL_TANDEM_HD bool is_accepted() const { return first != second && key.cost != rejected; }
@@ -59,30 +61,36 @@ struct Union_pair {
 
 // A root between two rounds. Rounds are counted from 1 here; 0 means none.
 struct Union_root {
-  Union_key chosen;         // the smallest of its pairs
-  std::int32_t takes = 0;   // the last round in which it had chosen a pair that it takes
-  std::int32_t changed = 0; // the last round in which others joined it
+  Union_key chosen;               // the smallest of its pairs
+  std::int32_t takes = 0;         // the last round in which it had chosen a pair that it takes
+  std::int32_t changed = 0;       // the last round in which others joined it
+  std::uint32_t place = no_index; // in the table of unions; none as long as it is the shape alone
 };
 
 // Each shape chooses its pair of the smallest key. Two shapes that choose each other become one. A shape that tolerates
 // the plane of a much larger one joins it without being chosen, so a large shape takes all of these in one round. All
 // unions of a round are independent, then they are fitted and their pairs tested anew, until no two shapes join. The
 // pair of the smallest key is chosen by both of its shapes, so each round has a union as long as a pair is accepted.
-// Only minima, integer sums and values that are the same for all writers are shared, so no order matters.
+// Only minima, integer sums and values that are the same for all writers are shared, so no order matters. Tests and fits
+// take most of the time: a rank makes its share of them, and gets the others from the other ranks, see
+// Ranks::run_unions().
 template <class Backend>
 struct Union_rounds {
-  // One after the other: each needs all of the one before. `test` also chooses by cost.
-  enum Step { test, choose_size, choose_ids, take, join, fit, number_of_steps };
+  // One after the other: each needs all of the one before.
+  enum Step { test, choose_cost, choose_size, choose_ids, take, join, fit, number_of_steps };
   static constexpr int steps = number_of_steps;
 
   Joint_fit_criterion criterion;
   Union_pair* pair;
   std::size_t pairs, shapes;
-  Fitted_moments* whole; // this and the others by id
+  const Shape* shape; // these by id
   Union_root* root;
   std::uint32_t* target;  // what it has joined, or itself
   Shared_moments* joined; // the sums of those that joined in this round, zero between two
-  std::uint32_t* joins;   // how many joined in this round, and in the one before or after: by parity; then the rounds
+  Fitted_moments* whole;  // the unions, in any order
+  std::uint32_t* joins;   // how many joined in this round, and in the one before or after: by parity
+  std::uint32_t* total;   // the number of rounds, and that of the unions
+  Own_share own;          // of the pairs, and of the shapes
 
   // Only tests and fits are worth several threads where there are few.
   static constexpr std::size_t few(int step) { return step == test || step == fit ? 64 : 4096; }
@@ -94,23 +102,32 @@ struct Union_rounds {
     if(step == fit && lane == 0)
       joins[(round + 1) % 2] = 0;
     if(step == test && lane == 0)
-      joins[2] = std::uint32_t(round + 1);
+      total[0] = std::uint32_t(round + 1);
     if(step == fit)
       for_items_of_lane(lane, lanes, shapes, [&](std::size_t s) { fit_whole(std::int32_t(round + 1), s); });
     else
-      for_items_of_lane(lane, lanes, pairs, [&](std::size_t i) { run_pair(step, std::int32_t(round + 1), pair[i]); });
+      for_items_of_lane(lane, lanes, pairs, [&](std::size_t i) {
+        if(step != test)
+          run_pair(step, std::int32_t(round + 1), pair[i]);
+        else if(pair[i].first != pair[i].second)
+          test_pair(std::int32_t(round + 1), pair[i], own.has(i));
+      });
+  }
+
+  // A root with all that has joined it.
+  CGAL_TANDEM_HD const Fitted_moments& united(std::uint32_t s) const
+  {
+    return root[s].place == no_index ? static_cast<const Fitted_moments&>(shape[s]) : whole[root[s].place];
   }
 
 private:
-  CGAL_TANDEM_HD void run_pair(int step, std::int32_t round, Union_pair& p) const
+  CGAL_TANDEM_HD void run_pair(int step, std::int32_t round, const Union_pair& p) const
   {
-    if(step == test && p.first != p.second)
-      test_pair(round, p);
     if(!p.is_accepted())
       return;
     Union_root &a = root[p.first], &b = root[p.second];
     switch(step) {
-    case test:
+    case choose_cost:
       Backend::atomic_min(a.chosen.cost, p.key.cost);
       Backend::atomic_min(b.chosen.cost, p.key.cost);
       break;
@@ -138,15 +155,15 @@ private:
     return r.chosen.cost == p.key.cost && r.chosen.size == p.key.size && r.chosen.ids == p.key.ids;
   }
 
-  // Pairs of shapes that have changed get new roots and a new verdict.
-  CGAL_TANDEM_HD void test_pair(std::int32_t round, Union_pair& p) const
+  // Pairs of shapes that have changed get new roots, and a new verdict if they are of the own share.
+  CGAL_TANDEM_HD void test_pair(std::int32_t round, Union_pair& p, bool is_own) const
   {
     std::uint32_t a = target[p.first], b = target[p.second];
     const bool is_old =
       round > 1 && a == p.first && b == p.second && root[a].changed != round - 1 && root[b].changed != round - 1;
     if(is_old)
       return;
-    const std::int64_t na = whole[a].moments.count, nb = whole[b].moments.count;
+    const std::int64_t na = united(a).moments.count, nb = united(b).moments.count;
     if(na < nb || (na == nb && b < a)) {
       const std::uint32_t swapped = a;
       a = b;
@@ -154,12 +171,15 @@ private:
     }
     p.first = a;
     p.second = b;
-    if(a == b)
+    p.tested = round;
+    p.is_taken = 0;
+    p.key = {Union_pair::rejected, ~std::uint64_t(na + nb), mixed_ids(a, b)};
+    if(a == b || !is_own)
       return;
-    const Verdict verdict = criterion.verdict(whole[a], whole[b]);
+    const Verdict verdict = criterion.verdict(united(a), united(b));
     p.is_taken = verdict.is_taken;
-    p.key = {verdict.is_accepted ? ordered_bits(verdict.cost) : Union_pair::rejected, ~std::uint64_t(na + nb),
-             mixed_ids(a, b)};
+    if(verdict.is_accepted)
+      p.key.cost = ordered_bits(verdict.cost);
   }
 
   // The second shape joins the first one, if it has chosen the pair, and the first one has chosen it, too, or takes
@@ -170,19 +190,27 @@ private:
     if(!is_chosen(p, root[p.second]) || !(is_chosen(p, stays) || (p.is_taken && stays.takes == round)) ||
        Backend::atomic_exchange_if(target[p.second], p.second, p.first) != p.second)
       return;
-    atomic_add<Backend>(joined[p.first], whole[p.second].moments, Box());
+    atomic_add<Backend>(joined[p.first], united(p.second).moments, Box());
     Backend::atomic_max(stays.changed, round);
     Backend::atomic_add(joins[(round - 1) % 2], 1u);
   }
 
   CGAL_TANDEM_HD void fit_whole(std::int32_t round, std::size_t s) const
   {
-    root[s].chosen = Union_key();
-    if(root[s].changed != round)
+    Union_root& r = root[s];
+    r.chosen = Union_key();
+    if(r.changed != round)
       return;
-    whole[s].moments += joined[s].moments();
+    if(r.place == no_index) {
+      r.place = Backend::atomic_add(total[1], 1u);
+      whole[r.place] = shape[s];
+    }
+    Fitted_moments& m = whole[r.place];
+    m.moments += joined[s].moments();
     joined[s] = Shared_moments();
-    refit(whole[s]);
+    m.scatter = make_scatter(m.moments);
+    if(own.has(s))
+      set_fit(m, fit_plane(m.scatter));
   }
 };
 
@@ -195,14 +223,11 @@ struct Is_member {
 };
 
 struct Start_root {
-  const Shape* shape;
-  Fitted_moments* whole;
   Union_root* root;
   std::uint32_t* target;
 
   CGAL_TANDEM_HD void operator()(std::size_t s) const
   {
-    whole[s] = shape[s];
     root[s] = Union_root();
     target[s] = std::uint32_t(s);
   }
@@ -214,12 +239,12 @@ struct Start_pair {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    pair[i] = {link[i].first(), link[i].second(), Union_key(), false};
+    pair[i] = {link[i].first(), link[i].second(), Union_key(), 0, 0};
   }
 };
 
-// The unions along the links. By id: what a shape has joined, in one or more steps up to the root of its union, and the
-// moments and the plane of the union of a root. `member`: the shapes that are in a union with others, ascending.
+// The unions along the links. `member`: the shapes that are in a union with others, ascending. By id: what a shape has
+// joined, in one or more steps up to the root of its union, and the root, with the place of the union in `whole`.
 template <class Backend>
 struct Shape_unions {
   template <class T>
@@ -227,13 +252,15 @@ struct Shape_unions {
 
   Buffer<std::uint32_t> member;
   Buffer<std::uint32_t> target;
+  Buffer<Union_root> root;
   Buffer<Fitted_moments> whole;
 };
 
 // All live shapes have to be fitted. A pair may have several links. The sums of the shapes are zero before and
 // afterwards. Writes the number of rounds, if that is asked for and there are links.
 template <class Backend>
-Shape_unions<Backend> unite_shapes(Backend& backend, Shape_table<Backend>& shapes, const Joint_fit_criterion& criterion,
+Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
+                                   const Joint_fit_criterion& criterion,
                                    const typename Backend::template Buffer<Link>& links,
                                    std::uint32_t* rounds = nullptr)
 {
@@ -241,20 +268,20 @@ Shape_unions<Backend> unite_shapes(Backend& backend, Shape_table<Backend>& shape
   if(links.size() == 0)
     return unions;
   const std::size_t n = shapes.size;
-  unions.whole.reset(n);
   unions.target.reset(n);
-  typename Backend::template Buffer<Union_root> root(n);
+  unions.root.reset(n);
+  unions.whole.reset(n); // only as many are used as there are unions
   typename Backend::template Buffer<Union_pair> pair(links.size());
-  auto joins = filled_buffer(backend, 3, std::uint32_t(0));
-  for_each_shape(backend, shapes,
-                 Start_root{shapes.shape.data(), unions.whole.data(), root.data(), unions.target.data()});
+  auto counts = filled_buffer(backend, 4, std::uint32_t(0));
+  backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
-  backend.run_rounds(n, (std::max)(n, links.size()),
-                     Union_rounds<Backend>{criterion, pair.data(), links.size(), n, unions.whole.data(), root.data(),
-                                           unions.target.data(), start_deltas(backend, shapes, n), joins.data()});
+  ranks.run_unions(backend, n, (std::max)(n, links.size()),
+                   Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.shape.data(),
+                                         unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
+                                         unions.whole.data(), counts.data(), counts.data() + 2, ranks.own_share()});
   if(rounds != nullptr)
-    *rounds = to_vector(backend, joins.data() + 2, 1).front();
-  unions.member = backend.compact(n, Is_member{root.data(), unions.target.data()});
+    *rounds = to_vector(backend, counts.data() + 2, 1).front();
+  unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
   return unions;
 }
 

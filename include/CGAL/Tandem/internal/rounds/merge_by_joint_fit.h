@@ -22,10 +22,14 @@ namespace internal {
 struct Make_candidate {
   const std::uint32_t* member;
   const std::uint32_t* target; // of the unions
+  const Union_root* root;
   const Fitted_moments* whole;
   Regular_plane* candidate;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { candidate[i] = whole[root_of(target, member[i])].local; }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    candidate[i] = whole[root[root_of(target, member[i])].place].local;
+  }
 };
 
 // Members that accept the plane of their union: see join_members().
@@ -48,7 +52,8 @@ Targets<Backend> joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<B
   const std::size_t n = unions.member.size();
   typename Backend::template Buffer<Regular_plane> candidates(n);
   backend.for_each(n,
-                   Make_candidate{unions.member.data(), unions.target.data(), unions.whole.data(), candidates.data()},
+                   Make_candidate{unions.member.data(), unions.target.data(), unions.root.data(), unions.whole.data(),
+                                  candidates.data()},
                    shapes_per_thread);
   const auto shares =
     Misfit_counter<Backend>(points, shapes, options, unions.member).shares(shapes, unions.member, candidates);
@@ -76,12 +81,12 @@ Targets<Backend> merge_by_joint_fit(Labeled_cloud<Backend>& points, Shape_table<
 {
   Backend& backend = points.backend;
   const Shape_unions<Backend> unions =
-    unite_shapes(backend, shapes, {options.squared_cosine, options.maximum_distance}, links);
+    unite_shapes(backend, points.ranks, shapes, {options.squared_cosine, options.maximum_distance}, links);
   if(unions.member.size() == 0)
     return {};
   Targets<Backend> target = joint_fit_targets(points, shapes, options, unions, misfit_share);
   merge_points(points, shapes, target);
-  refit_shapes(backend, shapes);
+  refit_shapes(backend, points.ranks, shapes);
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
   return target;
 }

@@ -32,12 +32,18 @@ struct Fitted_moments {
   Regular_plane local = {}; // the local plane again
 };
 
+// The fit has to be that of the scatter.
+CGAL_TANDEM_HD inline void set_fit(Fitted_moments& m, const Fit& fit)
+{
+  m.fit = fit;
+  m.local = plane_through(fit.normal, m.scatter.centroid);
+}
+
 // Makes all that follows from the moments.
 CGAL_TANDEM_HD inline void refit(Fitted_moments& m)
 {
   m.scatter = make_scatter(m.moments);
-  m.fit = fit_plane(m.scatter);
-  m.local = plane_through(m.fit.normal, m.scatter.centroid);
+  set_fit(m, fit_plane(m.scatter));
 }
 
 // The moments are right between two passes; what is fitted to them is older while is_dirty is set. `plane`

@@ -12,6 +12,8 @@
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -159,8 +161,10 @@ typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& po
   Backend& backend = points.backend;
   typename Backend::template Buffer<std::uint8_t> is_selected(shapes.size);
   for_each_shape(backend, shapes, Select_shape{shapes.shape.data(), which == Links::all, is_selected.data()});
+  // Few of all pairs are of this process where there are many.
+  const std::size_t pairs = (std::min)(16 * shapes.size, points.cloud.size() / 8);
   std::size_t size = 1024;
-  while(size < 16 * shapes.size)
+  while(size < pairs)
     size *= 2;
   for(;; size *= 4) {
     auto table = filled_buffer(backend, size, Link());

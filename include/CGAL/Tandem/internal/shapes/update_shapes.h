@@ -13,6 +13,8 @@
 #include <CGAL/Tandem/internal/shapes/cell_shapes.h>
 #include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
+#include <limits>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -27,10 +29,24 @@ struct Refit_shape {
   }
 };
 
+// The fits of shapes, as ranks share them.
+struct Dirty_shapes {
+  Shape* shape;
+  int maximum_age;
+
+  CGAL_TANDEM_HD bool has(std::size_t id) const
+  {
+    return shape[id].is_live() && shape[id].is_dirty && shape[id].age <= maximum_age;
+  }
+  CGAL_TANDEM_HD Fitted_moments& operator[](std::size_t id) const { return shape[id]; }
+  CGAL_TANDEM_HD void close(std::size_t id) const { shape[id].is_dirty = false; }
+};
+
 // Afterwards no live shape is dirty.
 template <class Backend>
-void refit_shapes(Backend& backend, Shape_table<Backend>& shapes)
+void refit_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes)
 {
+  ranks.share_fits(shapes.size, Dirty_shapes{shapes.shape.data(), (std::numeric_limits<int>::max)()});
   for_each_shape(backend, shapes, Refit_shape{shapes.shape.data()});
 }
 
@@ -145,7 +161,7 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
     points.number_of_cells(),
     Update_points<Backend>{points.cloud.view(), points.cells.data(), points.cell_shapes.data(), points.labels(),
                            target.data(), is_checked, shapes.plane.data(), losses, tolerance});
-  points.ranks.update(points.label.data());
+  points.ranks.update_labels(points.label.data());
   if(is_checked != nullptr) {
     points.ranks.sum(losses, shapes.size);
     add_deltas(backend, shapes);
