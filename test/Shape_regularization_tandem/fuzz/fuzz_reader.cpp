@@ -62,7 +62,7 @@ std::size_t read_as_file(const std::uint8_t* bytes, std::size_t size, const char
   program::Point_set points;
   program::Input_notes notes;
   try {
-    program::read_cloud(file.path(), {}, points, notes);
+    program::read_cloud(file.path(), {}, false, points, notes);
   } catch(const std::bad_alloc&) {
     expect(false, "a small file needs more memory than there is");
   } catch(const std::exception& e) {

@@ -48,6 +48,23 @@ if(gzip)
     [ $status = 0 ] || echo built without zlib")
 endif()
 
+# --- A tile without points has an output without points, and changes nothing
+file(WRITE "${WORK_DIR}/classes.csv" "x,y,z,classification\n0,0,0,6\n1,0,0,6\n0,1,0,6\n1,1,0,2\n")
+foreach(file IN ITEMS empty none)
+  file(WRITE "${WORK_DIR}/${file}.ply" "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+       "property float z\nproperty float nx\nproperty float ny\nproperty float nz\nend_header\n")
+endforeach()
+set(run "\"$P\" --maximum-distance .01 --minimum-region-size 100 --output-directory with_empty")
+string(REPLACE ";" " " list "${tiles}")
+expect_shell(0 "warning: empty.ply: has no points\n.*normals estimated" "${run} empty.ply ${list} 2>&1")
+expect_shell(0 "^$" "for f in corner.ply Middle.XYZ seam.csv last.las; do cmp new/one/$f with_empty/$f; done")
+expect(1 "with_empty/empty.ply: has no points" with_empty/empty.ply)
+expect_shell(0 "warning: last.las: has no points of the --classes" "${run} last.las classes.csv --classes 6 2>&1")
+expect(1 "with_empty/last.las: has no points" with_empty/last.las)
+expect_shell(0 "warning: none.ply: has no points\n.*none of the inputs has points\n.*exit 1"
+             "\"$P\" empty.ply none.ply --output-directory out 2>&1 || echo exit $?")
+expect_no_file(out)
+
 # --- Names
 file(COPY "${WORK_DIR}/last.las" DESTINATION "${WORK_DIR}/folder")
 expect(2 "last.las and folder/last.las would both become out/last.las" last.las folder/last.las --output-directory out)

@@ -123,10 +123,8 @@ void read_format(const std::string& path, const Input_settings& settings, Point_
     keep_classes(settings.classes, points);
 }
 
-void check_points(const Input_settings& settings, Point_set& points)
+void check_points(Point_set& points)
 {
-  if(points.empty())
-    throw std::runtime_error(settings.classes.empty() ? "has no points" : "has no points of the --classes");
   if(std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_finite(points.point(i)); }))
     throw std::runtime_error("none of its " + std::to_string(points.size()) + " points has finite coordinates");
   // Some writers fill the fields of normals that they do not have with zeros.
@@ -200,14 +198,21 @@ void keep_attributes(Attributes kept, Point_set& points)
     points.add_normal_map();
 }
 
-void read_cloud(const std::string& path, const Input_settings& settings, Point_set& points, Input_notes& notes)
+void read_cloud(const std::string& path, const Input_settings& settings, bool may_be_empty, Point_set& points,
+                Input_notes& notes)
 {
   try {
     check_file(path);
     read_format(path, settings, points, notes);
     if(is_interrupted())
       throw Interrupted();
-    check_points(settings, points);
+    if(!points.empty())
+      return check_points(points);
+    const std::string message = settings.classes.empty() ? "has no points" : "has no points of the --classes";
+    if(!may_be_empty)
+      throw std::runtime_error(message);
+    notes.warnings.push_back(message);
+    points = Point_set(); // without properties
   } catch(const Interrupted&) {
     throw;
   } catch(const std::runtime_error& e) {
@@ -235,8 +240,9 @@ void read_clouds(const std::vector<std::string>& paths, const std::vector<std::s
     Point_set next;
     Point_set& points = first == 0 ? cloud.points : next;
     Input_notes notes;
-    read_cloud(path, settings, points, notes);
-    reduce_attributes(points, cloud);
+    read_cloud(path, settings, paths.size() > 1, points, notes);
+    if(!points.empty())
+      reduce_attributes(points, cloud);
     for(std::string& warning : notes.warnings)
       warning.insert(0, path + ": ");
     if(first > 0)

@@ -16,7 +16,8 @@
 
 namespace program {
 
-void read_cloud(const std::string& path, const Input_settings& settings, Point_set& points, Input_notes& notes);
+void read_cloud(const std::string& path, const Input_settings& settings, bool may_be_empty, Point_set& points,
+                Input_notes& notes);
 
 // What points may have beside coordinates: a bit for each.
 using Attributes = unsigned;
@@ -46,6 +47,7 @@ struct Input_cloud {
 // Finds what is wrong before any file is read. `chosen`: the places of the files to read, in increasing order.
 void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen);
 
+// Of several inputs some may have no points, which is a warning.
 void read_clouds(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen,
                  const Input_settings& settings, Input_cloud& cloud);
 

@@ -30,7 +30,7 @@ Bounds bounds_of(const Output_points& cloud)
       b.most[std::size_t(c)] = (std::max)(b.most[std::size_t(c)], p[c]);
     }
   }
-  return b;
+  return b.count > 0 ? b : Bounds{{0, 0, 0}, {0, 0, 0}};
 }
 
 double integer_of(double x, const Las_frame& frame, std::size_t c)

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -93,6 +94,8 @@ inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input,
   run.input = joined(o.inputs, o.inputs.size());
   run.short_input = joined(o.inputs, 8);
   collect_notes(o, cloud, ranks, run);
+  if(ranks.largest(double(cloud.points.size())) == 0)
+    throw std::runtime_error("none of the inputs has points");
   ranks.together([&] { keep_attributes(ranks.common_bits(cloud.of_all), cloud.points); });
 }
 
