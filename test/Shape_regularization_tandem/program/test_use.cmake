@@ -21,7 +21,7 @@ file(MAKE_DIRECTORY "${WORK_DIR}/user")
 
 if(USE STREQUAL "find_package")
   run(${CMAKE_COMMAND} -S ${TANDEM_DIR} -B ${WORK_DIR}/tandem ${common} -DTANDEM_BUILD_EXAMPLES=OFF
-      -DTANDEM_BUILD_ENGINE=OFF -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
+      -DTANDEM_BUILD_ENGINE=OFF -DTANDEM_WITH_MPI=OFF -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/tandem --target install)
   set(get_tandem "find_package(Tandem 0.1 REQUIRED)")
 elseif(USE STREQUAL "engine")
