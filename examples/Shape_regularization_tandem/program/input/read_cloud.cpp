@@ -133,18 +133,27 @@ void check_points(Point_set& points)
     points.remove_normal_map();
 }
 
-// Calls f with the bit of each attribute, its word, whether the points have it, and what removes it.
+// Calls f with the bit of each attribute, its word, whether the points have it, and what adds or removes it.
 template <class F>
 void for_each_attribute(Point_set& points, F f)
 {
   const auto visit_property = [&](Attributes bit, const char* word, const char* name, auto value) {
     using T = decltype(value);
-    f(bit, word, points.has_property_map<T>(name), [&points, name] {
-      auto map = find_property<T>(points, name);
-      points.remove_property_map(*map);
+    f(bit, word, points.has_property_map<T>(name), [&points, name](bool is_kept) {
+      if(is_kept) {
+        points.add_property_map<T>(name);
+      } else {
+        auto map = find_property<T>(points, name);
+        points.remove_property_map(*map);
+      }
     });
   };
-  f(normals_bit, "normals", points.has_normal_map(), [&points] { points.remove_normal_map(); });
+  f(normals_bit, "normals", points.has_normal_map(), [&points](bool is_kept) {
+    if(is_kept)
+      points.add_normal_map();
+    else
+      points.remove_normal_map();
+  });
   visit_property(colors_bit, "colors", color_name, Input_color());
   visit_property(intensity_bit, "intensity", intensity_name, float());
   visit_property(classification_bit, "classification", classification_name, std::uint8_t());
@@ -190,12 +199,11 @@ std::string names_of(Attributes attributes)
 
 void keep_attributes(Attributes kept, Point_set& points)
 {
-  for_each_attribute(points, [&](Attributes bit, const char*, bool is_there, auto remove) {
-    if(is_there && (kept & bit) == 0)
-      remove();
+  for_each_attribute(points, [&](Attributes bit, const char*, bool is_there, auto set) {
+    const bool is_kept = (kept & bit) != 0;
+    if(is_kept != is_there && (is_there || points.empty()))
+      set(is_kept);
   });
-  if(points.empty() && (kept & normals_bit) != 0 && !points.has_normal_map())
-    points.add_normal_map();
 }
 
 void read_cloud(const std::string& path, const Input_settings& settings, bool may_be_empty, Point_set& points,

@@ -27,7 +27,7 @@ constexpr Attributes all_attributes = normals_bit | colors_bit | intensity_bit |
 // The words for them.
 std::string names_of(Attributes attributes);
 
-// Removes the others. A cloud without points gets normals if they are kept.
+// Removes the others. A cloud without points gets those that are kept.
 void keep_attributes(Attributes kept, Point_set& points);
 
 // What one of the inputs has given.

@@ -180,7 +180,7 @@ private:
 void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input)
 {
   const Bounds bounds = bounds_of(cloud);
-  const bool is_kept = frame_of_input && has_room(*frame_of_input, bounds);
+  const bool is_kept = frame_of_input && (bounds.count == 0 || has_room(*frame_of_input, bounds));
   Las_frame frame = is_kept ? *frame_of_input : make_frame(bounds, cloud.shapes.parameters().maximum_distance);
   if(frame_of_input) {
     frame.projection = frame_of_input->projection;

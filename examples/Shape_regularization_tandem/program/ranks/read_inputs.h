@@ -94,9 +94,12 @@ inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input,
   run.input = joined(o.inputs, o.inputs.size());
   run.short_input = joined(o.inputs, 8);
   collect_notes(o, cloud, ranks, run);
-  if(ranks.largest(double(cloud.points.size())) == 0)
-    throw std::runtime_error("none of the inputs has points");
-  ranks.together([&] { keep_attributes(ranks.common_bits(cloud.of_all), cloud.points); });
+  const bool is_any = ranks.largest(double(cloud.points.size())) > 0;
+  ranks.together([&] {
+    if(!is_any)
+      throw std::runtime_error("none of the inputs has points");
+    keep_attributes(ranks.common_bits(cloud.of_all), cloud.points);
+  });
 }
 
 } // namespace program
