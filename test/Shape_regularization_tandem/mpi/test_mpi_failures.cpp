@@ -23,7 +23,6 @@
 #include <cmath>
 #include <csignal>
 #include <set>
-#include <utility>
 
 #include <malloc.h>
 
@@ -320,7 +319,7 @@ void test_lost_tables(const Ranks& ranks, int stride)
   constexpr long all = 1000000;
   tables_left() = all;
   detect_with(ranks, part, list);
-  const long tables = minimum_over(ranks, all - std::exchange(tables_left(), -1));
+  const long tables = minimum_over(ranks, all - tables_left().exchange(-1));
   CHECK_AT(tables > 200, std::to_string(tables) + " tables");
   for(long lost = 0; lost < tables; lost += 1 + stride * tables / 40)
     for(const int bad : first_and_last(ranks)) {

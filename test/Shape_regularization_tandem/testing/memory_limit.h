@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Memory that is not there: a bound on what the process may take, and a table that cannot be had.
+// Memory that is not there: a bound on what the process may take, and a table that cannot be had. To be included by one
+// source of a program, as it replaces a function of the C library.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MEMORY_LIMIT_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MEMORY_LIMIT_H
@@ -9,6 +10,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
@@ -35,13 +37,13 @@ private:
 };
 
 // How many tables can still be had before one cannot. Negative: all.
-inline long& tables_left()
+inline std::atomic<long>& tables_left()
 {
-  static long left = -1;
+  static std::atomic<long> left(-1);
   return left;
 }
 
-// The tables of the engine are from here, those of MPI are not.
+// The tables of the engine are from here; Open MPI calls other functions.
 extern "C" void* aligned_alloc(std::size_t alignment, std::size_t bytes)
 {
   if(tables_left() >= 0 && tables_left()-- == 0)

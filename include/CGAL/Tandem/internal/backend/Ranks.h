@@ -4,7 +4,8 @@
 // How the part of the cloud in this process, a rank, is connected with the parts of other ranks. Each rank has
 // consecutive cells of the sorted cloud. Rows of neighbors also refer to points of other ranks: the ghosts, which follow
 // the own points in tables of points. The table of shapes is the same on all ranks. So after a pass over the points,
-// its sums by shape are added up, and labels of ghosts are renewed; loops over shapes need nothing.
+// its sums by shape are added up, and labels of ghosts are renewed. Loops over shapes need nothing, but each rank makes
+// a share of the tests and fits.
 //
 // Here there is one process, and nothing to do. mpi/Mpi_ranks.h has the same members for many.
 
@@ -92,7 +93,7 @@ public:
   void update_all(T*) const
   {}
 
-  // The same for the labels of the loop, of which only those that have changed are sent.
+  // The same for the labels of the loop. Those of the first ring are sent only where they have changed.
   void update_labels(std::uint32_t*) const {}
   void update_all_labels(std::uint32_t*) const {}
 
@@ -117,7 +118,7 @@ public:
   }
 
   // Before fits that all ranks need: each makes its share, and gets the others. fits.has(i): one is to be made for
-  // fits[i] of the n moments; fits.close(i): it has been.
+  // fits[i] of the n moments; fits.set_made(i): it has been made.
   template <class Fits>
   void share_fits(std::size_t, const Fits&) const
   {}

@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
 
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #ifdef CGAL_TANDEM_USE_ENGINE
@@ -76,6 +77,7 @@ template <class Backend>
 std::size_t first_unconnected(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
                               std::size_t k, std::size_t shapes)
 {
+  static_assert(!Ranks<Backend>::are_many, "many ranks need the overload of mpi.h");
   const std::size_t n = in.size();
   if(n == 0)
     return shapes;

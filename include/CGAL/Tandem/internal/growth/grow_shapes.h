@@ -156,6 +156,11 @@ std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   return new_points;
 }
 
+// The fits of shapes that started in the last pass.
+struct Started_shapes : Dirty_shapes {
+  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].age == 1 && Dirty_shapes::has(id); }
+};
+
 struct Take_local_plane {
   Shape* shape;
   Plane* plane;
@@ -176,7 +181,7 @@ struct Take_local_plane {
 template <class Backend>
 void take_local_planes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
-  points.ranks.share_fits(shapes.size, Dirty_shapes{shapes.shape.data(), 1});
+  points.ranks.share_fits(shapes.size, Started_shapes{{shapes.shape.data()}});
   for_each_shape(points.backend, shapes, Take_local_plane{shapes.shape.data(), shapes.plane.data()});
 }
 

@@ -146,7 +146,7 @@ struct Receive_proposals {
   }
 };
 
-// A step of a round of a label propagation.
+// A lane of a step of rounds.
 template <class Rounds>
 struct Run_step {
   Rounds rounds;
@@ -161,7 +161,7 @@ template <class Backend, class Rounds>
 void run_step(Backend& backend, const Rounds& rounds, int step, std::size_t round, std::size_t n)
 {
   const std::size_t lanes = (std::max)((std::min)(n, std::size_t(4096)), std::size_t(1));
-  backend.for_each(lanes, Run_step<Rounds>{rounds, step, round, lanes}, lanes / 64 + 1);
+  backend.for_each(lanes, Run_step<Rounds>{rounds, step, round, lanes}, n < Rounds::few(step) ? lanes : lanes / 64 + 1);
 }
 
 template <class Rounds>
@@ -211,7 +211,7 @@ struct Put_fit {
   {
     const std::size_t number = std::size_t(of_all[i].number);
     set_fit(fits[number], of_all[i].fit);
-    fits.close(number);
+    fits.set_made(number);
   }
 };
 
@@ -223,7 +223,7 @@ struct Union_fits {
 
   CGAL_TANDEM_HD bool has(std::size_t s) const { return rounds.root[s].changed == round; }
   CGAL_TANDEM_HD Fitted_moments& operator[](std::size_t s) const { return rounds.whole[rounds.root[s].place]; }
-  CGAL_TANDEM_HD void close(std::size_t) const {}
+  CGAL_TANDEM_HD void set_made(std::size_t) const {}
 };
 
 // What the tests of a round of unions say. A pair that is not among these has been rejected.

@@ -110,7 +110,7 @@ struct Union_rounds {
         if(step != test)
           run_pair(step, std::int32_t(round + 1), pair[i]);
         else if(pair[i].first != pair[i].second)
-          test_pair(std::int32_t(round + 1), pair[i], own.has(i));
+          test_pair(std::int32_t(round + 1), i);
       });
   }
 
@@ -156,8 +156,9 @@ private:
   }
 
   // Pairs of shapes that have changed get new roots, and a new verdict if they are of the own share.
-  CGAL_TANDEM_HD void test_pair(std::int32_t round, Union_pair& p, bool is_own) const
+  CGAL_TANDEM_HD void test_pair(std::int32_t round, std::size_t i) const
   {
+    Union_pair& p = pair[i];
     std::uint32_t a = target[p.first], b = target[p.second];
     const bool is_old =
       round > 1 && a == p.first && b == p.second && root[a].changed != round - 1 && root[b].changed != round - 1;
@@ -174,7 +175,7 @@ private:
     p.tested = round;
     p.is_taken = 0;
     p.key = {Union_pair::rejected, ~std::uint64_t(na + nb), mixed_ids(a, b)};
-    if(a == b || !is_own)
+    if(a == b || !own.has(i))
       return;
     const Verdict verdict = criterion.verdict(united(a), united(b));
     p.is_taken = verdict.is_taken;
@@ -270,7 +271,7 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   const std::size_t n = shapes.size;
   unions.target.reset(n);
   unions.root.reset(n);
-  unions.whole.reset(n); // only as many are used as there are unions
+  unions.whole.reset((std::min)(n, links.size())); // a union needs a link of its own
   typename Backend::template Buffer<Union_pair> pair(links.size());
   auto counts = filled_buffer(backend, 4, std::uint32_t(0));
   backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});

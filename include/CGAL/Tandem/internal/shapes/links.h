@@ -161,7 +161,7 @@ typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& po
   Backend& backend = points.backend;
   typename Backend::template Buffer<std::uint8_t> is_selected(shapes.size);
   for_each_shape(backend, shapes, Select_shape{shapes.shape.data(), which == Links::all, is_selected.data()});
-  // Few of all pairs are of this process where there are many.
+  // Hardly more than a pair for 8 points: a bound where most shapes are on other ranks.
   const std::size_t pairs = (std::min)(16 * shapes.size, points.cloud.size() / 8);
   std::size_t size = 1024;
   while(size < pairs)

@@ -13,8 +13,6 @@
 #include <CGAL/Tandem/internal/shapes/cell_shapes.h>
 #include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
-#include <limits>
-
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -32,21 +30,17 @@ struct Refit_shape {
 // The fits of shapes, as ranks share them.
 struct Dirty_shapes {
   Shape* shape;
-  int maximum_age;
 
-  CGAL_TANDEM_HD bool has(std::size_t id) const
-  {
-    return shape[id].is_live() && shape[id].is_dirty && shape[id].age <= maximum_age;
-  }
+  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].is_live() && shape[id].is_dirty; }
   CGAL_TANDEM_HD Fitted_moments& operator[](std::size_t id) const { return shape[id]; }
-  CGAL_TANDEM_HD void close(std::size_t id) const { shape[id].is_dirty = false; }
+  CGAL_TANDEM_HD void set_made(std::size_t id) const { shape[id].is_dirty = false; }
 };
 
 // Afterwards no live shape is dirty.
 template <class Backend>
 void refit_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes)
 {
-  ranks.share_fits(shapes.size, Dirty_shapes{shapes.shape.data(), (std::numeric_limits<int>::max)()});
+  ranks.share_fits(shapes.size, Dirty_shapes{shapes.shape.data()});
   for_each_shape(backend, shapes, Refit_shape{shapes.shape.data()});
 }
 
