@@ -143,8 +143,9 @@ template <class Backend>
 Shape_unions<Backend> unite(Backend& backend, Shape_table<Backend>& shapes, const Link_list& links,
                             std::uint32_t* rounds = nullptr)
 {
-  Shape_unions<Backend> unions =
-    unite_shapes(backend, Ranks<Backend>(), shapes, criterion, to_buffer(backend, links), rounds);
+  Shape_unions<Backend> unions = unite_shapes(backend, Ranks<Backend>(), shapes, criterion, to_buffer(backend, links));
+  if(rounds != nullptr)
+    *rounds = to_vector(backend, unions.total).front();
   CHECK(std::is_sorted(unions.member.begin(), unions.member.end(), std::less_equal<std::uint32_t>()));
   for(const Shared_moments& d : shapes.delta)
     CHECK(d.count == 0 && d.sum[0] == 0 && d.low[5] == 0 && d.high[5] == 0);

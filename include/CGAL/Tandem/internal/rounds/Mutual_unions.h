@@ -245,7 +245,8 @@ struct Start_pair {
 };
 
 // The unions along the links. `member`: the shapes that are in a union with others, ascending. By id: what a shape has
-// joined, in one or more steps up to the root of its union, and the root, with the place of the union in `whole`.
+// joined, in one or more steps up to the root of its union, and the root, with the place of the union in `whole`. `total`:
+// the number of rounds, and that of the unions.
 template <class Backend>
 struct Shape_unions {
   template <class T>
@@ -255,15 +256,15 @@ struct Shape_unions {
   Buffer<std::uint32_t> target;
   Buffer<Union_root> root;
   Buffer<Fitted_moments> whole;
+  Buffer<std::uint32_t> total;
 };
 
 // All live shapes have to be fitted. A pair may have several links. The sums of the shapes are zero before and
-// afterwards. Writes the number of rounds, if that is asked for and there are links.
+// afterwards.
 template <class Backend>
 Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
                                    const Joint_fit_criterion& criterion,
-                                   const typename Backend::template Buffer<Link>& links,
-                                   std::uint32_t* rounds = nullptr)
+                                   const typename Backend::template Buffer<Link>& links)
 {
   Shape_unions<Backend> unions;
   if(links.size() == 0)
@@ -273,15 +274,14 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   unions.root.reset(n);
   unions.whole.reset((std::min)(n, links.size())); // a union needs a link of its own
   typename Backend::template Buffer<Union_pair> pair(links.size());
-  auto counts = filled_buffer(backend, 4, std::uint32_t(0));
+  auto joins = filled_buffer(backend, 2, std::uint32_t(0));
+  unions.total = filled_buffer(backend, 2, std::uint32_t(0));
   backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
   ranks.run_unions(backend, n, (std::max)(n, links.size()),
                    Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.shape.data(),
                                          unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
-                                         unions.whole.data(), counts.data(), counts.data() + 2, ranks.own_share()});
-  if(rounds != nullptr)
-    *rounds = to_vector(backend, counts.data() + 2, 1).front();
+                                         unions.whole.data(), joins.data(), unions.total.data(), ranks.own_share()});
   unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
   return unions;
 }
