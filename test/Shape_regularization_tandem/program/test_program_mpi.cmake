@@ -62,12 +62,10 @@ expect_ranks(2 1 "none of the inputs has points" class_none.ply class_1/class_no
 expect_no_file(none.txt)
 
 # --- The same bytes
-set(ranks_estimated 2 6)
-set(ranks_given 1 3)
 foreach(normals IN ITEMS estimated given)
   expect(0 "normals ${normals}.*hash" ${tiles} ${parameters} --output-directory one_${normals}
          --planes one_${normals}/planes --report one_${normals}/report)
-  foreach(n IN LISTS ranks_${normals})
+  foreach(n IN ITEMS 1 2 3 6)
     set(folder ${n}_${normals})
     set(processes "execution +[a-z]+, ${n} processes of 1 thread,")
     if(n EQUAL 1)
@@ -130,11 +128,8 @@ exit $code
 ]=])
 set(ENV{MPIEXEC} "${MPIEXEC}")
 set(ENV{P} "${PROGRAM}")
-set(ranks_KILL 1 2)
-set(ranks_INT 1)
-set(ranks_TERM 2)
 foreach(signal IN ITEMS KILL INT TERM)
-  foreach(rank IN LISTS ranks_${signal})
+  foreach(rank IN ITEMS 1 2)
     execute_process(COMMAND sh signals.sh ${signal} ${rank} WORKING_DIRECTORY "${WORK_DIR}" TIMEOUT 100
                     RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
     if(signal STREQUAL "KILL")
