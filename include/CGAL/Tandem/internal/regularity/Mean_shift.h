@@ -5,6 +5,8 @@
 // changes nothing. An index type supplies the geometry:
 //   Index(positions, radius)
 //   near(position, f)          calls f(i, squared distance) for all positions within the radius, in a fixed order
+//   near(position, reach, f)   the same within a smaller reach_of(distance), or a little more
+//   weigh(position, kernel, f) calls f(i, kernel(squared distance)) for those within the radius, in this order
 //   Index::Mean                a weighted mean, with add() and value()
 // Loops run on executor.for_each(n, f, few): f(i) for i in [0, n), on one thread if n < few.
 
@@ -78,7 +80,7 @@ public:
 
 private:
   // Loops over fewer items run on one thread.
-  static constexpr std::size_t few_densities = 1024, few_climbs = 64;
+  static constexpr std::size_t few_densities = 32, few_climbs = 8;
 
   struct Mode {
     Position position;
@@ -107,11 +109,11 @@ private:
       n, [&](std::size_t i) { d[i] = density(position[i]); }, few_densities);
     std::vector<char> is_maximum(n, 1);
     const double sigma = tuning::clustering::sigma * radius;
-    const double squared_sigma = sigma * sigma;
+    const double squared_sigma = sigma * sigma, reach = Index::reach_of(sigma);
     executor.for_each(
       n,
       [&](std::size_t i) {
-        index.near(position[i], [&](std::size_t j, double q) {
+        index.near(position[i], reach, [&](std::size_t j, double q) {
           if(q <= squared_sigma && (d[j] > d[i] || (d[j] == d[i] && j < i)))
             is_maximum[i] = 0;
         });

@@ -73,9 +73,17 @@ public:
     return dot(c, c);
   }
 
+  // |a - b| of two unit vectors whose acute angle has this sine; that of a right angle reaches all of them.
+  static double chord_of(double sine)
+  {
+    return sine < 1 ? sine * std::sqrt(2 / (1 + std::sqrt(std::fma(-sine, sine, 1.0)))) : std::sqrt(2.0);
+  }
+
+  // Queries compare chords, a little wider than that of the sine.
+  static double reach_of(double sine) { return chord_of(sine) * (1 + tuning::exactness::reach_margin); }
+
   // radius: the sine of the largest angle that a query reaches. Linear in the number of normals.
-  Direction_index(const std::vector<Vector>& normals, double radius)
-    : chord(chord_of(radius)), squared_chord(chord * chord)
+  Direction_index(const std::vector<Vector>& normals, double radius) : chord(chord_of(radius))
   {
     choose_size(normals.size());
     std::vector<Entry> entries;
@@ -93,17 +101,24 @@ public:
   template <class Function>
   void near(const Vector& normal, Function f) const
   {
-    for_each_piece(normal, [&](const Piece& piece) {
+    near(normal, chord, f);
+  }
+
+  // The same within a smaller reach: see reach_of().
+  template <class Function>
+  void near(const Vector& normal, double reach, Function f) const
+  {
+    for_each_piece(normal, reach, [&](const Piece& piece) {
       for(int k = 0; k < piece.size; ++k)
         f(piece.index[k], piece.squared_sine[k]);
     });
   }
 
-  // Calls f(i, kernel(squared sine)) for the same, in the same order.
+  // Calls f(i, kernel(squared sine)) for those within the radius, in the same order.
   template <class Kernel, class Function>
   void weigh(const Vector& normal, Kernel kernel, Function f) const
   {
-    for_each_piece(normal, [&](Piece& piece) {
+    for_each_piece(normal, chord, [&](Piece& piece) {
       for(int k = 0; k < piece.size; ++k) // a loop of its own, for vector instructions
         piece.squared_sine[k] = kernel(piece.squared_sine[k]);
       for(int k = 0; k < piece.size; ++k)
@@ -114,7 +129,7 @@ public:
 private:
   // Some of the normals near a query.
   struct Piece {
-    static constexpr int capacity = 64;
+    static constexpr int capacity = 32;
     double squared_sine[capacity];
     std::uint32_t index[capacity];
     int size;
@@ -125,42 +140,54 @@ private:
     std::uint32_t index;
   };
 
-  // Calls f(piece) for the normals within the radius. Cubes are at least as wide as the radius, so those beside the
-  // query suffice. No branch depends on a normal, as it would be mispredicted often.
-  template <class Function>
-  void for_each_piece(const Vector& normal, Function f) const
+  // The cube of a coordinate; coordinates outside have the first or the last one.
+  int slot(double c) const
   {
-    Piece piece;
-    const Vector n = rounded_normal(canonical(normal));
-    const int x = slot(n.x), y = slot(n.y), z0 = (std::max)(slot(n.z) - 1, 0), z1 = (std::min)(slot(n.z) + 1, size - 1);
-    for(int cx = (std::max)(x - 1, 0); cx <= (std::min)(x + 1, size - 1); ++cx)
-      for(int cy = (std::max)(y - 1, 0); cy <= (std::min)(y + 1, size - 1); ++cy) {
-        const std::size_t row = (std::size_t(cx) * size + cy) * size;
-        for(std::uint32_t begin = first[row + z0], end = first[row + z1 + 1]; begin < end; begin += Piece::capacity) {
-          fill(piece, n, begin, (std::min)(end, begin + Piece::capacity));
-          f(piece);
-        }
-      }
+    const int s = int((c + 1) * 0.5 * size);
+    return s < 0 ? 0 : s < size ? s : size - 1;
   }
 
-  // The normals of [begin, end), at most Piece::capacity, that are within the radius.
-  void fill(Piece& piece, const Vector& n, std::uint32_t begin, std::uint32_t end) const
+  std::size_t cube(const Vector& n) const { return (std::size_t(slot(n.x)) * size + slot(n.y)) * size + slot(n.z); }
+
+  // Calls f(piece) for the normals within the reach, some at a time. No branch depends on a normal, as it would be
+  // mispredicted often.
+  template <class Function>
+  void for_each_piece(const Vector& normal, double reach, Function f) const
   {
-    int size = 0;
-    for(std::uint32_t i = begin; i < end; ++i) {
+    Piece piece;
+    piece.size = 0;
+    const Vector n = rounded_normal(canonical(normal));
+    const double squared_reach = reach * reach, beside = reach + tuning::exactness::reach_margin;
+    const int z0 = slot(n.z - beside), z1 = slot(n.z + beside), x1 = slot(n.x + beside), y1 = slot(n.y + beside);
+    for(int cx = slot(n.x - beside); cx <= x1; ++cx)
+      for(int cy = slot(n.y - beside); cy <= y1; ++cy) {
+        const std::size_t row = (std::size_t(cx) * size + cy) * size;
+        for(std::uint32_t i = first[row + z0], end = first[row + z1 + 1]; i < end;) {
+          i = fill(piece, n, squared_reach, i, end);
+          if(piece.size == Piece::capacity) {
+            f(piece);
+            piece.size = 0;
+          }
+        }
+      }
+    f(piece);
+  }
+
+  // Appends the normals of [begin, end) that are within reach, until the piece may be full. Returns where it ends.
+  std::uint32_t fill(Piece& piece, const Vector& n, double squared_reach, std::uint32_t begin, std::uint32_t end) const
+  {
+    const std::uint32_t room = std::uint32_t(Piece::capacity - piece.size);
+    const std::uint32_t last = end - begin < room ? end : begin + room;
+    int size = piece.size;
+    for(std::uint32_t i = begin; i < last; ++i) {
       const Vector d = n - sorted[i].normal;
       const double q = rounded_dot(d, d);
       piece.index[size] = sorted[i].index;
       piece.squared_sine[size] = q * (1 - 0.25 * q);
-      size += int(q <= squared_chord);
+      size += int(q <= squared_reach);
     }
     piece.size = size;
-  }
-
-  // |a - b| of two unit vectors whose acute angle has this sine; that of a right angle reaches all of them.
-  static double chord_of(double sine)
-  {
-    return sine < 1 ? sine * std::sqrt(2 / (1 + std::sqrt(std::fma(-sine, sine, 1.0)))) : std::sqrt(2.0);
+    return last;
   }
 
   // Cubes at least as wide as the radius, but not many more than four a normal.
@@ -171,10 +198,6 @@ private:
       ++maximum;
     size = chord * maximum > 2 ? (std::max)(1, int(2 / chord)) : maximum;
   }
-
-  int slot(double c) const { return (std::min)((std::max)(int((c + 1) * 0.5 * size), 0), size - 1); }
-
-  std::size_t cube(const Vector& n) const { return (std::size_t(slot(n.x)) * size + slot(n.y)) * size + slot(n.z); }
 
   void sort_into_cubes(const std::vector<Entry>& entries)
   {
@@ -189,7 +212,7 @@ private:
       sorted[next[cube(e.normal)]++] = e;
   }
 
-  double chord, squared_chord;
+  double chord;
   int size;
   std::vector<std::uint32_t> first;
   std::vector<Entry> sorted;

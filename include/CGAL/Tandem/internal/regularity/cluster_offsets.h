@@ -38,6 +38,8 @@ public:
 
   static double squared_distance(double a, double b) { return (a - b) * (a - b); }
 
+  static double reach_of(double distance) { return distance * (1 + tuning::exactness::reach_margin); }
+
   Offset_index(const std::vector<double>& offsets, double radius) : radius(radius)
   {
     for(std::size_t i = 0; i < offsets.size(); ++i)
@@ -49,8 +51,15 @@ public:
   template <class Function>
   void near(double x, Function f) const
   {
-    auto i = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(x - radius, std::size_t(0)));
-    for(; i != sorted.end() && i->first <= x + radius; ++i)
+    near(x, radius, f);
+  }
+
+  // The same within a smaller reach.
+  template <class Function>
+  void near(double x, double reach, Function f) const
+  {
+    auto i = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(x - reach, std::size_t(0)));
+    for(; i != sorted.end() && i->first <= x + reach; ++i)
       f(i->second, squared_distance(x, i->first));
   }
 
