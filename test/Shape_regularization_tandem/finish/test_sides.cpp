@@ -41,14 +41,15 @@ private:
       expected_normal[i] = choice.second;
       moved += expected[i] != f_.label[i];
     }
-    backend_.for_each(n, Choose_side{view, chosen.data(), normal.data()});
+    const auto edge = edge_points(backend_, view);
+    backend_.for_each(n, Keep_label{view.label, chosen.data()});
+    backend_.for_each(edge.size(), Choose_side{view, edge.data(), chosen.data(), normal.data()});
     check_lists(chosen, expected, name_ + ": sides");
-    check_lists(normal, expected_normal, name_ + ": normals of the sides");
     CHECK_AT(n < 100 || moved > 20, name_ + ": points that change sides: " + std::to_string(moved));
     std::vector<Grid_point> point = f_.point;
-    backend_.for_each(n, Take_normals{normal.data(), point.data()});
+    backend_.for_each(edge.size(), Take_normals{edge.data(), normal.data(), point.data()});
     for(std::uint32_t i = 0; i < n; ++i)
-      CHECK_AT(point[i].normal == normal[i] && point[i].x == f_.point[i].x, name_ + ": normals that are taken");
+      CHECK_AT(point[i].normal == expected_normal[i] && point[i].x == f_.point[i].x, name_ + ": normals of the sides");
   }
 
   // The plane of the points of the own shape around, for points with a neighbor in another one.
@@ -71,8 +72,12 @@ private:
       expected[i] = of_shape == no_normal ? expected[i] : of_shape;
       fitted += of_shape != no_normal;
     }
-    backend_.for_each(n, Fit_to_shape{view, normal.data()});
-    check_lists(normal, expected, name_ + ": normals of one shape");
+    const auto edge = edge_points(backend_, view);
+    backend_.for_each(edge.size(), Fit_to_shape{view, edge.data(), normal.data()});
+    std::vector<Grid_point> point = f_.point;
+    backend_.for_each(edge.size(), Take_normals{edge.data(), normal.data(), point.data()});
+    for(std::uint32_t i = 0; i < n; ++i)
+      CHECK_AT(point[i].normal == expected[i], name_ + ": normals of one shape");
     CHECK_AT(n < 100 || fitted > 100, name_ + ": normals of one shape: " + std::to_string(fitted));
   }
 

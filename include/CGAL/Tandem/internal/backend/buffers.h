@@ -53,6 +53,13 @@ auto to_vector(Backend& backend, const Buffer& buffer)
   return to_vector(backend, buffer.data(), buffer.size());
 }
 
+// A predicate of compactions.
+struct Is_marked {
+  const std::uint8_t* mark;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return mark[i] != 0; }
+};
+
 struct Write_place {
   const std::uint32_t* id;
   std::uint32_t* place;

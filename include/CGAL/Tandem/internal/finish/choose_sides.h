@@ -114,7 +114,42 @@ private:
   }
 };
 
-// For each labeled point: the shape on whose side it lies, and its next normal. Labels and normals are only read, so
+// Marks the points with a neighbor beyond an edge of their shape.
+struct Mark_edge {
+  Edge_view view;
+  std::uint8_t* is_at_edge;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t s = view.label[i];
+    const std::uint32_t* row = view.cloud.row(std::uint32_t(i));
+    bool is_marked = false;
+    for(int j = 0; s < first_mark && !is_marked && j < view.cloud.k && row[j] != no_index; ++j)
+      is_marked = view.is_edge(s, view.label[row[j]]);
+    is_at_edge[i] = is_marked;
+  }
+};
+
+// These points, ascending. They are few and take long, so the functors below have them without the others between.
+template <class Backend>
+typename Backend::template Buffer<std::uint32_t> edge_points(Backend& backend, const Edge_view& view)
+{
+  typename Backend::template Buffer<std::uint8_t> is_at_edge(view.cloud.size);
+  backend.for_each(is_at_edge.size(), Mark_edge{view, is_at_edge.data()});
+  return backend.compact(is_at_edge.size(), Is_marked{is_at_edge.data()});
+}
+
+// So many of these points are worth a thread.
+constexpr std::size_t edge_points_per_thread = 128;
+
+struct Keep_label {
+  const std::uint32_t* label;
+  std::uint32_t* chosen;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { chosen[i] = label[i]; }
+};
+
+// For each point at an edge: the shape on whose side it lies, and its next normal. Labels and normals are only read, so
 // the order of points does not matter.
 //
 // Two half-planes end at an edge. A point that is displaced by noise is as likely to be from one as from the other
@@ -122,25 +157,39 @@ private:
 // and beyond it. On which sides of each other the shapes lie is seen from the points around.
 struct Choose_side {
   Edge_view view;
-  std::uint32_t* chosen; // by point: its next label ...
-  std::uint32_t* normal; // ... and its next normal
+  const std::uint32_t* edge; // the points
+  std::uint32_t* chosen;     // by point: its next label ...
+  std::uint32_t* normal;     // ... and by place in the list its next normal
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
-    const std::uint32_t i = std::uint32_t(at), s = view.label[i];
+    const std::uint32_t i = edge[at], s = view.label[i];
     const std::uint32_t* row = view.cloud.row(i);
     chosen[i] = s;
-    normal[i] = view.cloud.point[i].normal;
-    for(int j = 0; s < first_mark && j < view.cloud.k && row[j] != no_index; ++j) {
+    normal[at] = view.cloud.point[i].normal;
+    for(int j = next_shape(row, 0, s, s); j < view.cloud.k; j = next_shape(row, j + 1, s, chosen[i])) {
       const std::uint32_t t = view.label[row[j]];
-      if(t == s || !view.is_edge(chosen[i], t) || !is_first(row, j) || !is_beyond(i, chosen[i], t))
+      if(!is_beyond(i, chosen[i], t))
         continue;
       chosen[i] = t;
-      normal[i] = view.cloud.point[row[j]].normal; // it fits the plane of t, as the neighbor does
+      normal[at] = view.cloud.point[row[j]].normal; // it fits the plane of t, as the neighbor does
     }
   }
 
 private:
+  // The first neighbor from the j-th on of a shape beyond an edge of the chosen one, other than s, that no nearer
+  // neighbor has; k if there is none. In a loop of its own, since is_beyond() takes long: lanes that run together have
+  // their neighbors first.
+  CGAL_TANDEM_HD int next_shape(const std::uint32_t* row, int j, std::uint32_t s, std::uint32_t chosen_shape) const
+  {
+    for(; j < view.cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t t = view.label[row[j]];
+      if(t != s && view.is_edge(chosen_shape, t) && is_first(row, j))
+        return j;
+    }
+    return view.cloud.k;
+  }
+
   // Whether no nearer neighbor has the label of the j-th one.
   CGAL_TANDEM_HD bool is_first(const std::uint32_t* row, int j) const
   {
@@ -170,40 +219,27 @@ private:
   }
 };
 
-// For each point near an edge of its shape: the normal of the plane through the points of its shape around. Other
-// points, and those where they determine no plane, keep their normal.
+// For each point at an edge: the normal of the plane through the points of its shape around. Where they determine none,
+// it keeps its normal.
 struct Fit_to_shape {
   Edge_view view;
-  std::uint32_t* normal; // by point: its next normal
+  const std::uint32_t* edge; // the points
+  std::uint32_t* normal;     // by place in the list: the next normal
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
-    const std::uint32_t i = std::uint32_t(at), s = view.label[i];
-    normal[i] = view.cloud.point[i].normal;
-    if(s >= first_mark || !is_at_edge(i, s))
-      return;
-    const std::uint32_t fitted = view.normal_of_shape(i, s);
-    if(fitted != no_normal)
-      normal[i] = fitted;
-  }
-
-private:
-  CGAL_TANDEM_HD bool is_at_edge(std::uint32_t i, std::uint32_t s) const
-  {
-    const std::uint32_t* row = view.cloud.row(i);
-    for(int j = 0; j < view.cloud.k && row[j] != no_index; ++j)
-      if(view.is_edge(s, view.label[row[j]]))
-        return true;
-    return false;
+    const std::uint32_t i = edge[at], fitted = view.normal_of_shape(i, view.label[i]);
+    normal[at] = fitted != no_normal ? fitted : view.cloud.point[i].normal;
   }
 };
 
 // In a loop of its own, since neighbors read the normals while new ones are found.
 struct Take_normals {
+  const std::uint32_t* edge;
   const std::uint32_t* normal;
   Grid_point* point;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { point[i].normal = normal[i]; }
+  CGAL_TANDEM_HD void operator()(std::size_t at) const { point[edge[at]].normal = normal[at]; }
 };
 
 // Computed from the labels before. All labeled points fit the planes of their shapes, which are rounded in the table;
@@ -213,12 +249,13 @@ void choose_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
-  typename Backend::template Buffer<std::uint32_t> chosen(n), normal(n);
   points.ranks.update_all_labels(points.label.data());
-  backend.for_each(n, Choose_side{{points.cloud.view(), points.label.data(), shapes.plane.data(), tolerance},
-                                  chosen.data(),
-                                  normal.data()});
-  backend.for_each(n, Take_normals{normal.data(), points.cloud.point.data()});
+  const Edge_view view = {points.cloud.view(), points.label.data(), shapes.plane.data(), tolerance};
+  const auto edge = edge_points(backend, view);
+  typename Backend::template Buffer<std::uint32_t> chosen(n), normal(edge.size());
+  backend.for_each(n, Keep_label{points.label.data(), chosen.data()});
+  backend.for_each(edge.size(), Choose_side{view, edge.data(), chosen.data(), normal.data()}, edge_points_per_thread);
+  backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
   points.ranks.update_all(points.cloud.point.data());
   take_chosen(points, shapes, chosen.data());
 }
@@ -229,12 +266,12 @@ void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Bac
                            const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
-  const std::size_t n = points.cloud.size();
-  typename Backend::template Buffer<std::uint32_t> normal(n);
   points.ranks.update_all_labels(points.label.data());
-  backend.for_each(
-    n, Fit_to_shape{{points.cloud.view(), points.label.data(), shapes.plane.data(), tolerance}, normal.data()});
-  backend.for_each(n, Take_normals{normal.data(), points.cloud.point.data()});
+  const Edge_view view = {points.cloud.view(), points.label.data(), shapes.plane.data(), tolerance};
+  const auto edge = edge_points(backend, view);
+  typename Backend::template Buffer<std::uint32_t> normal(edge.size());
+  backend.for_each(edge.size(), Fit_to_shape{view, edge.data(), normal.data()}, edge_points_per_thread);
+  backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
   points.ranks.update_all(points.cloud.point.data());
 }
 

@@ -37,13 +37,6 @@ struct Mark_border {
   }
 };
 
-// The predicate of the compaction.
-struct Is_marked {
-  const std::uint8_t* mark;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return mark[i] != 0; }
-};
-
 // The entries of `border` that lie in each cell, by binary search: they ascend, and so do the cells.
 struct Find_cell_borders {
   const Range* cells;

@@ -65,44 +65,56 @@ struct Count_distances {
   }
 };
 
-// Where the smoothed histogram has its highest peak, in epsilons; of equal peaks the first one. 0 unless it is clearly
+// The histogram of a shape, smoothed at a bin.
+CGAL_TANDEM_HD inline std::int64_t smoothed(const std::uint64_t* histogram, int bin)
+{
+  constexpr tuning::layers::Kernel kernel = tuning::layers::kernel;
+  std::int64_t sum = kernel.weight[0] * std::int64_t(histogram[bin]);
+  for(int distance = 1; distance < kernel.size; ++distance) {
+    const std::int64_t before = bin >= distance ? std::int64_t(histogram[bin - distance]) : 0;
+    const std::int64_t after = bin + distance < tuning::layers::bins ? std::int64_t(histogram[bin + distance]) : 0;
+    sum += kernel.weight[distance] * (before + after);
+  }
+  return sum;
+}
+
+struct Smooth_histograms {
+  const std::uint64_t* histogram;
+  std::int64_t* density;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    constexpr std::size_t bins = tuning::layers::bins;
+    density[i] = smoothed(histogram + i / bins * bins, int(i % bins));
+  }
+};
+
+// Where a smoothed histogram has its highest peak, in epsilons; of equal peaks the first one. 0 unless it is clearly
 // higher than the middle, or the shape is known to be crooked. No bin has its center at 0, so 0 means no layer.
-CGAL_TANDEM_HD inline double find_layer(const std::uint64_t* histogram, bool is_crooked)
+CGAL_TANDEM_HD inline double find_layer(const std::int64_t* density, bool is_crooked)
 {
   constexpr int bins = tuning::layers::bins;
-  constexpr tuning::layers::Kernel kernel = tuning::layers::kernel;
   constexpr tuning::Share peak_height = tuning::layers::peak_height;
-  const auto density = [&](int bin) {
-    std::int64_t sum = kernel.weight[0] * std::int64_t(histogram[bin]);
-    for(int distance = 1; distance < kernel.size; ++distance) {
-      const std::int64_t before = bin >= distance ? std::int64_t(histogram[bin - distance]) : 0;
-      const std::int64_t after = bin + distance < bins ? std::int64_t(histogram[bin + distance]) : 0;
-      sum += kernel.weight[distance] * (before + after);
-    }
-    return sum;
-  };
-  const std::int64_t middle = (density(bins / 2 - 1) + density(bins / 2)) / 2;
+  const std::int64_t middle = (density[bins / 2 - 1] + density[bins / 2]) / 2;
   std::int64_t highest = 0;
   int peak = 0;
-  for(int bin = 0; bin < bins; ++bin) {
-    const std::int64_t height = density(bin);
-    if(height > highest) {
-      highest = height;
+  for(int bin = 0; bin < bins; ++bin)
+    if(density[bin] > highest) {
+      highest = density[bin];
       peak = bin;
     }
-  }
   return is_crooked || peak_height.is_reached(highest, middle) ? (peak + 0.5) / tuning::layers::bins_per_distance - 2
                                                                : 0;
 }
 
 struct Find_layer {
-  const std::uint64_t* histogram;
+  const std::int64_t* density;
   const std::uint8_t* is_crooked;
   double* layer;
 
   CGAL_TANDEM_HD void operator()(std::size_t h) const
   {
-    layer[h] = find_layer(histogram + h * tuning::layers::bins, is_crooked[h] != 0);
+    layer[h] = find_layer(density + h * tuning::layers::bins, is_crooked[h] != 0);
   }
 };
 
@@ -121,8 +133,10 @@ std::vector<double> find_layers(Labeled_cloud<Backend>& points, std::size_t ids,
                                                        histogram_of.data(), test.data(), counts.data(), epsilon});
   points.ranks.sum(counts.data(), counts.size());
   const auto crooked = to_buffer(backend, is_crooked);
+  typename Backend::template Buffer<std::int64_t> density(counts.size());
   typename Backend::template Buffer<double> layer(n);
-  backend.for_each(n, Find_layer{counts.data(), crooked.data(), layer.data()}, shapes_per_thread);
+  backend.for_each(density.size(), Smooth_histograms{counts.data(), density.data()});
+  backend.for_each(n, Find_layer{density.data(), crooked.data(), layer.data()}, shapes_per_thread);
   return to_vector(backend, layer);
 }
 
