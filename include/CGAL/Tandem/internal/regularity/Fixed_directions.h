@@ -258,11 +258,17 @@ public:
   {
     if(known == 0 || !(group.sine > 0))
       return known;
-    index.search(region, [&](int i) {
+    const auto consider = [&](int i) {
       const Fixed_direction& p = fixed[i];
       if(std::size_t(i) < known && std::fabs(rounded_dot(p.rounded, rounded_fit)) < (std::min)(p.sine, group.sine))
         region.add(std::size_t(i), p.root_of_weight * score_of(p.direction));
-    });
+    };
+    constexpr std::size_t few = 128; // to look at all of them takes less time than a search
+    if(known <= few)
+      for(std::size_t i = 0; i < known; ++i)
+        consider(int(i));
+    else
+      index.search(region, consider);
     return region.best_or(known);
   }
 

@@ -126,17 +126,23 @@ private:
            cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
   }
 
-  // The master and its followers turned by 90 degrees onto it, fitted as one (equation 1 of the paper).
-  Direction_group joint_group(const Star& star) const
+  // The direction of a star: of the master and its followers, turned by 90 degrees onto it, fitted as one (equation 1 of
+  // the paper).
+  Vector joint_direction(const Star& star) const
   {
-    Direction_group joint = groups[star.master];
+    const Direction_group& master = groups[star.master];
+    if(star.followers.empty())
+      return fixed.chained(master);
+    Direction_group joint;
+    joint.sine = master.sine;
+    joint.matrix = master.matrix;
+    joint.weight = master.weight;
     for(int l : star.followers) {
-      joint.matrix = joint.matrix + turned(groups[l].matrix, groups[l].fitted, groups[star.master].fitted);
+      joint.matrix = joint.matrix + turned(groups[l].matrix, groups[l].fitted, master.fitted);
       joint.weight += groups[l].weight;
     }
-    if(!star.followers.empty())
-      joint.fit();
-    return joint;
+    joint.fit();
+    return fixed.chained(joint);
   }
 
   // Fixes the directions of a star: master, followers orthogonal to it, pairs of followers. Followers that are chained
@@ -145,9 +151,8 @@ private:
   void place(const Star& star, const Executor& executor)
   {
     fixed.begin_star();
-    const Vector n = groups[star.master].is_given
-                       ? groups[star.master].direction
-                       : fixed.fix(groups[star.master], fixed.chained(joint_group(star)), {0, 0, 0});
+    const Vector n = groups[star.master].is_given ? groups[star.master].direction
+                                                  : fixed.fix(groups[star.master], joint_direction(star), {0, 0, 0});
     std::vector<Vector> follower(star.followers.size());
     std::vector<char> is_fixed(star.followers.size());
     executor.for_each(

@@ -66,7 +66,9 @@ public:
     std::vector<Mode> found(start.size());
     executor.for_each(
       start.size(), [&](std::size_t s) { found[s] = climb(start[s]); }, few_climbs);
-    std::stable_sort(found.begin(), found.end(), [](const Mode& a, const Mode& b) { return a.density > b.density; });
+    std::sort(found.begin(), found.end(), [](const Mode& a, const Mode& b) {
+      return a.density != b.density ? a.density > b.density : a.start < b.start;
+    });
     return without_weaker(found);
   }
 
@@ -85,6 +87,7 @@ private:
   struct Mode {
     Position position;
     double density;
+    std::size_t start;
   };
 
   // Calls f(i, kernel) for what is within reach. The exponent q / (2 sigma^2) of a squared distance q is
@@ -140,13 +143,15 @@ private:
       if(moved <= small)
         break;
     }
-    return {x, density(x)};
+    return {x, density(x), start};
   }
 
   // The modes, by falling density, without those within the radius of a kept one.
   std::vector<Position> without_weaker(const std::vector<Mode>& sorted) const
   {
     std::vector<Position> all, kept;
+    all.reserve(sorted.size());
+    kept.reserve(sorted.size());
     for(const Mode& m : sorted)
       all.push_back(m.position);
     const Index modes(all, radius);

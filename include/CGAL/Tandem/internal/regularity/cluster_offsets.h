@@ -42,9 +42,11 @@ public:
 
   Offset_index(const std::vector<double>& offsets, double radius) : radius(radius)
   {
+    sorted.reserve(offsets.size());
     for(std::size_t i = 0; i < offsets.size(); ++i)
       sorted.push_back({offsets[i], i});
-    std::sort(sorted.begin(), sorted.end());
+    if(!std::is_sorted(sorted.begin(), sorted.end())) // those of bins are
+      std::sort(sorted.begin(), sorted.end());
   }
 
   // Calls f(i, squared distance) for the offsets within the radius.
@@ -83,10 +85,13 @@ inline std::vector<std::vector<int>> cluster_offsets(const std::vector<double>& 
   // Close offsets are gathered in bins of a sixteenth of the radius. The cost of the mean shift then depends on the
   // number of different offsets. A wall with a thousand windows has few.
   std::vector<std::pair<double, int>> order;
+  order.reserve(offsets.size());
   for(std::size_t i = 0; i < offsets.size(); ++i)
     order.push_back({offsets[i], int(i)});
   std::sort(order.begin(), order.end());
   std::vector<double> bin_offset, bin_weight;
+  bin_offset.reserve(order.size());
+  bin_weight.reserve(order.size());
   for(std::size_t i = 0, j; i < order.size(); i = j) {
     Offset_index::Mean mean(order[i].first);
     double weight = 0;
