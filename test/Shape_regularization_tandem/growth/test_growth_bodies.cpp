@@ -333,12 +333,14 @@ private:
     std::vector<Sample> sample(f_.cloud.size);
     const Cells_view view = f_.parts_view(parts);
     std::vector<Range> range(f_.cells.size() * parts);
-    std::uint32_t samples = 0;
-    backend_.template for_each_cell<Count_scratch>(
-      range.size(), Collect_samples<Backend>{f_.cloud, view, f_.label.data(), place_of.data(), mask.data(),
-                                             sample.data(), &samples, range.data()});
-    check_equal(samples, std::uint32_t(place.size() - std::count(place.begin(), place.end(), no_index)),
-                name_ + ": samples");
+    const auto expected_samples = std::uint32_t(place.size() - std::count(place.begin(), place.end(), no_index));
+    for(Sample* memory : {static_cast<Sample*>(nullptr), sample.data()}) { // first they are only counted
+      std::uint32_t samples = 0;
+      backend_.template for_each_cell<Count_scratch>(
+        range.size(), Collect_samples<Backend>{f_.cloud, view, f_.label.data(), place_of.data(), mask.data(), memory,
+                                               &samples, range.data()});
+      check_equal(samples, expected_samples, name_ + ": samples");
+    }
     check_samples(view, place, sample, range);
     backend_.template for_each_cell<Count_scratch>(
       range.size(), Count_misfits<Backend>{view, sample.data(), range.data(), place_of.data(), query_of.data(),
@@ -406,8 +408,21 @@ private:
     };
     Misfit_counter<Backend> counter(points, shapes, options, ids);
     check_lists(shares(counter), expected, name_ + ": shares of misfits");
-    CHECK_AT(f_.cloud.size < 100 || std::count(expected.begin(), expected.end(), 0.) < long(id.size()),
-             name_ + ": no share of misfits");
+
+    // In a large cloud there is memory for the samples only.
+    points.sample.reset(0);
+    Shape_table<Backend> same_shapes;
+    same_shapes.size = shape.size();
+    same_shapes.shape = to_buffer(backend_, shape);
+    Misfit_counter<Backend> counter_of_large(points, same_shapes, options, ids, 0);
+    const auto share = counter_of_large.shares(same_shapes, ids, candidates);
+    check_lists(to_vector(backend_, share), expected, name_ + ": shares of misfits in a large cloud");
+    std::size_t samples = 0;
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+      samples += std::size_t(std::count_if(id.begin(), id.end(), [&](std::uint32_t s) {
+        return f_.label[i] == s && (i & sample_mask(shape[s].moments.count)) == 0;
+      }));
+    check_equal(points.sample.size(), samples, name_ + ": memory for samples");
 
     // Of nearly the same points the last share is taken; otherwise they are counted again.
     for(std::size_t i = 0; i < id.size(); ++i) {

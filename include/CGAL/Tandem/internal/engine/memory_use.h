@@ -33,7 +33,7 @@ inline std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
 {
   constexpr std::size_t cell = 3584;                // lists, links, sums of new shapes
   const std::size_t cells = 4 * cell / p.cell_size; // many are far from full
-  return cloud_bytes_per_point(p.k_neighbors) + (has_normals ? 44 : 108) + cells + 1;
+  return cloud_bytes_per_point(p.k_neighbors) + (has_normals ? 34 : 108) + cells + 1;
 }
 
 } // namespace internal

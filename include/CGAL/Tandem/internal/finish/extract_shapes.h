@@ -197,6 +197,7 @@ private:
     backend_.for_each(n, Write_shapes{component.data(), number.data(), order(), shape_of.data()});
     component.release();
     number.release();
+    label_.release();
     take_points(backend_, std::move(shape_of), components.size(), result);
   }
 

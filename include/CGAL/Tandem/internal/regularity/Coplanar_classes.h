@@ -55,7 +55,7 @@ public:
 
 private:
   // Loops over fewer directions run on one thread: more would cost more time than they save.
-  static constexpr std::size_t few_directions = 8;
+  static constexpr std::size_t few_directions = 16;
 
   // Shapes of one direction that share a plane. A shape is in one class at most.
   struct Class {

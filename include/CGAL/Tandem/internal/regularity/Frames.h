@@ -94,7 +94,7 @@ public:
 
 private:
   // Loops over fewer followers run on one thread.
-  static constexpr std::size_t few_followers = 16;
+  static constexpr std::size_t few_followers = 64;
 
   std::vector<int> by_weight() const
   {

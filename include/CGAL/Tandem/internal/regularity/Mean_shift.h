@@ -82,7 +82,7 @@ public:
 
 private:
   // Loops over fewer items run on one thread.
-  static constexpr std::size_t few_densities = 32, few_climbs = 8;
+  static constexpr std::size_t few_densities = 128, few_climbs = 24;
 
   struct Mode {
     Position position;

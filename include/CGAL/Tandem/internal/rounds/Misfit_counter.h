@@ -20,7 +20,8 @@ namespace Tandem {
 namespace internal {
 
 // Copies the points that may be counted, those of a cell to one range. Ranges and points come in any order, which does
-// not change the counts. Each cell is passed twice: its points have to be counted before its range is known.
+// not change the counts. Each cell is passed twice: its points have to be counted before its range is known. Without
+// memory for the samples they are only counted.
 template <class Backend>
 struct Collect_samples {
   Cloud_view cloud;
@@ -28,9 +29,9 @@ struct Collect_samples {
   const std::uint32_t* label;
   const std::uint32_t* place_of; // by shape: its place among the tested ones, or no_index
   const std::uint32_t* mask;     // by place
-  Sample* sample;
-  std::uint32_t* size; // of all
-  Range* range;        // by part of a cell: where its samples are, in any order
+  Sample* sample;                // or null
+  std::uint32_t* size;           // of all
+  Range* range;                  // by part of a cell: where its samples are, in any order
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Count_scratch& scratch, std::uint32_t c) const
@@ -50,6 +51,8 @@ struct Collect_samples {
       place = Backend::atomic_add(*size, count);
       range[c] = {place, place + count};
     });
+    if(sample == nullptr)
+      return;
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at, p = selected_place(i);
       if(p != no_index)
@@ -162,14 +165,18 @@ class Misfit_counter {
   using Buffer = typename Backend::template Buffer<T>;
 
 public:
+  // Few of the points of a large cloud are samples, so they are counted before memory is taken. For a smaller one,
+  // memory for all points takes less time.
+  static constexpr std::size_t large_cloud = std::size_t(1) << 24;
+
   // ids: the shapes that may be tested; their places in this list are those below. Points keep their labels until the
   // last test.
   Misfit_counter(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
-                 const Buffer<std::uint32_t>& ids)
+                 const Buffer<std::uint32_t>& ids, std::size_t large = large_cloud)
     : points_(points), options_(options), tested_(ids.size())
   {
     if(tested_ > 0)
-      collect_samples(shapes, ids);
+      collect_samples(shapes, ids, large);
   }
 
   // The misfits of each query. query_of: by place, no_index for shapes that are not tested.
@@ -206,21 +213,27 @@ public:
   }
 
 private:
-  // Memory for all points, as the number of samples is not known before.
-  void collect_samples(const Shape_table<Backend>& shapes, const Buffer<std::uint32_t>& ids)
+  void collect_samples(const Shape_table<Backend>& shapes, const Buffer<std::uint32_t>& ids, std::size_t large)
   {
     Backend& backend = points_.backend;
-    if(points_.sample.size() == 0)
-      points_.sample.reset(points_.cloud.size());
     range_.reset(points_.number_of_parts());
     place_of_ = places_of(backend, shapes.size, ids);
     Buffer<std::uint32_t> mask(tested_);
     backend.for_each(tested_, Choose_mask{shapes.shape.data(), ids.data(), mask.data()});
     auto size = filled_buffer(backend, 1, std::uint32_t(0));
-    backend.template for_each_cell<Count_scratch>(
-      points_.number_of_parts(),
-      Collect_samples<Backend>{points_.cloud.view(), points_.parts_view(), points_.label.data(), place_of_.data(),
-                               mask.data(), points_.sample.data(), size.data(), range_.data()});
+    Collect_samples<Backend> collect = {points_.cloud.view(), points_.parts_view(), points_.label.data(),
+                                        place_of_.data(),     mask.data(),          nullptr,
+                                        size.data(),          range_.data()};
+    std::size_t maximum = points_.cloud.size();
+    if(maximum > large) {
+      backend.template for_each_cell<Count_scratch>(points_.number_of_parts(), collect);
+      maximum = to_vector(backend, size)[0];
+      backend.for_each(1, Fill<std::uint32_t>{size.data(), 0});
+    }
+    if(points_.sample.size() < maximum)
+      points_.sample.reset(maximum);
+    collect.sample = points_.sample.data();
+    backend.template for_each_cell<Count_scratch>(points_.number_of_parts(), collect);
   }
 
   void count_samples(const std::uint32_t* query_of, const Misfit_query* query, std::size_t queries,

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -163,22 +164,25 @@ inline Device_buffer<Grid_point> import_points_cuda(Cuda_backend& backend, Impor
   return point;
 }
 
-// Keys for the sort of points by shape. Points without a shape come last, since -1 has the largest bits.
+// Keys for the sort of points by shape. Points without a shape come last.
+template <class Key>
 struct Write_pairs {
   const std::int32_t* shape_of;
-  std::uint32_t* key;
+  std::uint32_t shapes;
+  Key* key;
   std::uint32_t* position;
 
   __device__ void operator()(std::size_t i) const
   {
-    key[i] = std::uint32_t(shape_of[i]);
+    key[i] = Key(min(std::uint32_t(shape_of[i]), shapes));
     position[i] = std::uint32_t(i);
   }
 };
 
 // Where the points of each shape begin; item `shapes` is where those of the last one end.
+template <class Key>
 struct Find_first {
-  const std::uint32_t* key;
+  const Key* key;
   std::uint32_t size;
   std::uint32_t* first; // of each shape
 
@@ -188,30 +192,47 @@ struct Find_first {
   }
 };
 
-// By a stable sort, so points ascend within each shape. bits_of(shapes) bits are enough: the lowest bits of -1 are
-// larger than every number of a shape. Copies the lists and the labels to the host, by several threads.
+// Points by shape: where those of each begin, on the host, and all that have one, in f(positions, how many). By a
+// stable sort, so points ascend within each shape.
+template <class Key, class F>
+void sort_by_shape(Cuda_backend& backend, const Device_buffer<std::int32_t>& shape_of,
+                   std::vector<std::uint32_t>& first, F f)
+{
+  const std::size_t n = shape_of.size(), shapes = first.size() - 1;
+  Device_buffer<Key> keys[2] = {Device_buffer<Key>(n), Device_buffer<Key>(n)};
+  Device_buffer<std::uint32_t> positions[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
+  backend.for_each(n, Write_pairs<Key>{shape_of.data(), std::uint32_t(shapes), keys[0].data(), positions[0].data()});
+  cub::DoubleBuffer<Key> key(keys[0].data(), keys[1].data());
+  cub::DoubleBuffer<std::uint32_t> position(positions[0].data(), positions[1].data());
+  sort_pairs(key, position, n, bits_of(shapes));
+  Device_buffer<std::uint32_t> found(first.size());
+  backend.for_each(first.size(), Find_first<Key>{key.Current(), std::uint32_t(n), found.data()});
+  backend.to_host(found.data(), first.size(), first.data());
+  f(position.Current(), first.back());
+}
+
+// Copies the lists and the labels to the host, by several threads. Short keys, where there are not too many shapes:
+// this is the stage that needs most memory.
 inline void group_points_cuda(Cuda_backend& backend, Device_buffer<std::int32_t>&& shape_of, std::size_t shapes,
                               Engine_result& result)
 {
   const std::size_t n = shape_of.size();
-  Device_buffer<std::uint32_t> keys[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
-  Device_buffer<std::uint32_t> positions[2] = {Device_buffer<std::uint32_t>(n), Device_buffer<std::uint32_t>(n)};
-  backend.for_each(n, Write_pairs{shape_of.data(), keys[0].data(), positions[0].data()});
-  cub::DoubleBuffer<std::uint32_t> key(keys[0].data(), keys[1].data());
-  cub::DoubleBuffer<std::uint32_t> position(positions[0].data(), positions[1].data());
-  sort_pairs(key, position, n, bits_of(shapes));
   std::vector<std::uint32_t> first(shapes + 1);
-  Device_buffer<std::uint32_t> found(shapes + 1);
-  backend.for_each(shapes + 1, Find_first{key.Current(), std::uint32_t(n), found.data()});
-  backend.to_host(found.data(), first.size(), first.data());
-  Host_buffer<std::uint32_t> grouped(first.back());
+  Host_buffer<std::uint32_t> grouped;
   Host_buffer<std::int32_t> table(n);
-  grouped.keep_pages();
   table.keep_pages();
-  // The pinned copies have streams of their own, so the sort has to end first.
-  synchronize();
-  empty_pinned_pieces({{position.Current(), grouped.data(), grouped.size() * sizeof(std::uint32_t)},
-                       {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
+  const auto copy = [&](const std::uint32_t* positions, std::size_t size) {
+    grouped.reset(size);
+    grouped.keep_pages();
+    // The pinned copies have streams of their own, so the sort has to end first.
+    synchronize();
+    empty_pinned_pieces({{positions, grouped.data(), size * sizeof(std::uint32_t)},
+                         {shape_of.data(), table.data(), n * sizeof(std::int32_t)}});
+  };
+  if(shapes <= (std::numeric_limits<std::uint16_t>::max)())
+    sort_by_shape<std::uint16_t>(backend, shape_of, first, copy);
+  else
+    sort_by_shape<std::uint32_t>(backend, shape_of, first, copy);
   result.points = {std::vector<std::size_t>(first.begin(), first.end()), std::move(grouped)};
   result.shape_of = std::move(table);
 }
