@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The operations of the back end on the device, and the table of links, which all lanes fill at the same time.
+// The operations of the back end on the device, the table of links, which all lanes fill at the same time, and the
+// grouping of points by shape.
 
 #undef NDEBUG
 
@@ -9,11 +10,36 @@
 #include "testing/backend_operations.h"
 #include "testing/link_sets.h"
 
+#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_tables.cuh>
+#include <CGAL/Tandem/internal/finish/group_points.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <random>
 
 using namespace CGAL::Tandem::internal;
+
+// The same groups as on the host. Some points have no shape, and some shapes no point. More shapes than keys of 16 bits
+// can tell need longer ones.
+bool groups_as_host(Cuda_backend& cuda, std::size_t points, std::size_t shapes)
+{
+  std::mt19937 random(std::uint32_t(points + shapes));
+  std::vector<std::int32_t> shape_of(points);
+  for(std::int32_t& s : shape_of)
+    s = random() % 4 == 0 ? -1 : std::int32_t(random() % (shapes + 1)) - 1;
+  if(points > 0 && shapes > 0)
+    shape_of.back() = std::int32_t(shapes) - 1;
+  Sequential_backend host;
+  const Point_groups expected = group_points(host, shape_of.data(), points, shapes);
+  Engine_result result;
+  group_points_cuda(cuda, to_buffer(cuda, shape_of), shapes, result);
+  return result.points.first == expected.first && result.shape_of.size() == points &&
+         std::equal(shape_of.begin(), shape_of.end(), result.shape_of.begin()) &&
+         result.points.position.size() == expected.position.size() &&
+         std::equal(expected.position.begin(), expected.position.end(), result.points.position.begin());
+}
 
 int main()
 {
@@ -23,6 +49,11 @@ int main()
   std::vector<std::string> wrong = Backend_operations<Cuda_backend>(cuda).run();
   for(const std::string& what : Link_sets<Cuda_backend>(cuda).run())
     wrong.push_back(what);
+  for(std::size_t points : {std::size_t(0), std::size_t(1), std::size_t(200000)})
+    for(std::size_t shapes :
+        {std::size_t(0), std::size_t(1), std::size_t(65535), std::size_t(65536), std::size_t(70000)})
+      if(!groups_as_host(cuda, points, shapes))
+        wrong.push_back(std::to_string(points) + " points of " + std::to_string(shapes) + " shapes");
   for(const std::string& what : wrong)
     std::fprintf(stderr, "wrong: %s\n", what.c_str());
   std::printf("%zu failures\n", wrong.size());

@@ -264,13 +264,13 @@ struct All_fixed {
   }
 };
 
-// Stars of 1 to 8 groups, fixed in turn in both ways.
-void test_partners()
+// Stars of 1 to 8 groups, fixed in turn in both ways. few: so many are looked at one by one, more are searched.
+void test_partners(std::size_t few)
 {
   std::size_t chained = 0, merged = 0;
   for_each_family(300, 12, [&](const std::string& name, Random& random, const Directions& d) {
     const double squared_rms = 1 + 100 * random.uniform();
-    Fixed_directions fixed(squared_rms);
+    Fixed_directions fixed(squared_rms, few);
     All_fixed all = {squared_rms, 0, {}};
     const bool is_small = random.below(2) == 0;
     for(std::size_t i = 0; i < d.size();) {
@@ -378,6 +378,58 @@ void check_growth(const std::string& name, double most, const std::function<std:
   }
 }
 
+// Queries of the Gauss map: all normals within a chord, with their squared sines, each once. Those of smaller reach are
+// a part of the others, in the same order.
+void test_queries()
+{
+  using Found = std::vector<std::pair<std::size_t, double>>;
+  std::size_t within = 0, largest = 0;
+  for_each_family(200, 2, [&](const std::string& name, Random& random, Directions d) {
+    for(const Vector& axis : {Vector{1, 0, 0}, Vector{0, -1, 0}, Vector{0, 0, 1}, unit({1, 1e-9, 0}), unit({1, 1, 0})})
+      d.push_back(axis);
+    for(double sine : {1e-9, .01, .14, .5, .7, 1.}) {
+      const Direction_index index(d, sine);
+      for(int q = 0; q < 40; ++q) {
+        const Vector query = q % 2 == 0 ? d[std::size_t(random.below(int(d.size())))] : random.direction();
+        const auto near = [&](double chord) {
+          Found found;
+          index.near(query, chord, [&](std::size_t i, double q2) { found.push_back({i, q2}); });
+          return found;
+        };
+        const double chord = Direction_index::chord_of(sine);
+        const Found all = near(chord);
+        Found expected, sorted = all, smaller, weighed, filtered;
+        for(std::size_t i = 0; i < d.size(); ++i) {
+          const Vector a = rounded_normal(canonical(query)), b = rounded_normal(canonical(d[i]));
+          for(const Vector& n : {b, -b}) {
+            const double q2 = rounded_dot(a - n, a - n);
+            if(q2 <= chord * chord && (n == b || b.z <= chord))
+              expected.push_back({i, q2 * (1 - .25 * q2)});
+          }
+        }
+        std::sort(expected.begin(), expected.end());
+        std::sort(sorted.begin(), sorted.end());
+        CHECK_AT(sorted == expected, name + ": normals within " + std::to_string(sine));
+        const double reach = Direction_index::reach_of(sine / 3);
+        smaller = near(reach);
+        for(const auto& f : all)
+          if(f.second <= reach * reach * (1 - .25 * (reach * reach)))
+            filtered.push_back(f);
+        CHECK_AT(smaller == filtered, name + ": normals within a third of " + std::to_string(sine));
+        index.weigh(
+          query, [](double q2) { return q2; },
+          [&](std::size_t i, double q2) {
+            weighed.push_back({i, q2});
+          });
+        CHECK_AT(weighed == all, name + ": weights within " + std::to_string(sine));
+        within += all.size();
+        largest = (std::max)(largest, all.size());
+      }
+    }
+  });
+  check(within > 10000 && largest > 100, "normals that are found", double(within));
+}
+
 void test_work()
 {
   check_growth("cells and directions", 40, count_of_pairs);
@@ -394,7 +446,9 @@ int main()
 {
   test_pairs();
   test_stars();
-  test_partners();
+  test_partners(0);
+  test_partners(Fixed_directions::few_directions);
+  test_queries();
   test_work();
   return report();
 }

@@ -10,6 +10,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>
 #include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
@@ -48,7 +49,7 @@ CGAL_TANDEM_HD inline bool are_aligned(const Plane& a, const Plane& b, std::int6
   return cosine * cosine >= squared_cosine;
 }
 
-// The tables that both functors below read, and how they look around a point.
+// The tables that the functors below read, and how they look around a point.
 struct Edge_view {
   Cloud_view cloud;
   const std::uint32_t* label;
@@ -130,7 +131,7 @@ struct Mark_edge {
   }
 };
 
-// These points, ascending. They are few and take long, so the functors below have them without the others between.
+// These points, ascending. They are few and take long, so the functors below run over this list, not over all points.
 template <class Backend>
 typename Backend::template Buffer<std::uint32_t> edge_points(Backend& backend, const Edge_view& view)
 {
@@ -165,15 +166,16 @@ struct Choose_side {
   {
     const std::uint32_t i = edge[at], s = view.label[i];
     const std::uint32_t* row = view.cloud.row(i);
-    chosen[i] = s;
-    normal[at] = view.cloud.point[i].normal;
-    for(int j = next_shape(row, 0, s, s); j < view.cloud.k; j = next_shape(row, j + 1, s, chosen[i])) {
+    std::uint32_t best = s, best_normal = view.cloud.point[i].normal;
+    for(int j = next_shape(row, 0, s, s); j < view.cloud.k; j = next_shape(row, j + 1, s, best)) {
       const std::uint32_t t = view.label[row[j]];
-      if(!is_beyond(i, chosen[i], t))
+      if(!is_beyond(i, best, t))
         continue;
-      chosen[i] = t;
-      normal[at] = view.cloud.point[row[j]].normal; // it fits the plane of t, as the neighbor does
+      best = t;
+      best_normal = view.cloud.point[row[j]].normal; // it fits the plane of t, as the neighbor does
     }
+    chosen[i] = best;
+    normal[at] = best_normal;
   }
 
 private:

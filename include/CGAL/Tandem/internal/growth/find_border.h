@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_FIND_BORDER_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_FIND_BORDER_H
 
+#include <CGAL/Tandem/internal/backend/buffers.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
 namespace CGAL {

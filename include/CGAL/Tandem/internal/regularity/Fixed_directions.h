@@ -186,8 +186,12 @@ private:
 // their weights.
 class Fixed_directions {
 public:
+  // To look at so few directions takes less time than a search.
+  static constexpr std::size_t few_directions = 128;
+
   // squared_rms: what a chain may add to the mean squared distance of the points (steps^2).
-  explicit Fixed_directions(double squared_rms) : squared_rms(squared_rms) {}
+  explicit Fixed_directions(double squared_rms, std::size_t few = few_directions) : squared_rms(squared_rms), few(few)
+  {}
 
   // Begins a star. Directions that are fixed until the next call are those of one star, and are not used for its chain.
   void begin_star() { known = fixed.size(); }
@@ -263,7 +267,6 @@ public:
       if(std::size_t(i) < known && std::fabs(rounded_dot(p.rounded, rounded_fit)) < (std::min)(p.sine, group.sine))
         region.add(std::size_t(i), p.root_of_weight * score_of(p.direction));
     };
-    constexpr std::size_t few = 128; // to look at all of them takes less time than a search
     if(known <= few)
       for(std::size_t i = 0; i < known; ++i)
         consider(int(i));
@@ -295,6 +298,7 @@ private:
   }
 
   double squared_rms;
+  std::size_t few;
   std::size_t known = 0; // directions of earlier stars
   std::vector<Fixed_direction> fixed;
   Great_circle_index index; // of all fixed directions

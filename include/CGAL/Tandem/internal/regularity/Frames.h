@@ -133,7 +133,7 @@ private:
     const Direction_group& master = groups[star.master];
     if(star.followers.empty())
       return fixed.chained(master);
-    Direction_group joint;
+    Direction_group joint = {};
     joint.sine = master.sine;
     joint.matrix = master.matrix;
     joint.weight = master.weight;

@@ -5,7 +5,7 @@
 // changes nothing. An index type supplies the geometry:
 //   Index(positions, radius)
 //   near(position, f)          calls f(i, squared distance) for all positions within the radius, in a fixed order
-//   near(position, reach, f)   the same within a smaller reach_of(distance), or a little more
+//   near(position, reach, f)   the same within reach_of(distance), for a smaller distance; some may be a little farther
 //   weigh(position, kernel, f) calls f(i, kernel(squared distance)) for those within the radius, in this order
 //   Index::Mean                a weighted mean, with add() and value()
 // Loops run on executor.for_each(n, f, few): f(i) for i in [0, n), on one thread if n < few.

@@ -45,7 +45,7 @@ public:
     sorted.reserve(offsets.size());
     for(std::size_t i = 0; i < offsets.size(); ++i)
       sorted.push_back({offsets[i], i});
-    if(!std::is_sorted(sorted.begin(), sorted.end())) // those of bins are
+    if(!std::is_sorted(sorted.begin(), sorted.end())) // offsets of bins are
       std::sort(sorted.begin(), sorted.end());
   }
 

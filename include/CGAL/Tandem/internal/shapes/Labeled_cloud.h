@@ -72,7 +72,7 @@ struct Border {
 };
 
 // Tables of the size of the cloud, or of its cells, in the memory of the back end. Labels and states take 5 bytes a
-// point, samples 20 while they are in use. The passes change lists, proposals, labels, states and samples only.
+// point, samples 20 each while they are in use. The passes change lists, proposals, labels, states and samples only.
 template <class Backend>
 struct Labeled_cloud {
   template <class T>

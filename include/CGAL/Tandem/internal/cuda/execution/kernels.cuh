@@ -52,7 +52,7 @@ constexpr unsigned select_lanes = 1024;
 constexpr std::size_t items_of_one_block = 32768; // more are left to CUB, which takes several launches
 
 // The i in [0, n) with is_kept(i), ascending, and their number. By one block: each lane has some consecutive items at a
-// time, so that what they read is on its way together.
+// time, so that its reads overlap.
 template <class F>
 __global__ void __launch_bounds__(select_lanes)
   select_items(std::uint32_t n, const F is_kept, std::uint32_t* kept, std::int64_t* size)
