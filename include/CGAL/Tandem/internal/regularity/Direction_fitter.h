@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/regularity/Axis_symmetry.h>
 #include <CGAL/Tandem/internal/regularity/Frames.h>
+#include <CGAL/Tandem/internal/regularity/cluster_directions.h>
 #include <CGAL/Tandem/internal/regularity/Direction_joiner.h>
 
 namespace CGAL {

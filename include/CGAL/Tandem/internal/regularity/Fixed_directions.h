@@ -8,7 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 
-#include <CGAL/Tandem/internal/regularity/cluster_directions.h>
+#include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/constrained_fit.h>
 

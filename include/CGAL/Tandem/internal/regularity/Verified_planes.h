@@ -11,7 +11,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_VERIFIED_PLANES_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_VERIFIED_PLANES_H
 
-#include <CGAL/Tandem/internal/regularity/cluster_directions.h>
+#include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 namespace CGAL {

@@ -8,7 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
 
 #include <CGAL/Shape_regularization_tandem/Parameters.h>
-#include <CGAL/Tandem/internal/regularity/cluster_directions.h>
+#include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
