@@ -28,7 +28,7 @@ inline std::size_t host_bytes_per_point(int k, const Import& in)
          (in.has_normals ? labels + end_game : neighborhoods);
 }
 
-// In the largest stage of a device: the tests of planes, or the grouping of the points with keys of 32 bits. Small cells
+// In the largest stage of a device: the tests of planes, or the grouping of points with keys of 32 bits. Small cells
 // cost more a point, as the tables of a cell do not depend on its points.
 inline std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
 {

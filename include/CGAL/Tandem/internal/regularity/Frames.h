@@ -126,7 +126,7 @@ private:
            cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
   }
 
-  // The direction of a star: of the master and its followers, turned by 90 degrees onto it, fitted as one (equation 1 of
+  // The direction of a star: the master and its followers, turned by 90 degrees onto it, fitted as one (equation 1 of
   // the paper).
   Vector joint_direction(const Star& star) const
   {
