@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The LAS files that detect_planes writes: the grid of coordinates is fine for the distances, wherever the cloud is, and the
-# coordinate system is declared as what it is. PROGRAM is tested in WORK_DIR.
+# The LAS files that detect_planes writes: the grid of coordinates is fine for the distances, wherever the cloud is, and
+# the coordinate system is declared as what it is. PROGRAM is tested in WORK_DIR.
 
 cmake_minimum_required(VERSION 3.19)
 
@@ -19,7 +19,8 @@ file(WRITE "${WORK_DIR}/bare.txt" "${bare}")
 
 # --- The grid. Clouds of several sizes: around the origin, beside it, on one side of it, and far away.
 macro(expect_grid size place)
-  expect_shell(0 "^$" "awk '{ for(i = 1; i < 4; ++i) printf \"%.17g \", ($i + ${place}) * ${size}; print \"\" }' bare.txt > placed.txt
+  set(placed "{ print ($1 + p) * s, ($2 + p) * s, ($3 + p) * s }")
+  expect_shell(0 "^$" "awk -v OFMT=%.17g -v p=${place} -v s=${size} '${placed}' bare.txt > placed.txt
     \"$P\" placed.txt --maximum-distance $(awk 'BEGIN { print 0.004 * ${size} }') --output placed.las --quiet &&
     ${cases} grid placed.las $(awk 'BEGIN { print 0.004 * ${size} }') placed.txt")
 endmacro()
@@ -30,7 +31,8 @@ foreach(size IN ITEMS 1e-6 1e-3 1 3000 4e6)
 endforeach()
 # As wide as the integers allow for that step
 file(WRITE "${WORK_DIR}/wide.txt" "-340000 0 0\n340000 0 0\n${bare}")
-expect_shell(0 "^$" "\"$P\" wide.txt --maximum-distance 0.8 --output wide.las --quiet && ${cases} grid wide.las 0.8 wide.txt")
+expect_shell(0 "^$" "\"$P\" wide.txt --maximum-distance 0.8 --output wide.las --quiet &&
+  ${cases} grid wide.las 0.8 wide.txt")
 
 # The grid of an input is kept for its points, not for finer ones of other inputs.
 file(WRITE "${WORK_DIR}/fine.txt" "0.1234567 0.2345678 0.3456789\n")

@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Texts that detect_planes refuses since they would be read as others: commas within numbers, lines that end in a carriage
-# return alone, and lines without an end. PROGRAM is tested in WORK_DIR.
+# Texts that detect_planes refuses since they would be read as others: commas within numbers, lines that end in a
+# carriage return alone, and lines without an end. PROGRAM is tested in WORK_DIR.
 
 cmake_minimum_required(VERSION 3.19)
 
@@ -91,7 +91,8 @@ foreach(format IN LISTS tables)
   configure_file("${WORK_DIR}/plain" "${WORK_DIR}/plain.${format}" COPYONLY)
 endforeach()
 foreach(format IN ITEMS ${tables} off ply pcd)
-  expect_shell(0 "points +${n}" "sed 's/$/\\r/' plain.${format} > crlf.${format}; exec \"$P\" crlf.${format} --maximum-distance .004")
+  expect_shell(0 "points +${n}"
+               "sed 's/$/\\r/' plain.${format} > crlf.${format}; exec \"$P\" crlf.${format} --maximum-distance .004")
   expect_shell(1 "cr.${format}: row 1 ends in a carriage return alone"
                "tr '\\n' '\\r' < plain.${format} > cr.${format}; exec \"$P\" cr.${format}")
   expect_shell(1 "note.${format}: row 1 ends in a carriage return alone"

@@ -14,7 +14,7 @@ namespace program {
 
 constexpr std::size_t longest_line = 65536; // in bytes. Longer ones are no text, and would fill the memory
 
-inline const std::string carriage_return_alone =
+constexpr const char* carriage_return_alone =
   "ends in a carriage return alone (end lines with a line feed: tr '\\r' '\\n' < FILE)";
 
 [[noreturn]] inline void fail_at_row(std::size_t row, const std::string& reason)
