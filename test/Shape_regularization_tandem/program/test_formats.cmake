@@ -135,7 +135,7 @@ file(WRITE "${WORK_DIR}/comma.csv" "1,5;2,5;3,5\n")
 expect(1 "less.xyz: row 1729 has 2 values instead of 3" less.xyz)
 expect(1 "more.xyz: row 1729 has more than 3 values" more.xyz)
 expect(1 "word.xyz: row 1729 has 'three' where the number z is expected" word.xyz)
-expect(1 "comma.csv: row 1 has commas and semicolons" comma.csv)
+expect(1 "comma.csv: row 1 is neither a point.*with a decimal point" comma.csv)
 file(WRITE "${WORK_DIR}/cube.e57" "ASTM-E57")
 expect(1 "cube.e57: E57 is not read; convert it" cube.e57)
 
@@ -175,7 +175,7 @@ if(python3)
   expect_shell(1 "cut.pcd: is truncated: ${n} points announced" "head -c 9000 binary.pcd > cut.pcd; exec \"$P\" cut.pcd")
   expect_shell(1 "cut.pcd: is truncated: [0-9]+ compressed" "head -c 9000 compressed.pcd > cut.pcd
     exec \"$P\" cut.pcd")
-  expect_shell(1 "cut.pcd: (unreadable after point|is truncated)" "head -c 9000 text.pcd > cut.pcd
+  expect_shell(1 "cut.pcd: (unreadable after point|is truncated|row [0-9]+ has)" "head -c 9000 text.pcd > cut.pcd
     exec \"$P\" cut.pcd")
 endif()
 file(WRITE "${WORK_DIR}/text.las" "LAST\n${cube}")

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <streambuf>
 #include <string>
+#include <string_view>
 
 namespace program {
 
@@ -45,6 +46,14 @@ public:
   std::uint64_t position() const { return position_of_file - std::uint64_t(egptr() - gptr()); }
 
   std::uint64_t left() const { return behind - position(); }
+
+  // Those in the buffer, one at least unless the file ends. skip() passes over them.
+  std::string_view bytes_at_hand()
+  {
+    if(gptr() == egptr())
+      underflow();
+    return {gptr(), std::size_t(egptr() - gptr())};
+  }
 
   // At most as many bytes as are left.
   void skip(std::uint64_t bytes)

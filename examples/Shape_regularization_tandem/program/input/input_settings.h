@@ -21,11 +21,14 @@ struct Input_settings {
   std::vector<int> classes;    // only these points; empty: all
 };
 
+// How a LAS file describes its coordinate system.
+enum class Projection { none, geotiff, wkt };
+
 // The coordinates of a LAS file are integers times a scale, plus an offset.
 struct Las_frame {
   std::array<double, 3> scale, offset;
-  std::vector<std::string> projection; // the records of the coordinate system, with their headers
-  bool is_wkt = false;                 // the way it is written in them
+  std::vector<std::string> records; // of the coordinate system, with their headers
+  Projection projection = Projection::none;
 };
 
 // What the reading found out, for people and for the outputs.

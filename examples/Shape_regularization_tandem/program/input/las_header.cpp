@@ -27,7 +27,6 @@ Las_frame read_frame(const char* bytes)
     if(!std::isfinite(frame.scale[i]) || frame.scale[i] == 0 || !std::isfinite(frame.offset[i]))
       throw std::runtime_error("the LAS header has no scale or no offset of the coordinates");
   }
-  frame.is_wkt = (number_at<std::uint16_t>(bytes + 6) & 16) != 0;
   return frame;
 }
 
@@ -42,8 +41,21 @@ void check_point_format(const Las_header& h)
                              std::to_string(h.point_format) + " needs " + std::to_string(least[h.point_format]));
 }
 
+// What the records hold. If that is both, the flag of the header says which to use.
+Projection projection_of(const std::vector<std::string>& records, bool is_declared_wkt)
+{
+  constexpr std::uint16_t wkt = 2112, geotiff_keys = 34735;
+  const auto has = [&records](std::uint16_t id) {
+    return std::any_of(records.begin(), records.end(),
+                       [id](const std::string& r) { return number_at<std::uint16_t>(r.data() + 18) == id; });
+  };
+  if(has(wkt) && (is_declared_wkt || !has(geotiff_keys)))
+    return Projection::wkt;
+  return has(geotiff_keys) ? Projection::geotiff : Projection::none;
+}
+
 // The records that tell the coordinate system. What comes after a damaged one is left out.
-std::vector<std::string> read_projection(Input_buffer& in, std::uint32_t count, std::uint64_t end)
+std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std::uint64_t end)
 {
   std::vector<std::string> records;
   for(; count > 0 && in.position() + record_header <= end; --count) {
@@ -94,8 +106,10 @@ Las_header read_las_header(Input_buffer& in)
   if(h.first_point < header_size)
     throw std::runtime_error("the points of the LAS file begin in its header");
   in.skip((std::min)(in.left(), header_size - in.position()));
-  h.frame.projection =
-    read_projection(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left()));
+  h.frame.records =
+    read_records(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left()));
+  constexpr std::uint16_t wkt_bit = 16;
+  h.frame.projection = projection_of(h.frame.records, (number_at<std::uint16_t>(bytes + 6) & wkt_bit) != 0);
   return h;
 }
 

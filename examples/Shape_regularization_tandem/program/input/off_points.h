@@ -7,9 +7,8 @@
 #ifndef DETECT_PLANES_OFF_POINTS_H
 #define DETECT_PLANES_OFF_POINTS_H
 
-#include "input/Input_buffer.h"
+#include "input/Text_lines.h"
 
-#include <istream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -24,22 +23,31 @@ inline std::size_t checked_count(long long n, const char* items)
 }
 
 // The next row that is neither empty nor a comment.
-inline bool next_row(std::istream& in, std::string& row)
+inline bool next_row(Text_lines& lines)
 {
-  while(std::getline(in, row)) {
-    const std::size_t first = row.find_first_not_of(" \t\r\v\f");
-    if(first != std::string::npos && row[first] != '#')
+  while(lines.next_filled())
+    if(lines.row().text[first_not_blank(lines.row().text)] != '#')
       return true;
-  }
   return false;
 }
 
-inline std::size_t count_rows(std::istream& in, std::size_t most)
+inline std::size_t count_rows(Text_lines& lines, std::size_t most)
 {
-  std::string row;
   std::size_t count = 0;
-  while(count < most && next_row(in, row))
+  while(count < most && next_row(lines))
     ++count;
+  return count;
+}
+
+// Numbers are separated by blanks.
+inline std::size_t count_points(Text_lines& lines, std::size_t most)
+{
+  std::size_t count = 0;
+  for(; count < most && next_row(lines); ++count) {
+    const std::string_view text = lines.row().text;
+    if(text.substr(0, text.find('#')).find(',') != text.npos)
+      fail_at_row(lines.row().number, "has a comma (write numbers with a decimal point, and blanks between them)");
+  }
   return count;
 }
 
@@ -47,26 +55,26 @@ inline std::size_t count_rows(std::istream& in, std::size_t most)
 inline Point_data find_off_points(Byte_source& file)
 {
   Input_buffer in(file);
-  std::istream stream(&in);
-  std::string row, word;
-  next_row(stream, row);
-  std::istringstream words(row);
+  Text_lines lines(in);
+  std::string word;
+  next_row(lines);
+  std::istringstream words(lines.row().text);
   if(!(words >> word) || (word != "OFF" && word != "NOFF"))
     throw std::runtime_error("the first word is not OFF or NOFF");
   if((words >> std::ws).eof()) {
-    next_row(stream, row);
-    words = std::istringstream(row);
+    next_row(lines);
+    words = std::istringstream(lines.row().text);
   }
   long long points = 0, faces = 0, edges = 0;
   if(!(words >> points >> faces >> edges))
     throw std::runtime_error("the numbers of points, faces and edges are missing");
   Point_data data{word + '\n' + std::to_string(points) + " 0 0\n", {in.position(), 0}, checked_count(points, "points")};
-  const std::size_t rows = count_rows(stream, data.count);
+  const std::size_t rows = count_points(lines, data.count);
   data.body.last = in.position();
   if(rows < data.count)
     throw std::runtime_error("is truncated: " + std::to_string(data.count) + " points announced, " +
                              std::to_string(rows) + " rows found");
-  if(count_rows(stream, checked_count(faces, "faces")) < std::size_t(faces))
+  if(count_rows(lines, checked_count(faces, "faces")) < std::size_t(faces))
     throw std::runtime_error("is truncated: less rows of faces than announced");
   return data;
 }

@@ -123,12 +123,11 @@ void check_coordinates(const Pcd_header& header)
 
 } // namespace
 
-Pcd_header read_pcd_header(std::istream& in)
+Pcd_header read_pcd_header(Text_lines& text)
 {
   Lines lines;
-  char text[4096];
-  while(in.getline(text, sizeof text)) {
-    std::istringstream line(text);
+  while(text.next()) {
+    std::istringstream line(text.row().text);
     std::string key;
     if(!(line >> key) || key[0] == '#')
       continue;

@@ -6,8 +6,9 @@
 #ifndef DETECT_PLANES_PCD_HEADER_H
 #define DETECT_PLANES_PCD_HEADER_H
 
+#include "input/Text_lines.h"
+
 #include <cstdint>
-#include <istream>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,7 @@ struct Pcd_header {
 };
 
 // Up to the line DATA.
-Pcd_header read_pcd_header(std::istream& in);
+Pcd_header read_pcd_header(Text_lines& text);
 
 } // namespace program
 

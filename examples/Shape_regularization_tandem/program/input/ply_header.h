@@ -7,6 +7,8 @@
 #ifndef DETECT_PLANES_PLY_HEADER_H
 #define DETECT_PLANES_PLY_HEADER_H
 
+#include "input/Text_lines.h"
+
 #include <cstdint>
 #include <istream>
 #include <map>
@@ -80,15 +82,18 @@ inline void parse_ply_property(std::istream& words, Ply_header& header)
   header.elements.back().properties.push_back(p);
 }
 
-inline Ply_header read_ply_header(std::istream& in)
+inline Ply_header read_ply_header(Text_lines& lines)
 {
+  constexpr std::size_t most_bytes = 1 << 20;
   Ply_header header;
-  char line[4096];
   std::string keyword;
-  if(!in.getline(line, sizeof line) || !(std::istringstream(line) >> keyword) || keyword != "ply")
+  if(!lines.next() || !(std::istringstream(lines.row().text) >> keyword) || keyword != "ply")
     throw std::runtime_error("is not a PLY file (the first line is not 'ply')");
-  while(in.getline(line, sizeof line)) {
-    std::istringstream words(line);
+  for(std::size_t bytes = 0; lines.next();) {
+    bytes += lines.row().text.size() + 1;
+    if(bytes > most_bytes)
+      throw std::runtime_error("the PLY header has more than " + std::to_string(most_bytes) + " bytes, the limit");
+    std::istringstream words(lines.row().text);
     if(!(words >> keyword))
       throw std::runtime_error("the PLY header has an empty line");
     if(header.format.empty() && keyword != "format")

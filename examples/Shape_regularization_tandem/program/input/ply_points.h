@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <istream>
 #include <stdexcept>
 #include <string>
 
@@ -39,9 +38,7 @@ inline std::uint64_t largest_value(const std::string& integer_type)
   return (std::uint64_t(1) << bits) - 1;
 }
 
-inline bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-inline void skip_blanks(std::streambuf& in)
+inline void skip_blanks_of(std::streambuf& in)
 {
   for(int c = in.sgetc(); is_blank(c); c = in.snextc())
     ;
@@ -52,8 +49,10 @@ class Ply_scanner {
 public:
   Ply_scanner(Input_buffer& in, const Ply_header& header) : in(in), header(header) {}
 
-  void skip(const Ply_header::Element& element)
+  // `are_points`: each row is stored later, so that it has a limit, as the lines of other texts have.
+  void skip(const Ply_header::Element& element, bool are_points)
   {
+    is_limited = are_points;
     const std::uint64_t item = least_item_size(element, header.is_ascii());
     if(item == 0)
       return;
@@ -73,7 +72,7 @@ public:
   void check_end()
   {
     if(header.is_ascii() || in.left() <= 2) // some programs end binary files with a new line, too
-      skip_blanks(in);
+      skip_blanks_of(in);
     if(in.left() > 0)
       throw std::runtime_error("is longer than its header says: " + std::to_string(in.left()) +
                                " bytes follow the last element (correct the numbers of items in the header, or add "
@@ -90,7 +89,7 @@ private:
       else
         skip_bytes(element, count * ply_type_size(p.type));
     }
-    if(header.is_ascii() && !is_end_of_line())
+    if(header.is_ascii() && !is_end_of_line(element))
       throw std::runtime_error(place(element) + " has more values than the header says (add the property that is "
                                                 "missing there)");
   }
@@ -108,9 +107,9 @@ private:
 
   std::uint64_t read_text_count(const Ply_header::Element& element)
   {
-    skip_blanks(in);
+    skip_blanks(element);
     std::string word;
-    for(int c = in.sgetc(); word.size() < 20 && c != eof && !is_blank(c); c = in.snextc())
+    for(int c = in.sgetc(); word.size() < 20 && c != eof && !is_blank(c); c = next_byte(element))
       word += char(c);
     std::uint64_t count = 0;
     const auto end = std::from_chars(word.data(), word.data() + word.size(), count);
@@ -134,11 +133,33 @@ private:
   void skip_words(const Ply_header::Element& element, std::uint64_t count)
   {
     for(; count > 0; --count) {
-      skip_blanks(in);
+      length = is_limited ? length : 0;
+      skip_blanks(element);
       check_left(element, 1);
-      for(int c = in.sgetc(); c != eof && !is_blank(c); c = in.snextc())
-        ;
+      for(int c = in.sgetc(); c != eof && !is_blank(c); c = next_byte(element))
+        if(c == ',')
+          throw std::runtime_error(place(element) + " has a comma (write numbers with a decimal point, and blanks "
+                                                    "between them)");
     }
+  }
+
+  // Passes over the byte at hand, and returns the one behind it.
+  int next_byte(const Ply_header::Element& element)
+  {
+    const int before = in.sgetc(), c = in.snextc();
+    length = before == '\n' ? 0 : length + 1;
+    if(before == '\r' && c != '\r' && c != '\n' && c != eof)
+      throw std::runtime_error(place(element) + ' ' + carriage_return_alone);
+    if(length > longest_line)
+      throw std::runtime_error(place(element) + " has more than " + std::to_string(longest_line) +
+                               " bytes, the limit of a " + (is_limited ? "line" : "number"));
+    return c;
+  }
+
+  void skip_blanks(const Ply_header::Element& element)
+  {
+    for(int c = in.sgetc(); is_blank(c); c = next_byte(element))
+      ;
   }
 
   void skip_bytes(const Ply_header::Element& element, std::uint64_t count)
@@ -147,11 +168,11 @@ private:
     in.skip(count);
   }
 
-  bool is_end_of_line()
+  bool is_end_of_line(const Ply_header::Element& element)
   {
     int c = in.sgetc();
     while(c != '\n' && is_blank(c))
-      c = in.snextc();
+      c = next_byte(element);
     return c == '\n' || c == eof;
   }
 
@@ -173,6 +194,8 @@ private:
   Input_buffer& in;
   const Ply_header& header;
   std::uint64_t row = 0;
+  std::size_t length = 0; // of the line, or of the number, as far as it is read
+  bool is_limited = true;
 };
 
 // The header of the points alone: CGAL reads all elements, even if they have no properties.
@@ -187,8 +210,8 @@ inline std::string header_of_points(const Ply_header& header, const Ply_header::
 inline Point_data find_ply_points(Byte_source& file)
 {
   Input_buffer in(file);
-  std::istream stream(&in);
-  const Ply_header header = read_ply_header(stream);
+  Text_lines lines(in);
+  const Ply_header header = read_ply_header(lines);
   Ply_scanner scanner(in, header);
   Point_data points;
   for(const Ply_header::Element& element : header.elements) {
@@ -198,7 +221,7 @@ inline Point_data find_ply_points(Byte_source& file)
     if(is_points)
       check_ply_coordinates(element);
     const std::uint64_t first = in.position();
-    scanner.skip(element);
+    scanner.skip(element, is_points);
     if(is_points)
       points = {header_of_points(header, element), {first, in.position()}, std::size_t(element.count)};
   }

@@ -64,7 +64,7 @@ bool read_by_cgal(Byte_source& file, const Point_data& data, bool is_off, Point_
     return CGAL::IO::read_OFF(stream, points);
   const bool is_read = CGAL::IO::read_PLY(stream, points);
   // CGAL takes what follows a number for the next one: .5 after the 1 of 1.5, where an integer is expected.
-  skip_blanks(in);
+  skip_blanks_of(in);
   if(is_read && in.left() > 0)
     throw std::runtime_error("a value is not of the type that the header says");
   return is_read;

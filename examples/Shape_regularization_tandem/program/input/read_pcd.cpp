@@ -4,10 +4,10 @@
 #include "input/read_pcd.h"
 
 #include "input/Cloud_builder.h"
-#include "input/Table_rows.h"
 #include "input/las_header.h"
 #include "input/lzf.h"
 #include "input/pcd_header.h"
+#include "input/table_values.h"
 
 #include <stdexcept>
 
@@ -170,27 +170,38 @@ std::uint32_t color_bits(double value, const Field& f)
   return f.type == 'F' ? bits : value >= 0 && value < 4294967296. ? std::uint32_t(value) : 0;
 }
 
-void read_text(Byte_source& file, std::uint64_t first, const Pcd_header& h, Cloud_builder& builder)
+// Numbers are separated by blanks.
+void parse_row(const Text_row& row, std::vector<double>& values)
 {
-  Table_rows rows(file, {first, file.size()});
-  check_room(h.points, (file.size() - first + 1) / (2 * h.row_values())); // a digit and a separator each
+  Table_values rest(row.text, ' ');
+  std::string_view text;
+  for(std::size_t i = 0; i < values.size(); ++i) {
+    const std::optional<double> number = rest.next(text) ? parse_number(text) : std::nullopt;
+    if(!number)
+      fail_at_row(row.number, text.empty()
+                                ? "has " + std::to_string(i) + " values instead of " + std::to_string(values.size())
+                                : "has '" + std::string(text.substr(0, 40)) + "' where a number is expected");
+    values[i] = *number;
+    text = {};
+  }
+  if(rest.next(text))
+    fail_at_row(row.number, "has more than " + std::to_string(values.size()) + " values");
+}
+
+void read_text(Input_buffer& in, Text_lines& lines, const Pcd_header& h, Cloud_builder& builder)
+{
+  check_room(h.points, (in.left() + 1) / (2 * h.row_values())); // a digit and a separator each
   const Used_fields used = used_fields(h);
   std::vector<double> values(h.row_values());
   for(std::uint64_t i = 0; i < h.points; ++i) {
-    if(!rows.next())
+    if(!lines.next_filled())
       fail_after(i, h.points);
-    std::string_view rest = rows.text(), text;
-    for(double& value : values) {
-      const std::optional<double> number = next_value(rest, text) ? parse_number(text) : std::nullopt;
-      if(!number)
-        fail_after(i, h.points);
-      value = *number;
-    }
+    parse_row(lines.row(), values);
     builder.add(make_row(
       used, [&](const Field& f) { return values[f.first]; },
       [&](const Field& f) { return color_bits(values[f.first], f); }));
   }
-  if(rows.next())
+  if(lines.next_filled())
     throw std::runtime_error("has more rows than the " + std::to_string(h.points) + " points that it announces");
 }
 
@@ -199,8 +210,8 @@ void read_text(Byte_source& file, std::uint64_t first, const Pcd_header& h, Clou
 void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& points)
 {
   Input_buffer in(file);
-  std::istream stream(&in);
-  const Pcd_header h = read_pcd_header(stream);
+  Text_lines lines(in);
+  const Pcd_header h = read_pcd_header(lines);
   const Used_fields used = used_fields(h);
   if(!settings.classes.empty() && used.classification == nullptr)
     throw std::runtime_error("has no field 'classification', which --classes needs");
@@ -213,7 +224,7 @@ void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& poin
   else if(h.data == "binary_compressed")
     read_compressed(in, h, builder);
   else
-    read_text(file, in.position(), h, builder);
+    read_text(in, lines, h, builder);
 }
 
 } // namespace program

@@ -5,7 +5,7 @@
 
 #include "formats.h"
 #include "input/Cloud_builder.h"
-#include "input/Table_rows.h"
+#include "input/decimal_commas.h"
 #include "input/recognize_columns.h"
 
 #include <filesystem>
@@ -15,19 +15,26 @@ namespace program {
 
 namespace {
 
-[[noreturn]] void fail_at_row(std::size_t row, const std::string& reason)
+using Row = Text_row;
+
+[[noreturn]] void fail_at(const Row& row, const std::string& reason)
 {
-  throw std::runtime_error("row " + std::to_string(row) + " " + reason);
+  fail_at_row(row.number, reason + advice_on_commas(row.text));
 }
 
-struct Row {
-  std::size_t number;
-  std::string text;
-};
+bool is_comment(std::string_view row)
+{
+  row.remove_prefix(first_not_blank(row));
+  return row.front() == '#' || row.substr(0, 2) == "//";
+}
+
+// What tells the columns: --columns, a line of names, or the values.
+enum class Source { option, header, sample };
 
 // What stands before the points, and the first of them.
 struct Head {
-  std::vector<Column> columns; // of --columns, or of a line of names; empty: unknown
+  Source source = Source::sample;
+  std::vector<Column> columns; // empty: unknown
   std::optional<std::size_t> count;
   std::vector<Row> rows;
 };
@@ -35,7 +42,8 @@ struct Head {
 std::vector<std::string_view> values_of(std::string_view row)
 {
   std::vector<std::string_view> values;
-  for(std::string_view value; next_value(row, value);)
+  Table_values rest(row);
+  for(std::string_view value; rest.next(value);)
     values.push_back(value);
   return values;
 }
@@ -45,8 +53,7 @@ std::size_t parse_count(const Row& row, std::string_view text)
   long long count = 0;
   const auto end = std::from_chars(text.data(), text.data() + text.size(), count);
   if(end.ec != std::errc() || end.ptr != text.data() + text.size())
-    fail_at_row(row.number,
-                "is neither a point, the number of points nor a line of names (comments begin with # or //)");
+    fail_at(row, "is neither a point, the number of points nor a line of names (comments begin with # or //)");
   if(count < 0)
     throw std::runtime_error("announces " + std::to_string(count) + " points");
   return std::size_t(count);
@@ -65,30 +72,36 @@ bool is_point(const std::vector<std::string_view>& values, const std::vector<Col
 }
 
 // A line before the first point.
-void read_head_line(const Row& row, bool is_comment, bool is_named, Head& head)
+void read_head_line(const Row& row, Head& head)
 {
   const std::vector<std::string_view> values = values_of(row.text);
-  if(!is_comment && is_point(values, head.columns)) {
+  const bool has_note = is_comment(row.text);
+  if(!has_note && is_point(values, head.columns)) {
     head.rows.push_back(row);
     return;
   }
   const std::vector<Column> names = columns_of_header(row.text);
-  if(!names.empty() && !is_named)
+  if(!names.empty() && head.source != Source::option) {
+    head.source = Source::header;
     head.columns = names;
-  else if(!is_comment && names.empty())
+  } else if(!has_note && names.empty()) {
     head.count = parse_count(row, values.size() == 1 ? values[0] : "");
+  }
 }
 
-Head read_head(Table_rows& table, const std::vector<Column>& columns)
+Head read_head(Text_lines& table, const std::vector<Column>& columns)
 {
-  constexpr std::size_t most = 1000;
+  constexpr std::size_t most_rows = 1000, most_bytes = 1 << 20;
   Head head;
   head.columns = columns;
-  while(head.rows.size() < most && table.next())
-    if(head.rows.empty())
-      read_head_line({table.number(), table.text()}, table.is_comment(), !columns.empty(), head);
-    else if(!table.is_comment())
-      head.rows.push_back({table.number(), table.text()});
+  head.source = columns.empty() ? Source::sample : Source::option;
+  for(std::size_t bytes = 0; head.rows.size() < most_rows && bytes < most_bytes && table.next_filled();)
+    if(head.rows.empty()) {
+      read_head_line(table.row(), head);
+    } else if(!is_comment(table.row().text)) {
+      head.rows.push_back(table.row());
+      bytes += table.row().text.size();
+    }
   return head;
 }
 
@@ -106,41 +119,53 @@ Sample sample_of(const std::vector<Row>& rows)
   return sample;
 }
 
-void check_decimal_points(const std::vector<Row>& rows)
+// As many values as names are told what they are.
+void check_pairs(const Head& head)
 {
-  for(const Row& row : rows)
-    if(row.text.find(';') != row.text.npos && row.text.find(',') != row.text.npos)
-      fail_at_row(row.number, "has commas and semicolons (write numbers with a decimal point, and separate them by one "
-                              "of both)");
+  const auto has_pairs = [](const Row& row) { return has_pairs_of_integers(row.text); };
+  if(!head.rows.empty() && values_of(head.rows[0].text).size() != head.columns.size() &&
+     std::all_of(head.rows.begin(), head.rows.end(), has_pairs))
+    fail_at(head.rows[0], "has integers in pairs, as 1,5, 2,5");
 }
 
 class Row_parser {
 public:
-  Row_parser(std::vector<Column> columns, bool is_strict) : columns(std::move(columns)), is_strict(is_strict) {}
+  Row_parser(std::vector<Column> columns, Source source) : columns(std::move(columns)), source(source) {}
 
-  const std::array<double, 11>& parse(std::size_t row, std::string_view text)
+  const std::array<double, 11>& parse(const Row& row)
   {
-    std::string_view value;
-    for(std::size_t c = 0; c < columns.size(); ++c) {
-      if(!next_value(text, value))
-        fail_at_row(row, "has " + std::to_string(c) + " values instead of " + std::to_string(columns.size()));
-      if(columns[c] == Column::none)
-        continue;
-      const std::optional<double> number = parse_number(value);
-      if(!number)
-        fail_at_row(row, "has '" + std::string(value.substr(0, 40)) + "' where the number " + name_of(columns[c]) +
-                           " is expected");
-      values[std::size_t(columns[c])] = *number;
+    Table_values rest(row.text);
+    std::string_view value, before;
+    bool is_split = false; // a number, by a comma
+    for(std::size_t c = 0; c < columns.size(); ++c, before = value) {
+      if(!rest.next(value))
+        fail_at(row, "has " + std::to_string(c) + " values instead of " + std::to_string(columns.size()));
+      is_split = is_split || (rest.separator() == ',' && is_rest_of_number(before, value));
+      if(columns[c] != Column::none)
+        values[std::size_t(columns[c])] = parse_value(row, columns[c], value);
     }
-    if(is_strict && next_value(text, value))
-      fail_at_row(row, "has more than " + std::to_string(columns.size()) +
-                         " values (name its columns by --columns, for example)");
+    const bool has_more = rest.next(value);
+    if(has_more && source != Source::option)
+      fail_at(row, "has more than " + std::to_string(columns.size()) +
+                     " values (name its columns by --columns, for example)");
+    if(is_split && (has_more || source == Source::sample))
+      fail_at(row, "has, as 1,05 does, digits from 0 on behind a comma (name all columns by --columns if they are a "
+                   "number)");
     return values;
   }
 
 private:
+  static double parse_value(const Row& row, Column column, std::string_view value)
+  {
+    const std::optional<double> number = parse_number(value);
+    if(!number)
+      fail_at(row,
+              "has '" + std::string(value.substr(0, 40)) + "' where the number " + name_of(column) + " is expected");
+    return *number;
+  }
+
   std::vector<Column> columns;
-  bool is_strict; // no more values than columns
+  Source source;
   std::array<double, 11> values = {};
 };
 
@@ -234,20 +259,21 @@ void check_classes(const std::vector<Column>& columns, const Input_settings& set
 void read_table(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,
                 Input_notes& notes)
 {
-  Table_rows table(file);
+  Input_buffer in(file);
+  Text_lines table(in);
   const Head head = read_head(table, settings.columns);
-  check_decimal_points(head.rows);
+  check_pairs(head);
   const Sample sample = sample_of(head.rows);
-  const bool is_named = !head.columns.empty();
-  const std::vector<Column> columns = is_named ? head.columns : recognize_columns(sample, input_extension(path));
+  const std::vector<Column> columns =
+    head.source == Source::sample ? recognize_columns(sample, input_extension(path)) : head.columns;
   check_classes(columns, settings);
-  Row_parser parser(columns, settings.columns.empty());
+  Row_parser parser(columns, head.source);
   Table_reader reader(columns, channel_unit_of(columns, sample), settings.classes, points);
   for(const Row& row : head.rows)
-    reader.add(parser.parse(row.number, row.text));
-  while(table.next())
-    if(!table.is_comment())
-      reader.add(parser.parse(table.number(), table.text()));
+    reader.add(parser.parse(row));
+  while(table.next_filled())
+    if(!is_comment(table.row().text))
+      reader.add(parser.parse(table.row()));
   const std::size_t count = reader.finish(notes);
   if(head.count && *head.count != count)
     throw std::runtime_error("has " + std::to_string(count) + " rows of points, " + std::to_string(*head.count) +

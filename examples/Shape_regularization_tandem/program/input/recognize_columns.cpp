@@ -3,6 +3,8 @@
 
 #include "input/recognize_columns.h"
 
+#include "input/table_values.h"
+
 #include <cmath>
 
 namespace program {
@@ -63,16 +65,13 @@ bool are_real_colors(const Sample& rows, std::size_t first)
 
 std::vector<Column> columns_of_header(const std::string& line)
 {
-  const bool has_commas = line.find_first_of(",;") != line.npos; // names may have blanks then
-  const auto is_end = [=](char c) { return has_commas ? c == ',' || c == ';' : is_separator(c); };
-  const auto is_no_name = [](char c) { return is_separator(c) || c == '#' || c == '/'; };
+  std::string_view names = line;
+  names.remove_prefix((std::min)(names.find_first_not_of(" \t#/"), names.size()));
+  Table_values rest(names);
   std::vector<Column> columns;
-  auto first = std::find_if_not(line.begin(), line.end(), is_no_name);
-  while(first != line.end()) {
-    const auto last = std::find_if(first, line.end(), is_end);
-    const Column c = column_of_name(std::string(first, last));
+  for(std::string_view name; rest.next(name);) {
+    const Column c = column_of_name(name);
     columns.push_back(has_column(columns, c) ? Column::none : c);
-    first = std::find_if_not(last, line.end(), is_separator);
   }
   remove_incomplete(columns);
   return has_coordinates(columns) ? columns : std::vector<Column>();

@@ -4,6 +4,7 @@
 #include "output/write_las.h"
 
 #include "input/las_header.h"
+#include "input/read_laz.h"
 
 #include <limits>
 
@@ -38,34 +39,75 @@ double integer_of(double x, const Las_frame& frame, std::size_t c)
   return std::round((x - frame.offset[c]) / frame.scale[c]);
 }
 
+double place_on_grid(double x, const Las_frame& frame, std::size_t c)
+{
+  return place_of_integer(std::int32_t(integer_of(x, frame, c)), frame, c);
+}
+
+constexpr double largest_integer = 2147483647;
+
 bool has_room(const Las_frame& frame, const Bounds& b)
 {
-  constexpr double largest = 2147483647;
   for(std::size_t c = 0; c < 3; ++c)
     for(double x : {b.least[c], b.most[c]})
-      if(!(std::fabs(integer_of(x, frame, c)) <= largest))
+      if(!(std::fabs(integer_of(x, frame, c)) <= largest_integer))
         return false;
   return true;
 }
 
-// Steps of a power of ten, at most 2e-4 of the maximum distance; larger ones where the integers have no room for that.
+// The middle with as few digits as leave room on both sides of it: 0 for a cloud around the origin.
+double make_offset(double least, double most, double scale)
+{
+  const double middle = least / 2 + most / 2;
+  const double room = (std::min)(largest_integer * scale - (most / 2 - least / 2), 1e300);
+  if(!(room > 0))
+    return middle;
+  const int exponent = int(std::floor(std::log10(room)));
+  const double unit = std::pow(10., std::abs(exponent));
+  return exponent < 0 ? std::round(middle * unit) / unit : std::round(middle / unit) * unit;
+}
+
+// False where the integers have no room for these steps.
+bool set_grid(double scale, const Bounds& b, Las_frame& frame)
+{
+  frame.scale = {scale, scale, scale};
+  for(std::size_t c = 0; c < 3; ++c)
+    frame.offset[c] = make_offset(b.least[c], b.most[c], scale);
+  return has_room(frame, b);
+}
+
+constexpr double largest_step = 2e-4; // times the maximum distance
+
+// Steps of a power of ten; the largest step, or a power that is larger, where the integers have no room for that.
 Las_frame make_frame(const Bounds& b, double maximum_distance)
 {
+  const double largest = (std::max)(largest_step * maximum_distance, 1e-300);
+  const auto power = [](int exponent) { return exponent < 0 ? 1 / std::pow(10., -exponent) : std::pow(10., exponent); };
+  int exponent = int(std::floor(std::log10(largest)));
   Las_frame frame;
-  for(std::size_t c = 0; c < 3; ++c)
-    frame.offset[c] = std::floor(b.least[c] / 2 + b.most[c] / 2);
-  for(int power = int(std::floor(std::log10(2e-4 * maximum_distance)));; ++power) {
-    const double scale = power < 0 ? 1 / std::pow(10., -power) : std::pow(10., power);
-    frame.scale = {scale, scale, scale};
-    if(has_room(frame, b) || power >= 300)
-      return frame;
-  }
+  if(!set_grid(power(exponent), b, frame) && !set_grid(largest, b, frame))
+    while(!set_grid(power(++exponent), b, frame) && exponent < 300)
+      ;
+  return frame;
+}
+
+// No point is moved by more than the largest step rounds it: the points of other inputs need not be on this grid.
+bool is_fine(const Las_frame& frame, const Output_points& cloud)
+{
+  const double most = largest_step / 2 * cloud.shapes.parameters().maximum_distance;
+  return std::all_of(cloud.part.begin(), cloud.part.end(), [&](Point_set::Index i) {
+    const Kernel::Point_3& p = cloud.points.point(i);
+    for(int c = 0; is_finite(p) && c < 3; ++c)
+      if(std::fabs(place_on_grid(p[c], frame, std::size_t(c)) - p[c]) > most)
+        return false;
+    return true;
+  });
 }
 
 // Most programs read the point format 2; 7 has room for all classes, and is the one for coordinate systems as WKT.
 bool needs_format_7(const Output_points& cloud, const Las_frame& frame)
 {
-  return frame.is_wkt ||
+  return frame.projection == Projection::wkt ||
          (cloud.classification && std::any_of(cloud.part.begin(), cloud.part.end(),
                                               [&](Point_set::Index i) { return (*cloud.classification)[i] > 31; }));
 }
@@ -90,7 +132,7 @@ class Las_writer {
 public:
   Las_writer(std::ostream& out, const Output_points& cloud, const Las_frame& frame, const Bounds& bounds)
     : out(out), binary(out), cloud(cloud), frame(frame), bounds(bounds), is_format_7(needs_format_7(cloud, frame)),
-      records(frame.projection)
+      records(frame.records)
   {
     records.push_back(extra_bytes_record());
   }
@@ -113,7 +155,8 @@ private:
     std::size_t first_point = header_size;
     for(const std::string& record : records)
       first_point += record.size();
-    const std::uint16_t global_encoding = is_format_7 ? 16 : 0; // the coordinate system is WKT, or there is none
+    // WKT, which the specification asks for with this format; but keys of GeoTIFF are what they are.
+    const std::uint16_t global_encoding = is_format_7 && frame.projection != Projection::geotiff ? 16 : 0;
     out << "LASF" << padded("", 2);
     binary.write(global_encoding);
     out << padded("", 16) << '\1' << '\4' << padded("", 32) << padded("detect_planes of Tandem", 32) << padded("", 4);
@@ -128,8 +171,8 @@ private:
     for(double x : frame.offset)
       binary.write(x);
     for(std::size_t c = 0; c < 3; ++c) {
-      binary.write(written(bounds.most[c], c));
-      binary.write(written(bounds.least[c], c));
+      binary.write(place_on_grid(bounds.most[c], frame, c));
+      binary.write(place_on_grid(bounds.least[c], frame, c));
     }
     out << padded("", 20); // neither waveforms nor extended records
     binary.write(bounds.count);
@@ -146,8 +189,6 @@ private:
     binary.write(count);
     out << padded("", 16);
   }
-
-  double written(double x, std::size_t c) const { return integer_of(x, frame, c) * frame.scale[c] + frame.offset[c]; }
 
   void write_point(Point_set::Index i)
   {
@@ -180,11 +221,12 @@ private:
 void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input)
 {
   const Bounds bounds = bounds_of(cloud);
-  const bool is_kept = frame_of_input && (bounds.count == 0 || has_room(*frame_of_input, bounds));
+  const bool is_kept =
+    frame_of_input && (bounds.count == 0 || (has_room(*frame_of_input, bounds) && is_fine(*frame_of_input, cloud)));
   Las_frame frame = is_kept ? *frame_of_input : make_frame(bounds, cloud.shapes.parameters().maximum_distance);
   if(frame_of_input) {
+    frame.records = frame_of_input->records;
     frame.projection = frame_of_input->projection;
-    frame.is_wkt = frame_of_input->is_wkt;
   }
   Las_writer(out, cloud, frame, bounds).write();
 }
