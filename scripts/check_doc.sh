@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Checks the manual: all examples are listed with a description; it builds without a warning; its search knows the names
-# of the package; and names of CGAL are links where there is a tag file, and plain text where there is none.
+# of the package; names of CGAL are links where there is a tag file, and plain text where there is none; and the outputs
+# of examples are those of a run.
 #   TANDEM_DOC_DIR    where the manual is built (default: build/doc of this repository)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
@@ -24,6 +25,11 @@ for program in Shape_regularization_tandem/*.cpp Shape_regularization_tandem/pro
     grep -q "$command" "$root/doc/Shape_regularization_tandem/examples.txt" || fail "examples.txt does not list $program"
   done
 done
+
+cd "$root"
+expected=examples/Shape_regularization_tandem/expected
+patterns=$(grep -l '[*]' $expected/example_*.txt || true)
+[ -z "$patterns" ] || fail "patterns in place of the output of a run: $patterns"
 
 cat > "$folder/Shape_detection.tag" << 'END'
 <?xml version='1.0' encoding='UTF-8' standalone='yes' ?>
