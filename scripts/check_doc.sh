@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Checks the manual: all examples are listed with a description; it builds without a warning; its search knows the names
-# of the package; and names of CGAL are links where there is a tag file, and plain text where there is none.
+# of the package; names of CGAL are links where there is a tag file, and plain text where there is none; the outputs of
+# examples are those of a run; and the figures of the building are the same everywhere.
 #   TANDEM_DOC_DIR    where the manual is built (default: build/doc of this repository)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
@@ -23,6 +24,31 @@ for program in Shape_regularization_tandem/*.cpp Shape_regularization_tandem/pro
   for command in "^\\\\example $program\$" "\\\\ref $program \"[^\"]*\" | ."; do
     grep -q "$command" "$root/doc/Shape_regularization_tandem/examples.txt" || fail "examples.txt does not list $program"
   done
+done
+
+cd "$root"
+expected=examples/Shape_regularization_tandem/expected
+patterns=$(grep -l '[*]' $expected/example_*.txt || true)
+[ -z "$patterns" ] || fail "patterns in place of the output of a run: $patterns"
+
+# The parameters of the building, and its figures as they are printed by the program.
+manual=doc/Shape_regularization_tandem
+clouds=benchmark/Shape_regularization_tandem/clouds.csv
+parameters=$(awk -F, '$1 == "building" {
+  printf "--maximum-distance %s --maximum-angle %s --minimum-region-size %s", $11, $12, $13 }' $clouds)
+for file in README.md scripts/demo.sh $manual/Program.txt examples/Shape_regularization_tandem/CMakeLists.txt; do
+  grep -qFe "$parameters" $file || fail "$file does not have the building with $parameters"
+done
+figures=$(awk '/^  shapes / { shapes = $2; planes = $4; directions = $7 }
+  /^  quality / { printf "%d / %d / %d | %.2f | %.1f", shapes, directions, planes, $9, $3 }' \
+  $expected/example_detect_planes_of_building.txt)
+for file in README.md $manual/tables/comparison.md; do
+  grep -q "^| building.*Tandem.*| $figures " $file ||
+    fail "$file has other figures of the building than $figures"
+done
+columns=$(echo "$figures" | sed 's|/|\||g')
+for name in maximum_distance maximum_angle angle_tolerance minimum_region_size; do
+  grep -qF "| $columns " $manual/tables/$name.md || fail "$name.md has other figures of the building than $columns"
 done
 
 cat > "$folder/Shape_detection.tag" << 'END'

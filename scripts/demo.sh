@@ -49,9 +49,10 @@ cmake --build "$build" --target detect_planes -j "$jobs" > "$result/build.log" 2
   { cat "$result/build.log" >&2; fail "the build failed"; }
 program=$build/examples/Shape_regularization_tandem/detect_planes
 
-# The tolerance is that of the facade, 15 centimeters; without it, it is estimated.
-set -- "$cloud" --maximum-distance 0.15 --output "$result/building_shapes.ply" \
-  --planes "$result/building_planes.txt" --labels "$result/building_labels.bin" --report "$result/building_report.json"
+# Those of all figures of this building; the distance is the depth of its facade. What is not given is estimated.
+set -- "$cloud" --maximum-distance 0.15 --maximum-angle 25.842 --minimum-region-size 100 \
+  --output "$result/building_shapes.ply" --planes "$result/building_planes.txt" \
+  --labels "$result/building_labels.bin" --report "$result/building_report.json"
 page=$result/building.html
 "$program" "$@" --view "$page" || { page=; "$program" "$@"; } # without three.js it makes no page
 rm -f "$result/building.png"

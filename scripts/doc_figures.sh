@@ -23,7 +23,7 @@ cmake -S "$doc/figures" -B "$build" > "$build/cmake.log" 2>&1 || { cat "$build/c
 cmake --build "$build" --target draw_figures > "$build/build.log" 2>&1 ||
   { cat "$build/build.log" >&2; fail "the build failed"; }
 mkdir -p "$build/clouds" "$doc/fig" "$doc/tables"
-"$build/draw_figures" "$build/building.ply" 0.15 "$build/clouds" "$doc/tables"
+"$build/draw_figures" "$build/building.ply" 0.15 25.842 100 "$build/clouds" "$doc/tables"
 for cloud in "$build"/clouds/*.ply; do
   picture=$doc/fig/$(basename "$cloud" .ply).png
   TANDEM_SKIP_INSTALL=1 "$root/scripts/render.sh" "$cloud" "$picture" --alone --width 330 --height 260

@@ -3,7 +3,8 @@
 //
 // Writes what the pictures of the manual show, as colored clouds, and their numbers as tables which the
 // manual includes: so pictures, numbers and program agree.
-//   draw_figures CLOUD.ply MAXIMUM_DISTANCE CLOUDS TABLES    writes CLOUDS/*.ply and TABLES/*.md
+//   draw_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE CLOUDS TABLES
+// writes CLOUDS/*.ply and TABLES/*.md.
 
 #include "report/shape_colors.h"
 
@@ -104,11 +105,9 @@ private:
 
 class Figures {
 public:
-  Figures(const Ply_cloud& cloud, double maximum_distance, const std::string& clouds, const std::string& tables)
-    : cloud_(cloud), points_(range_of(cloud)), clouds_(clouds + "/"), tables_(tables + "/")
+  Figures(const Ply_cloud& cloud, const Parameters& right, const std::string& clouds, const std::string& tables)
+    : cloud_(cloud), points_(range_of(cloud)), clouds_(clouds + "/"), tables_(tables + "/"), right_(right)
   {
-    right_.maximum_distance = maximum_distance;
-    right_.minimum_region_size = 100;
     final_shapes_ = detect(right_);
   }
 
@@ -196,12 +195,16 @@ private:
 
 int main(int argc, char** argv)
 try {
-  if(argc != 5 || !(std::atof(argv[2]) > 0)) {
-    std::cerr << "usage: draw_figures CLOUD.ply MAXIMUM_DISTANCE CLOUDS TABLES\n";
+  if(argc != 7) {
+    std::cerr << "usage: draw_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE CLOUDS TABLES\n";
     return 2;
   }
   const Ply_cloud cloud = read_ply(argv[1]);
-  Figures figures(cloud, std::atof(argv[2]), argv[3], argv[4]);
+  Parameters right;
+  right.maximum_distance = std::atof(argv[2]);
+  right.maximum_angle = std::atof(argv[3]);
+  right.minimum_region_size = std::size_t(std::atol(argv[4]));
+  Figures figures(cloud, right, argv[5], argv[6]);
   figures.draw_rounds();
   figures.draw_choices();
   return 0;

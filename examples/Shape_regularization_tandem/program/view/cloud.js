@@ -68,6 +68,12 @@ class Cloud {
     this.pickTarget = new THREE.WebGLRenderTarget(1, 1, { minFilter: THREE.NearestFilter,
                                                           magFilter: THREE.NearestFilter });
     this.afterRender = () => {};
+    this.afterLoss = this.afterReturn = () => {};
+    canvas.addEventListener("webglcontextlost", event => {
+      event.preventDefault(); // else it never returns
+      this.afterLoss();
+    });
+    canvas.addEventListener("webglcontextrestored", () => this.restore());
     this.resize();
     this.setUp("z");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
@@ -108,6 +114,15 @@ class Cloud {
     this.renderer.setClearColor(color, 1);
     this.material.uniforms.background.value.set(color);
     this.requestRender();
+  }
+
+  isLost() { return this.renderer.getContext().isContextLost(); }
+
+  // three.js has made its buffers anew, without the background.
+  restore() {
+    this.renderer.setClearColor(this.material.uniforms.background.value, 1);
+    this.requestRender();
+    this.afterReturn();
   }
 
   // appearance(shape): red, green, blue from 0 to 1, and the state
@@ -204,6 +219,8 @@ class Cloud {
       this.isRequested = false;
       if (this.controls.autoRotate)
         this.controls.update();
+      if (this.isLost())
+        return;
       this.render();
       this.afterRender(time);
     });

@@ -21,10 +21,13 @@ class Page {
     this.selection = null;
     this.times = [];
     this.cloud.afterRender = time => this.measure(time);
+    this.cloud.afterLoss = () => tell("The browser took the graphics away. The page draws again when they return; " +
+                                      "if they do not, load it again.", "error");
+    this.cloud.afterReturn = () => tell("");
     this.makeModes();
     this.listen();
     this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
-    byId("message").textContent = "";
+    tell("");
     this.readAddress();
     window.onhashchange = () => this.readAddress();
   }
@@ -132,6 +135,8 @@ class Page {
 
   pick(x, y) {
     const shape = this.cloud.pick(x, y);
+    if (this.cloud.isLost()) // nothing was drawn
+      return;
     this.select(shape < 0 ? null : { kind: "shape", index: shape });
   }
 
@@ -188,7 +193,8 @@ class Page {
     const controls = this.cloud.controls;
     controls.autoRotate = !controls.autoRotate;
     this.times = [];
-    byId("message").textContent = "";
+    if (!this.cloud.isLost())
+      tell("");
     this.cloud.requestRender();
   }
 
@@ -201,7 +207,7 @@ class Page {
       this.times.shift();
     const seconds = (time - this.times[0]) / 1000;
     if (seconds > 0)
-      byId("message").textContent = ((this.times.length - 1) / seconds).toFixed(1) + " frames per second";
+      tell(((this.times.length - 1) / seconds).toFixed(1) + " frames per second");
     this.cloud.requestRender();
   }
 
@@ -268,9 +274,13 @@ class Page {
   }
 }
 
-function complain(text) {
-  byId("message").className = "error";
+function tell(text, kind = "") {
+  byId("message").className = kind;
   byId("message").textContent = text;
+}
+
+function complain(text) {
+  tell(text, "error");
   document.body.dataset.error = text;
 }
 
