@@ -101,6 +101,27 @@ void test_each_field(const Checked_result& result)
   CHECK_AT(number > 300 && refused > number * 8 / 10, std::to_string(refused) + " of " + std::to_string(number));
 }
 
+// Other results are accepted: of estimated normals, where only the last rank has points, and of no points at all.
+void test_other_results(const Ranks& ranks)
+{
+  Cloud cloud = to_cloud(scenes::make_scene("cube", scene_options(1200, .001, .1)));
+  cloud.emplace_back(Kernel::Point_3(NAN, 0, 0), Kernel::Vector_3(0, 0, 1));
+  const auto list = np::point_map(First<Kernel>()).communicator(ranks);
+  for(const std::size_t size : {cloud.size(), std::size_t(0)}) {
+    const std::ptrdiff_t own = ranks.rank() == ranks.size() - 1 ? std::ptrdiff_t(size) : 0;
+    const Cloud part(cloud.begin(), cloud.begin() + own);
+    const auto check = [&](const auto& maps) {
+      const Shapes shapes =
+        CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(part, maps.settings(make_parameters(.01, 30)));
+      CHECK(shapes.number_of_shapes() >= (size > 0 ? 6 : 0));
+      std::string why;
+      CHECK_AT(CGAL::Tandem::is_valid_result(part, shapes, maps, &why), why);
+    };
+    check(list);
+    check(list.normal_map(Second<Kernel>()));
+  }
+}
+
 int main(int argc, char** argv)
 {
   const boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
@@ -109,5 +130,6 @@ int main(int argc, char** argv)
   CHECK(result.reason(result.shapes().data(), "the result").empty());
   test_reasons(result);
   test_each_field(result);
+  test_other_results(world);
   return report_on(world);
 }
