@@ -21,7 +21,8 @@ namespace tandem_python {
 namespace py = pybind11;
 
 using Rows = py::array_t<double, py::array::c_style>;
-// The shapes, with the normals that they were detected with.
+
+// The shapes, with the normals that they were detected with: an array that nobody else has.
 class Result {
 public:
   Result(Shapes shapes, std::optional<Rows> normals) : shapes_(std::move(shapes)), given_normals_(std::move(normals)) {}
@@ -31,26 +32,20 @@ public:
   const std::optional<Rows>& given_normals() const { return given_normals_; }
 
   // Estimated normals are unpacked once, where they are asked for.
-  py::object normals()
+  const Rows& normals()
   {
-    if(!normals_) {
-      normals_ = given_normals_ ? given_normals_->attr("view")() : estimated_normals();
-      normals_.attr("setflags")(py::arg("write") = false);
+    if(given_normals_)
+      return *given_normals_;
+    if(!estimated_normals_) {
+      estimated_normals_.emplace(std::vector<py::ssize_t>{py::ssize_t(shapes_.labels().size), 3});
+      shapes_.copy_estimated_normals(estimated_normals_->mutable_data());
     }
-    return normals_;
+    return *estimated_normals_;
   }
 
 private:
-  py::object estimated_normals() const
-  {
-    py::array_t<double> normals({py::ssize_t(shapes_.labels().size), py::ssize_t(3)});
-    shapes_.copy_estimated_normals(normals.mutable_data());
-    return std::move(normals);
-  }
-
   Shapes shapes_;
-  std::optional<Rows> given_normals_;
-  py::object normals_;
+  std::optional<Rows> given_normals_, estimated_normals_;
 };
 
 // A read-only array on memory of the object `owner`, which lives as long as the array; of rows, if there are columns.
@@ -75,9 +70,18 @@ auto getter(Table<Number> (Shapes::*table)() const, py::ssize_t columns = 0)
   };
 }
 
-// As a list of Python: negative numbers count from the end.
-inline py::array points_of(const py::object& self, py::ssize_t shape)
+inline py::array normals(const py::object& self)
 {
+  const Rows& rows = self.cast<Result&>().normals();
+  return view<double>(self, Table<double>{rows.data(), std::size_t(rows.size())}, 3);
+}
+
+// As a list of Python: negative numbers count from the end, and those that are too large are an IndexError, too.
+inline py::array points_of(const py::object& self, const py::object& index)
+{
+  const py::ssize_t shape = PyNumber_AsSsize_t(index.ptr(), PyExc_IndexError);
+  if(shape == -1 && PyErr_Occurred() != nullptr)
+    throw py::error_already_set();
   const Result& result = self.cast<const Result&>();
   const auto n = py::ssize_t(result.size());
   if(shape < -n || shape >= n)
@@ -173,9 +177,9 @@ inline void add_arrays(Class& result)
     .def_property_readonly("is_flipped", getter<bool>(&Shapes::is_flipped),
                            "(m,) bool: whether most of the given normals of the points of a shape are opposite to its\n"
                            "plane: multiply such planes by -1 to orient them. False where normals were estimated.")
-    .def_property_readonly("normals", &Result::normals,
-                           "(n, 3) float64: the normals that were used: those that were given, or estimated unit\n"
-                           "normals, null for points that have none.")
+    .def_property_readonly("normals", &normals,
+                           "(n, 3) float64: the normals that were used: a copy of those that were given, or\n"
+                           "estimated unit normals, null for points that have none.")
     .def("points_of", &points_of, py::arg("shape"),
          "The points of a shape, as an array of indices (uint32, ascending):\n"
          "points[shapes.points_of(0)]. Raises IndexError where there is no such shape.");
@@ -203,6 +207,20 @@ inline void add_values(Class& result)
     .def("__repr__", &text);
 }
 
+// Objects of the class come from functions of the module only. Python would make them without a value, by __new__() of
+// the class or, where that is refused, of its base. Copies and unpickled objects begin like that, too.
+template <class Type>
+void refuse_new(Type& type)
+{
+  type.def_static("__new__", [](const py::args&, const py::kwargs&) {
+    throw py::type_error("objects of this class are made by functions of tandem only");
+  });
+  reinterpret_cast<PyTypeObject*>(type.ptr())->tp_new = [](PyTypeObject* made, PyObject*, PyObject*) -> PyObject* {
+    PyErr_Format(PyExc_TypeError, "%s: objects of this class are made by functions of tandem only", made->tp_name);
+    return nullptr;
+  };
+}
+
 inline void add_result(py::module_& module)
 {
   Class result(module, "PlanarShapes", py::module_local(),
@@ -210,6 +228,7 @@ inline void add_result(py::module_& module)
                "A parallel group holds the shapes of one direction, a coplanar group those of one plane. Arrays are\n"
                "read-only views on the memory of the result, which they keep alive. len() is the number of shapes.");
   result.attr("__module__") = "tandem";
+  refuse_new(result);
   add_arrays(result);
   add_values(result);
 }

@@ -97,9 +97,10 @@ std::string violation(const Rows& points, const Result& result)
 
 void add_settings(py::module_& module)
 {
-  py::class_<Settings>(module, "Settings", py::module_local())
-    .def(py::init<>())
-    .def_readwrite("maximum_distance", &Settings::maximum_distance)
+  py::class_<Settings> settings(module, "Settings", py::module_local());
+  refuse_new(settings);
+  module.def("default_settings", [] { return Settings(); });
+  settings.def_readwrite("maximum_distance", &Settings::maximum_distance)
     .def_readwrite("maximum_angle", &Settings::maximum_angle)
     .def_readwrite("angle_tolerance", &Settings::angle_tolerance)
     .def_readwrite("maximum_offset", &Settings::maximum_offset)

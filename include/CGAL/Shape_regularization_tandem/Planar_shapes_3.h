@@ -24,9 +24,9 @@ namespace Tandem {
 
 \brief The planar shapes of a point cloud, the points of each of them, and how they are related.
 
-Shapes, parallel groups and coplanar groups are numbered from 0. A *parallel group* holds the shapes of one
-direction, a *coplanar group* those of one plane; a shape that is related to no other is alone in its groups. For a
-finished detection
+Shapes, parallel groups and coplanar groups are numbered from 0, groups in the order in which the shapes have them
+first. A *parallel group* holds the shapes of one direction, a *coplanar group* those of one plane; a shape that is
+related to no other is alone in its groups. For a finished detection
 - each point is in at most one shape, within `maximum_distance` of its plane and `maximum_angle` of its normal;
 - the planes of a parallel group have the same normal, those of a coplanar group are the same plane, bit for bit;
 - the unit normals of two orthogonal parallel groups have a dot product of at most 1e-15, in absolute value;
@@ -224,6 +224,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const Data& data() const { return data_; }
+  const internal::Point_groups& point_groups() const { return points_; }
 
   static void add_to_hash(std::uint64_t& h, std::uint64_t word)
   {

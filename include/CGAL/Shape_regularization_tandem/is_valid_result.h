@@ -24,8 +24,13 @@ using Checking_tag = typename std::conditional<Is_given<internal_np::communicato
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief checks a result against the points: all that `Planar_shapes_3` promises for a finished detection, and the
-consistency of its statistics.
+\brief checks a result against the points: all that `Planar_shapes_3` promises for a finished detection, and that its
+parameters, statistics and relations agree with them.
+
+A result is refused, whatever it holds, unless a detection in these points can have it: its parameters are within their
+ranges, its relations are exactly those of its planes, and what the statistics count and measure is counted and measured
+again. Of times, rounds, bytes, estimated normals and the name of the back end it is checked that they are possible.
+Other parameters for the same shapes, and whether it was cancelled, cannot be told from the points.
 
 Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time
 of a detection. Distances and angles are evaluated in double; beyond `maximum_distance` a point may be only by
@@ -46,7 +51,6 @@ bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>
     auto backend = traits.backend();
     return internal::Ranks<decltype(backend)>::together(backend, [&] {
       internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
-      internal::put_on_grid(backend, in, shapes.parameters().maximum_distance);
       internal::Result_checker<GeomTraits> checker(in, shapes);
       const bool is_valid = checker.check(backend);
       if(why)

@@ -57,6 +57,35 @@ std::vector<int> read_plane_indices(const Import& in, const IndexMap& index_map,
   return plane_of;
 }
 
+// By parallel group, whether it is orthogonal to another, has a fixed direction, or is symmetric with another.
+inline std::vector<char> find_related_groups(const Plane_relations& r)
+{
+  std::vector<char> is_related;
+  for(int fixed : r.fixed_direction)
+    is_related.push_back(fixed >= 0);
+  for(const auto& pair : r.orthogonal_groups)
+    is_related[std::size_t(pair.first)] = is_related[std::size_t(pair.second)] = 1;
+  std::vector<int> size(r.symmetry_group.size(), 0);
+  for(int number : r.symmetry_group)
+    if(number >= 0)
+      ++size[std::size_t(number)];
+  for(std::size_t g = 0; g < is_related.size(); ++g)
+    is_related[g] |= r.symmetry_group[g] >= 0 && size[std::size_t(r.symmetry_group[g])] > 1;
+  return is_related;
+}
+
+// A plane that has been in its relations before, and was not changed, has a unit normal all the same.
+inline void change_to_unit_normals(const std::vector<Coefficients>& given, Plane_relations& r)
+{
+  const std::vector<char> is_related = find_related_groups(r);
+  for(std::size_t s = 0; s < given.size(); ++s) {
+    const Vector n = {given[s][0], given[s][1], given[s][2]};
+    const bool is_unit = std::fabs(dot(n, n) - 1) <= 1e-15;
+    if(is_related[std::size_t(r.parallel_group[s])] && !is_unit)
+      r.is_changed[s] = true;
+  }
+}
+
 // Points of no plane must not stretch the grid.
 inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
 {
@@ -91,8 +120,10 @@ region growing or any other detector. Unlike that function it
   bounds are two fifths and `maximum_distance`;
 - reports the relations, and how far each plane moved.
 
-Planes keep their orientation. A plane that is related to no other, that has no normal, or whose points do not determine
-a plane, is left as it is; the others get a unit normal. Where `regularize_parallelism` is `false`, there are no
+Planes keep their orientation. Each plane that the result calls parallel, orthogonal, coplanar or symmetric to another,
+or that has a fixed direction, gets a unit normal, also where it had that relation before; the others are left as they
+are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither turned
+nor moved. Where `regularize_parallelism` is `false`, there are no
 coplanar groups either. Unlike there, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The
 result is independent of the order of the points. Groups and joint fits are
 those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
@@ -185,10 +216,12 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   auto plane_of =
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   internal::drop_unassigned(in, plane_of);
+  const std::vector<internal::Coefficients> given = coefficients;
   Plane_relations result = internal::relate_planes(backend, in, plane_of, options, coefficients);
   const std::vector<internal::Vector> directions = internal::group_directions(result.parallel_group, coefficients);
   result.fixed_direction = internal::fixed_directions_of(directions, p);
   result.symmetry_group = internal::symmetry_groups(directions, p);
+  internal::change_to_unit_normals(given, result);
   std::size_t s = 0;
   for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
     if(result.is_changed[s]) {

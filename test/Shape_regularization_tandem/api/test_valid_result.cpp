@@ -82,7 +82,7 @@ void test_points(Corruptions& c)
     set_label(d, i, 1);
     set_label(d, j, 0);
   });
-  c.check_rejected("point freed behind the statistics", "count other points",
+  c.check_rejected("point freed behind its shape", "size",
                    [](Data& d) { set_label(d, Corruptions::point_of(d, 0), -1); });
   c.check_rejected("wrong size", "size", [](Data& d) { ++d.size[0]; });
   c.check_rejected("oblique normal", "oblique", [](Data& d) { d.parameters.maximum_angle = .5; });
@@ -125,10 +125,10 @@ void test_planes(Corruptions& c)
 void test_shapes(Corruptions& c)
 {
   c.check_rejected("small shape", "too small", [](Data& d) { d.parameters.minimum_region_size = 100000; });
-  c.check_rejected("orthogonal pair removed", "orthogonal pairs", [](Data& d) { d.orthogonal_groups.pop_back(); });
+  c.check_rejected("orthogonal pair removed", "orthogonal_pairs", [](Data& d) { d.orthogonal_groups.pop_back(); });
   c.check_rejected("coverage", "coverage", [](Data& d) { d.statistics.coverage = .5; });
-  c.check_rejected("mean distance", "mean distance", [](Data& d) { d.statistics.mean_distance = 1; });
-  c.check_rejected("number of shapes", "count other shapes", [](Data& d) { ++d.statistics.number_of_shapes; });
+  c.check_rejected("mean distance", "mean_distance", [](Data& d) { d.statistics.mean_distance = 1; });
+  c.check_rejected("number of shapes", "number_of_shapes", [](Data& d) { ++d.statistics.number_of_shapes; });
 }
 
 // Points of a strip are taken out of the largest face, so that it falls into two parts.

@@ -61,6 +61,7 @@ Violations violations_of(const Property_case& c, Totals& totals)
   const Cloud before = c.cloud;
   const Shapes shapes = detect(c.cloud, c.parameters, c.given);
   totals.add(shapes);
+  check_valid(c.cloud, shapes, c.name, c.given);
   Violations violations = guarantees::Checker(c.cloud, c.given, shapes).violations();
   if(!has_parameters(shapes, c.parameters))
     violations.push_back("parameters: others were used than were given");

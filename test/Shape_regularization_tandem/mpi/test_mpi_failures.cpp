@@ -9,13 +9,11 @@
 
 #undef NDEBUG
 
-#include "testing/change_table.h"
 #include "testing/memory_limit.h"
 #include "testing/mpi_failure.h"
 #include "testing/mpi_support.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
-#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <CGAL/Point_set_3.h>
 
@@ -272,39 +270,6 @@ void be_killed(const Ranks& ranks)
   std::cout << "a rank has gone on" << std::endl;
 }
 
-// A result is rejected on all ranks, for the same reason, where one of them has another one.
-void test_corrupted_results(const Ranks& ranks)
-{
-  const Dealt_case c = make_case();
-  const Cloud part = c.part(ranks);
-  const Shapes shapes = detect_with(ranks, part, np::settings(c.parameters));
-  const auto list = np::point_map(First<Kernel>()).normal_map(Second<Kernel>()).communicator(ranks);
-  std::string why;
-  CHECK_AT(CGAL::Tandem::is_valid_result(part, shapes, list, &why), why);
-  const auto check = [&](const std::string& name, const char* word, auto corrupt) {
-    Shapes::Data data = shapes.data();
-    if(ranks.rank() == ranks.size() - 1)
-      corrupt(data);
-    why.clear();
-    CHECK_AT(!CGAL::Tandem::is_valid_result(part, Shapes(data), list, &why), name);
-    CHECK_AT(why.find(word) != std::string::npos, name + " is rejected because: " + why);
-  };
-  if(ranks.size() > 1) { // what one rank cannot see by itself
-    check("another plane", "different",
-          [](Shapes::Data& d) { d.coefficients[0][3] = std::nextafter(d.coefficients[0][3], 9.); });
-    check("other statistics", "different", [](Shapes::Data& d) { d.statistics.coverage /= 2; });
-    check("other parameters", "different", [](Shapes::Data& d) { ++d.parameters.k_neighbors; });
-  }
-  check("a point of no shape", "out of range",
-        [](Shapes::Data& d) { change_table(d.shape_of, [](std::vector<std::int32_t>& labels) { labels[0] = 1000; }); });
-  check("a point freed", "assigned", [](Shapes::Data& d) {
-    change_table(d.shape_of, [](std::vector<std::int32_t>& labels) {
-      *std::find_if(labels.begin(), labels.end(), [](std::int32_t s) { return s >= 0; }) = -1;
-    });
-  });
-  check_alive(ranks);
-}
-
 long minimum_over(const Ranks& ranks, long own)
 {
   MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_LONG, MPI_MIN, ranks);
@@ -379,7 +344,6 @@ int main(int argc, char** argv)
   test_maps(world);
   test_extent(world);
   test_lost_tables(world, stride);
-  test_corrupted_results(world);
   test_throwing_callbacks(world, stride);
   test_class_after_exception(world);
   test_cancellation(world, stride);

@@ -3,6 +3,7 @@
 """What detect_planes() accepts as arrays and parameters, and what it raises."""
 
 import unittest
+from fractions import Fraction
 
 import numpy as np
 
@@ -33,17 +34,42 @@ class Arrays(unittest.TestCase):
         shapes = tandem.detect_planes(whole, maximum_distance=1000 * MAXIMUM_DISTANCE)
         self.assertEqual(shapes.hash, tandem.detect_planes(whole.astype(float), maximum_distance=30).hash)
 
-    def test_contiguous_doubles_are_not_copied(self):
-        points, normals = room()
-        shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
-        self.assertTrue(np.shares_memory(shapes.normals, normals))
-        self.assertFalse(shapes.normals.flags.writeable)
+    def test_a_result_has_no_array_of_the_caller(self):
+        points, normals = (array.copy() for array in room())
+        for kind in (np.asarray, memoryview, np.ma.array, np.asfortranarray):
+            with self.subTest(kind=kind):
+                given = kind(normals)
+                shapes = tandem.detect_planes(points, given, maximum_distance=MAXIMUM_DISTANCE)
+                before = normals.copy()
+                normals[:] = points[:] = 0
+                self.assertTrue(np.array_equal(shapes.normals, before))
+                self.assertFalse(np.shares_memory(shapes.normals, normals))
+                points[:], normals[:] = room()
+                self.assertIsNone(tandem.find_violation(points, shapes))
         self.assertTrue(normals.flags.writeable)
 
     def test_read_only_arrays(self):
         points = room()[0].copy()
         points.flags.writeable = False
         self.assertEqual(hash_of(points, room()[1]), shapes_of_room().hash)
+
+    def test_masked_numbers_are_not_finite(self):
+        points, normals = (np.ma.array(array) for array in room())
+        self.assertEqual(hash_of(points, normals), shapes_of_room().hash)  # nothing is masked
+        points[5, 1] = normals[7] = np.ma.masked
+        points.mask[9, 2] = True
+        masked = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
+        plain = tandem.detect_planes(points.filled(np.nan), normals.filled(np.inf), maximum_distance=MAXIMUM_DISTANCE)
+        self.assertEqual(masked.hash, plain.hash)
+        self.assertEqual(masked.labels[[5, 7, 9]].tolist(), [-1, -1, -1])
+        self.assertEqual(masked.statistics["number_of_ignored_coordinates"], 2)
+        self.assertEqual(masked.statistics["number_of_ignored_normals"], 1)
+        self.assertIsNone(tandem.find_violation(points, masked))
+        whole = np.ma.array([[1, 2, 3], [4, 5, 6]], mask=[[0, 0, 1], [0, 0, 0]])
+        for rows in (whole, [whole[0], whole[1]]):
+            self.assertEqual(tandem.detect_planes(rows).statistics["number_of_ignored_coordinates"], 1)
+        with self.assertRaisesRegex(ValueError, "^symmetry_direction is"):
+            tandem.detect_planes(points, symmetry_direction=whole[0])
 
     def test_wrong_arrays(self):
         points, normals = room()
@@ -84,11 +110,33 @@ class Parameters(unittest.TestCase):
             with self.subTest(name=name, value=value), self.assertRaisesRegex(ValueError, f"^{name} is"):
                 tandem.detect_planes(np.zeros((1, 3)), **{name: value})
 
+    def test_huge_numbers(self):
+        for name in ("maximum_distance", "maximum_angle", "angle_tolerance", "maximum_offset", "minimum_region_size",
+                     "k_neighbors", "cell_size", "threads"):
+            for value in (10**400, -10**400, 10**5000, Fraction(10**400), 2**63, -2**63 - 1, 10**30):
+                fits = isinstance(value, int) and abs(value) < 10**31 and name in ("maximum_distance", "maximum_offset")
+                is_count = name in ("minimum_region_size", "k_neighbors", "cell_size", "threads")
+                wrong = TypeError if is_count and isinstance(value, Fraction) else ValueError
+                if not fits or value < 0:
+                    with self.subTest(name=name), self.assertRaisesRegex(wrong, f"^{name} (is|must be) "):
+                        tandem.detect_planes(np.zeros((1, 3)), **{name: value})
+        for name in ("maximum_distance", "maximum_angle", "maximum_offset"):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name} is"):
+                tandem.regularize_planes(np.zeros((1, 3)), [0], [[0, 0, 1, 0]], **{name: 10**400})
+        for index in (10**30, -10**30, 2**63, 10**5000):
+            self.assertRaises(IndexError, shapes_of_room().points_of, index)
+        self.assertRaises(TypeError, shapes_of_room().points_of, 1.5)
+
     def test_wrong_types(self):
         for name, value in (("maximum_distance", "1"), ("maximum_angle", [1]), ("minimum_region_size", 100.0),
                             ("threads", "2"), ("progress", 3)):
             with self.subTest(name=name, value=value), self.assertRaisesRegex(TypeError, f"^{name} must be"):
                 tandem.detect_planes(np.zeros((1, 3)), **{name: value})
+
+    def test_arrays_in_place_of_values(self):
+        for name in ("regularize_parallelism", "regularize_orthogonality", "regularize_coplanarity", "backend"):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name} (is|must be) "):
+                tandem.detect_planes(np.zeros((1, 3)), **{name: np.array([1, 2])})
 
     def test_they_are_used(self):
         given = {"maximum_distance": np.float32(0.05), "maximum_angle": 20, "angle_tolerance": 5, "maximum_offset": 0,

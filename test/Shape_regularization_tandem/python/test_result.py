@@ -2,12 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a result has, and that its arrays are views."""
 
+import copy
+import copyreg
 import gc
+import pickle
 import unittest
 
 import numpy as np
 
 import tandem
+from tandem import _tandem
 from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
 
 
@@ -77,8 +81,31 @@ class Guarantees(unittest.TestCase):
         self.assertNotEqual(shapes.hash, shapes_of_room().hash)
 
 
+class Objects(unittest.TestCase):
+    def test_they_come_from_functions_only(self):
+        class Derived(tandem.PlanarShapes):
+            def __new__(cls):
+                return tandem.PlanarShapes.__new__(cls)
+
+        for made in (tandem.PlanarShapes, type(_tandem.default_settings())):
+            for make in (made, lambda: made.__new__(made), lambda: made.__mro__[1].__new__(made), Derived,
+                         lambda: object.__new__(made), lambda: copyreg.__newobj__(made)):
+                with self.subTest(made=made), self.assertRaises(TypeError):
+                    make()
+
+    def test_they_are_not_copied(self):
+        for function in (copy.copy, copy.deepcopy, pickle.dumps):
+            self.assertRaises(TypeError, function, shapes_of_room())
+
+
 class Views(unittest.TestCase):
     names = ("planes", "labels", "parallel_groups", "coplanar_groups", "orthogonal_pairs", "is_flipped", "normals")
+
+    def test_estimated_normals_are_one(self):
+        shapes = tandem.detect_planes(room()[0], maximum_distance=MAXIMUM_DISTANCE)
+        self.assertTrue(np.shares_memory(shapes.normals, shapes.normals))
+        self.assertIs(shapes.normals.base, shapes)
+        self.assertRaises(ValueError, shapes.normals.setflags, write=True)
 
     def arrays(self, shapes):
         return [getattr(shapes, name) for name in self.names] + [shapes.points_of(0)]
@@ -88,8 +115,7 @@ class Views(unittest.TestCase):
             self.assertFalse(array.flags.writeable)
             with self.assertRaisesRegex(ValueError, "read-only"):
                 array[0] = 0
-            if array.base is shapes_of_room():
-                self.assertRaises(ValueError, array.setflags, write=True)
+            self.assertRaises(ValueError, array.setflags, write=True)
 
     def test_no_copies(self):
         for first, second in zip(self.arrays(shapes_of_room()), self.arrays(shapes_of_room())):
@@ -103,7 +129,7 @@ class Views(unittest.TestCase):
     def test_they_outlive_the_result(self):
         shapes = tandem.detect_planes(*room(), maximum_distance=MAXIMUM_DISTANCE)
         arrays = self.arrays(shapes)
-        self.assertEqual(sum(array.base is shapes for array in arrays), 7)  # all but the given normals
+        self.assertTrue(all(array.base is shapes for array in arrays))
         copies = [array.copy() for array in arrays]
         del shapes
         gc.collect()
@@ -143,6 +169,48 @@ class Regularization(unittest.TestCase):
         self.assertLess(relations.angles.max(), 5)
         self.assertLess(relations.largest_distances.max(), 0.1)
         self.assertGreater(relations.maximum_distance, 0)
+
+    def test_unit_normals(self):
+        """Related planes have unit normals, all others stay as they are."""
+        random = np.random.default_rng(3)
+        counts = {True: 0, False: 0}
+        for _ in range(200):
+            m = random.integers(1, 7)
+            frame = np.linalg.qr(random.standard_normal((3, 3)))[0] if random.random() < .5 else np.eye(3)
+            points, labels, planes = [np.zeros((0, 3))], [], []
+            for s in range(m):
+                normal = np.eye(3)[random.integers(3)] + random.choice([0, 0, .02, .5]) * random.standard_normal(3)
+                normal = frame @ normal / np.linalg.norm(normal)
+                n, offset = random.choice([0, 2, 3, 40, 40]), random.integers(3) * random.choice([.005, 1])
+                points.append(offset * normal + random.random((n, 2)) @ np.linalg.svd(normal[None])[2][1:])
+                labels += n * [s]
+                planes.append(random.choice([1, 2, -3, 1e-200, 1e200, 0, np.nan]) * np.array([*normal, -offset]))
+            planes = np.array(planes)
+            given = {"fixed_directions": [frame[2]]} if random.random() < .3 else {}
+            r = tandem.regularize_planes(np.concatenate(points), np.array(labels, int), planes,
+                                         maximum_angle=random.choice([2, 10]), **given)
+            paired = {g for pair in r.orthogonal_pairs.tolist() for g in pair}
+            for s, group in enumerate(r.parallel_groups.tolist()):
+                is_related = group in paired or (r.parallel_groups == group).sum() > 1
+                if is_related or r.is_changed[s]:
+                    self.assertAlmostEqual(np.linalg.norm(r.planes[s, :3]), 1, places=14)
+                if not r.is_changed[s]:
+                    self.assertEqual(r.planes[s].tobytes(), planes[s].tobytes())
+                counts[is_related] += 1
+        self.assertGreater(min(counts.values()), 100)
+
+    def test_masked_arguments(self):
+        points = np.ma.array([[x, y, 0.] for x in range(4) for y in range(4)])
+        points[3, 1] = np.ma.masked
+        labels = np.ma.zeros(16, np.uint64)
+        labels[[2, 5]] = np.ma.masked
+        points.data[2] = 1e3  # belongs to no plane
+        relations = tandem.regularize_planes(points, labels, np.ma.array([[0, 0, 2, 0]]))
+        self.assertEqual(relations.largest_distances.tolist(), [0])
+        planes = np.ma.array([[0, 0, 1, 0], [1, 0, 0, 0]], mask=[4 * [False], [True, False, False, False]])
+        relations = tandem.regularize_planes(points, labels, planes)
+        self.assertTrue(np.isnan(relations.planes[1, 0]))
+        self.assertEqual((relations.is_changed.tolist(), len(relations.orthogonal_pairs)), ([False, False], 0))
 
     def test_errors(self):
         points, labels, planes = np.zeros((4, 3)), [0, 0, 0, -1], [[0, 0, 1, 0]]

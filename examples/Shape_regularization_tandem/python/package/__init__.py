@@ -40,7 +40,7 @@ class EstimatedParameters(NamedTuple):
 class PlaneRelations(NamedTuple):
     """The m planes that regularize_planes() returns, and how they are related."""
 
-    planes: npt.NDArray[np.float64]  #: (m, 4): a, b, c, d; those that were changed have a unit normal
+    planes: npt.NDArray[np.float64]  #: (m, 4): a, b, c, d; those that are related or were changed have a unit normal
     parallel_groups: npt.NDArray[np.int32]  #: (m,): those of a group have the same unit normal, up to its sign
     coplanar_groups: npt.NDArray[np.int32]  #: (m,): those of a group are the same plane, up to its sign
     orthogonal_pairs: npt.NDArray[np.int32]  #: (p, 2): pairs of parallel groups, the smaller one first, sorted
@@ -74,12 +74,13 @@ def detect_planes(
     """Detects planar shapes and makes those that are nearly parallel, orthogonal or coplanar exactly so.
 
     Each point of a shape is within maximum_distance and maximum_angle of the final plane of its shape. Points with a
-    coordinate that is not finite, or a given normal that is null or not finite, belong to no shape.
+    coordinate that is not finite, or a given normal that is null or not finite, belong to no shape: their label is -1,
+    and the statistics count them. Masked numbers of a masked array count as not finite.
 
     Arguments
         points               (n, 3) numbers. A C-contiguous array of float64 is read where it is, others are converted.
                              Do not change it during the call.
-        normals              (n, 3) numbers, of any length and orientation; None: estimated
+        normals              (n, 3) numbers, of any length and orientation, which are copied; None: estimated
         maximum_distance     largest distance of a point to the plane of its shape, in units of the points; None:
                              estimated, as estimate_parameters() does
         maximum_angle        largest angle between the normal of a point and that of its shape, in degrees, in
@@ -113,9 +114,8 @@ def detect_planes(
     number; MemoryError; RuntimeError: the back end cannot be used here.
     """
     rows = _rows("points", points)
-    given = None if normals is None else _rows("normals", normals)
-    _check_normals(given, rows)
-    settings = _tandem.Settings()
+    given = _normals(normals, rows)
+    settings = _tandem.default_settings()
     settings.maximum_distance = _number("maximum_distance", maximum_distance)
     settings.maximum_angle = _number("maximum_angle", maximum_angle)
     settings.angle_tolerance = _number("angle_tolerance", angle_tolerance)
@@ -141,9 +141,7 @@ def estimate_parameters(points: npt.ArrayLike, normals: Optional[npt.ArrayLike] 
     stray point far away from all others spoils it.
     """
     rows = _rows("points", points)
-    given = None if normals is None else _rows("normals", normals)
-    _check_normals(given, rows)
-    return EstimatedParameters(*_tandem.estimate_parameters(rows, given))
+    return EstimatedParameters(*_tandem.estimate_parameters(rows, _normals(normals, rows)))
 
 
 def regularize_planes(
@@ -162,13 +160,15 @@ def regularize_planes(
 ) -> PlaneRelations:
     """Makes given planes exactly parallel, orthogonal and coplanar where their points allow it.
 
-    For planes of any other detector. The arguments are not changed. A plane that is related to no other is returned as
-    it is, the others get a unit normal. Planes keep their orientation.
+    For planes of any other detector. The arguments are not changed. Planes that are parallel, orthogonal, coplanar or
+    symmetric to another, or have a fixed direction, get a unit normal, also where they had that relation before. The
+    others are returned as they are, with normals of any length. Planes keep their orientation. One that has no normal,
+    or a number that is not finite, or whose points determine no plane, is neither turned nor moved.
 
     Arguments
         points            (n, 3) numbers, as those of detect_planes()
-        labels            (n,) integers: the plane of each point, -1 if it has none
-        planes            (m, 4) numbers: a, b, c, d of each plane a x + b y + c z + d = 0
+        labels            (n,) integers: the plane of each point, -1 or masked if it has none
+        planes            (m, 4) numbers: a, b, c, d of each plane a x + b y + c z + d = 0. Masked ones are NaN.
         maximum_angle     angle within which planes are made parallel or orthogonal, in degrees, in [0, 45); None: 25
         maximum_offset    largest distance of parallel planes that are made coplanar, in units of the points; None: 0.01
         maximum_distance  distance within which a point counts in the verification; None: 2.5 times the root mean
@@ -181,7 +181,7 @@ def regularize_planes(
     Raises ValueError and TypeError as detect_planes().
     """
     rows = _rows("points", points)
-    settings = _tandem.Settings()
+    settings = _tandem.default_settings()
     settings.maximum_distance = _number("maximum_distance", maximum_distance)
     settings.maximum_angle = _number("maximum_angle", maximum_angle)
     settings.maximum_offset = _number("maximum_offset", maximum_offset)
@@ -211,8 +211,10 @@ def backends() -> List[str]:
 
 
 def _numbers(name: str, values: Any, kinds: str, what: str) -> npt.NDArray[Any]:
+    """An array, which is masked if the values are, or rows of them."""
+    has_masks = isinstance(values, (list, tuple)) and any(isinstance(v, np.ma.MaskedArray) for v in values)
     try:
-        array = np.asarray(values)
+        array = np.ma.array(values) if has_masks else np.asanyarray(values)
     except ValueError as error:  # rows of different lengths
         raise ValueError(f"{name} must be an array of {what}: {error}") from None
     if array.dtype.kind not in kinds:
@@ -221,26 +223,34 @@ def _numbers(name: str, values: Any, kinds: str, what: str) -> npt.NDArray[Any]:
 
 
 def _rows(name: str, values: npt.ArrayLike, columns: int = 3) -> npt.NDArray[np.float64]:
-    """Contiguous rows of float64: the array itself if it is like that."""
+    """Contiguous rows of float64: the array itself if it is like that. Masked numbers are NaN."""
     array = _numbers(name, values, "fiu", "numbers")
     if array.ndim != 2 or array.shape[1] != columns:
         raise ValueError(f"{name} must have the shape (n, {columns}), but it has {array.shape}")
-    return np.require(array, np.float64, ["C", "A"])
+    if np.ma.is_masked(array):
+        array = np.ma.filled(array.astype(np.float64), np.nan)
+    return np.require(array, np.float64, ["C", "A", "E"])
 
 
-def _check_normals(normals: Optional[npt.NDArray[np.float64]], points: npt.NDArray[np.float64]) -> None:
-    if normals is not None and len(normals) != len(points):
+def _normals(values: Optional[npt.ArrayLike], points: npt.NDArray[np.float64]) -> Optional[npt.NDArray[np.float64]]:
+    """A copy, since the result keeps it."""
+    if values is None:
+        return None
+    normals = _rows("normals", values)
+    if len(normals) != len(points):
         raise ValueError(f"normals must have a row for each of the {len(points)} points, but it has {len(normals)}")
+    return normals.copy()
 
 
 def _labels(labels: npt.ArrayLike, points: int, planes: int) -> npt.NDArray[np.int32]:
     array = _numbers("labels", labels, "iu", "integers")
     if array.shape != (points,):
         raise ValueError(f"labels must have the shape ({points},), as the points, but it has {array.shape}")
-    if array.size > 0 and (array.min() < -1 or array.max() >= planes):
-        raise ValueError(f"labels are in [{array.min()}, {array.max()}], allowed is -1 or the index of a plane, "
+    given = np.ma.compressed(array)
+    if given.size > 0 and (given.min() < -1 or given.max() >= planes):
+        raise ValueError(f"labels are in [{given.min()}, {given.max()}], allowed is -1 or the index of a plane, "
                          f"below {planes}")
-    return np.require(array, np.int32, ["C", "A"])
+    return np.require(np.ma.filled(array.astype(np.int32), -1), np.int32, ["C", "A", "E"])
 
 
 def _number(name: str, value: Any) -> Optional[float]:
@@ -252,6 +262,8 @@ def _number(name: str, value: Any) -> Optional[float]:
         return float(value)
     except TypeError:
         raise TypeError(f"{name} must be a number, not {type(value).__name__}") from None
+    except (OverflowError, ValueError) as error:
+        raise ValueError(f"{name} is out of its range: {error}") from None
 
 
 def _count(name: str, value: Any) -> Optional[int]:
@@ -261,22 +273,29 @@ def _count(name: str, value: Any) -> Optional[int]:
         count = operator.index(value)
     except TypeError:
         raise TypeError(f"{name} must be an integer, not {type(value).__name__}") from None
-    if abs(count) >= 2**63:
-        raise ValueError(f"{name} is {count}, which is out of its range")
+    if count.bit_length() > 63:  # not written out: it may have any number of digits
+        raise ValueError(f"{name} is out of its range: it has {count.bit_length()} bits")
     return count
+
+
+def _switch(name: str, value: Any) -> bool:
+    try:
+        return bool(value)
+    except ValueError as error:  # an array
+        raise ValueError(f"{name} must be true or false: {error}") from None
 
 
 def _backend(name: str) -> str:
     names: Tuple[str, ...] = ("auto", "sequential", "parallel", "cuda")
-    if name not in names:
+    if not isinstance(name, str) or name not in names:
         raise ValueError(f"backend is {name!r}, allowed are {', '.join(names)}")
     return name
 
 
 def _set_relations(settings: _tandem.Settings, parallelism: bool, orthogonality: bool, coplanarity: bool) -> None:
-    settings.regularize_parallelism = bool(parallelism)
-    settings.regularize_orthogonality = bool(orthogonality)
-    settings.regularize_coplanarity = bool(coplanarity)
+    settings.regularize_parallelism = _switch("regularize_parallelism", parallelism)
+    settings.regularize_orthogonality = _switch("regularize_orthogonality", orthogonality)
+    settings.regularize_coplanarity = _switch("regularize_coplanarity", coplanarity)
 
 
 def _set_directions(

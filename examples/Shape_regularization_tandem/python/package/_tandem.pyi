@@ -58,6 +58,7 @@ class Settings:
     symmetry_direction: Optional[Tuple[float, float, float]]
     backend: str
 
+def default_settings() -> Settings: ...
 def detect_planes(
     points: npt.NDArray[np.float64],
     normals: Optional[npt.NDArray[np.float64]],

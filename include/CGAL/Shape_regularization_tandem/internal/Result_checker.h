@@ -8,12 +8,15 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/relation_violation.h>
+#include <CGAL/Shape_regularization_tandem/internal/statistics_violation.h>
+#include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/engine/first_unconnected.h>
-#include <CGAL/Tandem/internal/finish/exact_check.h>
-#include <CGAL/Tandem/internal/regularity/given_directions.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -25,18 +28,18 @@ class Result_checker {
 public:
   using Shapes = Planar_shapes_3<GeomTraits>;
 
-  Result_checker(const Import& in, const Shapes& shapes) : in_(in), shapes_(shapes), data_(shapes.data()) {}
+  // The grid of the points is chosen here.
+  Result_checker(Import& in, const Shapes& shapes) : in_(in), shapes_(shapes), data_(shapes.data()) {}
 
-  // Stops at the first check that fails, which sets violation(). Later checks rely on earlier ones: indices are valid
-  // then.
+  // Stops at the first check that fails, which sets violation(). Later checks rely on earlier ones: parameters are
+  // those of a detection, and indices are valid, before anything is computed with them. All ranks stop at the same
+  // check.
   template <class Backend>
   bool check(Backend& backend)
   {
-    const bool is_valid_here = check_tables() && check_labels() && check_planes() && check_groups() &&
-                               check_orthogonality() && check_given_directions() && check_points();
     const Ranks<Backend> ranks(backend);
-    return ranks.all(is_valid_here, violation_) && check_same(ranks) && check_statistics(ranks) && check_sizes(ranks) &&
-           check_connectivity(backend);
+    return ranks.all(check_here(), violation_) && check_same(ranks) && ranks.all(check_sums(ranks), violation_) &&
+           check_connectivity(backend) && passes(listing_violation(data_));
   }
 
   const std::string& violation() const { return violation_; }
@@ -49,8 +52,27 @@ private:
     return false;
   }
 
-  // A name with its index, for messages.
-  static std::string at(const char* what, std::size_t index) { return std::string(what) + " " + to_text(index); }
+  bool passes(const std::string& violation) { return violation.empty() || fail(violation); }
+
+  bool check_here()
+  {
+    return check_parameters() && check_tables() && check_labels() && check_lists() && passes(plane_violation(data_)) &&
+           passes(group_violation(shapes_)) && passes(orthogonality_violation(data_)) && check_points();
+  }
+
+  // There is a detection with these parameters.
+  bool check_parameters()
+  {
+    try {
+      Tandem::check_parameters(data_.parameters);
+      choose_grid(in_, data_.parameters.maximum_distance);
+      return true;
+    } catch(const std::invalid_argument& refusal) {
+      return fail(refusal.what());
+    } catch(const std::range_error& refusal) {
+      return fail(refusal.what());
+    }
+  }
 
   // Corrupted tables may have any number.
   static bool is_index(int i, std::size_t size) { return i >= 0 && std::size_t(i) < size; }
@@ -65,12 +87,12 @@ private:
     if(data_.shape_of.size() != in_.number_of_items)
       return fail("there are " + to_text(data_.shape_of.size()) + " shape indices for " + to_text(in_.number_of_items) +
                   " points");
-    if(!in_.has_normals && data_.normal.size() != in_.number_of_items)
-      return fail("there are " + to_text(data_.normal.size()) + " normals for " + to_text(in_.number_of_items) +
-                  " points");
+    const std::size_t normals = in_.has_normals ? 0 : in_.number_of_items;
+    if(data_.normal.size() != normals)
+      return fail("there are " + to_text(data_.normal.size()) + " estimated normals instead of " + to_text(normals));
     for(std::size_t s = 0; s < n; ++s)
       if(!is_index(data_.parallel_group[s], n) || !is_index(data_.coplanar_group[s], n))
-        return fail(at("no group for shape", s));
+        return fail(numbered("no group for shape", s));
     return true;
   }
 
@@ -78,100 +100,33 @@ private:
   bool check_labels()
   {
     for(std::size_t i = 0; i < data_.shape_of.size(); ++i)
-      if(data_.shape_of[i] < -1 || data_.shape_of[i] >= std::int32_t(data_.coefficients.size()))
-        return fail(at("the shape index is out of range at point", i) + ": " + to_text(data_.shape_of[i]));
+      if(data_.shape_of[i] != -1 && !is_index(data_.shape_of[i], data_.coefficients.size()))
+        return fail(numbered("the shape index is out of range at point", i) + ": " + to_text(data_.shape_of[i]));
     std::vector<char> is_known(in_.number_of_items, 0);
     for(std::size_t i = 0; i < in_.size(); ++i)
       is_known[in_.item_of(i)] = 1;
     for(std::size_t i = 0; i < is_known.size(); ++i)
-      if(!is_known[i] && data_.shape_of[i] >= 0)
-        return fail(at("a shape has the invalid point", i));
+      if(!is_known[i] && (data_.shape_of[i] >= 0 || (!in_.has_normals && data_.normal[i] != no_normal)))
+        return fail(numbered("a shape or a normal has the invalid point", i));
     return true;
   }
 
-  // Unit normals up to rounding, and finite offsets: the distances below rely on both.
-  bool check_planes()
+  // The points of each shape, ascending, are those of its index.
+  bool check_lists()
   {
-    for(std::size_t s = 0; s < data_.coefficients.size(); ++s) {
-      const Coefficients& c = data_.coefficients[s];
-      const double length = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
-      if(!(std::fabs(length - 1) <= 1e-15) || !std::isfinite(c[3]))
-        return fail(at("no unit normal in shape", s) + ": length - 1 is " + to_text(length - 1));
-    }
-    return true;
-  }
-
-  // Exact relations: the planes of a group have the same bits, as doubles and in the kernel. Groups are numbered
-  // without gaps.
-  bool check_groups()
-  {
-    const std::vector<int> direction = representatives(data_.parallel_group);
-    const std::vector<int> plane = representatives(data_.coplanar_group);
-    for(const std::vector<int>* first : {&direction, &plane})
-      for(std::size_t g = 0; g < first->size(); ++g)
-        if((*first)[g] < 0)
-          return fail(at("no shape in group", g));
-    for(std::size_t s = 0; s < data_.coefficients.size(); ++s) {
-      const std::size_t r = std::size_t(direction[data_.parallel_group[s]]);
-      const std::size_t p = std::size_t(plane[data_.coplanar_group[s]]);
-      if(!has_same_bits(s, r, 3) || shapes_.plane(s).orthogonal_vector() != shapes_.plane(r).orthogonal_vector())
-        return fail(at("not exactly parallel are shape", s) + at(" and", r));
-      if(!has_same_bits(s, p, 4) || shapes_.plane(s) != shapes_.plane(p) ||
-         data_.parallel_group[s] != data_.parallel_group[p])
-        return fail(at("not exactly coplanar are shape", s) + at(" and", p));
-    }
-    return true;
-  }
-
-  // Compares bits, not values: 0 and -0 differ.
-  bool has_same_bits(std::size_t s, std::size_t t, int coefficients) const
-  {
-    return std::memcmp(data_.coefficients[s].data(), data_.coefficients[t].data(),
-                       std::size_t(coefficients) * sizeof(double)) == 0;
-  }
-
-  // Exact relations: the dot product of each orthogonal pair of groups, in plain double arithmetic. Pairs are sorted
-  // and name groups that exist.
-  bool check_orthogonality()
-  {
-    const std::vector<int> first = representatives(data_.parallel_group);
-    for(const auto& pair : data_.orthogonal_groups) {
-      if(pair.first < 0 || pair.first >= pair.second || std::size_t(pair.second) >= first.size())
-        return fail("no such pair of orthogonal groups: " + to_text(pair.first) + ", " + to_text(pair.second));
-      const Coefficients &a = data_.coefficients[first[pair.first]], &b = data_.coefficients[first[pair.second]];
-      const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-      if(!(std::fabs(product) <= 1e-15))
-        return fail("not orthogonal are groups " + to_text(pair.first) + " and " + to_text(pair.second) +
-                    ": the dot product is " + to_text(product));
-    }
-    if(!std::is_sorted(data_.orthogonal_groups.begin(), data_.orthogonal_groups.end()))
-      return fail("the orthogonal groups are not sorted");
-    return true;
-  }
-
-  // Exact relations to what was given: the bits of a fixed direction, the cosine of the angle to the axis.
-  bool check_given_directions()
-  {
-    const std::vector<int> first = representatives(data_.parallel_group);
-    if(data_.fixed_direction.size() != first.size() || data_.symmetry_group.size() != first.size())
-      return fail("the tables of the parallel groups differ in size");
-    std::vector<double> cosine(first.size(), -1); // by symmetry group
-    for(std::size_t g = 0; g < first.size(); ++g) {
-      const Coefficients& c = data_.coefficients[first[g]];
-      const Vector n = {c[0], c[1], c[2]};
-      const int fixed = data_.fixed_direction[g], symmetry = data_.symmetry_group[g];
-      if(fixed < -1 || fixed >= int(data_.parameters.fixed_directions.size()) || symmetry < -1 ||
-         symmetry >= int(first.size()))
-        return fail(at("no such direction or symmetry of group", g));
-      if(fixed >= 0 && !(canonical(n) == given_direction(data_.parameters.fixed_directions[fixed])))
-        return fail(at("not exactly a fixed direction has group", g));
-      if(symmetry < 0)
-        continue;
-      const double own = std::fabs(dot(n, symmetry_axis(data_.parameters)));
-      if(cosine[symmetry] >= 0 && !(std::fabs(own - cosine[symmetry]) <= 1e-15))
-        return fail(at("not symmetric is group", g));
-      cosine[symmetry] = cosine[symmetry] < 0 ? own : cosine[symmetry];
-    }
+    const std::vector<std::size_t>& first = shapes_.point_groups().first;
+    const auto& position = shapes_.point_groups().position;
+    std::size_t assigned = 0;
+    for(std::int32_t s : data_.shape_of)
+      assigned += s >= 0;
+    if(first.size() != data_.coefficients.size() + 1 || first[0] != 0 || first.back() != position.size() ||
+       position.size() != assigned || !std::is_sorted(first.begin(), first.end()))
+      return fail("the lists of the points of the shapes have other sizes than the shapes");
+    for(std::size_t s = 0; s + 1 < first.size(); ++s)
+      for(std::size_t i = first[s]; i < first[s + 1]; ++i)
+        if(position[i] >= data_.shape_of.size() || data_.shape_of[position[i]] != std::int32_t(s) ||
+           (i > first[s] && position[i - 1] >= position[i]))
+          return fail(numbered("other points than those of its index are listed for shape", s));
     return true;
   }
 
@@ -180,26 +135,39 @@ private:
   bool check_points()
   {
     const double cosine = std::cos(data_.parameters.maximum_angle * (3.14159265358979323846 / 180));
+    sides_.assign(2 * data_.coefficients.size(), 0);
     for(std::size_t i = 0; i < in_.size(); ++i) {
       const std::size_t item = in_.item_of(i);
       if(data_.shape_of[item] < 0)
         continue;
-      const Coefficients& c = data_.coefficients[data_.shape_of[item]];
+      const std::size_t s = std::size_t(data_.shape_of[item]);
+      const Coefficients& c = data_.coefficients[s];
       const Vector p = in_.position(i);
       const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
       const double distance = std::fabs(x + y + z + c[3]);
       const double largest = (std::max)({std::fabs(x), std::fabs(y), std::fabs(z), std::fabs(c[3])});
       if(!(distance <= data_.parameters.maximum_distance + 8 * 2.3e-16 * largest))
-        return fail(at("too far from its plane is point", item) + ": " + to_text(distance) + " from the plane of " +
-                    at("shape", std::size_t(data_.shape_of[item])));
+        return fail(numbered("too far from its plane is point", item) + ": " + to_text(distance) +
+                    " from the plane of " + numbered("shape", s));
       const Vector n = in_.has_normals ? in_.normal(i) : unpacked_normal(data_.normal[item]);
-      const double aligned = std::fabs(c[0] * n.x + c[1] * n.y + c[2] * n.z);
+      const double aligned = c[0] * n.x + c[1] * n.y + c[2] * n.z;
       // With a maximum_angle of nearly 90 degrees, a normal within the plane must still fail.
-      if(!(aligned >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
-        return fail(at("too oblique is the normal of point", item) + ": the cosine is " + to_text(aligned) +
-                    " with that of " + at("shape", std::size_t(data_.shape_of[item])));
+      if(!(std::fabs(aligned) >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
+        return fail(numbered("too oblique is the normal of point", item) + ": the cosine is " +
+                    to_text(std::fabs(aligned)) + " with that of " + numbered("shape", s));
+      measure(s, distance, aligned);
     }
     return true;
+  }
+
+  // The method decides on sides with normals that are packed, and turned a little by that.
+  void measure(std::size_t s, double distance, double aligned)
+  {
+    constexpr double packing = 2e-4;
+    ++sums_.assigned;
+    sums_.distance += std::uint64_t((std::min)(distance / data_.parameters.maximum_distance, 1.) * distance_units + .5);
+    sides_[2 * s] += aligned < -packing;
+    sides_[2 * s + 1] += aligned < packing;
   }
 
   // All processes have the same shapes, up to the points. What follows is then the same on all of them.
@@ -221,61 +189,52 @@ private:
     add(data_.symmetry_group);
     for(const auto& pair : data_.orthogonal_groups)
       add(std::vector<int>{pair.first, pair.second});
-    const Statistics& t = data_.statistics;
-    add(std::vector<std::size_t>{t.number_of_points, t.number_of_assigned_points, t.number_of_ignored_coordinates,
-                                 t.number_of_ignored_normals, t.number_of_shapes, t.number_of_directions,
-                                 t.number_of_planes, t.number_of_orthogonal_pairs, data_.parameters.k_neighbors,
-                                 data_.parameters.minimum_region_size});
-    Shapes::add_to_hash(h, {{t.coverage, t.complexity, t.mean_distance, data_.parameters.maximum_distance}});
-    return ranks.are_same(h) || fail("the processes have different shapes, statistics or parameters");
+    for(const auto& parameter : listed(data_.parameters))
+      Shapes::add_to_hash(h, {{parameter.second, 0, 0, 0}});
+    add(std::vector<std::size_t>{data_.statistics.number_of_rounds, data_.statistics.is_cancelled});
+    return ranks.are_same(h) || fail("the processes have different shapes or parameters");
+  }
+
+  // What is summed over the points of all ranks.
+  template <class Ranks>
+  bool check_sums(const Ranks& ranks)
+  {
+    const std::size_t n = data_.coefficients.size();
+    std::vector<std::uint64_t> size;
+    for(std::size_t s = 0; s < n; ++s)
+      size.push_back(shapes_.points(s).size());
+    ranks.sum(size.data(), n);
+    ranks.sum(sides_.data(), sides_.size());
+    sums_.assigned = ranks.total(sums_.assigned);
+    sums_.distance = ranks.total(sums_.distance);
+    sums_.peak_bytes = ranks.total(data_.statistics.peak_bytes);
+    return check_sizes(size) && check_sides(size) && passes(count_violation(data_, in_, sums_)) &&
+           passes(cost_violation(data_.statistics, in_, sums_));
   }
 
   // Size: the number of points, and no shape is below the minimum.
-  template <class Ranks>
-  bool check_sizes(const Ranks& ranks)
+  bool check_sizes(const std::vector<std::uint64_t>& size)
   {
-    std::vector<std::uint64_t> size;
-    for(std::size_t s = 0; s < shapes_.number_of_shapes(); ++s)
-      size.push_back(shapes_.points(s).size());
-    ranks.sum(size.data(), size.size());
     for(std::size_t s = 0; s < size.size(); ++s) {
       if(size[s] != data_.size[s])
-        return fail(at("the size is wrong of shape", s) + ": " + to_text(data_.size[s]) + " instead of " +
+        return fail(numbered("the size is wrong of shape", s) + ": " + to_text(data_.size[s]) + " instead of " +
                     to_text(size[s]) + " points");
       if(size[s] < data_.parameters.minimum_region_size)
-        return fail(at("too small is shape", s) + ": " + to_text(size[s]) + " points");
+        return fail(numbered("too small is shape", s) + ": " + to_text(size[s]) + " points");
     }
     return true;
   }
 
-  // Counts and ratios of the statistics, counted again from the tables.
-  template <class Ranks>
-  bool check_statistics(const Ranks& ranks)
+  // Whether most normals are opposite. Estimated normals have no side.
+  bool check_sides(const std::vector<std::uint64_t>& size)
   {
-    const Statistics& t = data_.statistics;
-    std::size_t assigned = 0;
-    for(std::int32_t s : data_.shape_of)
-      assigned += s >= 0;
-    assigned = ranks.total(assigned);
-    const bool has_counts = t.number_of_points == in_.total.items && t.number_of_assigned_points == assigned &&
-                            t.number_of_ignored_coordinates == in_.total.ignored_coordinates &&
-                            t.number_of_ignored_normals == in_.total.ignored_normals;
-    if(!has_counts)
-      return fail("the statistics count other points: " + to_text(t.number_of_assigned_points) + " instead of " +
-                  to_text(assigned) + " assigned ones");
-    const bool has_relations = t.number_of_shapes == data_.coefficients.size() &&
-                               t.number_of_directions == representatives(data_.parallel_group).size() &&
-                               t.number_of_planes == representatives(data_.coplanar_group).size() &&
-                               t.number_of_orthogonal_pairs == data_.orthogonal_groups.size();
-    if(!has_relations)
-      return fail("the statistics count other shapes, directions, planes or orthogonal pairs");
-    const double coverage = t.number_of_points > 0 ? double(assigned) / double(t.number_of_points) : 0;
-    if(!(std::fabs(t.coverage - coverage) <= 1e-12))
-      return fail("the coverage is " + to_text(t.coverage) + " instead of " + to_text(coverage));
-    if(!(t.complexity >= 0 && t.complexity <= 1))
-      return fail("the complexity is " + to_text(t.complexity) + ", not in [0, 1]");
-    if(!(t.mean_distance >= 0 && t.mean_distance <= data_.parameters.maximum_distance * 1.000001))
-      return fail("the mean distance is " + to_text(t.mean_distance));
+    for(std::size_t s = 0; s < size.size(); ++s) {
+      const char is_flipped = data_.is_flipped[s];
+      const bool may_be = in_.has_normals && 2 * sides_[2 * s + 1] > size[s];
+      const bool must_be = in_.has_normals && 2 * sides_[2 * s] > size[s];
+      if(!(is_flipped == 0 && !must_be) && !(is_flipped == 1 && may_be))
+        return fail(numbered("wrongly flipped or not is shape", s));
+    }
     return true;
   }
 
@@ -284,19 +243,23 @@ private:
   template <class Backend>
   bool check_connectivity(Backend& backend)
   {
+    in_.point.reset(in_.size());
+    backend.for_each(in_.size(), place_on_grid(in_, in_.point.data()));
     std::vector<std::int32_t> label;
     for(std::size_t i = 0; i < in_.size(); ++i)
       label.push_back(data_.shape_of[in_.item_of(i)]);
     const std::size_t k = data_.parameters.k_neighbors, shapes = data_.coefficients.size();
     const std::size_t s = first_unconnected(backend, in_, label, k, shapes);
-    return s == shapes || fail(at("not connected is shape", s));
+    return s == shapes || fail(numbered("not connected is shape", s));
   }
 
   // The points as they were imported, and the result in two forms: planes of the kernel, and plain tables.
-  const Import& in_;
+  Import& in_;
   const Shapes& shapes_;
   const Shapes_data& data_;
-  std::string violation_; // empty as long as every check has passed
+  Point_sums sums_;
+  std::vector<std::uint64_t> sides_; // of each shape: the normals that are surely, and those that may be opposite
+  std::string violation_;            // empty as long as every check has passed
 };
 
 } // namespace internal

@@ -7,42 +7,15 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_SAME_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_MPI_SAME_PARAMETERS_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/mpi/Communicator.h>
 
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Each number with its name. Directions come last, since there may be any number of them.
-inline std::vector<std::pair<const char*, double>> listed(const Parameters& p)
-{
-  std::vector<std::pair<const char*, double>> list = {
-    {"maximum_distance", p.maximum_distance},
-    {"maximum_angle", p.maximum_angle},
-    {"angle_tolerance", p.angle_tolerance},
-    {"maximum_offset", p.maximum_offset},
-    {"minimum_region_size", double(p.minimum_region_size)},
-    {"k_neighbors", double(p.k_neighbors)},
-    {"cell_size", double(p.cell_size)},
-    {"regularize_parallelism", p.regularize_parallelism},
-    {"regularize_orthogonality", p.regularize_orthogonality},
-    {"regularize_coplanarity", p.regularize_coplanarity},
-    {"regularize_axis_symmetry", p.regularize_axis_symmetry},
-    {"regularity_period", double(p.regularity_period)},
-  };
-  for(const double x : p.symmetry_direction)
-    list.emplace_back("symmetry_direction", x);
-  list.emplace_back("fixed_directions", double(p.fixed_directions.size()));
-  for(const auto& direction : p.fixed_directions)
-    for(const double x : direction)
-      list.emplace_back("fixed_directions", x);
-  return list;
-}
 
 // Called by all ranks.
 inline void check_same_parameters(Communicator& communicator, const Parameters& parameters)

@@ -84,13 +84,15 @@ inline bool are_exactly_orthogonal(const Vector& a, const Vector& b)
 }
 
 // All pairs (i, j), i < j, of exactly orthogonal unit directions, sorted; null vectors have none. A direction is
-// compared with those near its great circle: for n directions in general position, about the square root of n.
-inline std::vector<std::pair<int, int>> orthogonal_pairs(const std::vector<Vector>& directions)
+// compared with those near its great circle: for n directions in general position, about the square root of n. The list
+// is not complete if there are more than `most`.
+inline std::vector<std::pair<int, int>> orthogonal_pairs(const std::vector<Vector>& directions,
+                                                         std::size_t most = (std::numeric_limits<std::size_t>::max)())
 {
   std::vector<std::pair<int, int>> pairs;
   Great_circle_index index;
   std::vector<int> added; // by number in the index
-  for(std::size_t j = 0; j < directions.size(); ++j) {
+  for(std::size_t j = 0; j < directions.size() && pairs.size() <= most; ++j) {
     if(!(dot(directions[j], directions[j]) > 0))
       continue;
     index.search(Right_angle_region(directions[j]), [&](int k) {

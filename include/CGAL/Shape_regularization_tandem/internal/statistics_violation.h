@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks of the statistics of a result: what follows from points, labels and relations is computed again, the rest has
+// to be possible. Each function returns the first violation, or an empty text.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H
+
+#include <CGAL/Tandem/internal/engine/make_options.h>
+#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/finish/measure_shapes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Sums over the points of all ranks, of which no order changes a bit.
+struct Point_sums {
+  std::uint64_t assigned = 0, distance = 0; // the latter in units of epsilon / distance_units
+  std::uint64_t peak_bytes = 0;
+};
+
+// A number of the statistics, and what it should be.
+struct Statistic {
+  const char* name;
+  double found, expected, margin;
+
+  std::string violation() const
+  {
+    return std::fabs(found - expected) <= margin ? std::string()
+                                                 : "the statistics are wrong: " + std::string(name) + " is " +
+                                                     to_text(found) + " instead of " + to_text(expected);
+  }
+};
+
+inline std::string first_violation(std::initializer_list<Statistic> numbers)
+{
+  for(const Statistic& number : numbers)
+    if(!number.violation().empty())
+      return number.violation();
+  return {};
+}
+
+// Exact: a double has all numbers of points. One that is too large for it is wrong in any case.
+inline Statistic count_of(const char* name, std::size_t found, std::size_t expected)
+{
+  return {name, double(found), double(expected), 0};
+}
+
+// What the points, the grid and the relations say.
+inline std::string count_violation(const Shapes_data& data, const Import& in, const Point_sums& sums)
+{
+  Shapes_data again;
+  again.coefficients = data.coefficients;
+  again.parallel_group = data.parallel_group;
+  again.coplanar_group = data.coplanar_group;
+  again.orthogonal_groups = data.orthogonal_groups;
+  measure_relations(again);
+  const Statistics &t = data.statistics, &r = again.statistics;
+  const double points = double(in.total.items), assigned = double(sums.assigned);
+  const double epsilon = data.parameters.maximum_distance;
+  const double unit = epsilon / distance_units;
+  const double mean = sums.assigned > 0 ? double(sums.distance) / assigned * unit : 0;
+  const double rounding = (std::min)(distance_margin(in.grid) * in.grid.step + 2 * unit, epsilon);
+  return first_violation({
+    count_of("number_of_points", t.number_of_points, in.total.items),
+    count_of("number_of_ignored_coordinates", t.number_of_ignored_coordinates, in.total.ignored_coordinates),
+    count_of("number_of_ignored_normals", t.number_of_ignored_normals, in.total.ignored_normals),
+    count_of("number_of_assigned_points", t.number_of_assigned_points, sums.assigned),
+    count_of("number_of_shapes", t.number_of_shapes, r.number_of_shapes),
+    count_of("number_of_directions", t.number_of_directions, r.number_of_directions),
+    count_of("number_of_planes", t.number_of_planes, r.number_of_planes),
+    count_of("number_of_orthogonal_pairs", t.number_of_orthogonal_pairs, r.number_of_orthogonal_pairs),
+    count_of("degrees_of_freedom", t.degrees_of_freedom, r.degrees_of_freedom),
+    count_of("has_estimated_normals", t.has_estimated_normals, !in.has_normals),
+    count_of("is_grid_coarse", t.is_grid_coarse, in.grid.is_coarse),
+    {"grid_step", t.grid_step, in.grid.step, 0},
+    {"complexity", t.complexity, r.complexity, 0},
+    {"coverage", t.coverage, in.total.items > 0 ? assigned / points : 0, 0},
+    {"mean_distance", t.mean_distance, mean, rounding},
+  });
+}
+
+// Seconds, rounds and bytes cannot be measured again.
+inline std::string cost_violation(const Statistics& t, const Import& in, const Point_sums& sums)
+{
+  const auto& [normals, sort, neighbors, growth, regularity, finish, total] = t.times;
+  double stages = 0;
+  for(const double seconds : {normals, sort, neighbors, growth, regularity, finish}) {
+    if(!(seconds >= 0 && std::isfinite(seconds)))
+      return "a stage takes " + to_text(seconds) + " seconds";
+    stages += seconds;
+  }
+  if(!(std::fabs(total - stages) <= 1e-9 * stages))
+    return "the stages take " + to_text(stages) + " seconds, but all of it " + to_text(total);
+  const std::size_t least_rounds = t.number_of_shapes > 0 ? 1 : 0;
+  if(t.number_of_rounds < least_rounds || t.number_of_rounds > std::size_t(tuning::loop::maximum_rounds))
+    return "there are " + to_text(t.number_of_rounds) + " rounds";
+  constexpr std::uint64_t least_bytes = sizeof(Grid_point), most_bytes = 1024; // of a point
+  if(sums.peak_bytes > most_bytes * in.total.points ||
+     (t.number_of_shapes > 0 && sums.peak_bytes < least_bytes * in.total.points))
+    return "the tables of " + to_text(in.total.points) + " points had " + to_text(sums.peak_bytes) + " bytes";
+  return t.backend.empty() ? "there is no back end" : "";
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H

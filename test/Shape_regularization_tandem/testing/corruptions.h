@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Wrong values for each field of a result, in turn. A new field of one of the structs does not compile until it is
+// named here.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CORRUPTIONS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CORRUPTIONS_H
+
+#include "change_table.h"
+
+#include <CGAL/Tandem/internal/finish/Shapes_data.h>
+
+#include <array>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Numbers all corruptions, and makes one of them: that of the number `target`.
+class Corruption {
+public:
+  using Data = CGAL::Tandem::internal::Shapes_data;
+
+  Corruption(Data& data, std::size_t target) : target_(target)
+  {
+    auto& [coefficients, size, parallel, coplanar, orthogonal, fixed, symmetry, flipped, shape_of, normal, parameters,
+           statistics, points] = data;
+    visit("coefficients", coefficients);
+    visit("size", size);
+    visit("parallel_group", parallel);
+    visit("coplanar_group", coplanar);
+    visit("orthogonal_groups", orthogonal);
+    visit("fixed_direction", fixed);
+    visit("symmetry_group", symmetry);
+    visit("is_flipped", flipped);
+    visit("shape_of", shape_of);
+    visit("normal", normal);
+    visit_fields("parameters.", parameters);
+    visit_fields("statistics.", statistics);
+    visit_fields("points.", points);
+  }
+
+  // Whether there is one of that number.
+  bool is_made() const { return !field_.empty(); }
+  const std::string& field() const { return field_; }
+  // The field, and how it was changed.
+  const std::string& name() const { return name_; }
+
+private:
+  void visit_fields(const std::string& of, CGAL::Tandem::Parameters& p)
+  {
+    auto& [distance, angle, tolerance, offset, size, k, cell, parallelism, orthogonality, coplanarity, fixed,
+           is_symmetric, axis, period] = p;
+    visit(of + "maximum_distance", distance);
+    visit(of + "maximum_angle", angle);
+    visit(of + "angle_tolerance", tolerance);
+    visit(of + "maximum_offset", offset);
+    visit(of + "minimum_region_size", size);
+    visit(of + "k_neighbors", k);
+    visit(of + "cell_size", cell);
+    visit(of + "regularize_parallelism", parallelism);
+    visit(of + "regularize_orthogonality", orthogonality);
+    visit(of + "regularize_coplanarity", coplanarity);
+    visit(of + "fixed_directions", fixed);
+    visit(of + "regularize_axis_symmetry", is_symmetric);
+    visit(of + "symmetry_direction", axis);
+    visit(of + "regularity_period", period);
+  }
+
+  void visit_fields(const std::string& of, CGAL::Tandem::Statistics& s)
+  {
+    auto& [points, coordinates, normals, assigned, shapes, directions, planes, pairs, coverage, distance, freedom,
+           complexity, rounds, times, bytes, step, is_coarse, has_estimated, is_cancelled, backend] = s;
+    visit(of + "number_of_points", points);
+    visit(of + "number_of_ignored_coordinates", coordinates);
+    visit(of + "number_of_ignored_normals", normals);
+    visit(of + "number_of_assigned_points", assigned);
+    visit(of + "number_of_shapes", shapes);
+    visit(of + "number_of_directions", directions);
+    visit(of + "number_of_planes", planes);
+    visit(of + "number_of_orthogonal_pairs", pairs);
+    visit(of + "coverage", coverage);
+    visit(of + "mean_distance", distance);
+    visit(of + "degrees_of_freedom", freedom);
+    visit(of + "complexity", complexity);
+    visit(of + "number_of_rounds", rounds);
+    visit_fields(of + "times.", times);
+    visit(of + "peak_bytes", bytes);
+    visit(of + "grid_step", step);
+    visit(of + "is_grid_coarse", is_coarse);
+    visit(of + "has_estimated_normals", has_estimated);
+    visit(of + "is_cancelled", is_cancelled);
+    visit(of + "backend", backend);
+  }
+
+  void visit_fields(const std::string& of, CGAL::Tandem::Stage_times& t)
+  {
+    auto& [normals, sort, neighbors, growth, regularity, finish, total] = t;
+    visit(of + "normals", normals);
+    visit(of + "sort", sort);
+    visit(of + "neighbors", neighbors);
+    visit(of + "growth", growth);
+    visit(of + "regularity", regularity);
+    visit(of + "finish", finish);
+    visit(of + "total", total);
+  }
+
+  void visit_fields(const std::string& of, CGAL::Tandem::internal::Point_groups& g)
+  {
+    auto& [first, position] = g;
+    visit(of + "first", first);
+    visit(of + "position", position);
+  }
+
+  // Each kind of value has its corruptions.
+
+  void visit(const std::string& field, double& x)
+  {
+    const double infinite = std::numeric_limits<double>::infinity();
+    for(const double wrong : {std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, -1 - x, 2 * x + 1})
+      set(field, x, wrong);
+  }
+
+  void visit(const std::string& field, bool& x) { set(field, x, !x); }
+  void visit(const std::string& field, std::string& text) { set(field, text, std::string()); }
+  void visit(const std::string& field, std::size_t& x) { set_number(field, x); }
+  void visit(const std::string& field, int& x) { set_number(field, x); }
+  void visit(const std::string& field, std::uint32_t& x) { set_number(field, x); }
+
+  void visit(const std::string& field, char& x)
+  {
+    set(field, x, char(1 - x));
+    set(field, x, char(2));
+  }
+
+  template <class Number>
+  void set_number(const std::string& field, Number& x)
+  {
+    const Number most = (std::numeric_limits<Number>::max)(), least = (std::numeric_limits<Number>::min)();
+    for(const Number wrong : std::set<Number>{least, Number(x - 1), Number(x + 1), Number(most / 2), most})
+      set(field, x, wrong);
+  }
+
+  void visit(const std::string& field, std::pair<int, int>& pair)
+  {
+    set(field, pair, std::make_pair(pair.second, pair.first));
+    visit(field, pair.first);
+    visit(field, pair.second);
+  }
+
+  template <class T, std::size_t n>
+  void visit(const std::string& field, std::array<T, n>& values)
+  {
+    for(T& x : values)
+      visit(field, x);
+  }
+
+  // Items in the middle stand for all.
+  template <class T>
+  void visit(const std::string& field, std::vector<T>& list)
+  {
+    make(
+      field, " without its items", [&] { list.clear(); }, !list.empty());
+    make(field, " with one item more", [&] { list.insert(list.end(), list.empty() ? T() : list.back()); });
+    make(
+      field, " without its last item", [&] { list.pop_back(); }, !list.empty());
+    make(
+      field, " in reverse", [&] { std::reverse(list.begin(), list.end()); },
+      list != std::vector<T>(list.rbegin(), list.rend()));
+    for(const std::size_t i : std::set<std::size_t>{0, list.size() / 2, list.size() - 1})
+      if(i < list.size())
+        visit(field + "[" + std::to_string(i) + "]", list[i]);
+  }
+
+  template <class T>
+  void visit(const std::string& field, CGAL::Tandem::internal::Shared_table<T>& table)
+  {
+    const bool was_made = is_made();
+    std::vector<T> values(table.begin(), table.end());
+    visit(field, values);
+    if(is_made() && !was_made)
+      change_table(table, [&](std::vector<T>& changed) { changed = values; });
+  }
+
+  template <class T>
+  void set(const std::string& field, T& x, const T& wrong)
+  {
+    make(
+      field, " changed, " + std::to_string(next_), [&] { x = wrong; }, !(x == wrong));
+  }
+
+  template <class F>
+  void make(const std::string& field, const std::string& how, F f, bool is_change = true)
+  {
+    if(!is_change || next_++ != target_)
+      return;
+    f();
+    field_ = field;
+    name_ = field + how;
+  }
+
+  std::size_t target_, next_ = 0;
+  std::string field_, name_;
+};
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CORRUPTIONS_H
