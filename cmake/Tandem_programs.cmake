@@ -21,6 +21,9 @@ if(NOT TARGET Tandem::tandem)
       set(TANDEM_BUILD_${part} OFF)
     endforeach()
     add_subdirectory("${CMAKE_CURRENT_LIST_DIR}/.." "${CMAKE_BINARY_DIR}/Tandem")
+    if(TARGET tandem_cuda)
+      tandem_enable_cuda() # in this folder, too
+    endif()
   endif()
 endif()
 

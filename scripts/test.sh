@@ -32,13 +32,13 @@ seconds_of()
 {
   case $1 in
     style) echo 15 ;;
-    configure) echo 45 ;;
+    configure) echo 40 ;;
     release) echo 525 ;;
     bits) echo 55 ;;
-    asan) echo 290 ;;
-    tsan) echo 80 ;;
+    asan) echo 350 ;;
+    tsan) echo 90 ;;
     fuzz) echo 25 ;;
-    cuda) echo 100 ;;
+    cuda) echo 210 ;;
     benchmark) echo 90 ;;
     doc) echo 10 ;;
     *) fail "unknown part $1; choose of $all_parts" ;;
