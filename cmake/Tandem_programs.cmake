@@ -21,6 +21,9 @@ if(NOT TARGET Tandem::tandem)
       set(TANDEM_BUILD_${part} OFF)
     endforeach()
     add_subdirectory("${CMAKE_CURRENT_LIST_DIR}/.." "${CMAKE_BINARY_DIR}/Tandem")
+    if(TARGET tandem_cuda)
+      tandem_enable_cuda() # in this folder, too
+    endif()
   endif()
 endif()
 
@@ -98,14 +101,26 @@ function(tandem_share_run_isolated target)
   target_link_libraries(${target} PRIVATE tandem_run_isolated)
 endfunction()
 
-# What is linked with tandem_cuda (tandem_link_cuda(), before this) is compiled with other flags, and so is what it
-# shares: sets the variable to the end of their names.
+# What is linked with tandem_cuda, also through other libraries, is compiled with the flags of that, and so is what it
+# shares: sets the variable to the end of their names. All libraries are linked before.
 function(tandem_find_suffix target suffix)
-  get_target_property(linked ${target} LINK_LIBRARIES)
   set(${suffix} "" PARENT_SCOPE)
-  if("Tandem::tandem_cuda" IN_LIST linked)
-    set(${suffix} _with_cuda PARENT_SCOPE)
-  endif()
+  get_target_property(libraries ${target} LINK_LIBRARIES)
+  set(seen "")
+  while(libraries)
+    list(GET libraries 0 library)
+    list(REMOVE_AT libraries 0)
+    if(library MATCHES "^(Tandem::)?tandem_cuda$")
+      set(${suffix} _with_cuda PARENT_SCOPE)
+      return()
+    elseif(TARGET ${library} AND NOT library IN_LIST seen)
+      list(APPEND seen ${library})
+      get_target_property(further ${library} INTERFACE_LINK_LIBRARIES)
+      if(further)
+        list(APPEND libraries ${further})
+      endif()
+    endif()
+  endwhile()
 endfunction()
 
 # The engine takes longest to compile: it comes from its library.
@@ -138,11 +153,11 @@ function(tandem_share_engine target)
 endfunction()
 
 # tandem_precompile(library header): makes a precompiled header of what is shared; tandem_precompile(target header
-# library): uses it. Not with ccache, which does not keep what is compiled with one; nor for a few tests with GCC, which
-# takes as long to make one as to compile three files.
+# library): uses it. Not with ccache, which does not keep what is compiled with one; nor that of the tests for a few of
+# them with GCC, which takes as long to make one as to compile three files.
 function(tandem_precompile target header)
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR
-     (TANDEM_TESTS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
+     (TANDEM_TESTS AND header MATCHES "engine" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
     if(header MATCHES "engine") # its declarations save instances
       target_compile_options(${target} PRIVATE "SHELL:-include \"${tandem_programs_dir}/${header}\"")
     endif()

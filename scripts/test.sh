@@ -2,12 +2,13 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds and runs all tests: first the style of the sources; then the release build with TBB
-# and all tests; the bits of results from other compilers and options; a choice of tests under ASan + UBSan, and one
-# without TBB under TSan; the fuzz targets for some seconds; the CUDA back end, where there is a CUDA compiler (its tests
-# are skipped without a device); and the benchmark in small, which fails where a result of Tandem is wrong or differs
-# between back ends. The manual has to build without a warning, see scripts/check_doc.sh.
-#   test.sh [style] [release] [benchmark] [bits] [asan] [tsan] [fuzz] [cuda] [doc]   only these
+# Installs what is missing, builds and runs all tests: first the style of the sources, and whether CMake takes what is
+# found and does without the rest; then the release build with TBB and all tests; the bits of results from other
+# compilers and options; a choice of tests under ASan + UBSan, with all outputs, and one under TSan, with nothing that is
+# optional; the fuzz targets for some seconds; with a CUDA compiler, all that is found (tests of a device are skipped
+# without one); and the benchmark in small, which fails where a result of Tandem is wrong or differs between back ends.
+# The manual has to build without a warning, see scripts/check_doc.sh.
+#   test.sh [style] [configure] [release] [benchmark] [bits] [asan] [tsan] [fuzz] [cuda] [doc]   only these
 #                     (default: all of them)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
@@ -19,12 +20,10 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 build=${TANDEM_BUILD_DIR:-$root/build}
 jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 
-program_dir=$root/examples/Shape_regularization_tandem/program
-
 # The tests that the other configurations build as well: they reach every part of the
 # engine and are small, and compiling is what takes the time.
 examples='^detect_planes(_of_vector)?$'
-sanitized='test_(bad_input|regularize_planes|output_file|mpi_)'
+sanitized='test_(bad_input|regularize_planes|output_file|outputs|polygons|python|mpi_)'
 
 fail() { echo "test.sh: $*" >&2; exit 1; }
 
@@ -33,12 +32,13 @@ seconds_of()
 {
   case $1 in
     style) echo 15 ;;
+    configure) echo 40 ;;
     release) echo 525 ;;
     bits) echo 55 ;;
-    asan) echo 290 ;;
-    tsan) echo 80 ;;
+    asan) echo 350 ;;
+    tsan) echo 90 ;;
     fuzz) echo 25 ;;
-    cuda) echo 100 ;;
+    cuda) echo 210 ;;
     benchmark) echo 90 ;;
     doc) echo 10 ;;
     *) fail "unknown part $1; choose of $all_parts" ;;
@@ -67,8 +67,12 @@ install()
         echo "not all can be installed: the Python module is not tested"
       install_mpi ;;
     benchmark) "$root/scripts/install_dependencies.sh" gnuplot-nox xz-utils ;;
-    bits | asan | tsan | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev
-      [ "$1" != asan ] || install_mpi ;;
+    bits | tsan | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev ;;
+    asan)
+      # shellcheck disable=SC2086
+      "$root/scripts/install_dependencies.sh" clang libclang-rt-dev libjs-three $python_packages
+      install_mpi ;;
+    cuda) install_mpi ;;
   esac
 }
 
@@ -124,8 +128,20 @@ run_style()
     > "$build/tidy.log" 2>&1 || { cat "$build/tidy.log" >&2; fail "clang-tidy complains"; }
 }
 
+run_configure()
+{
+  step configure
+  "$root/scripts/check_configurations.sh" "$build/configure" || fail "some optional parts cannot be missing"
+}
+
 # Not optimized: to compile takes longer than to run.
 sanitizer_flags='-O0 -g1 -fno-omit-frame-pointer'
+
+has_python()
+{
+  # shellcheck disable=SC2086
+  if dpkg-query -W $python_packages > /dev/null 2>&1; then echo ON; else echo OFF; fi
+}
 
 # With the building of CGAL's data where it can be had, since two of its examples are tests, and with the Python module
 # where its packages are installed.
@@ -133,11 +149,8 @@ run_release()
 {
   "$root/scripts/sample_cloud.sh" "$build/release/examples/Shape_regularization_tandem/building.ply" ||
     echo "the sample cloud cannot be had: the examples of the building are not run"
-  python=OFF
-  # shellcheck disable=SC2086
-  ! dpkg-query -W $python_packages > /dev/null 2>&1 || python=ON
-  configuration release . -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_BENCHMARKS=ON -DTANDEM_BUILD_PYTHON=$python \
-    -DPython3_EXECUTABLE=/usr/bin/python3
+  configuration release . -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_BENCHMARKS=ON \
+    "-DTANDEM_BUILD_PYTHON=$(has_python)" -DPython3_EXECUTABLE=/usr/bin/python3
 }
 
 # compile_bits NAME COMPILER FLAGS...: the test of equal bits, with these flags
@@ -166,30 +179,28 @@ run_bits()
   done
 }
 
-# By clang, which compiles this in half the time, with the fuzz targets. The program is built without a solver for
-# --mesh, and without the page of --view.
+# By clang, which compiles this in half the time, with the fuzz targets. Fails where an output cannot be built.
 run_asan()
 {
   export CXX=clang++
-  configuration asan small -DCMAKE_BUILD_TYPE=Debug "-DTANDEM_TESTS=$sanitized" \
-    "-DTANDEM_EXAMPLES=$examples" -DCMAKE_DISABLE_FIND_PACKAGE_GLPK=ON -DTANDEM_WITH_VIEW=OFF -DTANDEM_BUILD_FUZZERS=ON \
+  configuration asan small -DCMAKE_BUILD_TYPE=Debug "-DTANDEM_TESTS=$sanitized" "-DTANDEM_EXAMPLES=$examples" \
+    -DTANDEM_REQUIRE_OUTPUTS=ON -DTANDEM_BUILD_FUZZERS=ON -DTANDEM_BUILD_PYTHON=ON \
+    -DPython3_EXECUTABLE=/usr/bin/python3 \
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all"
 }
 
-# Without TBB, whose library is not instrumented: TSan would call its hand-over of tasks a race. The tests labeled
-# "threads" run the same bodies on threads of their own. Bad input is tested without TBB here, too. The program has no
-# threads then: its sources are only looked through by the compiler.
+# With nothing that is optional. So there is no TBB, whose library is not instrumented: TSan would call its hand-over of
+# tasks a race. The tests labeled "threads" run the same bodies on threads of their own. Bad input and the program are
+# tested without TBB here, too.
 run_tsan()
 {
   export CXX=clang++
-  configuration tsan 'threads|small' -DCMAKE_BUILD_TYPE=Debug -DTANDEM_WITH_TBB=OFF -DTANDEM_WITH_MPI=OFF \
-    "-DTANDEM_TESTS=test_(thread_backend|bad_input)" '-DTANDEM_EXAMPLES=^detect_planes_of_vector$' \
-    "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread"
-  step program
-  for source in detect_planes output/shape_polygons; do
-    "$CXX" -std=c++17 -fsyntax-only -Wall -Wextra -Werror "-I$root/include" "-I$program_dir" \
-      -isystem /usr/include/eigen3 "$program_dir/$source.cpp" || fail "$source.cpp does not compile without oneTBB"
+  set -- -DTANDEM_WITH_VIEW=OFF -DLASZIP_LIBRARY=OFF -DHELP2MAN=OFF
+  for package in TBB MPI boost_mpi boost_unit_test_framework Eigen3 GLPK SCIP ZLIB; do
+    set -- "$@" "-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"
   done
+  configuration tsan 'threads|small' -DCMAKE_BUILD_TYPE=Debug "-DTANDEM_TESTS=test_(thread_backend|bad_input)" \
+    "-DTANDEM_EXAMPLES=$examples" "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=thread" "$@"
 }
 
 # For some seconds, with the same mutations each time: a longer run finds more, see fuzz.sh. After asan in its folder,
@@ -203,18 +214,21 @@ run_fuzz()
   "$root/scripts/fuzz.sh" 'xyz off las pcd options' 2 1 || fail "a fuzz target failed"
 }
 
-# For the device that is there; else for the oldest kind that can be used.
+# All that is found, with CUDA and MPI together: the libraries, the program and the Python module. For the device that
+# is there; else for the oldest kind that can be used, and without tests of single kernels and of the device itself.
 run_cuda()
 {
   command -v "${CUDACXX:-nvcc}" > /dev/null || { echo "    skipped, there is no CUDA compiler"; return; }
   architecture=$("$root/scripts/cuda_architecture.sh")
   # Code that does not run need not be optimized. The bits of the results do not depend on how the engine is.
-  cuda_flags=; cxx_flags=-O1
-  [ -n "$architecture" ] || { cuda_flags='-Xcicc -O1 -Xptxas -O0'; cxx_flags=-O0; }
-  configuration cuda cuda -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
+  cuda_flags=; cxx_flags=-O1; cuda_tests=cuda
+  [ -n "$architecture" ] || {
+    cuda_flags='-Xcicc -O1 -Xptxas -O0'; cxx_flags=-O0; cuda_tests='cuda_(parity|ranks|tags)'; }
+  configuration cuda 'cuda|mpi|python' -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
     "-DCMAKE_CUDA_FLAGS=$cuda_flags" "-DCMAKE_CUDA_FLAGS_RELEASE=$cxx_flags -DNDEBUG" \
-    -DTANDEM_WITH_CUDA=ON -DTANDEM_BUILD_ENGINE=OFF "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" \
-    -DTANDEM_TESTS=test_cuda -DTANDEM_EXAMPLES=detect_planes_on_device
+    -DTANDEM_WITH_CUDA=ON "-DCMAKE_CUDA_ARCHITECTURES=${architecture:-75-real}" "-DTANDEM_TESTS=test_($cuda_tests|python)" \
+    '-DTANDEM_EXAMPLES=^detect_planes(_on_device|_by_ranks)?$' "-DTANDEM_BUILD_PYTHON=$(has_python)" \
+    -DPython3_EXECUTABLE=/usr/bin/python3
 }
 
 # In the folder of the release build, where it has been compiled.
@@ -233,7 +247,7 @@ run_doc()
   "$root/scripts/check_doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual is not as it should be"; }
 }
 
-all_parts='style release benchmark bits asan tsan fuzz cuda doc'
+all_parts='style configure release benchmark bits asan tsan fuzz cuda doc'
 # shellcheck disable=SC2086
 [ $# -gt 0 ] || set -- $all_parts
 tested=$*
@@ -262,7 +276,7 @@ mkdir -p "$build"
 while [ $# -gt 0 ]; do
   begin "$1" "$@"
   case $1 in
-    style | benchmark)
+    style | configure | benchmark)
       wait_for_beside
       "run_$1" > "$build/beside.log" 2>&1 &
       beside=$! ;;
