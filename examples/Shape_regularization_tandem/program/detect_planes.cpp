@@ -7,6 +7,7 @@
 #include "Output_files.h"
 #include "detection.h"
 #include "fail.h"
+#include "output/summary.h"
 #include "output/write_las.h"
 #include "output/write_mesh.h"
 #include "program_options.h"
@@ -181,7 +182,7 @@ void run(const Options& o, Ranks& ranks)
   ranks.together([&] { files->commit(); });
   ranks.together([&] {
     if(!o.is_quiet && ranks.is_first())
-      print_summary(std::cout, *shapes, run);
+      std::cout << summary(*shapes, run);
     check_standard_output(files->is_empty() ? "" : "; the files are complete");
   });
 }

@@ -65,6 +65,35 @@ expect_shell(1 "LOOP: cannot be written .Too many" "exec ${run} --planes LOOP")
 expect_shell(2 "named twice" "exec ${run} --planes LOOP/x --labels LOOP/./x")
 expect_shell(0 "^$" "[ -L LOOP ]")
 
+# --- Names of files may have any bytes: those of UTF-8 stay, and none controls a terminal
+file(WRITE "${WORK_DIR}/names.sh" [=[
+escape=$(printf '\033') bell=$(printf '\007') csi=$(printf '\302\233') high=$(printf '\233')
+name="Wände ${escape}[31m$bell$csi$high"
+check() { if LC_ALL=C grep -q "$escape\|$bell\|$csi\|$high" log; then echo "$1 has control characters"; fi; }
+cp cube.ply "$name.ply"
+"$P" "$name.ply" --quiet --maximum-distance 0.004 --report names.json; check 'empty log'
+"$P" "$name.ply" --maximum-distance 0.004 > log 2>&1; check summary
+grep -q 'Wände .x1b.31m.x07.xc2.x9b.x9b.ply' log || cat log
+try() { "$P" "$@" > log 2>&1 && echo 'no error'; check "the message for $2"; }
+cp cube.ply "$name.doc"
+try "no $name"
+try "$name.doc"
+try "$name.ply" --output "./$name.ply"
+try "$name.ply" --output-directory .
+try cube.ply --output "$name/x.ply"
+for option in output view mesh backend classes columns fixed-direction threads "$name"; do try cube.ply --$option "$name"; done
+try cube.ply "--$name"
+printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n' \
+  > "none $name.ply"
+"$P" cube.ply "none $name.ply" --maximum-distance 0.004 > log 2>&1; check warning
+]=])
+expect_shell(0 "^$" ": > log; . ./names.sh")
+file(READ "${WORK_DIR}/names.json" report)
+string(JSON name ERROR_VARIABLE json_error GET "${report}" input)
+if(NOT "${report}" MATCHES "\"input\": \"Wände .u001b.31m.u0007.u009b.u009b.ply\"")
+  complain("the name in the report: ${name} ${json_error}")
+endif()
+
 # --- Signals. The plain PCA of many neighbors takes seconds, and does not look for them.
 file(WRITE "${WORK_DIR}/signals.sh" [=[
 awk 'BEGIN { for(i = 0; i < 20000; ++i) print i % 109, i % 97, i % 3 }' > slow.xyz
