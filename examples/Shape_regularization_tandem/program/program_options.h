@@ -144,14 +144,13 @@ inline void add_output_options(po::options_description& all, Options& o)
   add("mesh", po::value<std::string>(&o.mesh)->value_name("FILE"),
       "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation");
   add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
-      "--mesh takes the N planes with most points (default: all, if there are at most 100, or 16 with the method "
-      "polygonal)");
+      "--mesh takes the N planes with most points (default: 100, or 16 with the method polygonal)");
   add("mesh-method", po::value<std::string>(&o.mesh_method)->value_name("NAME"),
       "of --mesh: kinetic, by the kinetic space partition of CGAL 6, or polygonal, by the polygonal surface "
       "reconstruction of CGAL with GLPK or SCIP, whose time depends on the cloud and grows fast with the number of "
       "planes, of which it takes 60 at most (default: kinetic where it was built)");
   add("mesh-seconds", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_seconds = n; }),
-      "longest time of the solver GLPK of the method polygonal (default: 60)");
+      "longest processor time of the solver GLPK of the method polygonal (default: 60)");
   add(
     "view", po::value<std::string>(&o.view)->value_name("FILE"),
     "a page .html or .htm that shows the result in a browser, without a network; of more than 3 million points a part");

@@ -65,6 +65,28 @@ expect_shell(1 "LOOP: cannot be written .Too many" "exec ${run} --planes LOOP")
 expect_shell(2 "named twice" "exec ${run} --planes LOOP/x --labels LOOP/./x")
 expect_shell(0 "^$" "[ -L LOOP ]")
 
+# --- Modes: a file that is replaced keeps its own, a new one has that of the shell
+file(WRITE "${WORK_DIR}/modes.sh" [=[
+mode() { ls -l "$1" | cut -c 1-10; }
+for option in output:o.ply labels:o.labels planes:o.planes vg:o.vg polygons:o.obj report:o.json view:o.html; do
+  file=${option#*:}
+  "$P" --help | grep -q -e "--${option%:*} " || continue
+  for mode in 600 640 644 444; do
+    : > $file; chmod $mode $file; before=$(mode $file)
+    "$P" cube.ply --quiet --maximum-distance 0.004 --${option%:*} $file
+    [ -s $file ] && [ "$(mode $file)" = "$before" ] || echo "$file: $(mode $file) instead of $before"
+    chmod u+w $file
+  done
+  rm $file
+  (umask 027; "$P" cube.ply --quiet --maximum-distance 0.004 --${option%:*} $file)
+  [ "$(mode $file)" = "-rw-r-----" ] || echo "$file: $(mode $file), which is new"
+done
+mkdir modes; : > modes/cube.ply; chmod 600 modes/cube.ply
+"$P" cube.ply --quiet --maximum-distance 0.004 --output-directory modes
+[ -s modes/cube.ply ] && [ "$(mode modes/cube.ply)" = "-rw-------" ] || mode modes/cube.ply
+]=])
+expect_shell(0 "^$" ". ./modes.sh")
+
 # --- Names of files may have any bytes: those of UTF-8 stay, and none controls a terminal
 file(WRITE "${WORK_DIR}/names.sh" [=[
 escape=$(printf '\033') bell=$(printf '\007') csi=$(printf '\302\233') high=$(printf '\233')
@@ -111,6 +133,16 @@ expect_shell(0 "^130\n$" "${start} 1000; kill -INT $pid; sleep .1; kill -INT $pi
 expect_shell(0 "^143\n$" "${start} 1000; kill -INT $pid; sleep .1; kill -TERM $pid; end")
 expect_shell(0 "^152\n$" "ulimit -c 0; ${start} 1000; kill -XCPU $pid; end")
 expect_shell(0 "^0\n$" "trap '' HUP; ${start} 20; kill -HUP $pid; end") # as nohup
+file(APPEND "${WORK_DIR}/signals.sh" [=[
+start_in_folder()
+{
+  "$P" slow.xyz --quiet --maximum-distance .5 --estimate-normals 1000 --output-directory new/folder --planes p 2> messages &
+  pid=$!
+  while [ ! -d new/folder ] || [ $(find . -name '*.part*' | wc -l) -lt 1 ]; do sleep .01; done
+}
+]=])
+expect_shell(0 "^130\n$" "${start}_in_folder; kill -INT $pid; sleep .1; kill -INT $pid; end")
+expect_no_file(new)
 expect_shell(0 "^$" "rm never.ply never.labels; { sleep .1; ${run} --output never.ply --planes /dev/stdout; } | true")
 expect_no_file(never.ply never.labels)
 

@@ -31,6 +31,7 @@ struct Run {
   std::vector<std::string> warnings;                      // of the reading, and of the result
   std::string normals;                                    // "given", "estimated" or how else
   std::string device = "CPU";
+  std::string mesh; // what there is to say about it
   int threads = 1, ranks = 1;
   std::uint64_t hash = 0;
   std::size_t peak_bytes = 0; // the largest of a process, before the writing

@@ -50,6 +50,8 @@ inline std::string summary(const Shapes& shapes, const Run& run)
   row("execution") << s.backend << ", " << (run.ranks == 1 ? "" : std::to_string(run.ranks) + " processes of ")
                    << run.threads << (run.threads == 1 ? " thread, " : " threads, ") << s.number_of_rounds
                    << " rounds, " << (std::max)(run.peak_bytes, peak_process_bytes()) / 1048576 << " MiB\n";
+  if(!run.mesh.empty())
+    row("mesh") << run.mesh << '\n';
   row("hash") << hash_text(run) << '\n';
   return out.str();
 }
