@@ -240,7 +240,7 @@ void run_command_line(int argc, const char* const argv[], Ranks& ranks, Made_fol
   for(int i = 1; i < argc; ++i)
     all += std::string(argv[i]) + '\n';
   ranks.check_same(all, "command lines");
-  ranks.together([&] { command_line = parse(argc, argv); });
+  ranks.together([&] { command_line = parse(argc, argv, built_with()); });
   const Options& o = command_line.options;
   if(!o.wants_help && !o.wants_version)
     return run(o, ranks, folders);

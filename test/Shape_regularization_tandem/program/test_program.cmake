@@ -132,6 +132,23 @@ expect(0 "at least [0-9]+ points" cube.ply)
 expect(0 "usage: detect_planes INPUT.*--maximum-distance.*default.*--report" --help)
 set(out_of_help "${out}")
 
+# The help offers nothing that this program was built without.
+file(WRITE "${WORK_DIR}/none.xyz" "")
+foreach(offer IN ITEMS "--view FILE:--view v.html" "--mesh FILE:--mesh m.off" "kinetic,:--mesh m.off --mesh-method kinetic"
+        "polygonal,:--mesh m.off --mesh-method polygonal" "parallel[,;]:--backend parallel"
+        "\\.laz:--output l.laz" "--mesh-seconds:--mesh m.off --mesh-method polygonal --mesh-seconds 5")
+  string(REGEX MATCH "^(.*):(.*)$" offer "${offer}")
+  set(option "${CMAKE_MATCH_2}")
+  string(REGEX MATCH "${CMAKE_MATCH_1}" is_offered "${out_of_help}")
+  expect_shell(0 "" "\"$P\" missing.ply ${option} 2>&1; true")
+  string(REGEX MATCH "no such file" is_there "${out}")
+  if(is_offered AND NOT is_there)
+    complain("the help offers ${option}, but: ${out}")
+  elseif(is_there AND NOT is_offered)
+    complain("the help does not offer ${option}")
+  endif()
+endforeach()
+
 # --- Unreadable input: exit 1
 string(LENGTH "${cube}" length)
 math(EXPR half "${length} / 2")
