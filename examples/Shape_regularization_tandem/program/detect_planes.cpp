@@ -19,6 +19,7 @@
 #include "ranks/hash_of_all.h"
 #include "ranks/launch.h"
 #include "ranks/read_inputs.h"
+#include "result_warnings.h"
 #include "signals.h"
 #include "view/write_view.h"
 
@@ -209,6 +210,11 @@ void run(const Options& o, Ranks& ranks, Made_folders& folders)
   name_device(*shapes, threads, run);
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
+  for(const std::string& warning : result_warnings(cloud.points, *shapes, o.maximum_distance.has_value(), ranks)) {
+    if(ranks.is_first())
+      warn(warning);
+    run.warnings.push_back(warning);
+  }
   ranks.together([&] {
     const Progress_line progress(!o.is_quiet && ranks.is_first(), "writing");
     files->write(*shapes, run);

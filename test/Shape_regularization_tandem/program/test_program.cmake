@@ -93,7 +93,8 @@ file(STRINGS "${WORK_DIR}/out.PLY" header LIMIT_COUNT 14)
 if(NOT "${header}" MATCHES "double x;.*element face [1-9][0-9]*;.*vertex_indices;.*property int shape;end_header")
   complain("header of the mesh: ${header}")
 endif()
-expect(0 "shapes +0 in" cube.ply --maximum-distance 0.004 --minimum-region-size 1700 --vg none.vg --polygons none.obj)
+expect_shell(0 "shapes +0 in" "\"$P\" cube.ply --maximum-distance 0.004 --minimum-region-size 1700 --vg none.vg \
+  --polygons none.obj 2>&1")
 file(STRINGS "${WORK_DIR}/none.vg" keys REGEX "^num_groups")
 expect_equal("groups without shapes" "${keys}" "num_groups: 0")
 

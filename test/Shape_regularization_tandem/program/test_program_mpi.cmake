@@ -116,6 +116,14 @@ if(EXISTS /dev/full)
   endforeach()
 endif()
 
+# --- The same warnings
+expect_shell(0 "" "\"$P\" corner.pts folder/Middle.XYZ last.las --maximum-distance 1 --report warned --quiet 2>&1")
+expect_ranks(3 0 "^detect_planes: warning: the maximum distance 1 is more than a tenth of the extent of the points, 7.9: [^\n]*\n$"
+             corner.pts folder/Middle.XYZ last.las --maximum-distance 1 --report warned_3 --quiet)
+file(STRINGS "${WORK_DIR}/warned" expected REGEX "warnings")
+file(STRINGS "${WORK_DIR}/warned_3" found REGEX "warnings")
+expect_equal("warnings" "${found}" "${expected}")
+
 # --- A rank that gets a signal, once all tiles were read
 file(WRITE "${WORK_DIR}/signals.sh" [=[
 for tile in 0 1 2; do
