@@ -18,12 +18,9 @@
 #include "view/write_view.h"
 
 #include <deque>
-#include <filesystem>
 #include <optional>
 #include <ostream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace program {
@@ -32,17 +29,19 @@ namespace program {
 // all is written by the first one, the file of an input by the one that has read it.
 class Output_files {
 public:
+  // Before this, --output-directory has been made.
   Output_files(const Options& o, const Input_cloud& cloud, bool is_first) : options(o), cloud(cloud)
   {
     if(!o.output_directory.empty())
-      try_directory();
+      try_files_of_inputs();
     if(is_first) // some of them may be in that folder
       open_files_of_all();
   }
 
+  // But for the mesh.
   bool is_empty() const { return files.empty() && options.output_directory.empty(); }
 
-  // None of them has its name before commit().
+  // All but the mesh. None of them has its name before commit().
   void write(const Shapes& shapes, const Run& run)
   {
     for(std::size_t i = 0; i < writers.size(); ++i)
@@ -57,6 +56,17 @@ public:
   {
     for(Output_file& file : files)
       file.commit();
+  }
+
+  // The surface may take long, or not be there, and then the others are complete.
+  std::optional<Mesh_facts> write_mesh(const Shapes& shapes)
+  {
+    if(!mesh)
+      return std::nullopt;
+    const Mesh_facts facts = program::write_mesh(mesh->stream(), cloud.points, shapes, options);
+    mesh->close();
+    mesh->commit();
+    return facts;
   }
 
 private:
@@ -83,9 +93,10 @@ private:
     open(o.polygons, [](std::ostream& out, const Results& r) {
       write_polygons(out, r.cloud.points, r.shapes, r.o.polygons, r.o.has_triangles_only);
     });
-    open(o.mesh, [](std::ostream& out, const Results& r) { write_mesh(out, r.cloud.points, r.shapes, r.o); });
     open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.cloud.points, r.shapes, r.run); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
+    if(!o.mesh.empty())
+      mesh.emplace(o.mesh);
   }
 
   void open(const std::string& path, Writer writer)
@@ -97,12 +108,8 @@ private:
   }
 
   // There may be more files than a process can have open: they are opened, and closed again.
-  void try_directory() const
+  void try_files_of_inputs() const
   {
-    std::error_code error;
-    std::filesystem::create_directories(options.output_directory, error);
-    if(error)
-      throw std::runtime_error(options.output_directory + ": cannot be made (" + error.message() + ")");
     for(const Input_part& part : cloud.parts)
       Output_file(output_of(part));
   }
@@ -141,6 +148,7 @@ private:
   const Input_cloud& cloud;
   std::deque<Output_file> files; // a file does not move
   std::vector<Writer> writers;   // of the first files
+  std::optional<Output_file> mesh;
 };
 
 } // namespace program

@@ -43,7 +43,14 @@ inline void check_files(const Options& o)
   }
 }
 
-// Each input needs an output of its own.
+// By whatever names, also where a link or a mount leads to one of them.
+inline bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b)
+{
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error) || unique_name(a) == unique_name(b);
+}
+
+// Each input needs an output of its own, and nothing that is beside an input is replaced.
 inline void check_directory(const Options& o)
 {
   std::map<std::string, std::string> input_of;
@@ -51,8 +58,9 @@ inline void check_directory(const Options& o)
     return;
   for(const std::string& input : o.inputs) {
     const std::string output = output_of_input(o.output_directory, input);
-    if(unique_name(output) == unique_name(input))
-      throw Usage_error("--output-directory is the folder of " + input + ", which would be replaced");
+    for(const std::filesystem::path& path : {std::filesystem::absolute(input), unique_name(input)})
+      if(is_same_folder(o.output_directory, path.parent_path()))
+        throw Usage_error("--output-directory is the folder of " + input + ", must be another one");
     const auto [place, is_new] = input_of.emplace(output, input);
     if(!is_new && unique_name(place->second) != unique_name(input))
       throw Usage_error("--output-directory: " + place->second + " and " + input + " would both become " + output);

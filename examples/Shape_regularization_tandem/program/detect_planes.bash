@@ -7,8 +7,13 @@ _detect_planes()
 {
   local program=$1 current=$2 previous=$3
   case $previous in
-    --backend) COMPREPLY=($(compgen -W 'auto sequential parallel cuda' -- "$current")) ;;
-    --mesh-method) COMPREPLY=($(compgen -W 'kinetic polygonal' -- "$current")) ;;
+    --backend)
+      COMPREPLY=($(compgen -W "$("$program" --help | sed -n 's/^ *--backend NAME *\([a-z, ]*\);.*/\1/p' | tr -d ,)" \
+        -- "$current"))
+      ;;
+    --mesh-method)
+      COMPREPLY=($(compgen -W "$("$program" --help | grep -ow 'kinetic\|polygonal' | sort -u)" -- "$current"))
+      ;;
     --output-directory)
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
       compopt -o filenames 2> /dev/null

@@ -7,6 +7,9 @@
 #include "Output_files.h"
 #include "detection.h"
 #include "fail.h"
+#include "output/Made_folders.h"
+#include "output/Write_error.h"
+#include "output/summary.h"
 #include "output/write_las.h"
 #include "output/write_mesh.h"
 #include "program_options.h"
@@ -16,6 +19,7 @@
 #include "ranks/hash_of_all.h"
 #include "ranks/launch.h"
 #include "ranks/read_inputs.h"
+#include "result_warnings.h"
 #include "signals.h"
 #include "view/write_view.h"
 
@@ -29,6 +33,7 @@
 #endif
 
 #include <algorithm>
+#include <cerrno>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -124,10 +129,12 @@ void name_device(const Shapes& shapes, int threads, Run& run)
 #endif
 }
 
-void check_standard_output(const std::string& rest)
+// rest: for the message, if that fails.
+void print(const std::string& text, const char* rest)
 {
-  if(!std::cout.flush())
-    throw std::runtime_error("standard output cannot be written" + rest);
+  errno = 0;
+  if(!(std::cout << text << std::flush))
+    throw std::runtime_error("standard output cannot be written" + reason_of(errno) + rest);
 }
 
 // Finds what is wrong before any work.
@@ -140,12 +147,44 @@ void check_program(const Options& o, const Ranks& ranks)
   if(output_extension(o.output) == ".laz")
     check_laszip(o.output);
   if(!o.mesh.empty())
-    check_mesh_method(o);
+    check_mesh_options(o);
   if(!o.view.empty() && !has_view())
     throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
 }
 
-void run(const Options& o, Ranks& ranks)
+// Whether there is a surface is not known before. If there is none, the others are complete. Returns why there is none.
+std::string make_mesh(Output_files& files, const Shapes& shapes, const Options& o, Run& run)
+try {
+  std::optional<Progress_line> progress;
+  progress.emplace(!o.is_quiet && !o.mesh.empty(), "making the mesh");
+  const std::optional<Mesh_facts> facts = files.write_mesh(shapes);
+  progress.reset();
+  if(!facts)
+    return {};
+  run.mesh = std::to_string(facts->faces) + " faces, of " + std::to_string(facts->planes) + " of " +
+             std::to_string(facts->usable_planes) + " planes";
+  if(!facts->warning.empty())
+    warn(facts->warning);
+  return {};
+} catch(const std::bad_alloc&) {
+  return "--mesh: not enough memory";
+} catch(const Interrupted& e) {
+  return files.is_empty() ? e.what() : "interrupted";
+} catch(const std::exception& e) {
+  return e.what();
+}
+
+// The first rank makes it, so that none has to remove it before another one; the others do where they do not see it.
+void make_directory(const Options& o, Ranks& ranks, Made_folders& folders)
+{
+  for(bool is_turn_of_first : {true, false})
+    ranks.together([&] {
+      if(!o.output_directory.empty() && ranks.is_first() == is_turn_of_first)
+        folders.make(o.output_directory);
+    });
+}
+
+void run(const Options& o, Ranks& ranks, Made_folders& folders)
 {
   ranks.together([&] { check_program(o, ranks); });
   const int threads = o.threads ? int(*o.threads) : ranks.threads();
@@ -160,6 +199,7 @@ void run(const Options& o, Ranks& ranks)
   const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
   read_inputs(o, rank_of_input, ranks, cloud, run);
   std::optional<Output_files> files;
+  make_directory(o, ranks, folders);
   ranks.together([&] {
     files.emplace(o, cloud, ranks.is_first());
     prepare_normals(cloud.points, o, run);
@@ -170,6 +210,11 @@ void run(const Options& o, Ranks& ranks)
   name_device(*shapes, threads, run);
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
+  for(const std::string& warning : result_warnings(cloud.points, *shapes, o.maximum_distance.has_value(), ranks)) {
+    if(ranks.is_first())
+      warn(warning);
+    run.warnings.push_back(warning);
+  }
   ranks.together([&] {
     const Progress_line progress(!o.is_quiet && ranks.is_first(), "writing");
     files->write(*shapes, run);
@@ -178,34 +223,43 @@ void run(const Options& o, Ranks& ranks)
     first_signal_removes = 0; // from here on, all files get their names
     check_signals();
   });
-  ranks.together([&] { files->commit(); });
+  ranks.together([&] {
+    files->commit();
+    folders.keep();
+  });
+  const std::string failure = make_mesh(*files, *shapes, o, run);
+  const char* rest = files->is_empty() ? "" : "; the other files are complete";
+  if(failure.empty() && !(files->is_empty() && o.mesh.empty()))
+    rest = "; the files are complete";
   ranks.together([&] {
     if(!o.is_quiet && ranks.is_first())
-      print_summary(std::cout, *shapes, run);
-    check_standard_output(files->is_empty() ? "" : "; the files are complete");
+      print(summary(*shapes, run), rest);
+    if(!failure.empty())
+      throw std::runtime_error(failure + rest);
   });
 }
 
-void run_command_line(int argc, const char* const argv[], Ranks& ranks)
+void run_command_line(int argc, const char* const argv[], Ranks& ranks, Made_folders& folders)
 {
   Command_line command_line;
   std::string all;
   for(int i = 1; i < argc; ++i)
     all += std::string(argv[i]) + '\n';
   ranks.check_same(all, "command lines");
-  ranks.together([&] { command_line = parse(argc, argv); });
+  ranks.together([&] { command_line = parse(argc, argv, built_with()); });
   const Options& o = command_line.options;
   if(!o.wants_help && !o.wants_version)
-    run(o, ranks);
-  else if(ranks.is_first())
-    std::cout << (o.wants_help ? command_line.help
-                               : "detect_planes (Tandem) " + std::string(CGAL_TANDEM_VERSION) + "\n");
-  ranks.together([] { check_standard_output(""); });
+    return run(o, ranks, folders);
+  ranks.together([&] {
+    if(ranks.is_first())
+      print(o.wants_help ? command_line.help : "detect_planes (Tandem) " + std::string(CGAL_TANDEM_VERSION) + "\n", "");
+  });
 }
 
 // If the processes that were started cannot work together, the first one says so.
 int main_of_rank(int argc, char* argv[])
 {
+  Made_folders folders; // they are removed last, after the files of all ranks
   std::unique_ptr<Ranks> ranks;
   try {
     ranks = make_ranks(argc, argv);
@@ -213,7 +267,7 @@ int main_of_rank(int argc, char* argv[])
     return find_launch().rank == 0 ? fail(1, e.what()) : 0;
   }
   try {
-    run_command_line(argc, argv, *ranks);
+    run_command_line(argc, argv, *ranks, folders);
     return 0;
   } catch(const Usage_error& e) {
     return ranks->end(2, e.what(), " (detect_planes --help lists the options)");

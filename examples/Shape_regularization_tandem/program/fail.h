@@ -1,27 +1,38 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the program says about a run on standard error: one line each.
 
 #ifndef DETECT_PLANES_FAIL_H
 #define DETECT_PLANES_FAIL_H
 
-#include <cstring>
+#include "visible_text.h"
+
 #include <iostream>
+#include <string_view>
 
 namespace program {
 
-// One line, whatever a library put into its message; returns the exit code. Works without memory, too.
+// One line, whatever a library or the name of a file put into the message. Works without memory, too.
+inline void print_message(const char* before, std::string_view message, const char* after = "")
+{
+  std::cerr << before;
+  for(std::size_t end; (end = message.find('\n')) != message.npos; message.remove_prefix(end + 1)) {
+    write_visible(std::cerr, message.substr(0, end));
+    std::cerr << ' ';
+  }
+  write_visible(std::cerr, message);
+  std::cerr << after << std::endl;
+}
+
+// Returns the exit code.
 inline int fail(int code, const char* message, const char* advice = "")
 {
-  std::cerr << "detect_planes: ";
-  for(const char* line = message; line != nullptr;) {
-    const char* end = std::strchr(line, '\n');
-    std::cerr.write(line, end == nullptr ? std::streamsize(std::strlen(line)) : end - line);
-    std::cerr << (end == nullptr ? advice : " ");
-    line = end == nullptr ? nullptr : end + 1;
-  }
-  std::cerr << std::endl;
+  print_message("detect_planes: ", message, advice);
   return code;
 }
+
+inline void warn(std::string_view message) { print_message("detect_planes: warning: ", message); }
 
 } // namespace program
 

@@ -8,6 +8,7 @@
 
 #include "check_options.h"
 #include "direction_option.h"
+#include "output_options.h"
 
 #include <boost/program_options.hpp>
 
@@ -22,31 +23,39 @@
 
 namespace program {
 
-inline std::string usage()
+inline std::string usage(const Built_with& built)
 {
-  return "usage: detect_planes INPUT... [options]\n\n"
-         "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
-         "INPUT is a file .ply, .las, .laz (with LASzip), .pcd, .off or a text table (.xyz, .txt, .csv, .pts, .pwn),\n"
-         "also with .gz behind (but .laz). Several are one cloud, in their order. Normals are estimated where the\n"
-         "input has none, or only null ones. Exit code: 0 success, 1 the data cannot be read, processed or written, "
-         "or\n"
-         "the run was interrupted, 2 bad usage. A second Ctrl-C ends it at once.\n"
-         "mpirun -n N detect_planes INPUT... --output-directory DIR: N processes share the inputs, also on many\n"
-         "machines; the result is that of one process (where the program was built with MPI).\n";
+  std::string text = "usage: detect_planes INPUT... [options]\n\n"
+                     "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
+                     "INPUT is a file .ply, .las, " +
+                     std::string(built.laszip ? ".laz, " : "") +
+                     ".pcd, .off or a text table (.xyz, .txt, .csv, .pts, .pwn)";
+  if(built.gzip)
+    text += std::string(",\nalso with .gz behind") + (built.laszip ? " (but .laz)" : "");
+  text +=
+    ".\nSeveral are one cloud, in their order. Normals are estimated where the input has none, or only null ones.\n"
+    "Exit code: 0 success, 1 the data cannot be read, processed or written, or the run was interrupted, 2 bad usage.\n"
+    "A second Ctrl-C ends it at once.\n";
+  if(built.mpi)
+    text += "mpirun -n N detect_planes INPUT... --output-directory DIR: N processes share the inputs, also on many\n"
+            "machines; the result is that of one process.\n";
+  return text;
 }
 
 namespace po = boost::program_options;
 
-inline void add_input_options(po::options_description& all, Options& o)
+inline void add_input_options(po::options_description& all, Options& o, const Built_with& built)
 {
+  const std::string las = built.laszip ? ".las and .laz" : ".las";
   po::options_description group("Input");
   auto add = group.add_options();
   add("columns", po::value<std::string>(&o.columns)->value_name("NAMES"),
       "the columns of text tables, of x y z nx ny nz r g b intensity classification, and _ for one to pass over "
       "(default: from a line of names, or from the values; the output says which)");
   add("classes", po::value<std::string>(&o.classes)->value_name("LIST"),
-      "only the points of these classes, as 2,6 (of .las and .laz, or of a property or column 'classification'); the "
-      "others are in no output");
+      ("only the points of these classes, as 2,6 (of " + las +
+       ", or of a property or column 'classification'); the others are in no output")
+        .c_str());
   all.add(group);
 }
 
@@ -73,7 +82,8 @@ inline void add_detection_options(po::options_description& all, Options& o)
     "maximum-offset", number(o.maximum_offset)->value_name("D"),
     "distance within which parallel planes are made coplanar if their points allow it (default: the maximum distance)");
   add("minimum-region-size", count(o.minimum_region_size)->value_name("N"),
-      "smallest number of points of a shape, at least 3 (default: estimated from the number of points)");
+      "smallest number of points of a shape, at least 3 (default: estimated from the number of points); fewer than "
+      "K / 2 + 1 points, of --k-neighbors, and fewer than 6 become none: fewer than 7 by default");
   add("k-neighbors", count(o.k_neighbors)->value_name("K"),
       "number of neighbors of a point, from 3 to 64 (default: 12)");
   add("cell-size", count(o.cell_size)->value_name("N"),
@@ -98,66 +108,22 @@ inline void add_detection_options(po::options_description& all, Options& o)
   all.add(group);
 }
 
-inline void add_execution_options(po::options_description& all, Options& o)
+inline void add_execution_options(po::options_description& all, Options& o, const Built_with& built)
 {
+  std::string backends = "auto, sequential";
+  backends += built.tbb ? ", parallel" : "";
+  backends += built.cuda ? ", cuda" : "";
   po::options_description group("Execution");
   auto add = group.add_options();
   add("backend", po::value<std::string>(&o.backend)->value_name("NAME"),
-      "auto, sequential, parallel or cuda; all give the same result (default: auto)");
+      (backends + "; all give the same result (default: auto)").c_str());
   add("threads", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.threads = n; }),
-      "largest number of threads, of each process, up to 4096 (default: all processors; those of a machine are shared "
-      "by the processes on it)");
+      built.mpi ? "largest number of threads, of each process, up to 4096 (default: all processors; those of a machine "
+                  "are shared by the processes on it)"
+                : "largest number of threads, up to 4096 (default: all processors)");
   add("quiet", po::bool_switch(&o.is_quiet), "print nothing but warnings and errors");
   add("help", po::bool_switch(&o.wants_help), "print this text");
   add("version", po::bool_switch(&o.wants_version), "print the version");
-  all.add(group);
-}
-
-inline void add_output_options(po::options_description& all, Options& o)
-{
-  po::options_description group("Output (files appear only when they are complete)");
-  auto add = group.add_options();
-  add("output", po::value<std::string>(&o.output)->value_name("FILE"),
-      "the input with the normals that were used and the shape of each point (-1: none), its intensity and "
-      "classification kept: .ply or .pcd (binary), .xyz, .txt or .csv (text with a line of names), .las or .laz (the "
-      "shape as extra bytes, without normals; coordinates on the grid of the first .las input, else on one of at most "
-      "2e-4 of the maximum distance; points that are not finite are left out)");
-  add("output-directory", po::value<std::string>(&o.output_directory)->value_name("DIR"),
-      "a file as --output for each INPUT, with the points of that one: of its name and format in this folder, which is "
-      "made if it is not there; .ply in place of what --output does not write, without .gz");
-  add("colors", po::value<std::string>(&o.colors)->value_name("NAME"),
-      "the colors of --output and --output-directory: shape, one for each, or input (default: input for .las and .laz, "
-      "else shape)");
-  add("labels", po::value<std::string>(&o.labels)->value_name("FILE"),
-      "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
-  add("planes", po::value<std::string>(&o.planes)->value_name("FILE"),
-      "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
-  add("vg", po::value<std::string>(&o.vg)->value_name("FILE"),
-      "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
-  add("vg-by-plane", po::bool_switch(&o.has_group_for_each_plane),
-      "a group of --vg for each plane: coplanar shapes in one");
-  add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
-      "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
-      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply or "
-      ".obj (a face for each polygon, triangles for one with holes)");
-  add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
-  add("mesh", po::value<std::string>(&o.mesh)->value_name("FILE"),
-      "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation");
-  add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
-      "--mesh takes the N planes with most points (default: all, if there are at most 100, or 16 with the method "
-      "polygonal)");
-  add("mesh-method", po::value<std::string>(&o.mesh_method)->value_name("NAME"),
-      "of --mesh: kinetic, by the kinetic space partition of CGAL 6, or polygonal, by the polygonal surface "
-      "reconstruction of CGAL with GLPK or SCIP, whose time depends on the cloud and grows fast with the number of "
-      "planes, of which it takes 60 at most (default: kinetic where it was built)");
-  add("mesh-seconds", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_seconds = n; }),
-      "longest time of the solver GLPK of the method polygonal (default: 60)");
-  add(
-    "view", po::value<std::string>(&o.view)->value_name("FILE"),
-    "a page .html or .htm that shows the result in a browser, without a network; of more than 3 million points a part");
-  add("report", po::value<std::string>(&o.report)->value_name("FILE"),
-      "JSON with parameters, counts, quality, times, memory and relations: parallel and coplanar groups of shapes, "
-      "orthogonal pairs of parallel groups, all counted from 0");
   all.add(group);
 }
 
@@ -204,16 +170,16 @@ inline void check_values(const po::variables_map& map)
   }
 }
 
-inline Command_line parse(int argc, const char* const argv[])
+inline Command_line parse(int argc, const char* const argv[], const Built_with& built = Built_with())
 {
   Command_line result;
   Options& o = result.options;
-  po::options_description visible, all;
-  add_input_options(visible, o);
+  po::options_description visible, hidden, all;
+  add_input_options(visible, o, built);
   add_detection_options(visible, o);
-  add_execution_options(visible, o);
-  add_output_options(visible, o);
-  all.add(visible).add_options()("input", po::value<std::vector<std::string>>(&o.inputs), "");
+  add_execution_options(visible, o, built);
+  add_output_options(visible, hidden, o, built);
+  all.add(visible).add(hidden).add_options()("input", po::value<std::vector<std::string>>(&o.inputs), "");
   po::positional_options_description positional;
   positional.add("input", -1);
   try {
@@ -231,7 +197,7 @@ inline Command_line parse(int argc, const char* const argv[])
     throw Usage_error(message_of(e, argc, argv));
   }
   std::ostringstream help;
-  help << usage() << visible;
+  help << usage(built) << visible;
   result.help = help.str();
   if(!o.wants_help && !o.wants_version)
     check(o);

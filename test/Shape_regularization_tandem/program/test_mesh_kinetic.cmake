@@ -51,8 +51,13 @@ expect(0 "in 54 planes" row.xyz ${epsilon} --mesh row.off --planes row.txt)
 expect_shell(0 "^0 faces on no plane" "awk -f walls.awk row.txt row.off")
 expect_shell(0 "volume 9.00" "awk -f volume.awk row.off")
 
-expect(1 "no volume was found that the planes enclose" tower.xyz ${epsilon} --mesh open.off)
+expect(1 "no volume was found that 4 planes enclose; the other files are complete" tower.xyz ${epsilon} --mesh open.off
+       --planes open.planes)
 expect_no_file(open.off)
+file(STRINGS "${WORK_DIR}/open.planes" planes)
+list(LENGTH planes count)
+expect_equal("planes without a mesh" ${count} 4)
 
 expect(2 "mesh-seconds is for the solver GLPK" missing.ply --mesh m.off --mesh-seconds 5)
+expect(2 "--mesh-planes is 1001, must be in .4, 1000. " missing.ply --mesh m.off --mesh-planes 1001)
 finish()

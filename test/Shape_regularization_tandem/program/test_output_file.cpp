@@ -7,6 +7,7 @@
 
 #include "testing/checks.h"
 
+#include "output/Made_folders.h"
 #include "output/Output_file.h"
 #include "fail.h"
 
@@ -16,8 +17,10 @@
 #include <limits>
 #include <new>
 #include <random>
+#include <sstream>
 #include <streambuf>
 #include <string>
+#include <string_view>
 
 constexpr int no_limit = std::numeric_limits<int>::max();
 int allocations_left = no_limit;
@@ -75,6 +78,53 @@ void test_commit(const std::filesystem::path& folder)
   CHECK(std::filesystem::is_empty(folder));
 }
 
+// Folders that were made go again, in whatever way they are named, unless they are kept or something is in them.
+void test_folders(const std::filesystem::path& folder)
+{
+  namespace fs = std::filesystem;
+  fs::create_directory(folder / "old");
+  for(const char* name : {"new", "new/", "old/new/one", "old/../new/one/two/", "old/./new", "old"}) {
+    {
+      program::Made_folders folders;
+      folders.make(folder / name);
+      CHECK_AT(fs::is_directory(folder / name), name);
+    }
+    CHECK_AT(!fs::exists(folder / "new") && fs::is_empty(folder / "old"), name);
+  }
+  {
+    program::Made_folders folders;
+    folders.make(folder / "new/kept");
+    folders.keep();
+    folders.make(folder / "new/kept/file/none");
+    program::Output_file file((folder / "new/kept/file/text").string());
+    file.close();
+    file.commit();
+  }
+  CHECK(fs::exists(folder / "new/kept/file/text") && !fs::exists(folder / "new/kept/file/none"));
+  fs::remove_all(folder / "new");
+  fs::remove(folder / "old");
+}
+
+// A file that is replaced keeps its mode, also as long as it is written.
+void test_mode(const std::filesystem::path& folder)
+{
+  namespace fs = std::filesystem;
+  const fs::path path = folder / "private";
+  for(int mode : {0600, 0640, 0400, 0777}) {
+    program::Output_file first(path.string());
+    first.close();
+    first.commit();
+    fs::permissions(path, fs::perms(mode));
+    program::Output_file file(path.string());
+    for(const fs::directory_entry& entry : fs::directory_iterator(folder))
+      CHECK_AT(entry.status().permissions() == fs::perms(mode), entry.path().string());
+    file.close();
+    file.commit();
+    CHECK_AT(fs::status(path).permissions() == fs::perms(mode), std::to_string(mode));
+  }
+  fs::remove(path);
+}
+
 // Shows what was written without memory.
 class Fixed_buffer : public std::streambuf {
 public:
@@ -105,6 +155,30 @@ void test_fail()
            buffer.written());
 }
 
+std::string visible(std::string_view text)
+{
+  std::ostringstream out;
+  program::write_visible(out, text);
+  return out.str();
+}
+
+void test_visible_text()
+{
+  using namespace std::string_literals;
+  for(const char* text :
+      {"", "cloud.ply", "W\u00e4nde", "\u20ac \u4e2d \U0001f600", "\u00a0\u07ff\u0800\ud7ff\ue000\U0010ffff"})
+    CHECK_AT(visible(text) == text, text);
+  CHECK(visible("\0\x1b[31m\a\r\n\t\x7f"s) == "\\x00\\x1b[31m\\x07\\x0d\\x0a\\x09\\x7f");
+  CHECK(visible("\xc2\x9b[31m") == "\\xc2\\x9b[31m"); // U+009B, which begins a sequence as ESC [ does
+  // Bytes of no character: continuations, forms that are too long, surrogates, beyond the last one, cut off
+  for(std::string text :
+      {"\x80", "\x9b", "\xff", "\xc0\x80", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xf0\x8f\xbf\xbf",
+       "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xc3", "\xe2\x82", "\xf0\x9f\x98"}) {
+    const std::string shown = visible("a" + text + "b");
+    CHECK_AT(shown.size() == 4 * text.size() + 2 && shown.front() == 'a' && shown.back() == 'b', shown);
+  }
+}
+
 int main()
 {
   const std::filesystem::path folder =
@@ -112,7 +186,10 @@ int main()
   std::filesystem::create_directory(folder);
   test_constructor(folder);
   test_commit(folder);
+  test_folders(folder);
+  test_mode(folder);
   std::filesystem::remove_all(folder);
   test_fail();
+  test_visible_text();
   return report();
 }

@@ -93,7 +93,8 @@ file(STRINGS "${WORK_DIR}/out.PLY" header LIMIT_COUNT 14)
 if(NOT "${header}" MATCHES "double x;.*element face [1-9][0-9]*;.*vertex_indices;.*property int shape;end_header")
   complain("header of the mesh: ${header}")
 endif()
-expect(0 "shapes +0 in" cube.ply --maximum-distance 0.004 --minimum-region-size 1700 --vg none.vg --polygons none.obj)
+expect_shell(0 "shapes +0 in" "\"$P\" cube.ply --maximum-distance 0.004 --minimum-region-size 1700 --vg none.vg \
+  --polygons none.obj 2>&1")
 file(STRINGS "${WORK_DIR}/none.vg" keys REGEX "^num_groups")
 expect_equal("groups without shapes" "${keys}" "num_groups: 0")
 
@@ -130,6 +131,24 @@ expect(0 "normals by PCA of 9 neighbors\n.*shapes +3 in" --estimate-normals 9 ba
 expect(0 "normals estimated\n.*shapes +3 in" cube.ply ${epsilon} --estimate-normals)
 expect(0 "at least [0-9]+ points" cube.ply)
 expect(0 "usage: detect_planes INPUT.*--maximum-distance.*default.*--report" --help)
+set(out_of_help "${out}")
+
+# The help offers nothing that this program was built without.
+file(WRITE "${WORK_DIR}/none.xyz" "")
+foreach(offer IN ITEMS "--view FILE:--view v.html" "--mesh FILE:--mesh m.off" "kinetic,:--mesh m.off --mesh-method kinetic"
+        "polygonal,:--mesh m.off --mesh-method polygonal" "parallel[,;]:--backend parallel"
+        "\\.laz:--output l.laz" "--mesh-seconds:--mesh m.off --mesh-method polygonal --mesh-seconds 5")
+  string(REGEX MATCH "^(.*):(.*)$" offer "${offer}")
+  set(option "${CMAKE_MATCH_2}")
+  string(REGEX MATCH "${CMAKE_MATCH_1}" is_offered "${out_of_help}")
+  expect_shell(0 "" "\"$P\" missing.ply ${option} 2>&1; true")
+  string(REGEX MATCH "no such file" is_there "${out}")
+  if(is_offered AND NOT is_there)
+    complain("the help offers ${option}, but: ${out}")
+  elseif(is_there AND NOT is_offered)
+    complain("the help does not offer ${option}")
+  endif()
+endforeach()
 
 # --- Unreadable input: exit 1
 string(LENGTH "${cube}" length)
@@ -185,21 +204,26 @@ if(EXISTS /dev/full)
   expect(1 "/dev/full" cube.ply ${epsilon} --labels old.labels --planes never.planes --report /dev/full)
   expect_shell(1 "full.ply: cannot be written completely" "ln -s /dev/full full.ply
     exec \"$P\" cube.ply --maximum-distance 0.004 --polygons full.ply")
-  expect_shell(1 "standard output cannot be written\n$" "exec \"$P\" cube.ply --maximum-distance 0.004 > /dev/full")
-  expect_shell(1 "standard output cannot be written; the files are complete"
+  expect_shell(1 "standard output cannot be written .No space left on device.\n$" "exec \"$P\" cube.ply --maximum-distance 0.004 > /dev/full")
+  expect_shell(1 "standard output cannot be written .No space[^\n]*; the files are complete"
     "exec \"$P\" cube.ply --maximum-distance 0.004 --planes full.planes --labels full.labels > /dev/full")
   expect_shell(0 "^$" "\"$P\" cube.ply --maximum-distance 0.004 --quiet --planes same.planes --labels same.labels
     cmp full.planes same.planes && cmp full.labels same.labels")
+  expect_shell(1 "standard output cannot be written .Bad file descriptor" "exec \"$P\" --version >&-")
   foreach(option IN ITEMS help version)
     expect_shell(1 "standard output cannot be written" "exec \"$P\" --${option} > /dev/full")
   endforeach()
 endif()
 # A limit of the file size is a disk that runs full in the middle of a file.
-expect_shell(1 "never.ply: cannot be written completely" "trap '' XFSZ; ulimit -f 8
-  exec \"$P\" cube.ply --maximum-distance 0.004 --labels old.labels --output never.ply")
+foreach(output IN ITEMS "--output never.ply" "--vg never.vg" "--output-directory never" "--view never.html")
+  if(NOT output MATCHES "view" OR out_of_help MATCHES "--view")
+    expect_shell(1 "never[^ ]*: cannot be written completely .File too large" "trap '' XFSZ; ulimit -f 16
+      exec \"$P\" 'a folder/cube.xyz' --maximum-distance 0.004 --labels old.labels ${output}")
+  endif()
+endforeach()
 file(READ "${WORK_DIR}/old.labels" old)
 expect_equal("an output of before" "${old}" "old")
-expect_no_file(never.ply never.planes)
+expect_no_file(never never.ply never.planes never.vg never.html)
 
 # --- Bad usage: exit 2
 expect(2 "no INPUT")

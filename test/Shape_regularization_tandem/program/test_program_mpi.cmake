@@ -110,6 +110,21 @@ expect_ranks(2 2 "--estimate-normals with a number needs all points" ${tiles} --
 file(MAKE_DIRECTORY "${WORK_DIR}/taken/seam.csv")
 expect_ranks(3 1 "taken/seam.csv: is a directory" ${tiles} --output-directory taken --planes taken/planes)
 expect_no_file(none out.ply out.html taken/corner.ply taken/Middle.XYZ taken/planes)
+if(EXISTS /dev/full)
+  foreach(i RANGE 1 5) # the folders that they make, too
+    expect_ranks(3 1 "/dev/full: cannot be written completely .No space" ${tiles} ${parameters}
+                 --output-directory made/one/two --planes /dev/full)
+    expect_no_file(made)
+  endforeach()
+endif()
+
+# --- The same warnings
+expect_shell(0 "" "\"$P\" corner.pts folder/Middle.XYZ last.las --maximum-distance 1 --report warned --quiet 2>&1")
+expect_ranks(3 0 "^detect_planes: warning: the maximum distance 1 is more than a tenth of the extent of the points, 7.9: [^\n]*\n$"
+             corner.pts folder/Middle.XYZ last.las --maximum-distance 1 --report warned_3 --quiet)
+file(STRINGS "${WORK_DIR}/warned" expected REGEX "warnings")
+file(STRINGS "${WORK_DIR}/warned_3" found REGEX "warnings")
+expect_equal("warnings" "${found}" "${expected}")
 
 # --- A rank that gets a signal, once all tiles were read
 file(WRITE "${WORK_DIR}/signals.sh" [=[

@@ -11,6 +11,8 @@
 #define DETECT_PLANES_HAS_DESCRIPTORS
 #endif
 
+#include "output/Write_error.h"
+
 #include <array>
 #include <cerrno>
 #include <memory>
@@ -23,7 +25,7 @@ namespace program {
 
 // Writes to a descriptor that the shell has opened, from where that stands. To open the file once more would start at
 // its beginning, and overwrite what was or will be written there.
-class Descriptor_buffer : public std::streambuf {
+class Descriptor_buffer : public std::streambuf, public Write_error {
 public:
   explicit Descriptor_buffer(int opened) : descriptor(dup(opened)) { reset(); }
   ~Descriptor_buffer() override { ::close(descriptor); }
@@ -44,8 +46,10 @@ protected:
   {
     for(const char* next = pbase(); next != pptr();) {
       const ssize_t n = ::write(descriptor, next, std::size_t(pptr() - next));
-      if(n < 0 && errno != EINTR)
+      if(n < 0 && errno != EINTR) {
+        keep_error();
         return -1;
+      }
       next += n < 0 ? 0 : n;
     }
     reset();
@@ -61,7 +65,7 @@ private:
 
 // The file as the shell has opened it for writing: /dev/stdout, /dev/fd/3, or a name that is also the target of a
 // redirection. Null if it has not.
-inline std::unique_ptr<std::streambuf> opened_by_shell(const std::string& path)
+inline std::unique_ptr<Descriptor_buffer> opened_by_shell(const std::string& path)
 {
   constexpr int largest_descriptor_of_shells = 255;
   struct stat file, opened;
@@ -76,7 +80,9 @@ inline std::unique_ptr<std::streambuf> opened_by_shell(const std::string& path)
 
 #else
 
-inline std::unique_ptr<std::streambuf> opened_by_shell(const std::string&) { return nullptr; }
+class Descriptor_buffer : public std::streambuf, public Write_error {};
+
+inline std::unique_ptr<Descriptor_buffer> opened_by_shell(const std::string&) { return nullptr; }
 
 #endif
 

@@ -10,7 +10,9 @@
 
 #include <CGAL/GLPK_mixed_integer_program_traits.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +23,7 @@ namespace program {
 class Limited_solver : public CGAL::GLPK_mixed_integer_program_traits<double> {
 public:
   // Of all solvers: CGAL constructs the one that it uses, so that nothing can be passed in or asked of it.
-  inline static int seconds = 60;
+  inline static int seconds = 60; // of processor time
   inline static bool is_out_of_time = false;
 
   bool solve() override
@@ -33,15 +35,19 @@ public:
     glp_init_iocp(&settings);
     settings.msg_lev = GLP_MSG_OFF;
     settings.presolve = GLP_ON;
-    settings.tm_lim = 1000 * seconds;
-    settings.cb_func = [](glp_tree* tree, void*) {
-      if(is_interrupted())
+    settings.tm_lim = longest_wait();
+    is_out_of_time = false;
+    const std::clock_t end = std::clock() + std::clock_t(seconds) * CLOCKS_PER_SEC;
+    settings.cb_info = const_cast<std::clock_t*>(&end);
+    settings.cb_func = [](glp_tree* tree, void* end) {
+      is_out_of_time = std::clock() > *static_cast<const std::clock_t*>(end);
+      if(is_interrupted() || is_out_of_time)
         glp_ios_terminate(tree);
     };
     const int status = glp_intopt(problem.get(), &settings);
     if(is_interrupted())
       throw Interrupted();
-    is_out_of_time = status == GLP_ETMLIM;
+    is_out_of_time = is_out_of_time || status == GLP_ETMLIM;
     error_message_ = "status " + std::to_string(status) + " of GLPK";
     if(status != 0 || glp_mip_status(problem.get()) != GLP_OPT)
       return false;
@@ -54,6 +60,10 @@ public:
   }
 
 private:
+  // In milliseconds. GLPK looks at another clock, and calls back in the search only, not in what goes before it. So on
+  // a machine that has much else to do, this is the end.
+  static int longest_wait() { return int((std::min)(10 * 1000LL * seconds, 2000000000LL)); }
+
   static int column(const Variable& v) { return int(v.index()) + 1; } // GLPK counts from 1
 
   void add_variables(glp_prob& problem) const

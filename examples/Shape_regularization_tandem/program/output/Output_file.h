@@ -6,12 +6,11 @@
 
 #include "output/Descriptor_buffer.h"
 #include "output/Partial_file.h"
+#include "output/Write_error.h"
 #include "links.h"
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -34,14 +33,16 @@ public:
     if(fs::is_directory(status))
       throw std::runtime_error(path + ": is a directory");
     if(status.type() == fs::file_type::none)
-      throw std::runtime_error(path + ": cannot be written (" + error.message() + ")");
+      fail("cannot be written", error.value());
     if(!fs::exists(status) || fs::is_regular_file(status)) {
       target = follow_links(path);
       part.emplace(target.parent_path());
     }
     errno = 0;
     if(!file.open(part ? part->name() : fs::path(path), std::ios::out | std::ios::binary))
-      fail("cannot be written");
+      fail("cannot be written", errno);
+    if(fs::is_regular_file(status))
+      keep_mode(status.permissions() & fs::perms::all);
     out.rdbuf(&file);
   }
 
@@ -54,8 +55,10 @@ public:
   void close()
   {
     errno = 0;
-    if(!out.flush() || (file.is_open() && !file.close()))
-      fail("cannot be written completely");
+    if(!out.flush() || (file.is_open() && !file.close())) {
+      const int kept = opened ? opened->error() : file.error();
+      fail("cannot be written completely", kept != 0 ? kept : errno);
+    }
   }
 
   void commit()
@@ -65,21 +68,31 @@ public:
     std::error_code error;
     part->rename(target, error);
     if(error)
-      throw std::runtime_error(name + ": cannot be written (" + error.message() + ")");
+      fail("cannot be written", error.value());
   }
 
 private:
-  void fail(const std::string& what)
+  [[noreturn]] void fail(const char* what, int error) const
   {
-    const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string();
-    throw std::runtime_error(name + ": " + what + reason);
+    throw std::runtime_error(name + ": " + what + reason_of(error));
+  }
+
+  // That of the file that is replaced, before anything is in the new one: not everybody may read it.
+  void keep_mode(std::filesystem::perms mode) const
+  {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if((fs::status(part->name(), error).permissions() & fs::perms::all) != mode && !error)
+      fs::permissions(part->name(), mode, error);
+    if(error)
+      fail("cannot be written", error.value());
   }
 
   std::string name;
   std::filesystem::path target;
   std::optional<Partial_file> part;
-  std::filebuf file; // closed before the partial file is removed
-  std::unique_ptr<std::streambuf> opened;
+  File_buffer file; // closed before the partial file is removed
+  std::unique_ptr<Descriptor_buffer> opened;
   std::ostream out;
 };
 

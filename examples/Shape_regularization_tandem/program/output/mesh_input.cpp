@@ -6,6 +6,7 @@
 #include "../convex_polygons.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace program {
 
@@ -42,11 +43,16 @@ Mesh_input part(const Mesh_input& all, const std::vector<std::size_t>& order)
 
 } // namespace
 
-Mesh_input mesh_input(const Point_set& points, const Shapes& shapes, std::size_t largest_number)
+Mesh_input mesh_input(const Point_set& points, const Shapes& shapes)
 {
   const Mesh_input all{CGAL::Tandem::projected_points(points, shapes), CGAL::Tandem::distinct_planes(shapes)};
-  std::vector<std::size_t> order = order_of_planes(all);
-  order.resize((std::min)(largest_number, order.size()));
+  return part(all, order_of_planes(all));
+}
+
+Mesh_input largest_planes(const Mesh_input& all, std::size_t number)
+{
+  std::vector<std::size_t> order((std::min)(number, all.planes.size()));
+  std::iota(order.begin(), order.end(), std::size_t(0));
   return part(all, order);
 }
 

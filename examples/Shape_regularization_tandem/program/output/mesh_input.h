@@ -22,8 +22,11 @@ struct Mesh_input {
   std::vector<Kernel::Plane_3> planes;
 };
 
-// Of the planes with most points. Those whose points are on a line are left out.
-Mesh_input mesh_input(const Point_set& points, const Shapes& shapes, std::size_t largest_number);
+// Planes whose points are on a line are left out.
+Mesh_input mesh_input(const Point_set& points, const Shapes& shapes);
+
+// Those with most points.
+Mesh_input largest_planes(const Mesh_input& all, std::size_t number);
 
 // Closed, and its faces are oriented alike.
 struct Surface {

@@ -8,6 +8,7 @@
 
 #include "output/mesh_input.h"
 
+#include <stdexcept>
 #include <string>
 
 namespace program {
@@ -19,8 +20,13 @@ std::string missing_for_kinetic_mesh();
 // The polygonal method ends after some seconds: GLPK does, SCIP cannot.
 bool has_time_limit();
 
+// Fewer planes may do.
+struct Too_many_faces : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // By CGAL::Polygonal_surface_reconstruction. It chooses from all faces that the planes cut each other into: time and
-// memory grow with the cube of the number of planes. The solver has `seconds`.
+// memory grow with the cube of the number of planes. The solver has `seconds` of processor time.
 Surface polygonal_mesh(const Mesh_input& input, int seconds);
 
 // By CGAL::Kinetic_space_partition_3: the boundary of the volumes that are inside.

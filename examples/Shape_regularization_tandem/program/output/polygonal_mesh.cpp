@@ -41,15 +41,14 @@ void check_candidates(const Reconstruction& reconstruction)
   Mesh candidates;
   reconstruction.output_candidate_faces(candidates);
   if(candidates.number_of_faces() > most_candidates)
-    throw std::runtime_error("--mesh: the planes cut each other into " + std::to_string(candidates.number_of_faces()) +
-                             " faces, which are too many: take fewer planes by --mesh-planes, or a larger "
-                             "--minimum-region-size");
+    throw Too_many_faces("--mesh: the planes cut each other into " + std::to_string(candidates.number_of_faces()) +
+                         " faces, of which the solver takes at most " + std::to_string(most_candidates));
 }
 
 #ifdef CGAL_USE_SCIP
 constexpr bool is_limited = false;
 
-void solve(Reconstruction& reconstruction, Mesh& model, int)
+void solve(Reconstruction& reconstruction, Mesh& model, int /* seconds */, std::size_t /* planes */)
 {
   using Solver = CGAL::SCIP_mixed_integer_program_traits<double>; // its limits cannot be reached
   if(!reconstruction.reconstruct<Solver>(model))
@@ -58,14 +57,16 @@ void solve(Reconstruction& reconstruction, Mesh& model, int)
 #else
 constexpr bool is_limited = true;
 
-void solve(Reconstruction& reconstruction, Mesh& model, int seconds)
+void solve(Reconstruction& reconstruction, Mesh& model, int seconds, std::size_t planes)
 {
   Limited_solver::seconds = seconds;
   if(reconstruction.reconstruct<Limited_solver>(model))
     return;
   if(Limited_solver::is_out_of_time)
-    throw std::runtime_error("--mesh: no surface was found within " + std::to_string(seconds) +
-                             " seconds: take fewer planes by --mesh-planes");
+    throw std::runtime_error("--mesh: no surface of " + std::to_string(planes) + " planes was found within " +
+                             std::to_string(seconds) +
+                             " seconds of processor time: take fewer planes by --mesh-planes, or more time by "
+                             "--mesh-seconds");
   throw std::runtime_error("--mesh: no closed surface was found (" + reconstruction.error_message() + ")");
 }
 #endif
@@ -102,7 +103,7 @@ Surface polygonal_mesh(const Mesh_input& input, int seconds)
                                 CGAL::Nth_of_tuple_property_map<1, Item>(), CGAL::Nth_of_tuple_property_map<2, Item>());
   check_candidates(reconstruction);
   Mesh model;
-  solve(reconstruction, model, seconds);
+  solve(reconstruction, model, seconds, input.planes.size());
   // CGAL 5 leaves the faces unconnected and of any orientation; CGAL 6 does this itself.
   Surface surface;
   PMP::polygon_mesh_to_polygon_soup(model, surface.points, surface.faces);

@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run did: the table for people and the JSON for programs.
+// What a run did, as JSON.
 
 #ifndef DETECT_PLANES_REPORT_H
 #define DETECT_PLANES_REPORT_H
 
 #include "output/write_results.h"
+#include "visible_text.h"
 
 #ifdef __unix__
 #include <sys/resource.h>
@@ -17,6 +18,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,8 +28,10 @@ namespace program {
 struct Run {
   std::string input, short_input;                         // the names of all inputs, and of some
   std::vector<std::pair<std::string, std::string>> notes; // of the reading: a word, and what there is to say
+  std::vector<std::string> warnings;                      // of the reading, and of the result
   std::string normals;                                    // "given", "estimated" or how else
   std::string device = "CPU";
+  std::string mesh; // what there is to say about it
   int threads = 1, ranks = 1;
   std::uint64_t hash = 0;
   std::size_t peak_bytes = 0; // the largest of a process, before the writing
@@ -75,6 +80,12 @@ public:
   void count(const char* name, std::size_t value) { key(name), out << value; }
   void boolean(const char* name, bool value) { key(name), out << (value ? "true" : "false"); }
   void text(const char* name, const std::string& value) { key(name), out << quoted(value); }
+
+  void texts(const char* name, const std::vector<std::string>& values)
+  {
+    key(name);
+    write(values, [&](const std::string& value) { out << quoted(value); });
+  }
 
   template <class Numbers>
   void numbers(const char* name, const Numbers& numbers)
@@ -128,18 +139,19 @@ private:
     return text;
   }
 
-  // Bytes outside of ASCII are escaped one by one: a file name need not be UTF-8. So is '<': it may be on a page.
+  // The name of a file need not be UTF-8: other bytes are escaped one by one. So is '<': it may be on a page.
   static std::string quoted(const std::string& s)
   {
     std::string result = "\"";
-    for(unsigned char c : s) {
+    for(std::string_view rest = s; !rest.empty();) {
+      const std::size_t n = (std::max)(utf8_length(rest), std::size_t(1));
+      const unsigned char last = (unsigned char)(rest[n - 1]); // of a control character, it is the code
       char code[8];
-      if(c == '"' || c == '\\')
-        result += {'\\', char(c)};
-      else if(c < 32 || c > 126 || c == '<')
-        std::snprintf(code, sizeof code, "\\u%04x", unsigned(c)), result += code;
+      if(visible_length(rest) == 0 || last == '<')
+        std::snprintf(code, sizeof code, "\\u%04x", unsigned(last)), result += code;
       else
-        result += char(c);
+        (result += last == '"' || last == '\\' ? "\\" : "") += rest.substr(0, n);
+      rest.remove_prefix(n);
     }
     return result + '"';
   }
@@ -234,6 +246,7 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
   json.text("hash", hash_text(run));
   json.number("grid_step", s.grid_step);
   json.boolean("is_grid_coarse", s.is_grid_coarse);
+  json.texts("warnings", run.warnings);
   write_parameters(json, shapes.parameters());
   write_numbers(json, s, run);
   json.begin("relations");
@@ -247,38 +260,6 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
   json.numbers("symmetry_group_of_parallel_groups", shapes.data().symmetry_group);
   json.end();
   json.end();
-}
-
-inline void print_summary(std::ostream& out, const Shapes& shapes, const Run& run)
-{
-  const CGAL::Tandem::Statistics& s = shapes.statistics();
-  const CGAL::Tandem::Parameters& p = shapes.parameters();
-  const auto row = [&out](const char* name) -> std::ostream& {
-    return out << "  " << std::left << std::setw(12) << name;
-  };
-  out << run.short_input << '\n' << std::setprecision(4);
-  row("points") << s.number_of_points << ", normals " << run.normals;
-  if(s.number_of_ignored_points() > 0)
-    out << "; ignored: " << s.number_of_ignored_coordinates << " not finite, " << s.number_of_ignored_normals
-        << " without a normal";
-  out << '\n';
-  for(const auto& [word, text] : run.notes)
-    row(word.c_str()) << text << '\n';
-  row("parameters") << "maximum distance " << p.maximum_distance << ", angle " << p.maximum_angle
-                    << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset << ", at least "
-                    << p.minimum_region_size << " points\n";
-  row("shapes") << s.number_of_shapes << " in " << s.number_of_planes << " planes of " << s.number_of_directions
-                << " directions, " << s.number_of_orthogonal_pairs << " orthogonal pairs of directions\n";
-  row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "
-                 << s.complexity << '\n';
-  row("seconds") << s.times.total + run.normal_seconds << " (normals " << s.times.normals + run.normal_seconds
-                 << ", sort " << s.times.sort << ", neighbors " << s.times.neighbors << ", growth " << s.times.growth
-                 << ", regularity " << s.times.regularity << ", final " << s.times.finish << "), reading "
-                 << run.read_seconds << '\n';
-  row("execution") << s.backend << ", " << (run.ranks == 1 ? "" : std::to_string(run.ranks) + " processes of ")
-                   << run.threads << (run.threads == 1 ? " thread, " : " threads, ") << s.number_of_rounds
-                   << " rounds, " << (std::max)(run.peak_bytes, peak_process_bytes()) / 1048576 << " MiB\n";
-  row("hash") << hash_text(run) << '\n';
 }
 
 } // namespace program

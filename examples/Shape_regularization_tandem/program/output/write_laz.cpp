@@ -4,6 +4,7 @@
 #include "output/write_las.h"
 
 #include "output/Partial_file.h"
+#include "output/Write_error.h"
 
 #include <fstream>
 #include <stdexcept>
@@ -77,10 +78,12 @@ void write_laz(std::ostream& out, const Output_points& cloud, const std::optiona
 {
   const Partial_file las(std::filesystem::temp_directory_path()), laz(std::filesystem::temp_directory_path());
   {
-    std::ofstream file(las.name(), std::ios::binary);
+    File_buffer buffer;
+    buffer.open(las.name(), std::ios::out | std::ios::binary);
+    std::ostream file(&buffer);
     write_las(file, cloud, frame_of_input);
     if(!file.flush())
-      throw std::runtime_error(las.name().string() + ": cannot be written completely");
+      throw std::runtime_error(las.name().string() + ": cannot be written completely" + reason_of(buffer.error()));
   }
   compress(las.name().string(), laz.name().string());
   std::ifstream compressed(laz.name(), std::ios::binary);

@@ -5,6 +5,7 @@
 #include "formats.h"
 #include "output/mesh_methods.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <ostream>
 #include <stdexcept>
@@ -14,42 +15,65 @@ namespace program {
 
 namespace {
 
-// Of the planes: more take minutes, and those not even Ctrl-C ends soon.
-struct Limits {
-  std::size_t by_default, on_demand;
-};
-constexpr Limits polygonal_limits = {16, 60}, kinetic_limits = {100, 1000};
+constexpr std::size_t fewest_planes = 4;
 constexpr int longest_seconds = 60;
 
+struct Method {
+  const char* name;
+  std::size_t by_default, on_demand; // planes; more take minutes, and those not even Ctrl-C ends soon
+};
+constexpr Method kinetic = {"kinetic", 100, 1000}, polygonal = {"polygonal", 16, 60};
+
 // The one that takes more planes, if it is there.
-std::string method_of(const Options& o)
+const Method& method_of(const Options& o)
 {
-  if(!o.mesh_method.empty())
-    return o.mesh_method;
-  return missing_for_kinetic_mesh().empty() ? "kinetic" : "polygonal";
+  const bool is_kinetic = o.mesh_method.empty() ? missing_for_kinetic_mesh().empty() : o.mesh_method == kinetic.name;
+  return is_kinetic ? kinetic : polygonal;
 }
 
-void check_number_of_planes(const std::string& method, std::size_t number, const Options& o)
+std::string missing_for(const Method& method)
 {
-  if(number < 4)
-    throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(number) + " were found");
-  const Limits& limits = method == "kinetic" ? kinetic_limits : polygonal_limits;
-  if(number > (o.mesh_planes ? limits.on_demand : limits.by_default))
-    throw std::runtime_error("--mesh: the method " + method + " takes too long for " + std::to_string(number) +
-                             " planes: take fewer by --mesh-planes or by a larger --minimum-region-size");
+  return &method == &kinetic ? missing_for_kinetic_mesh() : missing_for_polygonal_mesh();
 }
 
-Surface make_surface(const Point_set& points, const Shapes& shapes, const Options& o)
+std::string limits_of(const Method& method)
 {
-  const std::string method = method_of(o);
-  const std::size_t found = shapes.number_of_coplanar_groups();
-  const Mesh_input input = mesh_input(points, shapes, o.mesh_planes ? std::size_t(*o.mesh_planes) : found);
-  check_number_of_planes(method, input.planes.size(), o);
-  Surface surface =
-    method == "kinetic" ? kinetic_mesh(input) : polygonal_mesh(input, int(o.mesh_seconds.value_or(longest_seconds)));
-  if(surface.faces.empty())
-    throw std::runtime_error("--mesh: no volume was found that the planes enclose");
-  return surface;
+  return std::string("the method ") + method.name + " takes " + std::to_string(method.by_default) +
+         " by default, and up to " + std::to_string(method.on_demand) + " by --mesh-planes";
+}
+
+struct Made_surface {
+  Surface surface;
+  std::size_t planes = 0;
+  std::string warning;
+};
+
+std::string number_of(std::size_t planes, std::size_t all)
+{
+  return std::to_string(planes) + (planes < all ? " of " + std::to_string(all) : "") + " planes";
+}
+
+// Of as many planes as the method takes.
+Made_surface make_surface(const Mesh_input& all, const Options& o)
+{
+  const Method& method = method_of(o);
+  const int seconds = int(o.mesh_seconds.value_or(longest_seconds));
+  Made_surface made;
+  made.planes = (std::min)(all.planes.size(), o.mesh_planes ? std::size_t(*o.mesh_planes) : method.by_default);
+  if(made.planes < all.planes.size() && !o.mesh_planes)
+    made.warning = limits_of(method);
+  while(true) {
+    const Mesh_input input = largest_planes(all, made.planes);
+    try {
+      made.surface = &method == &kinetic ? kinetic_mesh(input) : polygonal_mesh(input, seconds);
+      return made;
+    } catch(const Too_many_faces& e) {
+      if(made.planes == fewest_planes)
+        throw;
+      made.warning = e.what();
+      made.planes = (std::max)(made.planes * 3 / 4, fewest_planes);
+    }
+  }
 }
 
 // Points and faces, as .off and .ply have them.
@@ -94,20 +118,41 @@ void write_ply(std::ostream& out, const Surface& surface)
 
 } // namespace
 
-void check_mesh_method(const Options& o)
+void check_mesh_options(const Options& o)
 {
-  const std::string method = method_of(o);
-  const std::string missing = method == "kinetic" ? missing_for_kinetic_mesh() : missing_for_polygonal_mesh();
+  const Method& method = method_of(o);
+  const std::string missing = missing_for(method);
   if(!missing.empty())
-    throw Usage_error((o.mesh_method.empty() ? "--mesh" : "--mesh-method " + method) + " needs " + missing +
+    throw Usage_error((o.mesh_method.empty() ? "--mesh" : "--mesh-method " + o.mesh_method) + " needs " + missing +
                       ": this program was built without it");
-  if(o.mesh_seconds && (method == "kinetic" || !has_time_limit()))
+  if(o.mesh_seconds && (&method == &kinetic || !has_time_limit()))
     throw Usage_error("--mesh-seconds is for the solver GLPK of --mesh-method polygonal");
+  if(o.mesh_planes && std::size_t(*o.mesh_planes) > method.on_demand)
+    throw Usage_error("--mesh-planes is " + std::to_string(*o.mesh_planes) + ", must be in [" +
+                      std::to_string(fewest_planes) + ", " + std::to_string(method.on_demand) + "] for the method " +
+                      method.name);
 }
 
-void write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o)
+std::string limits_of_planes()
 {
-  const Surface surface = make_surface(points, shapes, o);
+  std::string text;
+  for(const Method* method : {&kinetic, &polygonal})
+    if(missing_for(*method).empty())
+      text += (text.empty() ? "" : "; ") + limits_of(*method);
+  return text;
+}
+
+Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o)
+{
+  const Mesh_input input = mesh_input(points, shapes);
+  const std::size_t usable = input.planes.size();
+  if(usable < fewest_planes)
+    throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(usable) + " were found");
+  const Made_surface made = make_surface(input, o);
+  const Surface& surface = made.surface;
+  if(surface.faces.empty())
+    throw std::runtime_error("--mesh: no volume was found that " + number_of(made.planes, usable) + " enclose" +
+                             (made.planes < usable ? " (" + limits_of(method_of(o)) + ")" : ""));
   const std::string extension = lower_case_extension(o.mesh);
   out << std::setprecision(17);
   if(extension == ".off")
@@ -116,6 +161,10 @@ void write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes
     write_obj(out, surface);
   else
     write_ply(out, surface);
+  Mesh_facts facts{made.planes, surface.faces.size(), usable, {}};
+  if(!made.warning.empty())
+    facts.warning = o.mesh + ": has " + number_of(made.planes, usable) + ", those with most points: " + made.warning;
+  return facts;
 }
 
 } // namespace program

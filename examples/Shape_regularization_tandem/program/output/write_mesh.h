@@ -9,15 +9,26 @@
 #include "Options.h"
 #include "output/shape_polygons.h"
 
+#include <cstddef>
 #include <iosfwd>
+#include <string>
 
 namespace program {
 
-// Throws if --mesh-method is not there, or does not use --mesh-seconds.
-void check_mesh_method(const Options& o);
+// Throws if --mesh-method is not there, or takes neither --mesh-seconds nor as many --mesh-planes.
+void check_mesh_options(const Options& o);
+
+// What --help says about --mesh-planes.
+std::string limits_of_planes();
+
+struct Mesh_facts {
+  std::size_t planes = 0, faces = 0; // of the surface
+  std::size_t usable_planes = 0;     // those that have an area
+  std::string warning;               // if it has fewer planes than what was asked for
+};
 
 // The format is that of the extension of --mesh: .off, .obj or .ply.
-void write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o);
+Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o);
 
 } // namespace program
 

@@ -72,6 +72,9 @@ public:
   virtual int end(int code, const char* message, const char* advice = "") const { return fail(code, message, advice); }
 };
 
+// Whether this program was built with MPI.
+bool has_mpi();
+
 // An exception where mpirun has started several processes that cannot work together.
 std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv);
 

@@ -7,6 +7,7 @@
 #define DETECT_PLANES_READ_INPUTS_H
 
 #include "Options.h"
+#include "fail.h"
 #include "input/read_cloud.h"
 #include "input_options.h"
 #include "output/report.h"
@@ -20,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -66,7 +66,8 @@ inline void collect_notes(const Options& o, const Input_cloud& cloud, const Rank
       paths_of_note[std::size_t(place)].push_back(o.inputs[input]);
     }
     for(const std::string& warning : notes.warnings)
-      std::cerr << "detect_planes: warning: " << warning << std::endl;
+      warn(warning);
+    run.warnings.insert(run.warnings.end(), notes.warnings.begin(), notes.warnings.end());
   }
   for(std::size_t i = 0; i < run.notes.size() && o.inputs.size() > 1; ++i)
     run.notes[i].second += " (" + joined(paths_of_note[i], 4) + ")";

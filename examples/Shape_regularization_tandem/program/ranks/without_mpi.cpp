@@ -9,6 +9,8 @@
 
 namespace program {
 
+bool has_mpi() { return false; }
+
 std::unique_ptr<Ranks> make_ranks(int&, char**&)
 {
   const Launch launch = find_launch();

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The options of the command line that name files to be written.
+
+#ifndef DETECT_PLANES_OUTPUT_OPTIONS_H
+#define DETECT_PLANES_OUTPUT_OPTIONS_H
+
+#include "Built_with.h"
+#include "Options.h"
+
+#include <boost/program_options.hpp>
+
+#include <string>
+
+namespace program {
+
+namespace po = boost::program_options;
+
+inline void add_cloud_options(po::options_description& group, Options& o, const Built_with& built)
+{
+  const std::string las = built.laszip ? ".las or .laz" : ".las", all_las = built.laszip ? ".las and .laz" : ".las";
+  const std::string output =
+    "the input with the normals that were used and the shape of each point (-1: none), its intensity and "
+    "classification kept: .ply or .pcd (binary), .xyz, .txt or .csv (text with a line of names), " +
+    las +
+    " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, else on one of at "
+    "most 2e-4 of the maximum distance; points that are not finite are left out)";
+  const std::string directory =
+    std::string(
+      "a file as --output for each INPUT, with the points of that one: of its name and format in this folder, "
+      "which is made if it is not there, and cannot be that of an INPUT; .ply in place of what --output does "
+      "not write") +
+    (built.gzip ? ", without .gz" : "");
+  const std::string colors =
+    "the colors of --output and --output-directory: shape, one for each, or input (default: input for " + all_las +
+    ", else shape)";
+  auto add = group.add_options();
+  add("output", po::value<std::string>(&o.output)->value_name("FILE"), output.c_str());
+  add("output-directory", po::value<std::string>(&o.output_directory)->value_name("DIR"), directory.c_str());
+  add("colors", po::value<std::string>(&o.colors)->value_name("NAME"), colors.c_str());
+}
+
+inline void add_result_options(po::options_description& group, Options& o)
+{
+  auto add = group.add_options();
+  add("labels", po::value<std::string>(&o.labels)->value_name("FILE"),
+      "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
+  add("planes", po::value<std::string>(&o.planes)->value_name("FILE"),
+      "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
+  add("vg", po::value<std::string>(&o.vg)->value_name("FILE"),
+      "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
+  add("vg-by-plane", po::bool_switch(&o.has_group_for_each_plane),
+      "a group of --vg for each plane: coplanar shapes in one");
+  add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
+      "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
+      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply or "
+      ".obj (a face for each polygon, triangles for one with holes)");
+  add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
+  add("report", po::value<std::string>(&o.report)->value_name("FILE"),
+      "JSON with warnings, parameters, counts, quality, times, memory and relations: parallel and coplanar groups of "
+      "shapes, orthogonal pairs of parallel groups, all counted from 0");
+}
+
+inline std::string text_of_mesh_methods(const Built_with& built)
+{
+  const std::string kinetic = "kinetic, by the kinetic space partition of CGAL 6",
+                    polygonal = "polygonal, by the polygonal surface reconstruction of CGAL, whose time depends on the "
+                                "cloud and grows fast with the number of planes";
+  if(!built.polygonal_mesh)
+    return kinetic;
+  return built.kinetic_mesh ? kinetic + " (default), or " + polygonal : polygonal;
+}
+
+inline void add_mesh_options(po::options_description& group, Options& o, const Built_with& built)
+{
+  auto add = group.add_options();
+  add("mesh", po::value<std::string>(&o.mesh)->value_name("FILE"),
+      "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. It is made when all "
+      "other files are complete");
+  add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
+      ("--mesh takes the N planes with most points: " + built.mesh_planes).c_str());
+  add("mesh-method", po::value<std::string>(&o.mesh_method)->value_name("NAME"),
+      ("of --mesh: " + text_of_mesh_methods(built)).c_str());
+}
+
+inline void add_mesh_seconds(po::options_description& group, Options& o)
+{
+  group.add_options()("mesh-seconds",
+                      po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_seconds = n; }),
+                      "longest processor time of the solver GLPK of the method polygonal (default: 60)");
+}
+
+inline void add_view_option(po::options_description& group, Options& o)
+{
+  group.add_options()(
+    "view", po::value<std::string>(&o.view)->value_name("FILE"),
+    "a page .html or .htm that shows the result in a browser, without a network; of more than 3 million points a part");
+}
+
+// What the program was built without is hidden: it is known, to say so, but not offered.
+inline void add_output_options(po::options_description& visible, po::options_description& hidden, Options& o,
+                               const Built_with& built)
+{
+  po::options_description group("Output (files appear only when they are complete)");
+  add_cloud_options(group, o, built);
+  add_result_options(group, o);
+  add_view_option(built.view ? group : hidden, o);
+  add_mesh_options(built.mesh() ? group : hidden, o, built);
+  add_mesh_seconds(built.mesh() && built.mesh_seconds ? group : hidden, o);
+  visible.add(group);
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_OUTPUT_OPTIONS_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names of files and other pieces of input, in messages and in JSON. They may have any bytes.
+
+#ifndef DETECT_PLANES_VISIBLE_TEXT_H
+#define DETECT_PLANES_VISIBLE_TEXT_H
+
+#include <cstddef>
+#include <ostream>
+#include <string_view>
+
+namespace program {
+
+// The number of bytes of the UTF-8 character that a text begins with; 0 if it begins with something else.
+inline std::size_t utf8_length(std::string_view text)
+{
+  const auto byte = [&](std::size_t i) { return (unsigned char)(text[i]); };
+  if(text.empty())
+    return 0;
+  if(byte(0) < 0x80)
+    return 1;
+  const std::size_t n = byte(0) < 0xc2 ? 0 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : byte(0) < 0xf5 ? 4 : 0;
+  if(n == 0 || text.size() < n)
+    return 0;
+  for(std::size_t i = 1; i < n; ++i)
+    if((byte(i) & 0xc0) != 0x80)
+      return 0;
+  const bool is_too_long = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xf0 && byte(1) < 0x90);
+  const bool is_no_character = (byte(0) == 0xed && byte(1) >= 0xa0) || (byte(0) == 0xf4 && byte(1) >= 0x90);
+  return is_too_long || is_no_character ? 0 : n;
+}
+
+// The number of bytes of the character that a text begins with, if it can be shown: it is UTF-8, and does not control
+// what shows it. Otherwise 0.
+inline std::size_t visible_length(std::string_view text)
+{
+  const std::size_t n = utf8_length(text);
+  const unsigned char first = n > 0 ? (unsigned char)(text[0]) : 0;
+  const bool is_control = first < 0x20 || first == 0x7f || (first == 0xc2 && (unsigned char)(text[1]) < 0xa0);
+  return is_control ? 0 : n;
+}
+
+// Writes \x1b for a byte that cannot be shown, so that no input controls a terminal. Works without memory.
+inline void write_visible(std::ostream& out, std::string_view text)
+{
+  while(!text.empty()) {
+    std::size_t shown = 0;
+    for(std::size_t n = 1; n > 0; shown += n)
+      n = visible_length(text.substr(shown));
+    out.write(text.data(), std::streamsize(shown));
+    text.remove_prefix(shown);
+    if(text.empty())
+      return;
+    const unsigned char byte = (unsigned char)(text[0]);
+    out << "\\x"
+        << "0123456789abcdef"[byte / 16] << "0123456789abcdef"[byte % 16];
+    text.remove_prefix(1);
+  }
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_VISIBLE_TEXT_H

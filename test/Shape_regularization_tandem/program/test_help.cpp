@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The help of detect_planes does not offer what the program was built without, whatever is missing; the options stay
+// known, so that a run can say why they are refused.
+
+#undef NDEBUG
+
+#include "testing/checks.h"
+
+#include "program_options.h"
+
+#include <string>
+#include <vector>
+
+std::string help_of(const program::Built_with& built)
+{
+  const char* const words[] = {"detect_planes", "--help"};
+  return program::parse(2, words, built).help;
+}
+
+bool has(const std::string& help, const std::string& word) { return help.find(word) != help.npos; }
+
+int main()
+{
+  using Built_with = program::Built_with;
+  struct Part {
+    bool Built_with::*is_there;
+    std::vector<std::string> words;
+  };
+  const Part parts[] = {{&Built_with::tbb, {"sequential, parallel"}},
+                        {&Built_with::cuda, {"cuda"}},
+                        {&Built_with::mpi, {"mpirun", "of each process", "processes"}},
+                        {&Built_with::gzip, {".gz"}},
+                        {&Built_with::laszip, {".laz"}},
+                        {&Built_with::view, {"--view", "browser"}},
+                        {&Built_with::kinetic_mesh, {"kinetic"}},
+                        {&Built_with::polygonal_mesh, {"polygonal,"}},
+                        {&Built_with::mesh_seconds, {"--mesh-seconds", "GLPK"}}};
+  const std::string all = help_of({});
+  Built_with nothing;
+  for(const Part& part : parts) {
+    Built_with built;
+    built.*part.is_there = nothing.*part.is_there = false;
+    const std::string help = help_of(built);
+    for(const std::string& word : part.words)
+      CHECK_AT(has(all, word) && !has(help, word), word);
+  }
+  const std::string least = help_of(nothing);
+  for(const Part& part : parts)
+    for(const std::string& word : part.words)
+      CHECK_AT(!has(least, word), word);
+  CHECK_AT(!has(least, "mesh"), least);
+  for(const char* option : {"--mesh=m.off", "--view=v.html", "--mesh-seconds=1"}) {
+    const char* const words[] = {"detect_planes", "cloud.ply", "--mesh=a.off", "--mesh-method=kinetic", option};
+    program::parse(std::string(option) == "--mesh=m.off" ? 3 : 5, words, nothing);
+  }
+  return report();
+}

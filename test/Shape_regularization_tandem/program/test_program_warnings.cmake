@@ -1,0 +1,81 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# An empty or poor result of detect_planes is explained: by a sentence with the figure and the option to change, on
+# standard error and in the report. PROGRAM is tested in WORK_DIR.
+
+cmake_minimum_required(VERSION 3.19)
+
+include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
+
+# expect_warnings(argument... WARNINGS pattern...): each pattern matches a warning, and there are no others, also with
+# --quiet, and in the report.
+function(expect_warnings)
+  cmake_parse_arguments(PARSE_ARGV 0 given "" "" "WARNINGS")
+  execute_process(COMMAND "${PROGRAM}" ${given_UNPARSED_ARGUMENTS} --quiet --report w.json WORKING_DIRECTORY "${WORK_DIR}"
+                  RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  file(READ "${WORK_DIR}/w.json" report)
+  string(JSON count LENGTH "${report}" warnings)
+  list(LENGTH given_WARNINGS expected)
+  string(REGEX MATCHALL "detect_planes: warning: " lines "${err}")
+  list(LENGTH lines printed)
+  if(NOT "${status}${out}" STREQUAL "0" OR NOT count EQUAL expected OR NOT printed EQUAL expected)
+    complain("${given_UNPARSED_ARGUMENTS}: ${status}, ${count} warnings instead of ${expected}: ${out}${err}")
+  endif()
+  foreach(pattern IN LISTS given_WARNINGS)
+    if(NOT "${err}" MATCHES "${pattern}" OR NOT "${report}" MATCHES "${pattern}")
+      complain("${given_UNPARSED_ARGUMENTS}: no '${pattern}' in: ${err}")
+    endif()
+  endforeach()
+  set(failures ${failures} PARENT_SCOPE)
+endfunction()
+
+expect_warnings(cube.ply ${epsilon})
+expect_warnings(cube.ply)
+
+# --- Nothing is found
+expect_warnings(cube.ply ${epsilon} --minimum-region-size 1700
+                WARNINGS "no shape was found: no 1700 connected points .--minimum-region-size. are within 0.004")
+expect_warnings(cube.ply ${epsilon} --minimum-region-size 2000
+                WARNINGS "no shape was found: the number of points is 1728, and a shape has at least 2000 .--minimum-region-size")
+
+# --- The smallest cloud that has a shape: what is said is true for each number of neighbors
+foreach(k IN ITEMS 3 6 10 12 13 20)
+  math(EXPR smallest "(${k} + 1) / 2 + 1")
+  if(smallest LESS 6)
+    set(smallest 6)
+  endif()
+  foreach(n RANGE 3 13)
+    expect_shell(0 "^$" "awk 'BEGIN { print \"x y z nx ny nz\"; for(i = 0; i < ${n}; ++i) print i % 4, (i * i + i) % 5, 0, 0, 0, 1
+                               }' > few.xyz")
+    set(few few.xyz --maximum-distance .01 --minimum-region-size 3 --k-neighbors ${k})
+    if(n LESS smallest)
+      expect_warnings(${few} WARNINGS "the number of points is ${n}, and a shape begins with ${smallest} where --k-neighbors is ${k}")
+    elseif(k GREATER 3)
+      expect_warnings(${few})
+    endif()
+  endforeach()
+endforeach()
+
+# --- Too little is found
+expect_shell(0 "^$" "awk 'BEGIN { srand(1); for(i = 0; i < 400; ++i) print i % 20 / 20, int(i / 20) / 20, 0
+                             for(i = 0; i < 4000; ++i) print 3 * rand(), 3 * rand(), 1 + 3 * rand() }' > clutter.xyz")
+expect_warnings(clutter.xyz --maximum-distance 0.001
+                WARNINGS "only 9[0-9.]* % of the points are in shapes: a larger --maximum-distance than 0.001, or a smaller --minimum-region-size than 20, takes more")
+
+# --- Tolerances that do not fit the points
+expect_warnings(cube.ply --maximum-distance 0.03
+                WARNINGS "the maximum distance 0.03 is more than a tenth of the extent of the points, 0.1[0-9]*: a smaller --maximum-distance")
+expect_shell(0 "^$" "awk 'BEGIN { srand(2); for(i = 0; i < 20000; ++i) print rand(), rand(), .02 * rand(), 0, 0, 1 }' > noisy.xyz")
+set(noise "the maximum distance 0.0003 is less than a tenth of the noise of the points, 0.00[0-9]*: --maximum-distance should be two to three times")
+expect_warnings(noisy.xyz)
+expect_warnings(noisy.xyz --maximum-distance 0.002 WARNINGS "no shape|only")
+expect_warnings(noisy.xyz --maximum-distance 0.0003 WARNINGS "no shape" "${noise}")
+expect_warnings(noisy.xyz --maximum-distance 0.0003 --estimate-normals WARNINGS "no shape" "${noise}")
+# Points without noise may have any tolerance.
+expect_warnings(cube.ply --maximum-distance 0.00001)
+
+# --- What was read is warned of in the report, too
+file(WRITE "${WORK_DIR}/none.ply" "ply\nformat ascii 1.0\nelement vertex 0\n${positions}${normals}end_header\n")
+expect_warnings(cube.ply none.ply ${epsilon} WARNINGS "none.ply: has no points")
+finish()
