@@ -139,7 +139,7 @@ inline void add_output_options(po::options_description& all, Options& o)
   add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
       "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
       "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply or "
-      ".obj (a face for each polygon, triangles for one with holes)");
+      ".obj (a face for each polygon, triangles for one with holes). A shape of very few points has none");
   add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
   add("mesh", po::value<std::string>(&o.mesh)->value_name("FILE"),
       "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation");
