@@ -29,19 +29,24 @@ using Base =
 using Triangulation = CGAL::Constrained_triangulation_plus_2<Base>;
 using Face_handle = Triangulation::Face_handle;
 using Vertex_handle = Triangulation::Vertex_handle;
-using Vertex_map = std::map<Kernel::Point_2, const Outline_vertex*>;
+struct Ranked_vertex {
+  const Outline_vertex* vertex;
+  std::size_t rank; // in the order of the lines
+};
+using Vertex_map = std::map<Kernel::Point_2, Ranked_vertex>;
 
 constexpr int outside = 0, unknown = -1; // others are components of the inside, from 1
 
-// The largest squared distance between the line and the straightened one, in squares of the spacing, so that the outline
-// follows dense points more closely. It is that in the plane, while the triangulation is that of the written vertices.
+// The largest squared distance between the line and the straightened one, in squares of the spacing, so that it follows
+// dense points more closely. It is that in the plane, while the triangulation is that of the written vertices. No
+// two costs are equal: of these, CGAL would first take the one of the line that has the lower address.
 struct Relative_cost {
   const Vertex_map& vertex_at;
 
   template <class Constraints, class Iterator>
   double operator()(const Constraints&, Iterator q) const
   {
-    const auto point = [&](const Kernel::Point_2& written) { return vertex_at.at(written)->point; };
+    const auto point = [&](const Kernel::Point_2& written) { return vertex_at.at(written).vertex->point; };
     Iterator before = q, after = q;
     --before;
     ++after;
@@ -50,8 +55,9 @@ struct Relative_cost {
     typename Constraints::Points_in_constraint_iterator p(before), end(after);
     for(++p; p != end; ++p)
       cost = (std::max)(cost, CGAL::squared_distance(straight, point(*p)));
-    const double spacing = vertex_at.at((*q)->point())->spacing;
-    return cost / (spacing * spacing);
+    const Ranked_vertex& at_q = vertex_at.at((*q)->point());
+    const double spacing = at_q.vertex->spacing;
+    return cost / (spacing * spacing) + 1e-9 * double(at_q.rank) / double(vertex_at.size());
   }
 };
 
@@ -60,7 +66,8 @@ bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& triangu
   for(const Outline_loop& loop : loops) {
     std::vector<Kernel::Point_2> points;
     for(const Outline_vertex& v : loop) {
-      if(!std::isfinite(v.written.x()) || !std::isfinite(v.written.y()) || !vertex_at.emplace(v.written, &v).second)
+      if(!std::isfinite(v.written.x()) || !std::isfinite(v.written.y()) ||
+         !vertex_at.emplace(v.written, Ranked_vertex{&v, vertex_at.size()}).second)
         return false;
       points.push_back(v.written);
     }
@@ -71,8 +78,9 @@ bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& triangu
   for(Vertex_handle v : triangulation.finite_vertex_handles()) {
     const auto found = vertex_at.find(v->point());
     if(found == vertex_at.end())
-      return false;                                              // two lines cross
-    if(found->second->is_fixed || !(found->second->spacing > 0)) // 0: where straight borders cross
+      return false; // two lines cross
+    const Outline_vertex& vertex = *found->second.vertex;
+    if(vertex.is_fixed || !(vertex.spacing > 0)) // 0: where straight borders cross
       v->set_removable(false);
   }
   return true;
@@ -143,7 +151,7 @@ void extract_polygons(const Triangulation& triangulation, const Vertex_map& vert
   const auto number_of = [&](Vertex_handle v) {
     const auto added = number.emplace(v, std::uint32_t(vertices.size()));
     if(added.second)
-      vertices.push_back(*vertex_at.at(v->point()));
+      vertices.push_back(*vertex_at.at(v->point()).vertex);
     return added.first->second;
   };
   const auto polygon_of = [&](Face_handle f) -> Polygon& {

@@ -73,8 +73,8 @@ public:
   }
 
 private:
-  // Without straight borders, if they do not fit together. Where lines touch or cross by the rounding of coordinates, the
-  // points themselves, projected without rounding, have outlines that do not.
+  // Without straight borders, if they do not fit together. Where lines touch or cross by the rounding of coordinates,
+  // the points themselves, projected without rounding, have outlines that do not.
   Shape_polygons polygons_of_shape(std::size_t s, const Straight_borders& straight)
   {
     std::vector<Outline_vertex> vertices;

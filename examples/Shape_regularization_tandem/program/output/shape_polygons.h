@@ -23,8 +23,8 @@ struct Polygon {
 };
 
 // Of one shape. Outlines are simple and have no common points: the vertices as they are, without the coordinate along
-// which the plane is steepest, are those of simple polygons in two dimensions. No polygon, if the points cover less than
-// a few squares of their spacing.
+// which the plane is steepest, are those of simple polygons in two dimensions. No polygon, if the points cover less
+// than a few squares of their spacing.
 struct Shape_polygons {
   std::vector<Position> vertices;
   std::vector<Polygon> polygons;
