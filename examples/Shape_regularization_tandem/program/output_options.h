@@ -55,7 +55,7 @@ inline void add_result_options(po::options_description& group, Options& o)
   add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
       "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
       "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply or "
-      ".obj (a face for each polygon, triangles for one with holes)");
+      ".obj (a face for each polygon, triangles for one with holes). A shape of very few points has none");
   add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
       "JSON with warnings, parameters, counts, quality, times, memory and relations: parallel and coplanar groups of "

@@ -8,7 +8,10 @@
 
 #include "testing/box_cloud.h"
 
+#include "program/many_shapes.h"
+
 #include "output/outline_polygons.h"
+#include "output/straight_borders.h"
 #include "output/write_polygons.h"
 
 #include <sstream>
@@ -238,8 +241,31 @@ void check_scene()
   CHECK(std::count(text.begin(), text.end(), '[') == std::count(text.begin(), text.end(), ']'));
 }
 
+// --- Many shapes
+
+// Where ten times as many shapes are, the work is ten times as much.
+void check_growth()
+{
+  const auto work = [](const Many_shapes& scene) {
+    const program::Border_finder finder(scene.shapes, program::Unit(scene.points, scene.shapes), scene.all);
+    std::size_t sum = 0, borders = 0;
+    for(std::size_t s = 0; s < scene.all.size(); ++s) {
+      const program::Straight_borders of_shape = finder.borders_of(s);
+      sum += of_shape.comparisons;
+      borders += of_shape.borders.size();
+    }
+    CHECK(borders > scene.all.size() / 2);
+    return double(sum);
+  };
+  for(const bool has_floor : {false, true}) {
+    const double few = work(Many_shapes(1000, has_floor)), many = work(Many_shapes(10000, has_floor));
+    CHECK_AT(many < 11 * few, std::to_string(few) + ' ' + std::to_string(many));
+  }
+}
+
 int main()
 {
+  check_growth();
   check_points();
   for(int run = 0; run < 60; ++run)
     check_random_points(run);

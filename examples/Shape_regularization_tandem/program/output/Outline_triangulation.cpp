@@ -12,6 +12,7 @@
 namespace program {
 
 static constexpr int smoothing_rounds = 8;
+static constexpr double smallest_square = 0x1p-200; // of a spacing; coordinates are up to 1
 
 Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>& points)
 {
@@ -21,7 +22,7 @@ Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>&
     vertices.push_back(triangulation.insert(p, hint));
     hint = vertices.back()->face();
   }
-  if(triangulation.dimension() < 2)
+  if(!(has_area = triangulation.dimension() == 2))
     return;
   measure_spacings();
   for(int round = 0; round < smoothing_rounds; ++round)
@@ -41,7 +42,7 @@ void Outline_triangulation::measure_spacings()
     for_each_neighbor(v, [&](Vertex_handle u) { squared.push_back(CGAL::squared_distance(u->point(), v->point())); });
     const auto middle = squared.begin() + std::ptrdiff_t(squared.size() / 2);
     std::nth_element(squared.begin(), middle, squared.end());
-    v->info().spacing = v->info().measured = float(std::log(*middle) / 2);
+    v->info().spacing = v->info().measured = float(std::log((std::max)(*middle, smallest_square)) / 2);
   }
 }
 
@@ -61,14 +62,6 @@ void Outline_triangulation::smooth_spacings()
   auto next = smooth.begin();
   for(Vertex_handle v : triangulation.finite_vertex_handles())
     v->info().spacing = *next++;
-}
-
-std::vector<float> Outline_triangulation::spacings() const
-{
-  std::vector<float> result;
-  for(Vertex_handle v : vertices)
-    result.push_back(v->info().spacing);
-  return result;
 }
 
 // --- Straight borders
@@ -99,6 +92,8 @@ Outline_triangulation::Vertex_handle Outline_triangulation::insert(const Border_
 
 void Outline_triangulation::insert(const Straight_border& border, const Plane_frame& frame)
 {
+  if(!has_area)
+    return;
   Vertex_handle last;
   for(const Border_vertex_position& position : border.chain) {
     const Vertex_handle v = insert(position, border, frame);
@@ -269,7 +264,7 @@ Outline_loop Outline_triangulation::straight_loop(const std::vector<Vertex_handl
     if(is_after && is_before && before == after)
       continue;
     const bool is_fixed = is_after || is_before;
-    result.push_back({v->point(), v->info().spacing, {}, is_fixed});
+    result.push_back({v->point(), v->info().spacing, {}, is_fixed, {}, v->point()});
     if(is_fixed)
       result.back().planes = border_vertices[std::size_t(v->info().border)].planes;
   }
@@ -278,7 +273,7 @@ Outline_loop Outline_triangulation::straight_loop(const std::vector<Vertex_handl
 
 std::vector<Outline_loop> Outline_triangulation::outline(const Outline_limits& limits)
 {
-  if(triangulation.dimension() < 2)
+  if(!has_area)
     return {};
   mark_inside(limits);
   drop_crumbs(limits);

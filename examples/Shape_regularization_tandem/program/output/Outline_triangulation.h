@@ -32,6 +32,8 @@ struct Outline_vertex {
   float spacing;
   std::vector<int> planes; // coplanar groups of the other shapes whose planes it is on, at most two
   bool is_fixed;           // the end of a straight border
+  Position position;       // in space, as it is written
+  Kernel::Point_2 written; // its projection, which decides whether lines are simple
 };
 using Outline_loop = std::vector<Outline_vertex>;
 
@@ -40,15 +42,23 @@ public:
   // Fastest if points that are close in the sequence are close in the plane.
   explicit Outline_triangulation(const std::vector<Kernel::Point_2>& points);
 
-  // Of each point: the median length of the edges at it, smoothed. Edges cross the gaps between scan lines, too.
-  std::vector<float> spacings() const;
+  // Of each point: the median length of the edges at it, smoothed; 0 if all points are on a line. Edges cross the gaps
+  // between scan lines, too.
+  std::vector<float> spacings() const
+  {
+    std::vector<float> result;
+    for(Vertex_handle v : vertices)
+      result.push_back(v->info().spacing);
+    return result;
+  }
 
   void insert(const Straight_border& border, const Plane_frame& frame);
 
   // The points beyond a straight border take no part.
   void cut(std::size_t point) { vertices[point]->info().is_cut = true; }
 
-  // Simple closed lines without common points, the inside to their left.
+  // Simple closed lines without common points, the inside to their left. None if all points are on a line. Vertices
+  // have no positions yet, and are written as they are.
   std::vector<Outline_loop> outline(const Outline_limits& limits);
 
 private:
@@ -105,6 +115,7 @@ private:
   std::vector<Border_vertex> border_vertices;
   std::vector<std::pair<Vertex_handle, Vertex_handle>> border_edges; // the shape is to their left
   int number_of_borders = 0;
+  bool has_area; // the points are not on a line
 };
 
 } // namespace program

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -28,10 +29,12 @@ public:
     const auto& c = shapes.coefficients(s);
     const double sign = shapes.is_flipped(s) ? -1 : 1;
     const Kernel::Vector_3 normal(sign * c[0], sign * c[1], sign * c[2]);
-    int steepest = 0;
     for(int k = 1; k < 3; ++k)
       if(std::fabs(c[k]) > std::fabs(c[steepest]))
         steepest = k;
+    axes = {std::size_t(steepest + 1) % 3, std::size_t(steepest + 2) % 3};
+    if(sign * c[steepest] < 0)
+      std::swap(axes[0], axes[1]);
     const Kernel::Vector_3 across =
       CGAL::cross_product(Kernel::Vector_3(steepest == 1, steepest == 2, steepest == 0), normal);
     first = across / std::sqrt(across.squared_length());
@@ -46,9 +49,29 @@ public:
 
   Kernel::Point_3 lifted(const Kernel::Point_2& p) const { return origin + p.x() * first + p.y() * second; }
 
+  // Without the coordinate along which the plane is steepest, seen from where the normal points to. Nothing is rounded:
+  // what lines are here, simple for example, they are as they are written. Areas shrink by `shrinkage(plane)`.
+  Kernel::Point_2 projected(const Position& p) const { return Kernel::Point_2(p[axes[0]], p[axes[1]]); }
+
+  // The position that is projected to `p`.
+  Position on_plane(const Kernel::Point_2& p, const Shapes::Coefficients& plane) const
+  {
+    Position x;
+    x[axes[0]] = p.x();
+    x[axes[1]] = p.y();
+    const long double rest =
+      static_cast<long double>(plane[axes[0]]) * p.x() + static_cast<long double>(plane[axes[1]]) * p.y() + plane[3];
+    x[std::size_t(steepest)] = double(-rest / plane[std::size_t(steepest)]);
+    return x;
+  }
+
+  double shrinkage(const Shapes::Coefficients& plane) const { return std::fabs(plane[std::size_t(steepest)]); }
+
 private:
   Kernel::Point_3 origin;
   Kernel::Vector_3 first, second;
+  int steepest = 0;
+  std::array<std::size_t, 2> axes;
 };
 
 using Plane_row = std::array<long double, 4>; // a x + b y + c z + d = 0

@@ -5,10 +5,12 @@
 #include "output/boundary_loops.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
-#include <CGAL/Polyline_simplification_2/Squared_distance_cost.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Polyline_simplification_2/Stop_above_cost_threshold.h>
 #include <CGAL/Polyline_simplification_2/simplify.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -27,23 +29,35 @@ using Base =
 using Triangulation = CGAL::Constrained_triangulation_plus_2<Base>;
 using Face_handle = Triangulation::Face_handle;
 using Vertex_handle = Triangulation::Vertex_handle;
-using Vertex_map = std::map<Kernel::Point_2, const Outline_vertex*>;
+struct Ranked_vertex {
+  const Outline_vertex* vertex;
+  std::size_t rank; // in the order of the lines
+};
+using Vertex_map = std::map<Kernel::Point_2, Ranked_vertex>;
 
 constexpr int outside = 0, unknown = -1; // others are components of the inside, from 1
 
-// In squares of the spacing, so that the outline follows dense points more closely.
+// The largest squared distance between the line and the straightened one, in squares of the spacing, so that it follows
+// dense points more closely. It is that in the plane, while the triangulation is that of the written vertices. No
+// two costs are equal: of these, CGAL would first take the one of the line that has the lower address.
 struct Relative_cost {
   const Vertex_map& vertex_at;
 
   template <class Constraints, class Iterator>
-  auto operator()(const Constraints& constraints, Iterator q) const
+  double operator()(const Constraints&, Iterator q) const
   {
-    auto cost = simplification::Squared_distance_cost()(constraints, q);
-    if(cost) {
-      const double spacing = vertex_at.at((*q)->point())->spacing;
-      *cost = *cost / (spacing * spacing);
-    }
-    return cost;
+    const auto point = [&](const Kernel::Point_2& written) { return vertex_at.at(written).vertex->point; };
+    Iterator before = q, after = q;
+    --before;
+    ++after;
+    const Kernel::Segment_2 straight(point((*before)->point()), point((*after)->point()));
+    double cost = 0;
+    typename Constraints::Points_in_constraint_iterator p(before), end(after);
+    for(++p; p != end; ++p)
+      cost = (std::max)(cost, CGAL::squared_distance(straight, point(*p)));
+    const Ranked_vertex& at_q = vertex_at.at((*q)->point());
+    const double spacing = at_q.vertex->spacing;
+    return cost / (spacing * spacing) + 1e-9 * double(at_q.rank) / double(vertex_at.size());
   }
 };
 
@@ -52,9 +66,10 @@ bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& triangu
   for(const Outline_loop& loop : loops) {
     std::vector<Kernel::Point_2> points;
     for(const Outline_vertex& v : loop) {
-      points.push_back(v.point);
-      if(!vertex_at.emplace(v.point, &v).second)
+      if(!std::isfinite(v.written.x()) || !std::isfinite(v.written.y()) ||
+         !vertex_at.emplace(v.written, Ranked_vertex{&v, vertex_at.size()}).second)
         return false;
+      points.push_back(v.written);
     }
     if(points.size() < 3)
       return false;
@@ -64,7 +79,8 @@ bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& triangu
     const auto found = vertex_at.find(v->point());
     if(found == vertex_at.end())
       return false; // two lines cross
-    if(found->second->is_fixed)
+    const Outline_vertex& vertex = *found->second.vertex;
+    if(vertex.is_fixed || !(vertex.spacing > 0)) // 0: where straight borders cross
       v->set_removable(false);
   }
   return true;
@@ -120,15 +136,12 @@ bool is_valid(const Triangulation& triangulation, const Vertex_map& vertex_at)
   return true;
 }
 
-double signed_area(const Polygon::Loop& loop, const std::vector<Outline_vertex>& vertices)
+bool is_counterclockwise(const Polygon::Loop& loop, const std::vector<Outline_vertex>& vertices)
 {
-  double area = 0;
-  for(std::size_t i = 0; i < loop.size(); ++i) {
-    const Kernel::Vector_2 p = vertices[loop[i]].point - vertices[loop[0]].point;
-    const Kernel::Vector_2 q = vertices[loop[(i + 1) % loop.size()]].point - vertices[loop[0]].point;
-    area += p.x() * q.y() - p.y() * q.x();
-  }
-  return area / 2;
+  std::vector<Kernel::Point_2> points;
+  for(std::uint32_t i : loop)
+    points.push_back(vertices[i].written);
+  return CGAL::orientation_2(points.begin(), points.end(), Kernel()) == CGAL::COUNTERCLOCKWISE;
 }
 
 void extract_polygons(const Triangulation& triangulation, const Vertex_map& vertex_at,
@@ -138,7 +151,7 @@ void extract_polygons(const Triangulation& triangulation, const Vertex_map& vert
   const auto number_of = [&](Vertex_handle v) {
     const auto added = number.emplace(v, std::uint32_t(vertices.size()));
     if(added.second)
-      vertices.push_back(*vertex_at.at(v->point()));
+      vertices.push_back(*vertex_at.at(v->point()).vertex);
     return added.first->second;
   };
   const auto polygon_of = [&](Face_handle f) -> Polygon& {
@@ -153,7 +166,7 @@ void extract_polygons(const Triangulation& triangulation, const Vertex_map& vert
     for(const auto& e : edges)
       loop.push_back(number_of(Walk::source(e)));
     Polygon& polygon = polygon_of(edges[0].first);
-    if(signed_area(loop, vertices) > 0)
+    if(is_counterclockwise(loop, vertices))
       polygon.outer = loop;
     else
       polygon.holes.push_back(loop);
@@ -168,6 +181,8 @@ void extract_polygons(const Triangulation& triangulation, const Vertex_map& vert
 bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
                    std::vector<Polygon>& polygons)
 {
+  if(loops.empty())
+    return true;
   Triangulation triangulation;
   Vertex_map vertex_at;
   if(!insert_loops(loops, triangulation, vertex_at))

@@ -11,8 +11,8 @@
 
 namespace program {
 
-// Simple lines without common points, the inside to their left, and what they become. False if the straightened lines
-// are not like that: then nothing is changed.
+// Lines and what they become: polygons whose lines are simple and have no common points, as they are written. False if
+// the lines, written or straightened, are not like that: then nothing is changed.
 bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
                    std::vector<Polygon>& polygons);
 

@@ -6,6 +6,7 @@
 #ifndef DETECT_PLANES_REPORT_H
 #define DETECT_PLANES_REPORT_H
 
+#include "output/json_number.h"
 #include "output/write_results.h"
 #include "visible_text.h"
 
@@ -72,10 +73,7 @@ public:
   void number(const char* name, double value)
   {
     key(name);
-    if(std::isfinite(value))
-      out << shortest(value);
-    else
-      out << "null";
+    out << json_number(value);
   }
   void count(const char* name, std::size_t value) { key(name), out << value; }
   void boolean(const char* name, bool value) { key(name), out << (value ? "true" : "false"); }
@@ -105,7 +103,7 @@ private:
   template <class Numbers>
   void write_numbers(const Numbers& numbers)
   {
-    write(numbers, [&](auto x) { out << (std::isfinite(double(x)) ? shortest(double(x)) : "null"); });
+    write(numbers, [&](auto x) { out << json_number(double(x)); });
   }
 
   template <class List, class Write_item>
@@ -125,18 +123,6 @@ private:
   {
     out << (is_first ? "\n" : ",\n") << std::string(2 * depth, ' ') << '"' << name << "\": ";
     is_first = false;
-  }
-
-  // 0.15 rather than 0.14999999999999999, if both stand for the same double.
-  static std::string shortest(double value)
-  {
-    char text[40];
-    for(int digits = 15; digits <= 17; ++digits) {
-      std::snprintf(text, sizeof text, "%.*g", digits, value);
-      if(std::strtod(text, nullptr) == value)
-        break;
-    }
-    return text;
   }
 
   // The name of a file need not be UTF-8: other bytes are escaped one by one. So is '<': it may be on a page.

@@ -6,17 +6,13 @@
 #ifndef DETECT_PLANES_SHAPE_POLYGONS_H
 #define DETECT_PLANES_SHAPE_POLYGONS_H
 
-#include "output/Plane_frame.h"
-
-#include <CGAL/Point_set_3.h>
+#include "output/Unit.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace program {
-
-using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 
 // Positions of its corners in the vertices of the shape.
 struct Polygon {
@@ -26,7 +22,9 @@ struct Polygon {
   std::vector<std::array<std::uint32_t, 3>> triangles; // counterclockwise, without further vertices
 };
 
-// Of one shape. Outlines are simple and have no common points.
+// Of one shape. Outlines are simple and have no common points: the vertices as they are, without the coordinate along
+// which the plane is steepest, are those of simple polygons in two dimensions. No polygon, if the points cover less
+// than a few squares of their spacing.
 struct Shape_polygons {
   std::vector<Position> vertices;
   std::vector<Polygon> polygons;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "output/straight_borders.h"
+#include "output/near_boxes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace program {
@@ -13,12 +15,6 @@ namespace {
 
 constexpr double smallest_sine = .25;  // about 15 degrees: flatter lines are not well defined by their points
 constexpr double largest_cosine = .97; // of directions that differ
-constexpr std::size_t block_size = 64;
-
-CGAL::Bbox_3 grown(const CGAL::Bbox_3& b, double d)
-{
-  return {b.xmin() - d, b.ymin() - d, b.zmin() - d, b.xmax() + d, b.ymax() + d, b.zmax() + d};
-}
 
 template <class Near_point>
 float median_spacing(const std::vector<Near_point>& points)
@@ -30,79 +26,76 @@ float median_spacing(const std::vector<Near_point>& points)
   return all[all.size() / 2];
 }
 
-Kernel::Vector_3 normal_of(const Shapes& shapes, std::size_t s) { return shapes.oriented_plane(s).orthogonal_vector(); }
-
 } // namespace
 
-Border_finder::Border_finder(const Shapes& shapes, const std::vector<Shape_points>& all)
-  : shapes(shapes), all(all), maximum_distance(shapes.parameters().maximum_distance), blocks(all.size()),
-    members(shapes.number_of_coplanar_groups())
+Border_finder::Border_finder(const Shapes& shapes, const Unit& unit, const std::vector<Shape_points>& all)
+  : shapes(shapes), all(all), maximum_distance(unit.in(shapes.parameters().maximum_distance))
 {
-  for(std::size_t s = 0; s < all.size(); ++s) {
-    const Shape_points& shape = all[s];
-    CGAL::Bbox_3 box;
-    for(std::size_t i = 0; i < shape.points.size(); ++i) {
-      if(i % block_size == 0)
-        blocks[s].push_back({shape.points[i].bbox(), 0});
-      Block& block = blocks[s].back();
-      block.box += shape.points[i].bbox();
-      block.spacing = (std::max)(block.spacing, shape.spacing[i]);
-    }
-    for(const Block& block : blocks[s])
-      box += grown(block.box, 2. * block.spacing + maximum_distance / smallest_sine);
-    boxes.push_back(box);
-    members[shapes.coplanar_group(s)].push_back(s);
+  for(std::size_t s : shapes.distinct_planes()) {
+    planes.push_back(unit.in(shapes.coefficients(s)));
+    shape_of_plane.push_back(s);
   }
+  for(const Shape_points& shape : all) {
+    blocks.emplace_back(shape.points, shape.spacing);
+    boxes.emplace_back();
+    for(const Point_blocks::Block& block : blocks.back().smallest())
+      boxes.back() += grown(block.box, 2. * block.spacing + maximum_distance / smallest_sine);
+  }
+  near = near_boxes(boxes);
 }
 
-// Planes of shapes that may have points close to those of `s`.
-std::vector<int> Border_finder::planes_near(std::size_t s) const
+// In ascending order.
+std::vector<Border_finder::Near_plane> Border_finder::planes_near(std::size_t s) const
 {
-  std::vector<int> result;
-  for(std::size_t g = 0; g < members.size(); ++g) {
-    if(g == shapes.coplanar_group(s))
-      continue;
-    const Kernel::Vector_3 across = CGAL::cross_product(normal_of(shapes, s), normal_of(shapes, members[g][0]));
-    if(across.squared_length() < smallest_sine * smallest_sine)
-      continue;
-    if(std::any_of(members[g].begin(), members[g].end(),
-                   [&](std::size_t t) { return CGAL::do_overlap(boxes[s], boxes[t]); }))
-      result.push_back(int(g));
+  std::map<int, Near_plane> found;
+  for(std::size_t t : near[s]) {
+    Near_plane& other = found[int(shapes.coplanar_group(t))];
+    other.plane = int(shapes.coplanar_group(t));
+    other.shapes.push_back(t);
+    other.box += boxes[t];
+  }
+  found.erase(int(shapes.coplanar_group(s)));
+  std::vector<Near_plane> result;
+  for(const auto& [plane, other] : found) {
+    const std::size_t t = shape_of_plane[std::size_t(plane)];
+    if(CGAL::cross_product(normal_of(s), normal_of(t)).squared_length() >= smallest_sine * smallest_sine)
+      result.push_back(other);
   }
   return result;
 }
 
 Border_finder::Line Border_finder::line_of(std::size_t s, int plane) const
 {
-  const std::size_t t = members[std::size_t(plane)][0];
-  const Kernel::Vector_3 direction = CGAL::cross_product(normal_of(shapes, s), normal_of(shapes, t));
+  const std::size_t t = shape_of_plane[std::size_t(plane)];
+  const Kernel::Vector_3 direction = CGAL::cross_product(normal_of(s), normal_of(t));
   const double sine = std::sqrt(direction.squared_length());
-  const Position p = point_on_planes({shapes.coefficients(s), shapes.coefficients(t)}, all[s].points[0]);
+  const Position p = point_on_planes({plane_of(s), plane_of(t)}, all[s].points[0]);
   return {plane, Kernel::Point_3(p[0], p[1], p[2]), direction / sine, sine};
 }
 
-// Sorted along the line. `across` is positive to the left of the line.
-std::vector<Border_finder::Near_point> Border_finder::points_near(std::size_t s, const Line& line) const
+// Of the points in a box, and somewhat around it. Sorted along the line. `across` is positive to the left of the line.
+std::vector<Border_finder::Near_point>
+Border_finder::points_near(std::size_t s, const Line& line, const CGAL::Bbox_3& box, std::size_t& comparisons) const
 {
   const Shape_points& shape = all[s];
-  const Kernel::Vector_3 left = CGAL::cross_product(normal_of(shapes, s), line.direction);
+  const Kernel::Vector_3 left = CGAL::cross_product(normal_of(s), line.direction);
+  const auto is_near = [&](const Point_blocks::Block& block) {
+    const CGAL::Bbox_3& b = block.box;
+    const Kernel::Vector_3 half((b.xmax() - b.xmin()) / 2, (b.ymax() - b.ymin()) / 2, (b.zmax() - b.zmin()) / 2);
+    const Kernel::Vector_3 center = Kernel::Point_3(b.xmin(), b.ymin(), b.zmin()) + half - line.origin;
+    ++comparisons;
+    return std::fabs(center * left) <=
+             std::sqrt(half.squared_length()) + reach(block.spacing, line) + 2 * block.spacing &&
+           CGAL::do_overlap(grown(b, 2 * shortest * block.spacing), box);
+  };
   std::vector<Near_point> result;
-  for(std::size_t b = 0; b < blocks[s].size(); ++b) {
-    const CGAL::Bbox_3& box = blocks[s][b].box;
-    const Kernel::Vector_3 half((box.xmax() - box.xmin()) / 2, (box.ymax() - box.ymin()) / 2,
-                                (box.zmax() - box.zmin()) / 2);
-    const Kernel::Vector_3 center = Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()) + half - line.origin;
-    if(std::fabs(center * left) >
-       std::sqrt(half.squared_length()) + reach(blocks[s][b].spacing, line) + 2 * blocks[s][b].spacing)
-      continue;
-    const std::size_t end = (std::min)(shape.points.size(), (b + 1) * block_size);
-    for(std::size_t i = b * block_size; i < end; ++i) {
-      const Kernel::Vector_3 v = shape.points[i] - line.origin;
-      const Near_point p = {v * line.direction, v * left, shape.spacing[i], std::uint32_t(i)};
-      if(std::fabs(p.across) <= reach(p.spacing, line) + 2 * p.spacing)
-        result.push_back(p);
-    }
-  }
+  blocks[s].for_each(is_near, [&](std::size_t i) {
+    const Kernel::Vector_3 v = shape.points[i] - line.origin;
+    const Near_point p = {v * line.direction, v * left, shape.spacing[i], std::uint32_t(i)};
+    ++comparisons;
+    if(std::fabs(p.across) <= reach(p.spacing, line) + 2 * p.spacing)
+      result.push_back(p);
+  });
   std::sort(result.begin(), result.end(), [](const Near_point& p, const Near_point& q) {
     return std::make_pair(p.along, p.position) < std::make_pair(q.along, q.position);
   });
@@ -111,20 +104,20 @@ std::vector<Border_finder::Near_point> Border_finder::points_near(std::size_t s,
 
 // The shape ends at the other plane where points of both are close to their line, and it has points farther away from
 // the line on one side only.
-void Border_finder::find_pieces(std::size_t s, const Line& line, std::vector<Piece>& pieces,
-                                std::vector<std::uint32_t>& cut) const
+void Border_finder::find_pieces(std::size_t s, const Near_plane& other, std::vector<Piece>& pieces,
+                                Straight_borders& result) const
 {
+  const Line line = line_of(s, other.plane);
   const auto is_near = [&](const Near_point& p) { return std::fabs(p.across) <= reach(p.spacing, line); };
-  const std::vector<Near_point> near_points = points_near(s, line);
+  const std::vector<Near_point> near_points = points_near(s, line, other.box, result.comparisons);
   const Intervals own = runs(near_points, is_near);
   if(own.empty())
     return;
   std::vector<Near_point> of_other;
-  for(std::size_t t : members[std::size_t(line.plane)])
-    if(CGAL::do_overlap(boxes[s], boxes[t])) {
-      const std::vector<Near_point> more = points_near(t, line);
-      of_other.insert(of_other.end(), more.begin(), more.end());
-    }
+  for(std::size_t t : other.shapes) {
+    const std::vector<Near_point> more = points_near(t, line, boxes[s], result.comparisons);
+    of_other.insert(of_other.end(), more.begin(), more.end());
+  }
   std::sort(of_other.begin(), of_other.end(),
             [](const Near_point& p, const Near_point& q) { return p.along < q.along; });
   const Intervals common = intersection(own, runs(of_other, is_near));
@@ -147,27 +140,24 @@ void Border_finder::find_pieces(std::size_t s, const Line& line, std::vector<Pie
       pieces.push_back({line, i, is_left, spacing, {-1, -1}, {0, 0}, {}});
       for(const Near_point& p : inside)
         if((p.across > 0) != is_left && std::fabs(p.across) <= overhang(p.spacing, line))
-          cut.push_back(p.position);
+          result.cut.push_back(p.position);
     }
 }
 
 Kernel::Point_3 Border_finder::on_line(std::size_t s, const Line& line, double along) const
 {
-  const std::size_t t = members[std::size_t(line.plane)][0];
   const Position p =
-    point_on_planes({shapes.coefficients(s), shapes.coefficients(t)}, line.origin + along * line.direction);
+    point_on_planes({plane_of(s), planes[std::size_t(line.plane)]}, line.origin + along * line.direction);
   return Kernel::Point_3(p[0], p[1], p[2]);
 }
 
 // The same for each of the three shapes.
 Kernel::Point_3 Border_finder::corner_of(std::size_t s, int plane, int other) const
 {
-  int planes[3] = {int(shapes.coplanar_group(s)), plane, other};
-  std::sort(planes, planes + 3);
-  std::vector<Shapes::Coefficients> coefficients;
-  for(int p : planes)
-    coefficients.push_back(shapes.coefficients(members[std::size_t(p)][0]));
-  const Position p = point_on_planes(coefficients, all[members[std::size_t(planes[0])][0]].points[0]);
+  std::size_t groups[3] = {std::size_t(shapes.coplanar_group(s)), std::size_t(plane), std::size_t(other)};
+  std::sort(groups, groups + 3);
+  const Position p = point_on_planes({planes[groups[0]], planes[groups[1]], planes[groups[2]]},
+                                     all[shape_of_plane[groups[0]]].points[0]);
   return Kernel::Point_3(p[0], p[1], p[2]);
 }
 
@@ -198,23 +188,49 @@ void Border_finder::join_at_corner(std::size_t s, Piece& a, Piece& b) const
   }
 }
 
+// For each piece those that may meet it within their reach.
+std::vector<std::vector<std::size_t>> Border_finder::near_pieces(const std::vector<Piece>& pieces) const
+{
+  std::vector<CGAL::Bbox_3> boxes;
+  for(const Piece& p : pieces) {
+    const auto at = [&](double along) { return (p.line.origin + along * p.line.direction).bbox(); };
+    boxes.push_back(grown(at(p.interval.first) + at(p.interval.last), 1.01 * reach(p.spacing, p.line)));
+  }
+  return near_boxes(boxes);
+}
+
+void Border_finder::join_at_corners(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const
+{
+  const auto near_piece = near_pieces(pieces);
+  for(std::size_t i = 0; i < pieces.size(); ++i)
+    for(std::size_t j : near_piece[i]) {
+      ++comparisons;
+      if(j < i)
+        join_at_corner(s, pieces[i], pieces[j]);
+    }
+}
+
 // Of two lines that are close to each other, the shape ends at the inner one.
-void Border_finder::drop_outer(std::size_t s, std::vector<Piece>& pieces) const
+void Border_finder::drop_outer(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const
 {
   const std::vector<Piece> all_pieces = std::exchange(pieces, {});
-  for(const Piece& outer : all_pieces) {
-    const Kernel::Vector_3 left = CGAL::cross_product(normal_of(shapes, s), outer.line.direction);
+  const auto near_piece = near_pieces(all_pieces);
+  for(std::size_t o = 0; o < all_pieces.size(); ++o) {
+    const Piece& outer = all_pieces[o];
+    const Kernel::Vector_3 left = CGAL::cross_product(normal_of(s), outer.line.direction);
     Intervals rest = {outer.interval};
-    for(const Piece& inner : all_pieces) {
+    for(std::size_t i : near_piece[o]) {
+      const Piece& inner = all_pieces[i];
       const double cosine = inner.line.direction * outer.line.direction;
       const Kernel::Vector_3 shift = inner.line.origin - outer.line.origin;
       const double depth = (outer.is_left ? 1 : -1) * (shift * left);
+      ++comparisons;
       if(inner.line.plane == outer.line.plane || std::fabs(cosine) < largest_cosine ||
          (cosine > 0) != (inner.is_left == outer.is_left) || depth < 0 || depth > reach(outer.spacing, outer.line))
         continue;
       const auto along = [&](double x) { return shift * outer.line.direction + x * cosine; };
-      const auto [first, last] = std::minmax(along(inner.interval.first), along(inner.interval.last));
-      rest = difference(rest, {{first, last}});
+      const double a = along(inner.interval.first), b = along(inner.interval.last);
+      rest = difference(rest, {{(std::min)(a, b), (std::max)(a, b)}});
     }
     for(const Interval& i : rest)
       if(i.length() >= shortest * outer.spacing) {
@@ -256,12 +272,11 @@ Straight_borders Border_finder::borders_of(std::size_t s) const
 {
   Straight_borders result;
   std::vector<Piece> pieces;
-  for(int plane : planes_near(s))
-    find_pieces(s, line_of(s, plane), pieces, result.cut);
-  drop_outer(s, pieces);
-  for(std::size_t i = 0; i < pieces.size(); ++i)
-    for(std::size_t j = 0; j < i; ++j)
-      join_at_corner(s, pieces[i], pieces[j]);
+  result.comparisons = near[s].size();
+  for(const Near_plane& other : planes_near(s))
+    find_pieces(s, other, pieces, result);
+  drop_outer(s, pieces, result.comparisons);
+  join_at_corners(s, pieces, result.comparisons);
   for(const Piece& piece : pieces)
     if(piece.interval.length() + piece.shift[1] - piece.shift[0] > 0)
       result.borders.push_back(border_of(s, piece));

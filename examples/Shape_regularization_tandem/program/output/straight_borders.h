@@ -6,7 +6,9 @@
 #ifndef DETECT_PLANES_STRAIGHT_BORDERS_H
 #define DETECT_PLANES_STRAIGHT_BORDERS_H
 
+#include "output/Point_blocks.h"
 #include "output/Straight_border.h"
+#include "output/Unit.h"
 #include "output/intervals.h"
 
 #include <CGAL/Bbox_3.h>
@@ -27,18 +29,21 @@ struct Shape_points {
 struct Straight_borders {
   std::vector<Straight_border> borders;
   std::vector<std::uint32_t> cut; // positions of the points beyond them
+  std::size_t comparisons = 0;    // of shapes, blocks, points and pieces: what it took to find them
 };
 
+// Lengths are in the unit.
 class Border_finder {
 public:
-  Border_finder(const Shapes& shapes, const std::vector<Shape_points>& all);
+  Border_finder(const Shapes& shapes, const Unit& unit, const std::vector<Shape_points>& all);
 
   Straight_borders borders_of(std::size_t s) const;
 
 private:
-  struct Block { // of consecutive points
-    CGAL::Bbox_3 box;
-    float spacing;
+  struct Near_plane {
+    int plane;                       // as coplanar group
+    std::vector<std::size_t> shapes; // those of the plane that may have points close to those of a shape
+    CGAL::Bbox_3 box;                // of these, with their reach
   };
   struct Line {
     int plane; // the other one, as coplanar group
@@ -63,11 +68,16 @@ private:
 
   double overhang(float spacing, const Line& line) const { return spacing + maximum_distance / line.sine; }
   double reach(float spacing, const Line& line) const { return 2 * spacing + maximum_distance / line.sine; }
-  std::vector<int> planes_near(std::size_t s) const;
+  const Shapes::Coefficients& plane_of(std::size_t s) const { return planes[shapes.coplanar_group(s)]; }
+  Kernel::Vector_3 normal_of(std::size_t s) const { return shapes.oriented_plane(s).orthogonal_vector(); }
+  std::vector<Near_plane> planes_near(std::size_t s) const;
   Line line_of(std::size_t s, int plane) const;
-  std::vector<Near_point> points_near(std::size_t s, const Line& line) const;
-  void find_pieces(std::size_t s, const Line& line, std::vector<Piece>& pieces, std::vector<std::uint32_t>& cut) const;
-  void drop_outer(std::size_t s, std::vector<Piece>& pieces) const;
+  std::vector<Near_point> points_near(std::size_t s, const Line& line, const CGAL::Bbox_3& box,
+                                      std::size_t& comparisons) const;
+  void find_pieces(std::size_t s, const Near_plane& other, std::vector<Piece>& pieces, Straight_borders& result) const;
+  std::vector<std::vector<std::size_t>> near_pieces(const std::vector<Piece>& pieces) const;
+  void drop_outer(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const;
+  void join_at_corners(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const;
   void join_at_corner(std::size_t s, Piece& a, Piece& b) const;
   Kernel::Point_3 on_line(std::size_t s, const Line& line, double along) const;
   Kernel::Point_3 corner_of(std::size_t s, int plane, int other) const;
@@ -76,9 +86,11 @@ private:
   const Shapes& shapes;
   const std::vector<Shape_points>& all;
   double maximum_distance;
-  std::vector<std::vector<Block>> blocks;
-  std::vector<CGAL::Bbox_3> boxes;               // with the reach of the points
-  std::vector<std::vector<std::size_t>> members; // shapes of each plane
+  std::vector<Shapes::Coefficients> planes;   // of the coplanar groups
+  std::vector<std::size_t> shape_of_plane;    // the first of each coplanar group
+  std::vector<Point_blocks> blocks;           // of each shape
+  std::vector<CGAL::Bbox_3> boxes;            // of each shape, with the reach of its points
+  std::vector<std::vector<std::size_t>> near; // shapes that may have points close to those of each shape
 };
 
 } // namespace program

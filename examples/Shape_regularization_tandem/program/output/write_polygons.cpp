@@ -4,6 +4,7 @@
 #include "output/write_polygons.h"
 #include "formats.h"
 #include "output/Binary_writer.h"
+#include "output/json_number.h"
 #include "output/shape_color.h"
 
 #include <algorithm>
@@ -105,7 +106,7 @@ void write_ring(std::ostream& out, const Shape_polygons& shape, const Polygon::L
   out << '[';
   for(std::size_t i = 0; i <= ring.size(); ++i) {
     const Position& v = shape.vertices[ring[i % ring.size()]];
-    out << (i == 0 ? "[" : ",[") << v[0] << ',' << v[1] << ',' << v[2] << ']';
+    out << (i == 0 ? "[" : ",[") << json_number(v[0]) << ',' << json_number(v[1]) << ',' << json_number(v[2]) << ']';
   }
   out << ']';
 }
@@ -136,13 +137,14 @@ void write_coordinates(std::ostream& out, const Shape_polygons& shape, bool is_t
 void write_geojson(std::ostream& out, const std::vector<Shape_polygons>& all, const Shapes& shapes,
                    bool is_triangulated)
 {
-  out << std::setprecision(17) << "{\"type\": \"FeatureCollection\", \"features\": [";
+  out << "{\"type\": \"FeatureCollection\", \"features\": [";
   for(std::size_t s = 0; s < all.size(); ++s) {
     const auto& c = shapes.coefficients(s);
     out << (s == 0 ? "\n" : ",\n") << " {\"type\": \"Feature\", \"properties\": {\"shape\": " << s << ", \"plane\": ["
-        << c[0] << ", " << c[1] << ", " << c[2] << ", " << c[3] << "], \"parallel_group\": " << shapes.parallel_group(s)
-        << ", \"coplanar_group\": " << shapes.coplanar_group(s) << ", \"points\": " << shapes.points(s).size()
-        << ", \"area\": " << all[s].area << "},\n  \"geometry\": {\"type\": \"MultiPolygon\", \"coordinates\": ";
+        << json_number(c[0]) << ", " << json_number(c[1]) << ", " << json_number(c[2]) << ", " << json_number(c[3])
+        << "], \"parallel_group\": " << shapes.parallel_group(s) << ", \"coplanar_group\": " << shapes.coplanar_group(s)
+        << ", \"points\": " << shapes.points(s).size() << ", \"area\": " << json_number(all[s].area)
+        << "},\n  \"geometry\": {\"type\": \"MultiPolygon\", \"coordinates\": ";
     write_coordinates(out, all[s], is_triangulated);
     out << "}}";
   }

@@ -42,23 +42,25 @@ CGAL::Bbox_3 box_of_shapes(const Point_set& points, const Shapes& shapes)
 
 Kernel::Point_3 center_of(const CGAL::Bbox_3& box)
 {
-  return Kernel::Point_3((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2);
+  const auto middle = [&](int k) { return box.min(k) / 2 + box.max(k) / 2; }; // their sum may be too large
+  return Kernel::Point_3(middle(0), middle(1), middle(2));
 }
 
 // Columns: a number for each shape.
 void write_shapes(Json_writer& json, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned,
                   const Kernel::Point_3& center)
 {
+  const Unit unit(points, shapes);
   std::vector<double> size, parallel, coplanar, plane, position, area, distance, turned, shifted;
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    const Shape_facts facts = facts_of_shape(points, shapes, s);
+    const Shape_facts facts = facts_of_shape(points, shapes, unit, s);
     const auto& c = shapes.coefficients(s);
     size.push_back(double(shapes.points(s).size()));
     parallel.push_back(double(shapes.parallel_group(s)));
     coplanar.push_back(double(shapes.coplanar_group(s)));
     plane.insert(plane.end(), c.begin(), c.end());
     for(int k = 0; k < 3; ++k)
-      position.push_back(facts.centroid[k] - center[k]);
+      position.push_back(facts.centroid[std::size_t(k)] - center[k]);
     distance.push_back(facts.mean_distance);
     turned.push_back(facts.turned_degrees);
     shifted.push_back(facts.shifted);

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What files of polygons have in them, read as other programs read it.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
+
+#include "output/shape_polygons.h"
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using program::Position;
+using Ring = std::vector<Position>; // the first corner is not there again
+struct Written_polygon {
+  std::vector<Ring> rings; // the outer one first
+};
+struct Written_shape {
+  std::vector<Written_polygon> polygons;
+  double area = 0; // as written; GeoJSON only
+};
+using Written_shapes = std::vector<Written_shape>;
+using Json = boost::property_tree::ptree;
+
+// The parser of Boost takes nothing but JSON: no "nan".
+inline Json parsed_json(const std::string& text)
+{
+  std::istringstream in(text);
+  Json json;
+  boost::property_tree::read_json(in, json);
+  return json;
+}
+
+// All of the text, and finite.
+inline double number_of(const std::string& text)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if(text.empty() || *end != '\0' || !std::isfinite(value))
+    throw std::runtime_error("no finite number: " + text);
+  return value;
+}
+
+// Areas may be larger than doubles are.
+inline double area_of(const std::string& text) { return text == "null" ? HUGE_VAL : number_of(text); }
+
+inline Ring ring_of(const Json& json)
+{
+  Ring ring;
+  for(const auto& corner : json) {
+    ring.emplace_back();
+    std::size_t k = 0;
+    for(const auto& x : corner.second)
+      ring.back().at(k++) = number_of(x.second.data());
+    if(k != 3)
+      throw std::runtime_error("a corner without three coordinates");
+  }
+  if(ring.size() < 4 || ring.front() != ring.back())
+    throw std::runtime_error("a ring that is not closed");
+  ring.pop_back();
+  return ring;
+}
+
+inline Written_shapes read_geojson(const std::string& text)
+{
+  Written_shapes result;
+  const Json json = parsed_json(text);
+  for(const auto& feature : json.get_child("features")) {
+    result.emplace_back();
+    result.back().area = area_of(feature.second.get<std::string>("properties.area"));
+    for(const auto& polygon : feature.second.get_child("geometry.coordinates")) {
+      result.back().polygons.emplace_back();
+      for(const auto& ring : polygon.second)
+        result.back().polygons.back().rings.push_back(ring_of(ring.second));
+    }
+  }
+  return result;
+}
+
+inline Written_shapes read_obj(const std::string& text)
+{
+  Written_shapes result;
+  std::vector<Position> vertices;
+  std::istringstream lines(text);
+  for(std::string line; std::getline(lines, line);) {
+    std::istringstream in(line);
+    std::string word;
+    in >> word;
+    if(word == "g")
+      result.emplace_back();
+    else if(word == "v") {
+      Position p;
+      for(double& x : p) {
+        in >> word;
+        x = number_of(word);
+      }
+      vertices.push_back(p);
+    } else if(word == "f") {
+      Ring ring;
+      for(std::size_t corner; in >> corner;)
+        ring.push_back(vertices.at(corner - 1));
+      result.at(result.size() - 1).polygons.push_back({{ring}});
+    }
+  }
+  return result;
+}
+
+class Ply_bytes {
+public:
+  explicit Ply_bytes(const std::string& text) : text(text), position(text.find("end_header\n") + 11) {}
+
+  template <class T>
+  T next()
+  {
+    T value;
+    std::memcpy(&value, text.substr(position, sizeof value).data(), sizeof value);
+    position += sizeof value;
+    return value;
+  }
+
+  std::size_t count_of(const std::string& element) const
+  {
+    return std::size_t(std::atol(text.c_str() + text.find("element " + element + ' ') + 9 + element.size()));
+  }
+  bool has(const std::string& line) const { return text.find(line) < position; }
+  bool is_at_end() const { return position == text.size(); }
+
+private:
+  const std::string& text;
+  std::size_t position;
+};
+
+inline Written_shapes read_ply(const std::string& text, std::size_t number_of_shapes)
+{
+  Written_shapes result(number_of_shapes);
+  Ply_bytes bytes(text);
+  std::vector<Position> vertices(bytes.count_of("vertex"));
+  for(Position& p : vertices)
+    for(double& x : p)
+      x = bytes.next<double>();
+  const bool is_small = bytes.has("property list uchar int");
+  for(std::size_t f = bytes.count_of("face"); f > 0; --f) {
+    Ring ring;
+    for(int n = is_small ? int(bytes.next<std::uint8_t>()) : bytes.next<std::int32_t>(); n > 0; --n)
+      ring.push_back(vertices.at(std::size_t(bytes.next<std::int32_t>())));
+    for(int channel = 0; channel < 3; ++channel)
+      bytes.next<std::uint8_t>();
+    result.at(std::size_t(bytes.next<std::int32_t>())).polygons.push_back({{ring}});
+  }
+  if(!bytes.is_at_end())
+    throw std::runtime_error("more bytes than the header says");
+  return result;
+}
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
