@@ -44,7 +44,8 @@ inline void check_surface(const program::Surface& surface, const std::string& na
 inline bool check_mesh(const program::Point_set& points, const program::Shapes& shapes, const std::string& name)
 {
   constexpr std::size_t largest_number_of_planes = 8;
-  const program::Mesh_input input = program::mesh_input(points, shapes, largest_number_of_planes);
+  const program::Mesh_input input =
+    program::largest_planes(program::mesh_input(points, shapes), largest_number_of_planes);
   if(input.planes.size() < 4)
     return false;
   try {

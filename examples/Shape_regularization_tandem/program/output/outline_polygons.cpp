@@ -118,9 +118,11 @@ void mark_inside(const Triangulation& triangulation)
   }
 }
 
-// Every vertex is one of the given ones, and two lines end there.
+// There is an area, every vertex is one of the given ones, and two lines end there.
 bool is_valid(const Triangulation& triangulation, const Vertex_map& vertex_at)
 {
+  if(triangulation.dimension() < 2)
+    return false;
   for(Vertex_handle v : triangulation.finite_vertex_handles()) {
     if(vertex_at.count(v->point()) == 0)
       return false;
