@@ -28,8 +28,8 @@ void check_scenes(std::uint64_t first, std::uint64_t count)
     } // too wide: test_properties
   }
   std::cout << t.scenes << " scenes, " << t.shapes << " shapes, " << t.with_polygons << " with " << t.polygons
-            << " polygons, " << t.inside << " of their " << t.points << " points inside, " << t.meshes << " meshes"
-            << std::endl;
+            << " polygons, " << t.inside << " of their " << t.points << " points inside, " << t.meshes
+            << " closed meshes" << std::endl;
   CHECK(count == 1 || double(t.inside) > .8 * double(t.points));
 }
 
