@@ -19,18 +19,22 @@ set(common -DCMAKE_CXX_COMPILER=${CXX} -DTANDEM_WITH_TBB=${WITH_TBB} -DTANDEM_WI
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}/user")
 
+# By its major and minor version.
+file(STRINGS "${TANDEM_DIR}/include/CGAL/Shape_regularization_tandem/version.h" version REGEX "define CGAL_TANDEM_VERSION")
+string(REGEX REPLACE ".*\"([0-9]+\\.[0-9]+).*" "\\1" version "${version}")
+
 if(USE STREQUAL "find_package")
   run(${CMAKE_COMMAND} -S ${TANDEM_DIR} -B ${WORK_DIR}/tandem ${common} -DTANDEM_BUILD_EXAMPLES=OFF
       -DTANDEM_BUILD_ENGINE=OFF -DTANDEM_WITH_MPI=OFF -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/tandem --target install)
-  set(get_tandem "find_package(Tandem 0.1 REQUIRED)")
+  set(get_tandem "find_package(Tandem ${version} REQUIRED)")
 elseif(USE STREQUAL "engine")
   run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
-  set(get_tandem "find_package(Tandem 0.1 REQUIRED COMPONENTS engine)")
+  set(get_tandem "find_package(Tandem ${version} REQUIRED COMPONENTS engine)")
   set(library Tandem::tandem_engine)
 elseif(USE STREQUAL "cuda")
   run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
-  set(get_tandem "find_package(Tandem 0.1 REQUIRED COMPONENTS cuda)")
+  set(get_tandem "find_package(Tandem ${version} REQUIRED COMPONENTS cuda)")
   set(library Tandem::tandem_cuda)
   set(tag CGAL::Tandem::Cuda_tag)
 else()
