@@ -12,6 +12,7 @@
 
 #include "program/check_outputs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -28,8 +29,8 @@ void check_scenes(std::uint64_t first, std::uint64_t count)
     } // too wide: test_properties
   }
   std::cout << t.scenes << " scenes, " << t.shapes << " shapes, " << t.with_polygons << " with " << t.polygons
-            << " polygons, " << t.inside << " of their " << t.points << " points inside, " << t.meshes
-            << " closed meshes" << std::endl;
+            << " polygons, " << t.inside << " of their " << t.points << " points inside, " << t.meshes << " meshes"
+            << std::endl;
   CHECK(count == 1 || double(t.inside) > .8 * double(t.points));
 }
 
@@ -151,6 +152,19 @@ void check_checker()
   CHECK(!is_valid({square, {{5, 1, 0}, {5, 2, 0}, {6, 1, 0}}}, 15.5));                        // hole outside
 }
 
+// A tetrahedron, and one without a side or with one turned.
+void check_closed()
+{
+  program::Surface surface;
+  surface.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  surface.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  CHECK(program::is_closed(surface));
+  std::reverse(surface.faces[3].begin(), surface.faces[3].end());
+  CHECK(!program::is_closed(surface));
+  surface.faces.pop_back();
+  CHECK(!program::is_closed(surface));
+}
+
 int main(int argc, char** argv)
 {
   const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;
@@ -160,6 +174,7 @@ int main(int argc, char** argv)
     check_without_outline();
     check_far();
     check_checker();
+    check_closed();
   }
   check_scenes(seed, count);
   return report();

@@ -110,6 +110,8 @@ Surface polygonal_mesh(const Mesh_input& input, int seconds)
   PMP::merge_duplicate_points_in_polygon_soup(surface.points, surface.faces);
   PMP::orient_polygon_soup(surface.points, surface.faces);
   orient_outward(surface);
+  if(!is_closed(surface))
+    throw std::runtime_error("--mesh: no closed surface was found");
   return surface;
 }
 
