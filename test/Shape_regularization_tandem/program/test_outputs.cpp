@@ -79,6 +79,19 @@ void check_units()
   }
 }
 
+// The same for meshes.
+void check_units_of_mesh()
+{
+  if(!program::missing_for_polygonal_mesh().empty())
+    return;
+  const Cloud cloud = make_pairs<Kernel>(make_box_cloud(400));
+  const Output_case box = case_of("box", cloud, detect(cloud, make_parameters(.02, 50)));
+  for(int exponent : {-40, -20, 0, 20, 40}) {
+    const Output_case c = scaled(box, exponent);
+    CHECK_AT(check_mesh_apart(c.points, c.shapes, c.name), c.name + " has no mesh");
+  }
+}
+
 // All points in one shape.
 Output_case case_of_plane(const std::string& name, const Cloud& cloud, const program::Shapes::Coefficients& plane)
 {
@@ -171,6 +184,7 @@ int main(int argc, char** argv)
   const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : argc > 1 ? 1 : 60;
   if(argc == 1) {
     check_units();
+    check_units_of_mesh();
     check_without_outline();
     check_far();
     check_checker();
