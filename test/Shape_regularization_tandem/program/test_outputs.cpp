@@ -32,6 +32,7 @@ void check_scenes(std::uint64_t first, std::uint64_t count)
             << " polygons, " << t.inside << " of their " << t.points << " points inside, " << t.meshes << " meshes"
             << std::endl;
   CHECK(count == 1 || double(t.inside) > .8 * double(t.points));
+  CHECK(count < 60 || !program::missing_for_polygonal_mesh().empty() || t.meshes >= count / 20);
 }
 
 // --- Scenes of their own
