@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <iomanip>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -43,13 +44,18 @@ inline double extent_of(const Point_set& points, const Ranks& ranks)
   return extent;
 }
 
-// The smallest of the ranks; infinite where planes explain the points, which need not be measured then.
+// The smallest of the ranks. Infinite where planes explain the points, which need not be measured then; where there is
+// no memory for it, since the shapes are worth more; and where all points are one.
 inline double noise_of(const Point_set& points, const Shapes& shapes, const Ranks& ranks)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const bool is_thin = s.number_of_shapes > 0 && s.mean_distance < full_share * shapes.parameters().maximum_distance;
-  const double own = is_thin || points.empty() ? std::numeric_limits<double>::infinity() : measured_noise(points);
-  return -ranks.largest(-own);
+  double own = 0;
+  try {
+    own = is_thin || points.empty() ? 0 : measured_noise(points);
+  } catch(const std::bad_alloc&) {
+  }
+  return -ranks.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
 }
 
 template <class... Words>
