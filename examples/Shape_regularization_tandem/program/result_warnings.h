@@ -10,6 +10,8 @@
 #include "output/write_results.h"
 #include "ranks/Ranks.h"
 
+#include <CGAL/Tandem/internal/base/Tuning.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -70,7 +72,8 @@ std::string sentence(const Words&... words)
 // A shape begins with a point and half of its neighbors, and with six points at least, whatever its smallest size.
 inline std::size_t smallest_start(const CGAL::Tandem::Parameters& p)
 {
-  return (std::max)((p.k_neighbors + 1) / 2 + 1, std::size_t(6));
+  return (std::max)((p.k_neighbors + 1) / 2 + 1,
+                    std::size_t(CGAL::Tandem::internal::tuning::loop::minimum_fragment_size));
 }
 
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)
