@@ -58,13 +58,15 @@ inline bool check_mesh_apart(const program::Point_set& points, const program::Sh
   if(child == 0) {
     const rlimit seconds = {10, 10};
     setrlimit(RLIMIT_CPU, &seconds);
+    alarm(60); // it may wait for a lock that another thread had at the fork
     const int before = failures();
     const bool has_mesh = check_mesh(points, shapes, name);
     _exit(failures() > before ? is_wrong : has_mesh ? is_made : 0);
   }
   int status = 0;
   CHECK_AT(child > 0 && waitpid(child, &status, 0) == child, name);
-  const bool is_too_long = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const bool is_too_long = signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   CHECK_AT(is_too_long || code == 0 || code == is_made, name + ": the process of the mesh, " + std::to_string(code));
   return code == is_made;
