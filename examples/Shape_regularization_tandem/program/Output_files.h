@@ -65,6 +65,7 @@ public:
       return std::nullopt;
     const Mesh_facts facts = program::write_mesh(mesh->stream(), cloud.points, shapes, options);
     mesh->close();
+    check_signals();
     mesh->commit();
     return facts;
   }

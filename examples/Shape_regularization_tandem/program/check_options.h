@@ -60,7 +60,7 @@ inline void check_directory(const Options& o)
     const std::string output = output_of_input(o.output_directory, input);
     for(const std::filesystem::path& path : {std::filesystem::absolute(input), unique_name(input)})
       if(is_same_folder(o.output_directory, path.parent_path()))
-        throw Usage_error("--output-directory is the folder of " + input + ", must be another one");
+        throw Usage_error("--output-directory is the folder of " + input + "; take another folder");
     const auto [place, is_new] = input_of.emplace(output, input);
     if(!is_new && unique_name(place->second) != unique_name(input))
       throw Usage_error("--output-directory: " + place->second + " and " + input + " would both become " + output);

@@ -24,8 +24,8 @@ inline void add_cloud_options(po::options_description& group, Options& o, const 
     "the input with the normals that were used and the shape of each point (-1: none), its intensity and "
     "classification kept: .ply or .pcd (binary), .xyz, .txt or .csv (text with a line of names), " +
     las +
-    " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, else on one of at "
-    "most 2e-4 of the maximum distance; points that are not finite are left out)";
+    " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, if all points "
+    "fit it, else on one of at most 2e-4 of the maximum distance; points that are not finite are left out)";
   const std::string directory =
     std::string(
       "a file as --output for each INPUT, with the points of that one: of its name and format in this folder, "

@@ -82,8 +82,9 @@ inline void add_detection_options(po::options_description& all, Options& o)
     "maximum-offset", number(o.maximum_offset)->value_name("D"),
     "distance within which parallel planes are made coplanar if their points allow it (default: the maximum distance)");
   add("minimum-region-size", count(o.minimum_region_size)->value_name("N"),
-      "smallest number of points of a shape, at least 3 (default: estimated from the number of points); fewer than "
-      "K / 2 + 1 points, of --k-neighbors, and fewer than 6 become none: fewer than 7 by default");
+      "smallest number of points of a shape, at least 3 (default: estimated from the number of points). "
+      "Whatever it is, a shape has at least 6 points, and at least K / 2 + 1 (rounded up) where K is --k-neighbors: 7 "
+      "by default");
   add("k-neighbors", count(o.k_neighbors)->value_name("K"),
       "number of neighbors of a point, from 3 to 64 (default: 12)");
   add("cell-size", count(o.cell_size)->value_name("N"),

@@ -10,11 +10,14 @@
 #include "output/write_results.h"
 #include "ranks/Ranks.h"
 
+#include <CGAL/Tandem/internal/base/Tuning.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -43,13 +46,18 @@ inline double extent_of(const Point_set& points, const Ranks& ranks)
   return extent;
 }
 
-// The smallest of the ranks; infinite where planes explain the points, which need not be measured then.
+// The smallest of the ranks. Infinite where planes explain the points, which need not be measured then; where there is
+// no memory for it, since the shapes are worth more; and where all points are one.
 inline double noise_of(const Point_set& points, const Shapes& shapes, const Ranks& ranks)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const bool is_thin = s.number_of_shapes > 0 && s.mean_distance < full_share * shapes.parameters().maximum_distance;
-  const double own = is_thin || points.empty() ? std::numeric_limits<double>::infinity() : measured_noise(points);
-  return -ranks.largest(-own);
+  double own = 0;
+  try {
+    own = is_thin || points.empty() ? 0 : measured_noise(points);
+  } catch(const std::bad_alloc&) {
+  }
+  return -ranks.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
 }
 
 template <class... Words>
@@ -64,7 +72,8 @@ std::string sentence(const Words&... words)
 // A shape begins with a point and half of its neighbors, and with six points at least, whatever its smallest size.
 inline std::size_t smallest_start(const CGAL::Tandem::Parameters& p)
 {
-  return (std::max)((p.k_neighbors + 1) / 2 + 1, std::size_t(6));
+  return (std::max)((p.k_neighbors + 1) / 2 + 1,
+                    std::size_t(CGAL::Tandem::internal::tuning::loop::minimum_fragment_size));
 }
 
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)

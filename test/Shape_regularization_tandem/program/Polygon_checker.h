@@ -111,7 +111,7 @@ private:
     return CGAL::orientation(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
   }
 
-  long double area(const Ring& ring) const
+  long double area(const Ring& ring)
   {
     const Flat_ring r = flat(ring);
     long double sum = 0;
@@ -197,7 +197,7 @@ private:
   std::size_t steepest = 0;
   bool is_reversed;
   Violations found;
-  mutable long double largest_square = 0;
+  long double largest_square = 0;
 };
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_POLYGON_CHECKER_H

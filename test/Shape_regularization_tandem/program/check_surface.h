@@ -18,29 +18,18 @@
 #include <csignal>
 #endif
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
-// Coordinates are finite. Returns whether each edge has as many faces to its left as to its right: in units far from 1
-// and by the order of its addresses, CGAL leaves some open.
-inline bool check_surface(const program::Surface& surface, const std::string& name)
+inline void check_surface(const program::Surface& surface, const std::string& name)
 {
-  std::map<std::pair<std::size_t, std::size_t>, int> balance;
-  for(const auto& face : surface.faces)
-    for(std::size_t i = 0; i < face.size(); ++i) {
-      const std::size_t a = face[i], b = face[(i + 1) % face.size()];
-      balance[{(std::min)(a, b), (std::max)(a, b)}] += a < b ? 1 : -1;
-    }
+  CHECK_AT(program::is_closed(surface), name + ": an edge that is open");
   for(const auto& p : surface.points)
     CHECK_AT(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()), name + ": a corner of the mesh");
-  return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
-// Returns whether there is a closed one. A scene may have none: that is an exception, which says so, or an assertion of CGAL.
+// Returns whether there is one. A scene may have none: that is an exception, which says so, or an assertion of CGAL.
 inline bool check_mesh(const program::Point_set& points, const program::Shapes& shapes, const std::string& name)
 {
   constexpr std::size_t largest_number_of_planes = 8;
@@ -50,7 +39,8 @@ inline bool check_mesh(const program::Point_set& points, const program::Shapes& 
     return false;
   try {
     const program::Surface surface = program::polygonal_mesh(input, 1);
-    return check_surface(surface, name) && !surface.faces.empty();
+    check_surface(surface, name);
+    return !surface.faces.empty();
   } catch(const std::runtime_error&) {
   } catch(const CGAL::Failure_exception&) {
   }
@@ -68,13 +58,15 @@ inline bool check_mesh_apart(const program::Point_set& points, const program::Sh
   if(child == 0) {
     const rlimit seconds = {10, 10};
     setrlimit(RLIMIT_CPU, &seconds);
+    alarm(60); // it may wait for a lock that another thread had at the fork
     const int before = failures();
     const bool has_mesh = check_mesh(points, shapes, name);
     _exit(failures() > before ? is_wrong : has_mesh ? is_made : 0);
   }
   int status = 0;
   CHECK_AT(child > 0 && waitpid(child, &status, 0) == child, name);
-  const bool is_too_long = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const bool is_too_long = signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   CHECK_AT(is_too_long || code == 0 || code == is_made, name + ": the process of the mesh, " + std::to_string(code));
   return code == is_made;

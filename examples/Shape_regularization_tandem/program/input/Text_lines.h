@@ -6,6 +6,7 @@
 
 #include "input/Input_buffer.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <string_view>

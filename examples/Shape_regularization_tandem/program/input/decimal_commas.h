@@ -18,7 +18,7 @@ namespace program {
 inline std::string advice_on_commas(std::string_view row)
 {
   return row.find(',') == row.npos ? ""
-                                   : "; commas are no part of numbers: write these with a decimal point, and without "
+                                   : "; commas are no part of numbers: write numbers with a decimal point, and without "
                                      "separators of thousands";
 }
 

@@ -149,8 +149,9 @@ public:
       fail_at(row, "has more than " + std::to_string(columns.size()) +
                      " values (name its columns by --columns, for example)");
     if(is_split && (has_more || source == Source::sample))
-      fail_at(row, "has, as 1,05 does, digits from 0 on behind a comma (name all columns by --columns if they are a "
-                   "number)");
+      fail_at(
+        row, "has a number with a leading 0 behind a comma, as in 1,05, which may be a decimal comma (if it is a value "
+             "of its own, name all columns by --columns)");
     return values;
   }
 

@@ -6,6 +6,7 @@
 
 #include "input/Text_lines.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>

@@ -78,11 +78,20 @@ inline std::unique_ptr<Descriptor_buffer> opened_by_shell(const std::string& pat
   return nullptr;
 }
 
+// A new file that only its owner may read.
+inline bool create_private(const char* path)
+{
+  const int descriptor = ::open(path, O_WRONLY | O_CREAT | O_EXCL, S_IRUSR | S_IWUSR);
+  return descriptor >= 0 && ::close(descriptor) == 0;
+}
+
 #else
 
 class Descriptor_buffer : public std::streambuf, public Write_error {};
 
 inline std::unique_ptr<Descriptor_buffer> opened_by_shell(const std::string&) { return nullptr; }
+
+inline bool create_private(const char*) { return true; }
 
 #endif
 

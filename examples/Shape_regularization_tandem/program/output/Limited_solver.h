@@ -37,8 +37,8 @@ public:
     settings.presolve = GLP_ON;
     settings.tm_lim = longest_wait();
     is_out_of_time = false;
-    const std::clock_t end = std::clock() + std::clock_t(seconds) * CLOCKS_PER_SEC;
-    settings.cb_info = const_cast<std::clock_t*>(&end);
+    std::clock_t end = std::clock() + std::clock_t(seconds) * CLOCKS_PER_SEC;
+    settings.cb_info = &end;
     settings.cb_func = [](glp_tree* tree, void* end) {
       is_out_of_time = std::clock() > *static_cast<const std::clock_t*>(end);
       if(is_interrupted() || is_out_of_time)

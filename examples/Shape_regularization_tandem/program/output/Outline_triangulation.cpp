@@ -22,7 +22,8 @@ Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>&
     vertices.push_back(triangulation.insert(p, hint));
     hint = vertices.back()->face();
   }
-  if(!(has_area = triangulation.dimension() == 2))
+  has_area = triangulation.dimension() == 2;
+  if(!has_area)
     return;
   measure_spacings();
   for(int round = 0; round < smoothing_rounds; ++round)

@@ -39,6 +39,8 @@ public:
       part.emplace(target.parent_path());
     }
     errno = 0;
+    if(part && fs::exists(status) && !create_private(part->name().c_str()))
+      fail("cannot be written", errno);
     if(!file.open(part ? part->name() : fs::path(path), std::ios::out | std::ios::binary))
       fail("cannot be written", errno);
     if(fs::is_regular_file(status))

@@ -6,7 +6,9 @@
 #include "../convex_polygons.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace program {
 
@@ -73,6 +75,17 @@ void reverse(std::vector<Surface::Face>& faces)
 {
   for(Surface::Face& face : faces)
     std::reverse(face.begin(), face.end());
+}
+
+bool is_closed(const Surface& surface)
+{
+  std::map<std::pair<std::size_t, std::size_t>, int> balance;
+  for(const Surface::Face& face : surface.faces)
+    for(std::size_t i = 0; i < face.size(); ++i) {
+      const std::size_t a = face[i], b = face[(i + 1) % face.size()];
+      balance[std::minmax({a, b})] += a < b ? 1 : -1;
+    }
+  return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
 } // namespace program

@@ -28,7 +28,7 @@ Mesh_input mesh_input(const Point_set& points, const Shapes& shapes);
 // Those with most points.
 Mesh_input largest_planes(const Mesh_input& all, std::size_t number);
 
-// Closed, and its faces are oriented alike.
+// Its faces are oriented alike.
 struct Surface {
   using Face = std::vector<std::size_t>; // positions of the corners in the points
   std::vector<Kernel::Point_3> points;
@@ -39,6 +39,9 @@ struct Surface {
 double signed_volume(const Surface& surface, const std::vector<Surface::Face>& faces);
 
 void reverse(std::vector<Surface::Face>& faces);
+
+// Each edge has as many faces to its left as to its right.
+bool is_closed(const Surface& surface);
 
 } // namespace program
 

@@ -20,6 +20,8 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -95,11 +97,31 @@ std::string missing_for_polygonal_mesh() { return {}; }
 
 bool has_time_limit() { return is_limited; }
 
+// CGAL joins what is nearer than 1e-5, in any unit: by this power of two, the points extend over 512 to 1024.
+int exponent_of(const std::vector<Item>& items)
+{
+  CGAL::Bbox_3 box;
+  for(const Item& item : items)
+    box += std::get<0>(item).bbox();
+  int exponent = 0;
+  std::frexp((std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()}), &exponent);
+  return 10 - exponent;
+}
+
+Kernel::Point_3 scaled(const Kernel::Point_3& p, int exponent)
+{
+  return {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
+}
+
 // It fits a plane to each group of points, which is the plane of projected points.
 Surface polygonal_mesh(const Mesh_input& input, int seconds)
 {
   const Captured_messages captured;
-  Reconstruction reconstruction(input.items, CGAL::Nth_of_tuple_property_map<0, Item>(),
+  const int exponent = exponent_of(input.items);
+  std::vector<Item> items = input.items;
+  for(Item& item : items)
+    std::get<0>(item) = scaled(std::get<0>(item), exponent);
+  Reconstruction reconstruction(items, CGAL::Nth_of_tuple_property_map<0, Item>(),
                                 CGAL::Nth_of_tuple_property_map<1, Item>(), CGAL::Nth_of_tuple_property_map<2, Item>());
   check_candidates(reconstruction);
   Mesh model;
@@ -110,6 +132,10 @@ Surface polygonal_mesh(const Mesh_input& input, int seconds)
   PMP::merge_duplicate_points_in_polygon_soup(surface.points, surface.faces);
   PMP::orient_polygon_soup(surface.points, surface.faces);
   orient_outward(surface);
+  if(!is_closed(surface))
+    throw std::runtime_error("--mesh: no closed surface was found");
+  for(Kernel::Point_3& p : surface.points)
+    p = scaled(p, -exponent);
   return surface;
 }
 

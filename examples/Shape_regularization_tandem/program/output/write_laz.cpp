@@ -6,6 +6,7 @@
 #include "output/Partial_file.h"
 #include "output/Write_error.h"
 
+#include <cerrno>
 #include <fstream>
 #include <stdexcept>
 
@@ -79,7 +80,9 @@ void write_laz(std::ostream& out, const Output_points& cloud, const std::optiona
   const Partial_file las(std::filesystem::temp_directory_path()), laz(std::filesystem::temp_directory_path());
   {
     File_buffer buffer;
-    buffer.open(las.name(), std::ios::out | std::ios::binary);
+    errno = 0;
+    if(!buffer.open(las.name(), std::ios::out | std::ios::binary))
+      throw std::runtime_error(las.name().string() + ": cannot be written" + reason_of(errno));
     std::ostream file(&buffer);
     write_las(file, cloud, frame_of_input);
     if(!file.flush())

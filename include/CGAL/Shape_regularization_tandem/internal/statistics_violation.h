@@ -103,7 +103,8 @@ inline std::string cost_violation(const Statistics& t, const Import& in, const P
   if(t.number_of_rounds < least_rounds || t.number_of_rounds > std::size_t(tuning::loop::maximum_rounds))
     return "there are " + to_text(t.number_of_rounds) + " rounds";
   constexpr std::uint64_t least_bytes = sizeof(Grid_point), most_bytes = 1024; // of a point
-  if(sums.peak_bytes > most_bytes * in.total.points ||
+  constexpr std::uint64_t other_bytes = std::uint64_t(1) << 20;                // tables that every rank has
+  if(sums.peak_bytes > most_bytes * in.total.points + other_bytes ||
      (t.number_of_shapes > 0 && sums.peak_bytes < least_bytes * in.total.points))
     return "the tables of " + to_text(in.total.points) + " points had " + to_text(sums.peak_bytes) + " bytes";
   return t.backend.empty() ? "there is no back end" : "";
