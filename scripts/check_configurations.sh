@@ -18,7 +18,8 @@ flags_of() { sed -n 's/^CXX_FLAGS = //p' "$1/flags.make" | tr ' ' '\n' | sort -u
 # The makefiles say which header a target uses.
 check_precompiled()
 {
-  for file in $(grep -rl --include=flags.make '^# PCH options' "$folder"); do
+  files=$(grep -rl --include=flags.make '^# PCH options' "$folder") || fail "without $*: no precompiled header"
+  for file in $files; do
     header=$(sed -n 's/^# PCH options.*;\(.*\)\/cmake_pch.hxx.*/\1/p' "$file" | head -n 1)
     [ "$(flags_of "${file%/*}")" = "$(flags_of "$header")" ] ||
       fail "without $*: the flags of ${file%/*} are not those of the precompiled header in $header"
@@ -29,7 +30,7 @@ check_precompiled()
 configure()
 {
   sources=$1; lacks=$2; shift 2
-  cmake -S "$sources" -B "$folder" "$@" > "$folder/cmake.log" 2>&1 ||
+  cmake -G 'Unix Makefiles' -S "$sources" -B "$folder" "$@" > "$folder/cmake.log" 2>&1 ||
     { cat "$folder/cmake.log" >&2; fail "cmake failed for $sources without$lacks"; }
   check_precompiled "$lacks"
 }
