@@ -47,7 +47,8 @@ inline void check_files(const Options& o)
 inline bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b)
 {
   std::error_code error;
-  return std::filesystem::equivalent(a, b, error) || unique_name(a) == unique_name(b);
+  const std::filesystem::path name = unique_name(a), other = unique_name(b);
+  return name == other || std::filesystem::equivalent(name, other, error);
 }
 
 // Each input needs an output of its own, and nothing that is beside an input is replaced.
