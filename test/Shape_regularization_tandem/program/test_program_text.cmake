@@ -49,6 +49,10 @@ expect_refused("1,234,567.5 2 3")
 file(WRITE "${WORK_DIR}/names.csv" "x,y,z\n1,5,2,5,3,5\n")
 file(WRITE "${WORK_DIR}/ragged.csv" "1,5,2,5,3,5\n1,5,2,3,5\n")
 expect(1 "names.csv: row 2 has more than 3 values.*with a decimal point" names.csv)
+expect(1 "names.csv: row 2 has more than 3 values .name all its columns by --columns, also those to pass over, by _."
+       names.csv --columns "x y z")
+expect(1 "ragged.csv: row 1 has more than 3 values" ragged.csv --columns "x y z")
+expect(1 "ragged.csv: row 1 has more than 5 values" ragged.csv --columns "x _ y z _")
 expect(1 "ragged.csv: row 2 has 5 values instead of 6.*with a decimal point" ragged.csv)
 
 # Integers with commas only may be numbers with decimal commas, or with separators of thousands: a warning says what
@@ -102,6 +106,9 @@ expect_columns("x y z r g b" "1,5,2.5,500,3,5\n0,10,20,0,0,0\n")
 expect_columns("x y z r g b" "100, 20,300,  5, 10, 15\n  1,  2,  3,  5, 10,100\n")
 expect_columns("_ x y z" "scan 05,1,2,3\nscan 06,1,2,3\n" --columns "_ x y z")
 expect_columns("x y z _" "1,2,3,05\n1,2,3,06\n" --columns "x y z _")
+expect_columns("x _ y z _ _" "1,0,2,3,4,5,\n" --columns "x _ y z _ _")
+expect_columns("x y z" "1 2 3 4\n" --columns "x y z")
+expect_columns("x y z" "1;2;3;4\n" --columns "x y z")
 expect_columns("x _ y z" "x,,y,z\n1,a b,2,3\n")
 
 # --- Carriage returns

@@ -144,11 +144,10 @@ public:
       if(columns[c] != Column::none)
         values[std::size_t(columns[c])] = parse_value(row, columns[c], value);
     }
-    const bool has_more = rest.next(value);
-    if(has_more && source != Source::option)
+    if(rest.next(value) && (source != Source::option || rest.separator() == ','))
       fail_at(row, "has more than " + std::to_string(columns.size()) +
-                     " values (name its columns by --columns, for example)");
-    if(is_split && (has_more || source == Source::sample))
+                     " values (name all its columns by --columns, also those to pass over, by _)");
+    if(is_split && source == Source::sample)
       fail_at(row, "has, as 1,05 does, digits from 0 on behind a comma (name all columns by --columns if they are a "
                    "number)");
     return values;
