@@ -127,10 +127,10 @@ void check_mesh_options(const Options& o)
                       ": this program was built without it");
   if(o.mesh_seconds && (&method == &kinetic || !has_time_limit()))
     throw Usage_error("--mesh-seconds is for the solver GLPK of --mesh-method polygonal");
-  if(o.mesh_planes && std::size_t(*o.mesh_planes) > method.on_demand)
-    throw Usage_error("--mesh-planes is " + std::to_string(*o.mesh_planes) + ", must be in [" +
-                      std::to_string(fewest_planes) + ", " + std::to_string(method.on_demand) + "] for the method " +
-                      method.name);
+  const long long fewest = fewest_planes, most = (long long)(method.on_demand);
+  if(o.mesh_planes && (*o.mesh_planes < fewest || *o.mesh_planes > most))
+    throw Usage_error("--mesh-planes is " + std::to_string(*o.mesh_planes) + ", must be in [" + std::to_string(fewest) +
+                      ", " + std::to_string(most) + "] for the method " + method.name);
 }
 
 std::string limits_of_planes()
