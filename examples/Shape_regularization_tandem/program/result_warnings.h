@@ -47,7 +47,8 @@ inline double extent_of(const Point_set& points, const Ranks& ranks)
 inline double noise_of(const Point_set& points, const Shapes& shapes, const Ranks& ranks)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
-  const bool is_thin = s.number_of_shapes > 0 && s.mean_distance < full_share * shapes.parameters().maximum_distance;
+  const bool is_thin = s.number_of_shapes > 0 && s.coverage >= poor_coverage &&
+                       s.mean_distance < full_share * shapes.parameters().maximum_distance;
   const double own = is_thin || points.empty() ? std::numeric_limits<double>::infinity() : measured_noise(points);
   return -ranks.largest(-own);
 }
