@@ -185,6 +185,17 @@ void make_directory(const Options& o, Ranks& ranks, Made_folders& folders)
     });
 }
 
+// Those that are known before the report is written.
+std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
+                                      const Ranks& ranks)
+{
+  std::vector<std::string> warnings = result_warnings(points, shapes, o.maximum_distance.has_value(), ranks);
+  const std::string of_planes = warning_of_planes(points, shapes, o);
+  if(!of_planes.empty())
+    warnings.push_back(of_planes);
+  return warnings;
+}
+
 void run(const Options& o, Ranks& ranks, Made_folders& folders)
 {
   ranks.together([&] { check_program(o, ranks); });
@@ -211,7 +222,7 @@ void run(const Options& o, Ranks& ranks, Made_folders& folders)
   name_device(*shapes, threads, run);
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
-  for(const std::string& warning : result_warnings(cloud.points, *shapes, o.maximum_distance.has_value(), ranks)) {
+  for(const std::string& warning : all_warnings(cloud.points, *shapes, o, ranks)) {
     if(ranks.is_first())
       warn(warning);
     run.warnings.push_back(warning);
