@@ -76,7 +76,7 @@ foreach(row IN ITEMS "1,5 2,5 3,5" "1,234.5 2 3" "1 2 3,5" "1,2,3")
   file(WRITE "${WORK_DIR}/comma.pcd" "${pcd_rows}0 0 0\n${row}\n")
   expect(1 "comma.off: row 4 has a comma .write numbers with a decimal point" comma.off)
   expect(1 "comma.ply: row 2 of 'vertex' has a comma .write numbers with a decimal point" comma.ply)
-  expect(1 "comma.pcd: row 7 has '[0-9,.]+' where a number is expected" comma.pcd)
+  expect(1 "comma.pcd: row 7 has '[0-9,.]+' where a number is expected.*with a decimal point" comma.pcd)
 endforeach()
 file(WRITE "${WORK_DIR}/more.pcd" "${pcd_rows}0 0 0\n0 0 0 1\n")
 file(WRITE "${WORK_DIR}/less.pcd" "${pcd_rows}0 0 0\n0.25 0.25\n")
@@ -134,6 +134,12 @@ endforeach()
 expect_shell(1 "body.ply: row 1 of 'vertex' ends in a carriage return alone"
              "{ head -n 10 plain.ply; tail -n +11 plain.ply | tr '\\n' '\\r'; } > body.ply; exec \"$P\" body.ply")
 expect_shell(0 "points +1," "printf '1 2 3\\r' > end.xyz; exec \"$P\" end.xyz --maximum-distance 1 2>&1")
+
+# --- A byte 0, as of UTF-16: the message is whole
+foreach(format IN ITEMS ${tables} off pcd)
+  expect_shell(1 "zero.${format}: row 21 has a byte 0, which no text has but one of UTF-16"
+               "{ head -n 20 plain.${format}; head -c 1 /dev/zero; tail -n +21 plain.${format}; } > zero.${format}; exec \"$P\" zero.${format}")
+endforeach()
 
 # --- Lines without an end. What has no bytes on the disk is 4 GB of zeros.
 string(REGEX REPLACE " [01] [01] [01]\n" "\n" bare "${cube}")
