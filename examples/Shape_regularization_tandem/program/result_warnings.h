@@ -78,8 +78,9 @@ inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tand
     return sentence("no shape was found: the number of points is ", points, ", and a shape begins with ",
                     smallest_start(p), " where --k-neighbors is ", p.k_neighbors);
   return sentence("no shape was found: no ", p.minimum_region_size,
-                  " connected points (--minimum-region-size) are within ", p.maximum_distance,
-                  " of a plane (--maximum-distance) and ", p.maximum_angle, " degrees (--maximum-angle)");
+                  " connected points (--minimum-region-size), other than on a line or in one place, are within ",
+                  p.maximum_distance, " of a plane (--maximum-distance) and ", p.maximum_angle,
+                  " degrees (--maximum-angle)");
 }
 
 // Of the whole run, on all ranks.

@@ -35,7 +35,12 @@ expect_warnings(cube.ply)
 
 # --- Nothing is found
 expect_warnings(cube.ply ${epsilon} --minimum-region-size 1700
-                WARNINGS "no shape was found: no 1700 connected points .--minimum-region-size. are within 0.004")
+                WARNINGS "no shape was found: no 1700 connected points .--minimum-region-size., other than on a line or in one place, are within 0.004")
+expect_shell(0 "^$" "awk 'BEGIN { for(i = 0; i < 300; ++i) print 1, 2, 3 }' > place.xyz
+                     awk 'BEGIN { for(i = 0; i < 300; ++i) print i, 2 * i, 3 * i }' > line.xyz")
+foreach(name IN ITEMS place line)
+  expect_warnings(${name}.xyz --minimum-region-size 3 WARNINGS "no 3 connected points .*, other than on a line or in one place")
+endforeach()
 expect_warnings(cube.ply ${epsilon} --minimum-region-size 2000
                 WARNINGS "no shape was found: the number of points is 1728, and a shape has at least 2000 .--minimum-region-size")
 
