@@ -5,6 +5,7 @@
 #define DETECT_PLANES_BUILT_WITH_H
 
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -15,6 +16,26 @@ struct Built_with {
   std::string mesh_planes = "..."; // how many the methods take
 
   bool mesh() const { return kinetic_mesh || polygonal_mesh; }
+
+  std::vector<std::string> backends() const
+  {
+    std::vector<std::string> names = {"auto", "sequential"};
+    if(tbb)
+      names.emplace_back("parallel");
+    if(cuda)
+      names.emplace_back("cuda");
+    return names;
+  }
+
+  std::vector<std::string> mesh_methods() const
+  {
+    std::vector<std::string> names;
+    if(kinetic_mesh)
+      names.emplace_back("kinetic");
+    if(polygonal_mesh)
+      names.emplace_back("polygonal");
+    return names;
+  }
 };
 
 // Of this program.

@@ -7,6 +7,7 @@
 #ifndef DETECT_PLANES_CHECK_OPTIONS_H
 #define DETECT_PLANES_CHECK_OPTIONS_H
 
+#include "Built_with.h"
 #include "Options.h"
 #include "formats.h"
 #include "input_options.h"
@@ -47,7 +48,8 @@ inline void check_files(const Options& o)
 inline bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b)
 {
   std::error_code error;
-  return std::filesystem::equivalent(a, b, error) || unique_name(a) == unique_name(b);
+  const std::filesystem::path name = unique_name(a), other = unique_name(b);
+  return name == other || std::filesystem::equivalent(name, other, error);
 }
 
 // Each input needs an output of its own, and nothing that is beside an input is replaced.
@@ -90,24 +92,42 @@ inline void check_count(const char* name, const std::optional<long long>& value,
                       std::to_string(smallest) + ", " + std::to_string(largest) + "]");
 }
 
+// As in: auto, sequential or parallel.
+inline std::string one_of(const std::vector<std::string>& words)
+{
+  std::string text = words[0];
+  for(std::size_t i = 1; i < words.size(); ++i)
+    text += (i + 1 < words.size() ? ", " : " or ") + words[i];
+  return text;
+}
+
+// What is known, but not built, is refused later, with the reason.
+inline void check_word(const char* name, const std::string& word, const std::vector<std::string>& known,
+                       const std::vector<std::string>& built)
+{
+  if(!word.empty() && !built.empty() && std::find(known.begin(), known.end(), word) == known.end())
+    throw Usage_error(std::string("--") + name + " is '" + word + "', must be " + one_of(built));
+}
+
 inline void check_format(const char* name, const std::string& path, const std::vector<std::string>& extensions)
 {
   const std::string extension = lower_case_extension(path);
   if(path.empty() || std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
     return;
-  std::string known = extensions[0];
-  for(std::size_t i = 1; i < extensions.size(); ++i)
-    known += (i + 1 < extensions.size() ? ", " : " or ") + extensions[i];
-  throw Usage_error(std::string("--") + name + " is '" + path + "', must end in " + known);
+  throw Usage_error(std::string("--") + name + " is '" + path + "', must end in " + one_of(extensions));
 }
 
-inline void check_formats(const Options& o)
+inline void check_formats(const Options& o, const Built_with& built)
 {
   check_format("polygons", o.polygons, {".geojson", ".json", ".ply", ".obj"});
   check_format("mesh", o.mesh, {".off", ".obj", ".ply"});
   check_format("view", o.view, {".html", ".htm"});
-  if(!o.output.empty() && !is_known_output(o.output))
-    throw Usage_error("--output is '" + o.output + "', must end in one of " + known_outputs);
+  if(!is_known_output(o.output)) {
+    std::vector<std::string> outputs(output_extensions.begin(), output_extensions.end());
+    if(!built.laszip)
+      outputs.erase(std::find(outputs.begin(), outputs.end(), ".laz"));
+    check_format("output", o.output, outputs);
+  }
   if(!o.colors.empty() && o.colors != "shape" && o.colors != "input")
     throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
   if(!o.colors.empty() && o.output.empty() && o.output_directory.empty())
@@ -120,12 +140,11 @@ inline void check_formats(const Options& o)
 }
 
 // Ranges that the library does not know; parameters_of() checks the others.
-inline void check(const Options& o)
+inline void check(const Options& o, const Built_with& built)
 {
   if(o.inputs.empty() || std::count(o.inputs.begin(), o.inputs.end(), "") > 0)
     throw Usage_error("no INPUT given");
-  if(o.backend != "auto" && o.backend != "sequential" && o.backend != "parallel" && o.backend != "cuda")
-    throw Usage_error("--backend is '" + o.backend + "', must be auto, sequential, parallel or cuda");
+  check_word("backend", o.backend, Built_with().backends(), built.backends());
   check_count("threads", o.threads, 1, 4096);
   if(o.estimate_normals && *o.estimate_normals != by_library)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
@@ -139,12 +158,10 @@ inline void check(const Options& o)
     throw Usage_error("--mesh-seconds needs --mesh");
   if(!o.mesh_method.empty() && o.mesh.empty())
     throw Usage_error("--mesh-method needs --mesh");
-  if(!o.mesh_method.empty() && o.mesh_method != "kinetic" && o.mesh_method != "polygonal")
-    throw Usage_error("--mesh-method is '" + o.mesh_method + "', must be kinetic or polygonal");
+  check_word("mesh-method", o.mesh_method, Built_with().mesh_methods(), built.mesh_methods());
   check_count("mesh-seconds", o.mesh_seconds, 1, 1000000);
-  check_count("mesh-planes", o.mesh_planes, 4, 1000);
   check_dashes(o);
-  check_formats(o);
+  check_formats(o, built);
   check_directory(o);
   check_files(o);
 }

@@ -4,13 +4,13 @@
 // Detects the planes of a point cloud file. detect_planes --help explains the options.
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
+#include "Built_with.h"
 #include "Output_files.h"
 #include "detection.h"
 #include "fail.h"
 #include "output/Made_folders.h"
 #include "output/Write_error.h"
 #include "output/summary.h"
-#include "output/write_las.h"
 #include "output/write_mesh.h"
 #include "program_options.h"
 #include "progress.h"
@@ -44,15 +44,16 @@
 
 namespace program {
 
+// What is not built is bad usage, as a device that is not there is none.
 void check_backend(const Options& o)
 {
+  const std::vector<std::string> built = built_with().backends();
+  if(std::find(built.begin(), built.end(), o.backend) == built.end())
+    throw Usage_error("--backend " + o.backend + " needs " + (o.backend == "cuda" ? "CUDA" : "oneTBB") +
+                      ": this program was built without it");
   if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
     throw std::runtime_error("the back end cuda cannot be used: " + CGAL::Tandem::cuda_device_report() +
                              " (--backend auto takes what there is)");
-#ifndef CGAL_LINKED_WITH_TBB
-  if(o.backend == "parallel")
-    throw std::runtime_error("the parallel back end needs oneTBB: this program was built without it");
-#endif
 }
 
 // The plain PCA of K neighbors, for comparisons. Points at infinity have no place in a kd-tree.
@@ -144,8 +145,8 @@ void check_program(const Options& o, const Ranks& ranks)
   if(ranks.are_many())
     check_ranks(o, ranks.has_cuda());
   check_backend(o);
-  if(output_extension(o.output) == ".laz")
-    check_laszip(o.output);
+  if(output_extension(o.output) == ".laz" && !built_with().laszip)
+    throw Usage_error(o.output + ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
   if(!o.mesh.empty())
     check_mesh_options(o);
   if(!o.view.empty() && !has_view())
@@ -184,6 +185,17 @@ void make_directory(const Options& o, Ranks& ranks, Made_folders& folders)
     });
 }
 
+// Those that are known before the report is written.
+std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
+                                      const Ranks& ranks)
+{
+  std::vector<std::string> warnings = result_warnings(points, shapes, o.maximum_distance.has_value(), ranks);
+  const std::string of_planes = warning_of_planes(points, shapes, o);
+  if(!of_planes.empty())
+    warnings.push_back(of_planes);
+  return warnings;
+}
+
 void run(const Options& o, Ranks& ranks, Made_folders& folders)
 {
   ranks.together([&] { check_program(o, ranks); });
@@ -210,7 +222,7 @@ void run(const Options& o, Ranks& ranks, Made_folders& folders)
   name_device(*shapes, threads, run);
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
-  for(const std::string& warning : result_warnings(cloud.points, *shapes, o.maximum_distance.has_value(), ranks)) {
+  for(const std::string& warning : all_warnings(cloud.points, *shapes, o, ranks)) {
     if(ranks.is_first())
       warn(warning);
     run.warnings.push_back(warning);

@@ -17,10 +17,6 @@ namespace program {
 inline void print_message(const char* before, std::string_view message, const char* after = "")
 {
   std::cerr << before;
-  for(std::size_t end; (end = message.find('\n')) != message.npos; message.remove_prefix(end + 1)) {
-    write_visible(std::cerr, message.substr(0, end));
-    std::cerr << ' ';
-  }
   write_visible(std::cerr, message);
   std::cerr << after << std::endl;
 }

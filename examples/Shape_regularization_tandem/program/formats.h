@@ -34,8 +34,6 @@ inline std::string input_extension(const std::string& path)
 
 constexpr std::array<const char*, 5> table_extensions = {".xyz", ".txt", ".csv", ".pts", ".pwn"};
 constexpr std::array<const char*, 7> output_extensions = {".ply", ".las", ".laz", ".pcd", ".xyz", ".txt", ".csv"};
-constexpr const char* known_inputs = ".ply, .las, .laz, .pcd, .xyz, .txt, .csv, .pts, .pwn, .off";
-constexpr const char* known_outputs = ".ply, .las, .laz, .pcd, .xyz, .txt, .csv";
 
 inline bool is_table(const std::string& path)
 {

@@ -20,14 +20,15 @@ inline std::filesystem::path follow_links(std::filesystem::path path)
   return path;
 }
 
-// The same for all names of a file.
+// The same for all names of a file, or of a folder, whether that exists or not.
 inline std::filesystem::path unique_name(const std::filesystem::path& path)
 {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path name = fs::absolute(follow_links(path), error);
   const fs::path resolved = fs::weakly_canonical(name, error);
-  return error ? name.lexically_normal() : resolved; // a loop of links, for example
+  const fs::path unique = error ? name.lexically_normal() : resolved; // a loop of links, for example
+  return unique.has_filename() ? unique : unique.parent_path();       // without the slash that new/.. leaves
 }
 
 } // namespace program

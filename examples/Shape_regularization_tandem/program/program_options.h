@@ -111,9 +111,9 @@ inline void add_detection_options(po::options_description& all, Options& o)
 
 inline void add_execution_options(po::options_description& all, Options& o, const Built_with& built)
 {
-  std::string backends = "auto, sequential";
-  backends += built.tbb ? ", parallel" : "";
-  backends += built.cuda ? ", cuda" : "";
+  std::string backends;
+  for(const std::string& name : built.backends())
+    backends += (backends.empty() ? "" : ", ") + name;
   po::options_description group("Execution");
   auto add = group.add_options();
   add("backend", po::value<std::string>(&o.backend)->value_name("NAME"),
@@ -201,7 +201,7 @@ inline Command_line parse(int argc, const char* const argv[], const Built_with& 
   help << usage(built) << visible;
   result.help = help.str();
   if(!o.wants_help && !o.wants_version)
-    check(o);
+    check(o, built);
   return result;
 }
 

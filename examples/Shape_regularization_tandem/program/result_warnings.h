@@ -51,7 +51,8 @@ inline double extent_of(const Point_set& points, const Ranks& ranks)
 inline double noise_of(const Point_set& points, const Shapes& shapes, const Ranks& ranks)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
-  const bool is_thin = s.number_of_shapes > 0 && s.mean_distance < full_share * shapes.parameters().maximum_distance;
+  const bool is_thin = s.number_of_shapes > 0 && s.coverage >= poor_coverage &&
+                       s.mean_distance < full_share * shapes.parameters().maximum_distance;
   double own = 0;
   try {
     own = is_thin || points.empty() ? 0 : measured_noise(points);
@@ -86,8 +87,9 @@ inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tand
     return sentence("no shape was found: the number of points is ", points, ", and a shape begins with ",
                     smallest_start(p), " where --k-neighbors is ", p.k_neighbors);
   return sentence("no shape was found: no ", p.minimum_region_size,
-                  " connected points (--minimum-region-size) are within ", p.maximum_distance,
-                  " of a plane (--maximum-distance) and ", p.maximum_angle, " degrees (--maximum-angle)");
+                  " connected points (--minimum-region-size), other than on a line or in one place, are within ",
+                  p.maximum_distance, " of a plane (--maximum-distance) and ", p.maximum_angle,
+                  " degrees (--maximum-angle)");
 }
 
 // Of the whole run, on all ranks.

@@ -31,14 +31,29 @@ inline std::size_t utf8_length(std::string_view text)
   return is_too_long || is_no_character ? 0 : n;
 }
 
+// Whether a text begins with a character, in UTF-8, that controls what shows it. Its last byte is its code.
+inline bool begins_with_control(std::string_view text)
+{
+  const unsigned char first = text.empty() ? 0x20 : (unsigned char)(text[0]);
+  return first < 0x20 || first == 0x7f || (utf8_length(text) == 2 && first == 0xc2 && (unsigned char)(text[1]) < 0xa0);
+}
+
+// Whether a text begins with a character that changes the direction of others.
+inline bool begins_with_direction(std::string_view text)
+{
+  const std::string_view all[] = {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c",
+                                  "\u202d", "\u202e", "\u2066", "\u2067", "\u2068", "\u2069"};
+  for(std::string_view one : all)
+    if(text.substr(0, one.size()) == one)
+      return true;
+  return false;
+}
+
 // The number of bytes of the character that a text begins with, if it can be shown: it is UTF-8, and does not control
 // what shows it. Otherwise 0.
 inline std::size_t visible_length(std::string_view text)
 {
-  const std::size_t n = utf8_length(text);
-  const unsigned char first = n > 0 ? (unsigned char)(text[0]) : 0;
-  const bool is_control = first < 0x20 || first == 0x7f || (first == 0xc2 && (unsigned char)(text[1]) < 0xa0);
-  return is_control ? 0 : n;
+  return begins_with_control(text) || begins_with_direction(text) ? 0 : utf8_length(text);
 }
 
 // Writes \x1b for a byte that cannot be shown, so that no input controls a terminal. Works without memory.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The help of detect_planes does not offer what the program was built without, whatever is missing; the options stay
-// known, so that a run can say why they are refused.
+// The help of detect_planes, and its messages, do not offer what the program was built without, whatever is missing;
+// the options stay known, so that a run can say why they are refused.
 
 #undef NDEBUG
 
@@ -19,7 +19,44 @@ std::string help_of(const program::Built_with& built)
   return program::parse(2, words, built).help;
 }
 
+// On a value that is not known.
+std::string message_of(const std::vector<const char*>& options, const program::Built_with& built)
+{
+  std::vector<const char*> words = {"detect_planes", "cloud.ply"};
+  words.insert(words.end(), options.begin(), options.end());
+  try {
+    program::parse(int(words.size()), words.data(), built);
+  } catch(const program::Usage_error& e) {
+    return e.what();
+  }
+  return {};
+}
+
 bool has(const std::string& help, const std::string& word) { return help.find(word) != help.npos; }
+
+void check_messages()
+{
+  using Built_with = program::Built_with;
+  struct Offer {
+    bool Built_with::*is_there;
+    std::vector<const char*> options;
+    std::string word;
+  };
+  const std::vector<const char*> backend = {"--backend=foo"}, method = {"--mesh=m.off", "--mesh-method=foo"};
+  const Offer offers[] = {{&Built_with::tbb, backend, "parallel"},
+                          {&Built_with::cuda, backend, "cuda"},
+                          {&Built_with::laszip, {"--output=a.foo"}, ".laz"},
+                          {&Built_with::kinetic_mesh, method, "kinetic"},
+                          {&Built_with::polygonal_mesh, method, "polygonal"}};
+  for(const Offer& offer : offers) {
+    Built_with built;
+    const std::string all = message_of(offer.options, built);
+    built.*offer.is_there = false;
+    const std::string message = message_of(offer.options, built);
+    CHECK_AT(has(all, "must ") && has(all, offer.word), all);
+    CHECK_AT(has(message, "must ") && !has(message, offer.word), message);
+  }
+}
 
 int main()
 {
@@ -55,5 +92,6 @@ int main()
     const char* const words[] = {"detect_planes", "cloud.ply", "--mesh=a.off", "--mesh-method=kinetic", option};
     program::parse(std::string(option) == "--mesh=m.off" ? 3 : 5, words, nothing);
   }
+  check_messages();
   return report();
 }

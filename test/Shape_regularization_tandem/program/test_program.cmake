@@ -107,7 +107,7 @@ foreach(backend IN LISTS backends)
   expect(0 "${hash}" "a folder/out.ply" ${epsilon} --backend ${backend} --threads 3)
 endforeach()
 if(NOT WITH_TBB)
-  expect(1 "oneTBB" cube.ply --backend parallel)
+  expect(2 "--backend parallel needs oneTBB: this program was built without it" cube.ply --backend parallel)
 endif()
 expect(0 "shapes +3 in" far.ply ${epsilon} --output far_out.ply)
 expect(0 "shapes +3 in" far_out.ply ${epsilon})
@@ -133,7 +133,7 @@ expect(0 "at least [0-9]+ points" cube.ply)
 expect(0 "usage: detect_planes INPUT.*--maximum-distance.*default.*--report" --help)
 set(out_of_help "${out}")
 
-# The help offers nothing that this program was built without.
+# The help offers nothing that this program was built without, which is bad usage.
 file(WRITE "${WORK_DIR}/none.xyz" "")
 foreach(offer IN ITEMS "--view FILE:--view v.html" "--mesh FILE:--mesh m.off" "kinetic,:--mesh m.off --mesh-method kinetic"
         "polygonal,:--mesh m.off --mesh-method polygonal" "parallel[,;]:--backend parallel"
@@ -143,10 +143,11 @@ foreach(offer IN ITEMS "--view FILE:--view v.html" "--mesh FILE:--mesh m.off" "k
   string(REGEX MATCH "${CMAKE_MATCH_1}" is_offered "${out_of_help}")
   expect_shell(0 "" "\"$P\" missing.ply ${option} 2>&1; true")
   string(REGEX MATCH "no such file" is_there "${out}")
+  string(REPLACE " " ";" words "${option}")
   if(is_offered AND NOT is_there)
     complain("the help offers ${option}, but: ${out}")
-  elseif(is_there AND NOT is_offered)
-    complain("the help does not offer ${option}")
+  elseif(NOT is_offered)
+    expect(2 "built without|build Tandem with|solver GLPK" missing.ply ${words})
   endif()
 endforeach()
 
@@ -173,6 +174,11 @@ expect(1 "empty.ply: is empty" empty.ply)
 expect(1 "text.ply: is not a PLY file" text.ply)
 expect(1 "text.xyz: " text.xyz)
 expect(1 "cube.doc: unknown format" cube.doc)
+foreach(ending IN ITEMS laz gz)
+  string(REGEX MATCH "\\.${ending}" in_help "${out_of_help}")
+  string(REGEX MATCH "\\.${ending}" in_message "${err}")
+  expect_equal("what the message offers" "${in_message}" "${in_help}")
+endforeach()
 expect(1 "half.ply: (is truncated|unreadable after point [0-9]+ of ${n})" half.ply --output never.ply)
 expect(1 "half.off: is truncated: ${n} points announced, [0-9]+ rows found" half.off)
 expect(1 "head.ply: the PLY header has no end" head.ply)
@@ -269,7 +275,11 @@ expect(2 "polygons is 'new.stl', must end in .geojson, .json, .ply or .obj" cube
 expect(2 "polygons is 'new'" missing.ply --polygons new)
 expect(2 "vg-by-plane needs --vg" cube.ply --vg-by-plane)
 expect(2 "threads is 0" missing.ply --threads 0)
-expect(1 "CUDA" cube.ply --backend cuda)
+if(out_of_help MATCHES "cuda; all") # but no device
+  expect_shell(1 "CUDA" "CUDA_VISIBLE_DEVICES= exec \"$P\" cube.ply --backend cuda")
+else()
+  expect(2 "--backend cuda needs CUDA: this program was built without it" cube.ply --backend cuda)
+endif()
 
 # --- Ctrl-C: exit 1 and no files. On a very fast machine the run may be over before.
 if(UNIX) # when the points have been read there is a file of the output

@@ -22,7 +22,8 @@ macro(expect_grid size place)
   set(placed "{ print ($1 + p) * s, ($2 + p) * s, ($3 + p) * s }")
   expect_shell(0 "^$" "awk -v OFMT=%.17g -v p=${place} -v s=${size} '${placed}' bare.txt > placed.txt
     \"$P\" placed.txt --maximum-distance $(awk 'BEGIN { print 0.004 * ${size} }') --output placed.las --quiet &&
-    ${cases} grid placed.las $(awk 'BEGIN { print 0.004 * ${size} }') placed.txt")
+    ${cases} grid placed.las $(awk 'BEGIN { print 0.004 * ${size} }') placed.txt &&
+    ! od -An -v -t x8 -j 155 -N 24 placed.las | grep 8000000000000000") # no offset is -0
 endmacro()
 foreach(size IN ITEMS 1e-6 1e-3 1 3000 4e6)
   foreach(place IN ITEMS -0.5 -0.57 0 -1 1000.25)

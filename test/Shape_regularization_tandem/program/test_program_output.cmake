@@ -108,6 +108,9 @@ try cube.ply "--$name"
 printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n' \
   > "none $name.ply"
 "$P" cube.ply "none $name.ply" --maximum-distance 0.004 > log 2>&1; check warning
+lines=$(printf 'a\nb\342\200\256c\330\234\342\201\246d') # and what changes the direction of a text
+"$P" "$lines.ply" 2> log
+grep -q 'a.x0ab.xe2.x80.xaec.xd8.x9c.xe2.x81.xa6d.ply: no such file' log || cat log
 ]=])
 expect_shell(0 "^$" ": > log; . ./names.sh")
 file(READ "${WORK_DIR}/names.json" report)

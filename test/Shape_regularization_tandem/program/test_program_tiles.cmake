@@ -89,6 +89,16 @@ if(gzip) # its output would replace the file beside it
   expect(2 "--output-directory is the folder of zipped/last.las.gz. take another folder" zipped/last.las.gz --output-directory zipped)
   expect_shell(0 "^old\n$" "cat zipped/last.las")
 endif()
+# By names through folders that are not there yet, which the run would make; and through those that lead elsewhere.
+expect_shell(0 "^$" "ln -s folder/sub deep")
+foreach(folder IN ITEMS folder/nn/.. folder/nn/../ folder/nn/mm/../../ ./folder/nn/./..// nn/../folder link/n/.. deep/n/../..
+        link/n/../sub/m/../..)
+  expect(2 "--output-directory is the folder of folder/last.pts" folder/last.pts --output-directory ${folder})
+endforeach()
+expect_shell(0 "^old\n$" "cat folder/last.ply")
+expect_no_file(folder/nn folder/n folder/sub/n nn)
+expect(0 "^$" last.las ${parameters} --quiet --output-directory folder/nn/../out)
+expect_shell(0 "^$" "cmp new/one/last.las folder/out/last.las && rm -r folder/nn folder/out")
 expect(2 "out/last.las is named twice" last.las --output-directory out --labels out/last.las)
 expect(2 "--output-directory is '-'" last.las --output-directory -)
 expect(1 "last.xyz: cannot be made" last.las --output-directory last.xyz)

@@ -35,7 +35,12 @@ expect_warnings(cube.ply)
 
 # --- Nothing is found
 expect_warnings(cube.ply ${epsilon} --minimum-region-size 1700
-                WARNINGS "no shape was found: no 1700 connected points .--minimum-region-size. are within 0.004")
+                WARNINGS "no shape was found: no 1700 connected points .--minimum-region-size., other than on a line or in one place, are within 0.004")
+expect_shell(0 "^$" "awk 'BEGIN { for(i = 0; i < 300; ++i) print 1, 2, 3 }' > place.xyz
+                     awk 'BEGIN { for(i = 0; i < 300; ++i) print i, 2 * i, 3 * i }' > line.xyz")
+foreach(name IN ITEMS place line)
+  expect_warnings(${name}.xyz --minimum-region-size 3 WARNINGS "no 3 connected points .*, other than on a line or in one place")
+endforeach()
 expect_warnings(cube.ply ${epsilon} --minimum-region-size 2000
                 WARNINGS "no shape was found: the number of points is 1728, and a shape has at least 2000 .--minimum-region-size")
 
@@ -61,7 +66,8 @@ endforeach()
 expect_shell(0 "^$" "awk 'BEGIN { srand(1); for(i = 0; i < 400; ++i) print i % 20 / 20, int(i / 20) / 20, 0
                              for(i = 0; i < 4000; ++i) print 3 * rand(), 3 * rand(), 1 + 3 * rand() }' > clutter.xyz")
 expect_warnings(clutter.xyz --maximum-distance 0.001
-                WARNINGS "only 9[0-9.]* % of the points are in shapes: a larger --maximum-distance than 0.001, or a smaller --minimum-region-size than 20, takes more")
+                WARNINGS "only 9[0-9.]* % of the points are in shapes: a larger --maximum-distance than 0.001, or a smaller --minimum-region-size than 20, takes more"
+                         "the maximum distance 0.001 is less than a tenth of the noise of the points, 0.1[0-9]*: ")
 
 # --- Tolerances that do not fit the points
 expect_warnings(cube.ply --maximum-distance 0.03
@@ -72,6 +78,10 @@ expect_warnings(noisy.xyz)
 expect_warnings(noisy.xyz --maximum-distance 0.002 WARNINGS "no shape|only")
 expect_warnings(noisy.xyz --maximum-distance 0.0003 WARNINGS "no shape" "${noise}")
 expect_warnings(noisy.xyz --maximum-distance 0.0003 --estimate-normals WARNINGS "no shape" "${noise}")
+# Also where a few points, which are nearly on a plane by chance, make shapes.
+expect_shell(0 "^$" "awk 'BEGIN { srand(3); for(i = 0; i < 20000; ++i) print rand(), rand(), .02 * rand(), 0, 0, 1
+                             for(i = 0; i < 900; ++i) print i % 30 / 300 + 2, int(i / 30) / 300, 0, 0, 0, 1 }' > thin.xyz")
+expect_warnings(thin.xyz --maximum-distance 0.0003 WARNINGS "only 4[0-9.]* % of the points are in shapes" "${noise}")
 # Points without noise may have any tolerance.
 expect_warnings(cube.ply --maximum-distance 0.00001)
 

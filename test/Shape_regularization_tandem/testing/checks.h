@@ -12,6 +12,20 @@
 #include <limits>
 #include <string>
 
+// With a sanitizer, tests take ten times as long: some are smaller there.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define CGAL_TANDEM_TEST_IS_SANITIZED
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define CGAL_TANDEM_TEST_IS_SANITIZED
+#endif
+#ifdef CGAL_TANDEM_TEST_IS_SANITIZED
+constexpr bool is_sanitized = true;
+#else
+constexpr bool is_sanitized = false;
+#endif
+
 inline int& failures()
 {
   static int count = 0;

@@ -83,6 +83,8 @@ private:
       fail_at_row(row_.number, carriage_return_alone);
     if(row_.text.size() > longest_line)
       fail_at_row(row_.number, "has more than " + std::to_string(longest_line) + " bytes, the limit of a line");
+    if(row_.text.find('\0') != row_.text.npos)
+      fail_at_row(row_.number, "has a byte 0, which no text has but one of UTF-16");
   }
 
   Input_buffer& in;

@@ -6,11 +6,15 @@
 #ifndef DETECT_PLANES_DECIMAL_COMMAS_H
 #define DETECT_PLANES_DECIMAL_COMMAS_H
 
+#include "input/table_columns.h"
 #include "input/table_values.h"
 
 #include <algorithm>
+#include <array>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace program {
 
@@ -37,19 +41,51 @@ inline bool is_rest_of_number(std::string_view before, std::string_view value)
   return value.size() > 1 && value[0] == '0' && is_digit(value[1]) && is_integer(before);
 }
 
-// As in 1,5, 2,5, 3,5: integers, and blanks behind every second comma only.
-inline bool has_pairs_of_integers(std::string_view row)
+// As in 1,5,2,5,3,5, or 1,5, 2,5, 3,5 if there are blanks behind every second comma only. No part behind a decimal
+// comma has a sign.
+inline bool has_pairs_of_integers(std::string_view row, bool has_blanks)
 {
   Table_values values(row);
   std::string_view value;
   std::size_t count = 0;
   for(const char* end = nullptr; values.next(value); end = value.data() + value.size(), ++count) {
-    const bool has_blank = end != nullptr && value.data() != end + 1;
-    if(!is_integer(value) || (count > 0 && has_blank != (count % 2 == 0)))
+    const bool is_second = count % 2 == 1, has_blank = end != nullptr && value.data() != end + 1;
+    if(!is_integer(value) || (is_second && !is_digit(value[0])) ||
+       (count > 0 && has_blank != (has_blanks && !is_second)))
       return false;
   }
   return values.separator() == ',' && count >= 6 && count % 2 == 0;
 }
+
+// Looks at the rows of a table whose commas may be decimal ones, as in 4,4,17,4,1,1, though they are read as others.
+class Unclear_commas {
+public:
+  explicit Unclear_commas(bool may_be_decimal) : may_be_decimal(may_be_decimal) {}
+
+  void look_at(std::string_view row, const std::array<double, 11>& values)
+  {
+    may_be_decimal = may_be_decimal && has_pairs_of_integers(row, false);
+    for(Column c : {Column::red, Column::green, Column::blue})
+      has_wide_colors = has_wide_colors || values[std::size_t(c)] > 255;
+  }
+
+  // Colors of 16 bits are too rare in such a table.
+  void finish(const std::string& columns, std::vector<std::string>& warnings) const
+  {
+    if(!may_be_decimal)
+      return;
+    const std::string text = "each row is of integers with commas between them, read as " + columns +
+                             (has_wide_colors ? " with values above 255 of r g b" : "") +
+                             ": write numbers with a decimal point if the commas are decimal ones, or name the columns "
+                             "by --columns if they are not";
+    if(has_wide_colors)
+      throw std::runtime_error(text);
+    warnings.push_back(text);
+  }
+
+private:
+  bool may_be_decimal, has_wide_colors = false;
+};
 
 } // namespace program
 

@@ -27,14 +27,26 @@ namespace program {
 
 namespace {
 
+std::string known_inputs()
+{
+  std::string text = ".ply, .las, ";
+#ifdef DETECT_PLANES_WITH_LASZIP
+  text += ".laz, ";
+#endif
+  text += ".pcd, .xyz, .txt, .csv, .pts, .pwn, .off";
+#ifdef DETECT_PLANES_WITH_ZLIB
+  text += ", or one of these with .gz";
+#endif
+  return text;
+}
+
 void check_format(const std::string& path)
 {
   const std::string extension = input_extension(path);
   if(extension == ".e57")
     throw std::runtime_error("E57 is not read; convert it to LAS, PLY or PCD with CloudCompare or PDAL, for example");
   if(!is_cloud(path))
-    throw std::runtime_error("unknown format '" + extension + "', expected " + known_inputs +
-                             ", or one of these with .gz");
+    throw std::runtime_error("unknown format '" + extension + "', expected " + known_inputs());
 }
 
 void check_file(const std::string& path)

@@ -4,6 +4,7 @@
 #include "input/read_pcd.h"
 
 #include "input/Cloud_builder.h"
+#include "input/decimal_commas.h"
 #include "input/las_header.h"
 #include "input/lzf.h"
 #include "input/pcd_header.h"
@@ -180,7 +181,8 @@ void parse_row(const Text_row& row, std::vector<double>& values)
     if(!number)
       fail_at_row(row.number, text.empty()
                                 ? "has " + std::to_string(i) + " values instead of " + std::to_string(values.size())
-                                : "has '" + std::string(text.substr(0, 40)) + "' where a number is expected");
+                                : "has '" + std::string(text.substr(0, 40)) + "' where a number is expected" +
+                                    advice_on_commas(row.text));
     values[i] = *number;
     text = {};
   }

@@ -122,7 +122,7 @@ Sample sample_of(const std::vector<Row>& rows)
 // As many values as names are told what they are.
 void check_pairs(const Head& head)
 {
-  const auto has_pairs = [](const Row& row) { return has_pairs_of_integers(row.text); };
+  const auto has_pairs = [](const Row& row) { return has_pairs_of_integers(row.text, true); };
   if(!head.rows.empty() && values_of(head.rows[0].text).size() != head.columns.size() &&
      std::all_of(head.rows.begin(), head.rows.end(), has_pairs))
     fail_at(head.rows[0], "has integers in pairs, as 1,5, 2,5");
@@ -144,11 +144,10 @@ public:
       if(columns[c] != Column::none)
         values[std::size_t(columns[c])] = parse_value(row, columns[c], value);
     }
-    const bool has_more = rest.next(value);
-    if(has_more && source != Source::option)
+    if(rest.next(value) && (source != Source::option || rest.separator() == ','))
       fail_at(row, "has more than " + std::to_string(columns.size()) +
-                     " values (name its columns by --columns, for example)");
-    if(is_split && (has_more || source == Source::sample))
+                     " values (name all its columns by --columns, also those to pass over, by _)");
+    if(is_split && source == Source::sample)
       fail_at(
         row, "has a number with a leading 0 behind a comma, as in 1,05, which may be a decimal comma (if it is a value "
              "of its own, name all columns by --columns)");
@@ -270,12 +269,19 @@ void read_table(Byte_source& file, const std::string& path, const Input_settings
   check_classes(columns, settings);
   Row_parser parser(columns, head.source);
   Table_reader reader(columns, channel_unit_of(columns, sample), settings.classes, points);
+  Unclear_commas commas(head.source == Source::sample && !head.rows.empty());
+  const auto add = [&](const Row& row) {
+    const std::array<double, 11>& values = parser.parse(row);
+    reader.add(values);
+    commas.look_at(row.text, values);
+  };
   for(const Row& row : head.rows)
-    reader.add(parser.parse(row));
+    add(row);
   while(table.next_filled())
     if(!is_comment(table.row().text))
-      reader.add(parser.parse(table.row()));
+      add(table.row());
   const std::size_t count = reader.finish(notes);
+  commas.finish(names_of(columns), notes.warnings);
   if(head.count && *head.count != count)
     throw std::runtime_error("has " + std::to_string(count) + " rows of points, " + std::to_string(*head.count) +
                              " announced");

@@ -133,7 +133,7 @@ private:
       const std::size_t n = (std::max)(utf8_length(rest), std::size_t(1));
       const unsigned char last = (unsigned char)(rest[n - 1]); // of a control character, it is the code
       char code[8];
-      if(visible_length(rest) == 0 || last == '<')
+      if(utf8_length(rest) == 0 || begins_with_control(rest) || last == '<')
         std::snprintf(code, sizeof code, "\\u%04x", unsigned(last)), result += code;
       else
         (result += last == '"' || last == '\\' ? "\\" : "") += rest.substr(0, n);

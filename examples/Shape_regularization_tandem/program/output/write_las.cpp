@@ -64,7 +64,8 @@ double make_offset(double least, double most, double scale)
     return middle;
   const int exponent = int(std::floor(std::log10(room)));
   const double unit = std::pow(10., std::abs(exponent));
-  return exponent < 0 ? std::round(middle * unit) / unit : std::round(middle / unit) * unit;
+  const double rounded = exponent < 0 ? std::round(middle * unit) / unit : std::round(middle / unit) * unit;
+  return rounded + 0.; // never -0
 }
 
 // False where the integers have no room for these steps.

@@ -12,11 +12,8 @@ namespace program {
 // the distances within shapes. Points that are not finite are left out.
 void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input);
 
-// The same, compressed. An exception where the program was built without LASzip.
+// The same, compressed. Nothing where the program was built without LASzip.
 void write_laz(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input);
-
-// An exception if the program was built without LASzip.
-void check_laszip(const std::string& path);
 
 } // namespace program
 

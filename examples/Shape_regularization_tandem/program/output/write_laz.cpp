@@ -72,8 +72,6 @@ void compress(const std::string& las, const std::string& laz)
 
 } // namespace
 
-void check_laszip(const std::string&) {}
-
 // LASzip opens files itself.
 void write_laz(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input)
 {
@@ -94,12 +92,6 @@ void write_laz(std::ostream& out, const Output_points& cloud, const std::optiona
 }
 
 #else
-
-void check_laszip(const std::string& path)
-{
-  throw std::runtime_error(path +
-                           ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
-}
 
 void write_laz(std::ostream&, const Output_points&, const std::optional<Las_frame>&) {}
 

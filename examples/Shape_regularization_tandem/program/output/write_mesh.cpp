@@ -60,8 +60,6 @@ Made_surface make_surface(const Mesh_input& all, const Options& o)
   const int seconds = int(o.mesh_seconds.value_or(longest_seconds));
   Made_surface made;
   made.planes = (std::min)(all.planes.size(), o.mesh_planes ? std::size_t(*o.mesh_planes) : method.by_default);
-  if(made.planes < all.planes.size() && !o.mesh_planes)
-    made.warning = limits_of(method);
   while(true) {
     const Mesh_input input = largest_planes(all, made.planes);
     try {
@@ -127,10 +125,10 @@ void check_mesh_options(const Options& o)
                       ": this program was built without it");
   if(o.mesh_seconds && (&method == &kinetic || !has_time_limit()))
     throw Usage_error("--mesh-seconds is for the solver GLPK of --mesh-method polygonal");
-  if(o.mesh_planes && std::size_t(*o.mesh_planes) > method.on_demand)
-    throw Usage_error("--mesh-planes is " + std::to_string(*o.mesh_planes) + ", must be in [" +
-                      std::to_string(fewest_planes) + ", " + std::to_string(method.on_demand) + "] for the method " +
-                      method.name);
+  const long long fewest = fewest_planes, most = (long long)(method.on_demand);
+  if(o.mesh_planes && (*o.mesh_planes < fewest || *o.mesh_planes > most))
+    throw Usage_error("--mesh-planes is " + std::to_string(*o.mesh_planes) + ", must be in [" + std::to_string(fewest) +
+                      ", " + std::to_string(most) + "] for the method " + method.name);
 }
 
 std::string limits_of_planes()
@@ -140,6 +138,20 @@ std::string limits_of_planes()
     if(missing_for(*method).empty())
       text += (text.empty() ? "" : "; ") + limits_of(*method);
   return text;
+}
+
+// What fails here fails again when the mesh is made, after the other files.
+std::string warning_of_planes(const Point_set& points, const Shapes& shapes, const Options& o)
+try {
+  const Method& method = method_of(o);
+  if(o.mesh.empty() || o.mesh_planes || shapes.statistics().number_of_planes <= method.by_default)
+    return {};
+  const std::size_t usable = mesh_input(points, shapes).planes.size();
+  if(usable <= method.by_default)
+    return {};
+  return o.mesh + ": has " + number_of(method.by_default, usable) + ", those with most points: " + limits_of(method);
+} catch(const std::exception&) {
+  return {};
 }
 
 Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o)

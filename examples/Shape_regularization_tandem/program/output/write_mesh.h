@@ -24,8 +24,11 @@ std::string limits_of_planes();
 struct Mesh_facts {
   std::size_t planes = 0, faces = 0; // of the surface
   std::size_t usable_planes = 0;     // those that have an area
-  std::string warning;               // if it has fewer planes than what was asked for
+  std::string warning;               // if it has fewer planes than it was to have
 };
+
+// Empty, if --mesh takes all planes that have an area.
+std::string warning_of_planes(const Point_set& points, const Shapes& shapes, const Options& o);
 
 // The format is that of the extension of --mesh: .off, .obj or .ply.
 Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o);
