@@ -73,7 +73,7 @@ private:
   {
     Shape_table<Backend> shapes;
     shapes.size = shape.size();
-    shapes.shape = to_buffer(backend_, shape);
+    shapes.table() = to_buffer(backend_, shape);
     return shapes;
   }
 
@@ -209,17 +209,15 @@ public:
 
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    points.label = to_buffer(backend_, f_.label);
-    points.state = to_buffer(backend_, f_.state);
-    points.cell_shapes = to_buffer(backend_, f_.lists);
+    set_labels(points, f_.label, f_.state);
     Shape_table<Backend> shapes;
     shapes.size = n;
-    shapes.shape = to_buffer(backend_, shape);
+    shapes.table() = to_buffer(backend_, shape);
     shapes.plane = filled_buffer(backend_, n, Plane());
     merge_points(points, shapes, to_buffer(backend_, target));
     check_shapes(shapes, expected, name_ + ": merge");
-    check_lists(to_vector(backend_, points.label.data(), label.size()), label, name_ + ": labels after a merge");
-    check_lists(to_vector(backend_, points.state.data(), label.size()), state, name_ + ": states after a merge");
+    check_lists(to_vector(backend_, points.label(), label.size()), label, name_ + ": labels after a merge");
+    check_lists(to_vector(backend_, points.state(), label.size()), state, name_ + ": states after a merge");
     test_drop(points, shapes, expected, label);
   }
 
@@ -254,7 +252,7 @@ private:
       l = l < first_mark && is_dropped[l] ? free_label : l;
     drop_small(points, shapes, minimum);
     check_shapes(shapes, expected, name_ + ": drop");
-    check_lists(to_vector(backend_, points.label.data(), label.size()), label, name_ + ": labels after a drop");
+    check_lists(to_vector(backend_, points.label(), label.size()), label, name_ + ": labels after a drop");
     const Shape_counts counts = count_live(backend_, shapes);
     std::size_t live = 0, assigned = 0;
     for(const Shape& s : expected) {
@@ -269,7 +267,7 @@ private:
   {
     std::vector<Shared_moments> got(expected.size()), sums(expected.size());
     for(std::size_t id = 0; id < expected.size(); ++id) {
-      const Shape &s = shapes.shape[id], &e = expected[id];
+      const Shape &s = shapes.table()[id], &e = expected[id];
       atomic_add<Sequential_backend>(got[id], s.moments, s.box);
       atomic_add<Sequential_backend>(sums[id], e.moments, e.box);
       const std::string at = where + ", shape " + std::to_string(id);

@@ -21,10 +21,12 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Which regularity step it is.
+// Which regularity step it is, and memory for samples.
+template <class Backend>
 struct Regularity_step {
   int round;
   bool is_last; // at the end: also small shapes take part, and those that wait after a rollback
+  Sample_memory<Backend>& memory;
 };
 
 // A shape that was rolled back takes part again when it has grown, or after 2, 4, 8 ... rounds. Otherwise each round
@@ -92,10 +94,9 @@ using Shape_summaries = std::vector<Shape_summary>;
 template <class Backend>
 class Point_verifier {
 public:
-  // ids: of the shapes of the step, in the order of their summaries, which keep the last counts.
-  Point_verifier(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
-                 const typename Backend::template Buffer<std::uint32_t>& ids, Shape_summaries& summaries)
-    : backend_(points.backend), options_(options), summaries_(summaries), misfits_(points, shapes, options, ids)
+  // misfits: of the shapes of the step, in the order of their summaries, which keep the last counts.
+  Point_verifier(Backend& backend, const Options& options, Misfit_counter<Backend>& misfits, Shape_summaries& summaries)
+    : backend_(backend), options_(options), summaries_(summaries), misfits_(misfits)
   {}
 
   // counts: of misfits, by place in `entries`, scaled from the sample to all points. No entry is listed twice.
@@ -134,7 +135,7 @@ private:
   Backend& backend_;
   const Options& options_;
   Shape_summaries& summaries_;
-  Misfit_counter<Backend> misfits_;
+  Misfit_counter<Backend>& misfits_;
 };
 
 // Whether a shape keeps its relations while they are not found anew. It does not if it has none, or if it has changed
@@ -202,18 +203,19 @@ Shape_relations find_relations(const Shape_summaries& shapes, const Options& opt
   return r;
 }
 
-// The step. `before`: the relations of the last one. All shapes have to be fitted.
+// The step. `before`: the relations of the last one.
 template <class Backend>
 Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                                  const Regularity_step& step, const Shape_relations& before)
+                                  const Regularity_step<Backend>& step, const Shape_relations& before)
 {
   Backend& backend = points.backend;
+  require(points, shapes, tables::fits | tables::lists);
   const bool is_last = step.is_last, is_due = is_last || (step.round + 1) % options.regularity_period == 0;
   const std::int64_t minimum = is_last ? options.minimum_regular_size : options.minimum_related_size;
-  for_each_shape(backend, shapes, Reset_plane{shapes.shape.data(), minimum});
-  const auto ids = backend.compact(shapes.size, Has_points{shapes.shape.data(), minimum});
+  for_each_shape(backend, shapes, Reset_plane{shapes.fitted(), minimum});
+  const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), minimum});
   typename Backend::template Buffer<Shape_summary> buffer(ids.size());
-  backend.for_each(ids.size(), Summarize_shape{shapes.shape.data(), ids.data(), step.round, buffer.data()},
+  backend.for_each(ids.size(), Summarize_shape{shapes.fitted(), ids.data(), step.round, buffer.data()},
                    shapes_per_thread);
   Shape_summaries summaries = to_vector(backend, buffer);
   const bool is_first = is_last && before.id.empty(); // those of the loop are of other shapes
@@ -223,7 +225,8 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
   if(is_kept)
     r = keep_relations(summaries, before, is_last);
   else {
-    Point_verifier<Backend> verify(points, shapes, options, ids, summaries);
+    Misfit_counter<Backend> misfits(points, shapes, options, ids, step.memory);
+    Point_verifier<Backend> verify(backend, options, misfits, summaries);
     r = find_relations(summaries, options, is_due, is_last, verify);
   }
   for(Shape_summary& s : summaries) {
@@ -241,7 +244,7 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
       relations.planes[std::size_t(plane)], shape.regular_count, shape.layered_count, shape.tested.last, plane,
       relations.is_rolled_back[i] != 0};
   });
-  backend.for_each(ids.size(), Apply_relation{shapes.shape.data(), ids.data(), regular.data(), step.round},
+  backend.for_each(ids.size(), Apply_relation{shapes.counted(), ids.data(), regular.data(), step.round},
                    shapes_per_thread);
   return r;
 }

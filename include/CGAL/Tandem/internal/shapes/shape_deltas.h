@@ -57,7 +57,7 @@ struct Add_deltas {
 template <class Backend>
 void add_deltas(Backend& backend, Shape_table<Backend>& shapes)
 {
-  for_each_shape(backend, shapes, Add_deltas{shapes.shape.data(), shapes.delta.data()});
+  for_each_shape(backend, shapes, Add_deltas{shapes.change_moments(), shapes.delta.data()});
 }
 
 } // namespace internal
