@@ -123,7 +123,7 @@ private:
       const std::string where = name_ + ": deltas of pass " + std::to_string(pass);
       std::vector<char> is_any_expected(shapes.size, 0);
       for(Shape& shape : shapes.table())
-        shape.is_dirty = false;
+        shape.history.set_fitted(true);
       Shared_moments* sums = start_deltas(backend_, shapes, shapes.size);
       for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
         const std::uint32_t s = f_.label[i];
@@ -141,7 +141,7 @@ private:
       std::vector<Shared_moments> got(shapes.size);
       for(std::size_t s = 0; s < shapes.size; ++s) {
         atomic_add<Sequential_backend>(got[s], shapes.table()[s].moments, shapes.table()[s].box);
-        CHECK_AT(shapes.table()[s].is_dirty == (is_any_expected[s] != 0), where + ": shapes to be fitted");
+        CHECK_AT(shapes.table()[s].history.is_fitted() == (is_any_expected[s] == 0), where + ": shapes to be fitted");
       }
       check_moments(got, expected, where);
     }

@@ -295,7 +295,7 @@ private:
         is_other[s] = is_other[chosen[i]] = 1;
     }
     for(Shape& s : shape)
-      s.is_dirty = false;
+      s.history.set_fitted(true);
     Shape_table<Backend> shapes;
     shapes.size = shape.size();
     shapes.table() = to_buffer(backend_, shape);
@@ -304,7 +304,7 @@ private:
     check_lists(to_vector(backend_, points.label(), chosen.size()), chosen, name_ + ": chosen labels");
     check_shapes(shapes, expected, name_ + ": shapes of chosen labels");
     for(std::size_t s = 0; s < shape.size(); ++s)
-      check_equal(shapes.table()[s].is_dirty, is_other[s] != 0, name_ + ": shapes to be fitted");
+      check_equal(shapes.table()[s].history.is_fitted(), is_other[s] == 0, name_ + ": shapes to be fitted");
     CHECK_AT(!take_chosen(points, shapes, chosen.data()), name_ + ": labels that are chosen already");
     check_shapes(shapes, expected, name_ + ": shapes of the same labels");
   }

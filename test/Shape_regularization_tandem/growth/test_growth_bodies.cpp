@@ -151,7 +151,8 @@ private:
       shape[id].age = int(id % 11);
       shape[id].entry = int(id);
       shape[id].is_active = id % 2 == 0;
-      shape[id].is_dirty = shape[id].is_changed = false;
+      shape[id].history.set_fitted(true);
+      shape[id].history.set_linked(true);
       if(is_live(id))
         shape[id].moments.add({std::int32_t(id), 1, 2, no_normal}, 1);
       plane[id] = marked_plane(id);
@@ -204,7 +205,9 @@ private:
       check_equal(s.age, before.age + !is_out_of_use, at + ": age");
       check_equal(int(shapes.steps[i]), is_out_of_use ? 0 : s.age < 8 ? 1 << s.age : 256, at + ": steps");
       if(!is_out_of_use)
-        CHECK_AT(s.is_active == is_active && s.is_dirty == is_active && s.is_changed == is_active, at + ": changes");
+        CHECK_AT((s.is_active != 0) == is_active && s.history.is_fitted() == !is_active &&
+                   s.history.is_linked() == !is_active,
+                 at + ": changes");
     }
     for(std::uint32_t& l : label)
       l = l < first_mark ? new_id[l] : l;
@@ -429,7 +432,7 @@ private:
 
     // Of nearly the same points the last share is taken; otherwise they are counted again.
     for(std::size_t i = 0; i < id.size(); ++i) {
-      Misfit_record& last = shapes.table()[id[i]].last_misfits;
+      Misfit_record& last = shapes.table()[id[i]].history.last_misfits;
       const bool is_moved = (i + 1) % 3 != 0;
       check_equal(last.points, is_moved ? shape[id[i]].moments.count : 0, name_ + ": points of a record");
       last.misfit_share = .125;

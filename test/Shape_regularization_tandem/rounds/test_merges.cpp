@@ -195,8 +195,9 @@ public:
       expected[t].moments += shape[id].moments;
       expected[t].box.add(shape[id].box);
       expected[t].age = (std::max)(expected[t].age, shape[id].age);
-      expected[t].is_dirty = expected[t].is_changed = true;
-      expected[t].layered_count = 0;
+      expected[t].history.set_fitted(false);
+      expected[t].history.set_linked(false);
+      expected[t].history.set_examined(0);
     }
     for(std::uint32_t i = 0; i < label.size(); ++i) {
       if(label[i] >= first_mark)
@@ -232,8 +233,9 @@ private:
       }
     for(std::uint32_t id = 0; id < n; ++id) {
       shape[id].age = int(id * 5 % 7);
-      shape[id].layered_count = 11;
-      shape[id].is_dirty = shape[id].is_changed = id % 5 == 0;
+      shape[id].history.set_examined(11);
+      shape[id].history.set_fitted(id % 5 != 0);
+      shape[id].history.set_linked(id % 5 != 0);
     }
     return shape;
   }
@@ -272,8 +274,10 @@ private:
       atomic_add<Sequential_backend>(sums[id], e.moments, e.box);
       const std::string at = where + ", shape " + std::to_string(id);
       check_equal(s.age, e.age, at + ": age");
-      check_equal(s.layered_count, e.layered_count, at + ": points when it was examined for layers");
-      CHECK_AT(s.is_dirty == e.is_dirty && s.is_changed == e.is_changed, at + ": changes");
+      check_equal(s.history.points_when_examined(), e.history.points_when_examined(),
+                  at + ": points when it was examined for layers");
+      CHECK_AT(s.history.is_fitted() == e.history.is_fitted() && s.history.is_linked() == e.history.is_linked(),
+               at + ": changes");
     }
     check_moments(got, sums, where);
     CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": sums that stay");

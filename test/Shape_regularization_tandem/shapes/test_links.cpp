@@ -53,7 +53,7 @@ private:
       if(label[i] < first_mark)
         shape[label[i]].moments.add(f_.point[i], 1);
     for(std::uint32_t s = 0; s < shapes; ++s)
-      shape[s].is_changed = s % 3 == 0;
+      shape[s].history.set_linked(s % 3 != 0);
     return shape;
   }
 
@@ -66,7 +66,7 @@ private:
     std::vector<std::uint8_t> expected_state(label.size(), tried_seed_bit);
     for(std::uint32_t i = 0; i < label.size(); ++i) {
       const std::uint32_t s = label[i];
-      if(s >= first_mark || (which == Links::changed && !shape[s].is_changed))
+      if(s >= first_mark || (which == Links::changed && shape[s].history.is_linked()))
         continue;
       bool is_inside = true;
       f_.for_each_neighbor(i, [&](std::uint32_t q) {
@@ -91,7 +91,7 @@ private:
     check_links(collect_links(points, shapes, which, Phase::loop), expected, where);
     check_lists(to_vector(backend_, points.state(), label.size()), expected_state, where + ", interior points");
     for(std::uint32_t s = 0; s < number; ++s)
-      check_equal(shapes.table()[s].is_changed, which == Links::all && s % 3 == 0,
+      check_equal(shapes.table()[s].history.is_linked(), which == Links::changed || s % 3 != 0,
                   where + ", shapes that have changed");
     // Without the interior points, which have no links.
     check_links(collect_links(points, shapes, which, Phase::loop),

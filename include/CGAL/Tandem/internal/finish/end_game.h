@@ -65,7 +65,7 @@ struct Round_plane {
     if(!shape[id].is_live())
       return;
     plane[id] = rounded(shape[id].plane);
-    shape[id].checked = shape[id].plane;
+    shape[id].history.set_checked(shape[id].plane);
   }
 };
 

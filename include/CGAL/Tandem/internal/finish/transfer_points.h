@@ -53,8 +53,9 @@ struct Take_changed_plane {
     Shape& s = shape[id];
     if(!is_changed[id])
       return;
-    s.plane = s.checked = s.local;
-    s.regular_count = 0;
+    s.plane = s.local;
+    s.history.set_checked(s.plane);
+    s.history.set_related(0);
     plane[id] = rounded(s.plane);
   }
 };
@@ -82,7 +83,7 @@ struct Mark_changed {
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
     if(is_changed[id] || shape[id].moments.count != before[id])
-      shape[id].is_changed = true;
+      shape[id].history.set_linked(false);
   }
 };
 

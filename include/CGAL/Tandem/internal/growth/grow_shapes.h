@@ -83,7 +83,8 @@ struct Take_growth {
       return;
     s.moments += delta[old].moments();
     s.box.add(delta[old].box);
-    s.is_dirty = s.is_changed = true;
+    s.history.set_fitted(false);
+    s.history.set_linked(false);
     delta[old] = Shared_moments();
   }
 };
@@ -170,9 +171,9 @@ struct Take_local_plane {
     Shape& s = shape[id];
     if(!s.is_live() || s.age != 1)
       return;
-    refit_if_dirty(s);
+    fit_if_changed(s);
     plane[id] = rounded(s.local);
-    s.restarted = s.local;
+    s.history.set_restarted(s.local);
   }
 };
 

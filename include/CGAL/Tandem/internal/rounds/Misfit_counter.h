@@ -169,7 +169,7 @@ struct Finish_query {
       return;
     Tested_shape s = tested(shape[id[i]]);
     share[i] = s.take_count(candidate[i], count[i]);
-    shape[id[i]].last_misfits = s.last;
+    shape[id[i]].history.last_misfits = s.last;
   }
 };
 

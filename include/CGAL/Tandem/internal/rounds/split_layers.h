@@ -212,10 +212,10 @@ std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, std::size
   const auto plane_of = [&](std::size_t entry) { return relations.planes[std::size_t(relations.plane_of[entry])]; };
   for(std::size_t i = 0; i < shapes.size(); ++i)
     if(shapes[i].points() >= tuning::merging::reliable_normal_size &&
-       tuning::layers::examined_growth.is_reached(shapes[i].points(), shapes[i].layered_count)) {
+       tuning::layers::examined_growth.is_reached(shapes[i].points(), shapes[i].examined_points)) {
       entries.push_back(i);
       examined.add(shapes[i].id, {sample_mask(shapes[i].points()), rounded(plane_of(i))});
-      shapes[i].layered_count = shapes[i].points();
+      shapes[i].examined_points = shapes[i].points();
     }
   std::vector<Suspect> suspects;
   if(entries.empty())

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which shapes touch: the edges of the neighbor graph between their points. Sets the interior bits of points, and
-// clears is_changed of shapes where only links of changed shapes are asked for; nothing else.
+// marks shapes as linked where only links of changed shapes are asked for; nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
@@ -137,8 +137,9 @@ struct Select_shape {
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    is_selected[id] = shape[id].is_live() && (selects_all || shape[id].is_changed);
-    shape[id].is_changed = shape[id].is_changed && selects_all;
+    is_selected[id] = shape[id].is_live() && (selects_all || !shape[id].history.is_linked());
+    if(!selects_all)
+      shape[id].history.set_linked(true);
   }
 };
 

@@ -84,7 +84,7 @@ struct Refit_shape {
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
     if(shape[id].is_live())
-      refit_if_dirty(shape[id]);
+      fit_if_changed(shape[id]);
   }
 };
 
@@ -92,9 +92,9 @@ struct Refit_shape {
 struct Dirty_shapes {
   Shape* shape;
 
-  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].is_live() && shape[id].is_dirty; }
+  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].is_live() && !shape[id].history.is_fitted(); }
   CGAL_TANDEM_HD Fitted_moments& operator[](std::size_t id) const { return shape[id]; }
-  CGAL_TANDEM_HD void set_made(std::size_t id) const { shape[id].is_dirty = false; }
+  CGAL_TANDEM_HD void set_made(std::size_t id) const { shape[id].history.set_fitted(true); }
 };
 
 // Fits the shapes whose points have changed.

@@ -49,7 +49,7 @@ struct Add_deltas {
       return;
     shape[id].moments += delta[id].moments();
     shape[id].box.add(delta[id].box);
-    shape[id].is_dirty = true;
+    shape[id].history.set_fitted(false);
     delta[id] = Shared_moments();
   }
 };

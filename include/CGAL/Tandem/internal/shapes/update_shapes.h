@@ -46,8 +46,8 @@ struct Take_joined {
     if(!is_any(joined[id]))
       return;
     Add_deltas{shape, joined}(id);
-    shape[id].is_changed = true;
-    shape[id].layered_count = 0;
+    shape[id].history.set_linked(false);
+    shape[id].history.set_examined(0);
   }
 };
 
@@ -196,15 +196,9 @@ struct Apply_plane {
     if(!s.is_live())
       return;
     plane[id] = rounded(s.plane);
-    if(bound_motion(s.box, s.restarted, s.plane) > tuning::motion::restart * maximum_distance) {
+    if(s.history.restart_again(s.box, s.plane, maximum_distance))
       is_restarted[id] = s.age > 1; // a new shape is on the frontier as a whole
-      s.restarted = s.plane;
-    }
-    if(bound_motion(s.box, s.checked, s.plane) > tuning::motion::negligible * maximum_distance) {
-      is_moved[id] = 1;
-      s.checked = s.plane;
-      s.is_changed = true;
-    }
+    is_moved[id] = s.history.check_again(s.box, s.plane, maximum_distance);
   }
 };
 
