@@ -156,8 +156,8 @@ void consolidate(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   }
 }
 
-// One regularization of all shapes, with labels and shapes that follow from it. Returns the relations, by shape; `before`
-// has those of the last such step, which are kept where little has changed.
+// One regularization of all shapes, with labels and shapes that follow from it. Returns the relations, by shape.
+// `before`: those of the last such step, which are kept where little has changed.
 template <class Backend>
 Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                                    int round, const Shape_relations& before)

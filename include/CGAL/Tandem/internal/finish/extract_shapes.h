@@ -32,8 +32,8 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
   return planes;
 }
 
-// Of the distances of the points to the regular plane of an entry, in epsilons. From the last fit of the shape, and what
-// its regular plane adds to it: few points have come or gone since.
+// Of the distances of the points to the regular plane of an entry, in epsilons. From the last fit of the shape, and
+// what its regular plane adds to it: few points have come or gone since.
 struct Measure_rms {
   const Shape* shape;
   const std::uint32_t* id;

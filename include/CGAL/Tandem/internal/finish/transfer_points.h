@@ -60,8 +60,8 @@ struct Take_changed_plane {
   }
 };
 
-// The shapes take their local planes, and the points follow; moments do not. Shapes with a new plane have no relations any
-// more.
+// The shapes take their local planes, and the points follow; moments do not. Shapes with a new plane have no relations
+// any more.
 template <class Backend>
 void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Transfer_plan<Backend>& plan,
                const Tolerance& tolerance)

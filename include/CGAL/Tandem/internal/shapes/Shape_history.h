@@ -59,8 +59,8 @@ public:
   CGAL_TANDEM_HD std::int64_t points_when_examined() const { return examined_; }
   CGAL_TANDEM_HD void set_examined(std::int64_t points) { examined_ = points; }
 
-  // A shape that was rolled back takes part in relations again when it has grown, or after 2, 4, 8 ... rounds. Otherwise
-  // each round would test it in vain.
+  // A shape that was rolled back takes part in relations again when it has grown, or after 2, 4, 8 ... rounds.
+  // Otherwise each round would test it in vain.
   CGAL_TANDEM_HD void roll_back(std::int64_t points, int round)
   {
     if(rollbacks_ < tuning::verification::maximum_rollbacks)

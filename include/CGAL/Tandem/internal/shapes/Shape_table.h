@@ -23,8 +23,8 @@ constexpr std::size_t shapes_per_thread = 32;
 
 // Loops are over all ids; functors skip those out of use.
 //
-// Moments and boxes follow from the labels, fits from the moments. A pass that changes labels either adds what shapes win
-// and lose to the moments, or leaves them out of date. require() makes them again.
+// Moments and boxes follow from the labels, fits from the moments. A pass that changes labels either adds what shapes
+// win and lose to the moments, or leaves them out of date. require() makes them again.
 template <class Backend>
 struct Shape_table {
   template <class T>

@@ -214,8 +214,8 @@ struct Check_moved {
 };
 
 // Merges the shapes, and rounds the planes for the tests of points. Detaches the misfits of shapes that have moved or
-// are new unions. Shapes that have moved far grow again from all of their points, since other points may fit now. Motion
-// is bounded over the box of a shape. It is measured since the last check or restart, so small motions add up.
+// are new unions. Shapes that have moved far grow again from all of their points, since other points may fit now.
+// Motion is bounded over the box of a shape. It is measured since the last check or restart, so small motions add up.
 template <class Backend>
 void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                   const Targets<Backend>& target)
