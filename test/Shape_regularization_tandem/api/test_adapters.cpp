@@ -27,7 +27,7 @@ void test_index_maps(const Shapes& shapes)
   const std::vector<Plane> planes = CGAL::Tandem::distinct_planes(shapes);
   CHECK(planes.size() == shapes.number_of_coplanar_groups());
   for(std::size_t i = 0; i < shapes.number_of_points(); ++i) {
-    const int s = shapes.table() _index(i);
+    const int s = shapes.shape_index(i);
     CHECK_AT(get(shape_map, i) == s, std::to_string(i));
     CHECK_AT((get(plane_map, i) < 0) == (s < 0), std::to_string(i));
     if(s >= 0)

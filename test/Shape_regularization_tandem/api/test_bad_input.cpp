@@ -109,7 +109,7 @@ void test_invalid_points()
   CHECK_AT(is_valid_result(points, shapes, given, &why), why);
   std::vector<std::int32_t> mapped;
   for(std::size_t i : position)
-    mapped.push_back(shapes.table() _index(i));
+    mapped.push_back(shapes.shape_index(i));
   CHECK(shapes.hash(mapped, shapes.data().coefficients) == expected.hash());
 
   const std::vector<Box_point> nothing = repeat(100, {{nan_value, 0, 0}, {0, 0, 1}});

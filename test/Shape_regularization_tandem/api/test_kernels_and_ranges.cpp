@@ -66,7 +66,7 @@ void check_box(const Shapes& shapes, const std::string& name)
   CHECK_AT(shapes.statistics().coverage > .9, name);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
     for(std::size_t i : shapes.points(s))
-      CHECK_AT(shapes.table() _index(i) == int(s), name);
+      CHECK_AT(shapes.shape_index(i) == int(s), name);
 }
 
 // Returns the hash.
@@ -127,7 +127,7 @@ std::uint64_t test_points(const std::vector<Box_point>& cloud, const std::string
   std::string why;
   CHECK_AT(is_valid_result(points, shapes, np::default_values(), &why), name + ": " + why);
   for(std::size_t i = 0; i < points.size(); ++i)
-    if(shapes.table() _index(i) >= 0)
+    if(shapes.shape_index(i) >= 0)
       CHECK_AT(std::fabs(CGAL::to_double(shapes.estimated_normal(i).squared_length()) - 1) < 1e-6, name);
   return shapes.hash();
 }

@@ -165,7 +165,7 @@ void test_additions()
   const Shapes shapes = detect_valid("staircase and far points", stray.cloud, s.parameters);
   check_counts("staircase and far points", shapes, 16, 2, 16);
   for(std::size_t i = s.cloud.size(); i < stray.cloud.size(); ++i)
-    CHECK_AT(shapes.table() _index(i) == -1, "far point " + std::to_string(i));
+    CHECK_AT(shapes.shape_index(i) == -1, "far point " + std::to_string(i));
 }
 
 // Counts how often each item is read.

@@ -161,7 +161,7 @@ void test_faces_behind_patches(const Squares& faces, const Squares& patches, std
   for(std::size_t face = 0; face < faces.count; ++face) {
     std::map<std::ptrdiff_t, std::size_t> points_of; // by shape
     for(std::size_t i = 0; i < faces.points; ++i)
-      ++points_of[shapes.table() _index(face * faces.points + i)];
+      ++points_of[shapes.shape_index(face * faces.points + i)];
     std::size_t most = 0;
     for(const auto& [shape, points] : points_of)
       most = shape < 0 ? most : (std::max)(most, points);

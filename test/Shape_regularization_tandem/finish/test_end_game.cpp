@@ -66,12 +66,12 @@ void test_free_points()
   const double cosine = CGAL::Tandem::internal::cosine_deg(parameters.maximum_angle);
   std::size_t free = 0, near = 0;
   for(std::size_t i = 0; i < cloud.size(); ++i) {
-    if(shapes.table() _index(i) >= 0)
+    if(shapes.shape_index(i) >= 0)
       continue;
     ++free;
     bool is_near = false;
     for(const auto& found : Search(tree, point[i], 13, 0, true, Search::Distance(point_of))) {
-      const int s = shapes.table() _index(found.first);
+      const int s = shapes.shape_index(found.first);
       if(s < 0)
         continue;
       const auto& c = shapes.coefficients(std::size_t(s));

@@ -195,7 +195,7 @@ int main_shape(const Shapes& shapes, std::size_t first, std::size_t last)
 {
   std::map<int, std::size_t> points_of;
   for(std::size_t i = first; i < last; ++i)
-    ++points_of[shapes.table() _index(i)];
+    ++points_of[shapes.shape_index(i)];
   int best = -1;
   for(const auto& shape : points_of)
     if(shape.first >= 0 && (best < 0 || shape.second > points_of[best]))
@@ -217,8 +217,8 @@ Edge_score score(const Edge& edge, const Shapes& shapes)
   Edge_score s;
   for(std::size_t i = 0; i < n; ++i)
     if(edge.depth[i] < 3 * sigma) {
-      s.right += shapes.table() _index(i) == shape[i < n / 2 ? 0 : 1];
-      s.wrong += shapes.table() _index(i) == shape[i < n / 2 ? 1 : 0];
+      s.right += shapes.shape_index(i) == shape[i < n / 2 ? 0 : 1];
+      s.wrong += shapes.shape_index(i) == shape[i < n / 2 ? 1 : 0];
     }
   return s;
 }
@@ -260,7 +260,7 @@ void test_clutter()
   const Shapes shapes = detect_valid("clutter", cloud, make_parameters(epsilon, 200), Given::nothing);
   std::size_t face = 0, clutter = 0;
   for(std::size_t i = 0; i < cloud.size(); ++i)
-    (i < on_face ? face : clutter) += shapes.table() _index(i) >= 0;
+    (i < on_face ? face : clutter) += shapes.shape_index(i) >= 0;
   CHECK_AT(double(face) > .99 * on_face, "clutter: points of the face " + std::to_string(face));
   CHECK_AT(double(clutter) < .2 * off_face, "clutter in the face: " + std::to_string(clutter));
 }

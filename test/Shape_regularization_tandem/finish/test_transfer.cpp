@@ -300,7 +300,7 @@ void test_layers(double distance, double noise)
   const Shapes shapes = detect(cloud, make_parameters(epsilon, 200));
   std::map<int, std::array<std::size_t, 2>> points_of;
   for(std::size_t i = 0; i < cloud.size(); ++i)
-    ++points_of[shapes.table() _index(i)][i < points ? 0 : 1];
+    ++points_of[shapes.shape_index(i)][i < points ? 0 : 1];
   std::size_t right = 0;
   for(const auto& shape : points_of)
     if(shape.first >= 0)
@@ -326,7 +326,7 @@ void test_noisy_layers()
     std::map<std::pair<int, int>, std::size_t> common; // by face and shape
     std::map<int, std::size_t> size;
     for(std::size_t i = 0; i < scene.label.size(); ++i) {
-      ++common[{scene.label[i], shapes.table() _index(i)}];
+      ++common[{scene.label[i], shapes.shape_index(i)}];
       ++size[scene.label[i]];
     }
     for(const auto& face : size)

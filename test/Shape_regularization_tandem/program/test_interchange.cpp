@@ -157,7 +157,7 @@ void check_vg(bool has_bad_point, bool by_plane)
     CHECK_AT(p.x() == q[0] && p.y() == q[1] && p.z() == q[2], std::to_string(i)); // to the bit
     const auto& n = file.normals[i];
     CHECK_AT(std::fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1) < 4e-4, std::to_string(i));
-    const int s = shapes.table() _index(i + skipped);
+    const int s = shapes.shape_index(i + skipped);
     const int group = s < 0 ? -1 : int(by_plane ? shapes.coplanar_group(std::size_t(s)) : std::size_t(s));
     CHECK_AT(group_of[i] == group, std::to_string(i));
     if(s >= 0) {

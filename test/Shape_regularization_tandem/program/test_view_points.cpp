@@ -120,7 +120,7 @@ void test_blocks()
         const double x = corner + step * number<std::uint16_t>(bytes, 24 + 6 * i + 2 * std::size_t(k));
         CHECK_AT(std::fabs(x - (p[k] - center[k])) <= 0.51 * step + 1e-6 * std::fabs(x), std::to_string(position));
       }
-      const int shape = shapes.table() _index(position), byte = std::uint8_t(bytes[24 + 6 * count + i]);
+      const int shape = shapes.shape_index(position), byte = std::uint8_t(bytes[24 + 6 * count + i]);
       const double distance = shape < 0 ? 0 : p.z() - shape;
       CHECK_AT(std::fabs((byte - 128) / 127. * 2 - distance) < 0.01, std::to_string(position));
     }
