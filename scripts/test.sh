@@ -5,10 +5,11 @@
 # Installs what is missing, builds and runs all tests: first the style of the sources, and whether CMake takes what is
 # found and does without the rest; then the release build with TBB and all tests; the bits of results from other
 # compilers and options; a choice of tests under ASan + UBSan, with all outputs, and one under TSan, with nothing that is
-# optional; the fuzz targets for some seconds; with a CUDA compiler, all that is found (tests of a device are skipped
-# without one); and the benchmark in small, which fails where a result of Tandem is wrong or differs between back ends.
-# The manual has to build without a warning, see scripts/check_doc.sh.
-#   test.sh [style] [configure] [release] [benchmark] [bits] [asan] [tsan] [fuzz] [cuda] [doc]   only these
+# optional; the instructions that detections take, see scripts/cost.sh; the fuzz targets for some seconds; with a CUDA
+# compiler, all that is found (tests of a device are skipped without one); and the benchmark in small, which fails where
+# a result of Tandem is wrong or differs between back ends. The manual has to build without a warning, see
+# scripts/check_doc.sh.
+#   test.sh [style] [configure] [release] [benchmark] [bits] [asan] [cost] [tsan] [fuzz] [cuda] [doc]   only these
 #                     (default: all of them)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
@@ -36,6 +37,7 @@ seconds_of()
     release) echo 525 ;;
     bits) echo 55 ;;
     asan) echo 350 ;;
+    cost) echo 75 ;;
     tsan) echo 90 ;;
     fuzz) echo 25 ;;
     cuda) echo 210 ;;
@@ -72,6 +74,7 @@ install()
       # shellcheck disable=SC2086
       "$root/scripts/install_dependencies.sh" clang libclang-rt-dev libjs-three $python_packages
       install_mpi ;;
+    cost) "$root/scripts/install_dependencies.sh" valgrind ;;
     cuda) install_mpi ;;
   esac
 }
@@ -189,6 +192,12 @@ run_asan()
     "-DCMAKE_CXX_FLAGS_DEBUG=$sanitizer_flags -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all"
 }
 
+run_cost()
+{
+  step count
+  TANDEM_BUILD_DIR=$build TANDEM_SKIP_INSTALL=1 "$root/scripts/cost.sh" || fail "detections cost more than is recorded"
+}
+
 # With nothing that is optional. So there is no TBB, whose library is not instrumented: TSan would call its hand-over of
 # tasks a race. The tests labeled "threads" run the same bodies on threads of their own. Bad input and the program are
 # tested without TBB here, too.
@@ -247,7 +256,7 @@ run_doc()
   "$root/scripts/check_doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual is not as it should be"; }
 }
 
-all_parts='style configure release benchmark bits asan tsan fuzz cuda doc'
+all_parts='style configure release benchmark bits asan cost tsan fuzz cuda doc'
 # shellcheck disable=SC2086
 [ $# -gt 0 ] || set -- $all_parts
 tested=$*
@@ -276,7 +285,7 @@ mkdir -p "$build"
 while [ $# -gt 0 ]; do
   begin "$1" "$@"
   case $1 in
-    style | configure | benchmark)
+    style | configure | benchmark | cost)
       wait_for_beside
       "run_$1" > "$build/beside.log" 2>&1 &
       beside=$! ;;

@@ -117,13 +117,13 @@ private:
   {
     Shape_table<Backend> shapes;
     shapes.size = f_.plane.size() + 5;
-    shapes.shape = filled_buffer(backend_, shapes.size, Shape());
+    shapes.table() = filled_buffer(backend_, shapes.size, Shape());
     std::vector<Shared_moments> expected(shapes.size);
     for(int pass = 0; pass < 2; ++pass) {
       const std::string where = name_ + ": deltas of pass " + std::to_string(pass);
       std::vector<char> is_any_expected(shapes.size, 0);
-      for(Shape& shape : shapes.shape)
-        shape.is_dirty = false;
+      for(Shape& shape : shapes.table())
+        shape.history.set_fitted(true);
       Shared_moments* sums = start_deltas(backend_, shapes, shapes.size);
       for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
         const std::uint32_t s = f_.label[i];
@@ -140,8 +140,8 @@ private:
       CHECK_AT(number > 0, where + ": there are none");
       std::vector<Shared_moments> got(shapes.size);
       for(std::size_t s = 0; s < shapes.size; ++s) {
-        atomic_add<Sequential_backend>(got[s], shapes.shape[s].moments, shapes.shape[s].box);
-        CHECK_AT(shapes.shape[s].is_dirty == (is_any_expected[s] != 0), where + ": shapes to be fitted");
+        atomic_add<Sequential_backend>(got[s], shapes.table()[s].moments, shapes.table()[s].box);
+        CHECK_AT(shapes.table()[s].history.is_fitted() == (is_any_expected[s] == 0), where + ": shapes to be fitted");
       }
       check_moments(got, expected, where);
     }

@@ -181,15 +181,15 @@ private:
       sparse[i] = f_.label[i];
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    points.label = to_buffer(backend_, sparse);
-    points.state = filled_buffer(backend_, n, std::uint8_t(tried_seed_bit));
+    set_labels(points, sparse, std::vector<std::uint8_t>(n, tried_seed_bit));
     Shape_table<Backend> shapes;
     shapes.size = f_.plane.size();
     shapes.plane = to_buffer(backend_, f_.plane);
-    propagate_labels(points, shapes, f_.tolerance);
+    propagate_labels(points, shapes, f_.tolerance, Phase::end);
+    CHECK_AT(!shapes.has_moments() && !points.has_lists(), name_ + ": tables that follow from labels");
     std::vector<std::uint32_t> expected = sparse;
     propagate_naively(expected, tuning::end_game::propagation_rounds, n / tuning::end_game::points_per_late_point);
-    check_lists(to_vector(backend_, points.label.data(), n), expected, name_ + ": propagation");
+    check_lists(to_vector(backend_, points.label(), n), expected, name_ + ": propagation");
   }
 
   // The distance of two planes along their normals, where they are nearest to a point.
@@ -240,7 +240,10 @@ private:
           choice.emplace(-shape[t].moments.count, t);
       expected[i] = choice.begin()->second;
     }
-    backend_.for_each(n, Choose_largest{f_.cloud, f_.label.data(), state.data(), f_.plane.data(), shape.data(),
+    std::vector<std::int64_t> size;
+    for(const Shape& s : shape)
+      size.push_back(s.moments.count);
+    backend_.for_each(n, Choose_largest{f_.cloud, f_.label.data(), state.data(), f_.plane.data(), size.data(),
                                         may_lose.data(), chosen.data(), f_.tolerance, marks_interior});
     check_lists(chosen, expected, name_ + ": reassignment");
     check_lists(state, expected_state, name_ + ": states after a reassignment");
@@ -274,8 +277,7 @@ private:
   {
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    points.label = to_buffer(backend_, f_.label);
-    points.state = to_buffer(backend_, f_.state);
+    set_labels(points, f_.label, f_.state);
     std::vector<std::uint32_t> chosen = f_.label;
     std::vector<Shape> shape(f_.plane.size());
     std::vector<Shared_moments> expected(shape.size());
@@ -293,16 +295,16 @@ private:
         is_other[s] = is_other[chosen[i]] = 1;
     }
     for(Shape& s : shape)
-      s.is_dirty = false;
+      s.history.set_fitted(true);
     Shape_table<Backend> shapes;
     shapes.size = shape.size();
-    shapes.shape = to_buffer(backend_, shape);
+    shapes.table() = to_buffer(backend_, shape);
     const bool is_any = chosen != f_.label;
     check_equal(take_chosen(points, shapes, chosen.data()), is_any, name_ + ": whether any label has changed");
-    check_lists(to_vector(backend_, points.label), chosen, name_ + ": chosen labels");
+    check_lists(to_vector(backend_, points.label(), chosen.size()), chosen, name_ + ": chosen labels");
     check_shapes(shapes, expected, name_ + ": shapes of chosen labels");
     for(std::size_t s = 0; s < shape.size(); ++s)
-      check_equal(shapes.shape[s].is_dirty, is_other[s] != 0, name_ + ": shapes to be fitted");
+      check_equal(shapes.table()[s].history.is_fitted(), is_other[s] == 0, name_ + ": shapes to be fitted");
     CHECK_AT(!take_chosen(points, shapes, chosen.data()), name_ + ": labels that are chosen already");
     check_shapes(shapes, expected, name_ + ": shapes of the same labels");
   }
@@ -312,7 +314,7 @@ private:
   {
     std::vector<Shared_moments> got(shapes.size);
     for(std::size_t s = 0; s < shapes.size; ++s)
-      atomic_add<Sequential_backend>(got[s], shapes.shape[s].moments, shapes.shape[s].box);
+      atomic_add<Sequential_backend>(got[s], shapes.table()[s].moments, shapes.table()[s].box);
     check_moments(got, expected, name);
     CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), name + ": deltas that stay");
   }
@@ -392,8 +394,7 @@ private:
   {
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    points.label = to_buffer(backend_, f_.label);
-    points.cell_shapes.reset(f_.cells.size());
+    set_labels(points, f_.label);
     std::vector<Shape> shape(f_.plane.size() + 3);
     std::vector<Shared_moments> expected(shape.size());
     for(Shape& s : shape) {
@@ -405,16 +406,17 @@ private:
         add_point(expected[f_.label[i]], f_.point[i], 1);
     Shape_table<Backend> shapes;
     shapes.size = shape.size();
-    shapes.shape = to_buffer(backend_, shape);
-    recount(points, shapes);
+    shapes.table() = to_buffer(backend_, shape);
+    shapes.lose_moments();
+    require(points, shapes, tables::moments | tables::lists);
     for(std::size_t s = 0; s < shape.size(); ++s)
       if(expected[s].count == 0) // the box of no points does not matter
-        expected[s].box = shapes.shape[s].box;
+        expected[s].box = shapes.table()[s].box;
     check_shapes(shapes, expected, name_ + ": shapes that are counted again");
-    CHECK_AT(!shapes.shape[shape.size() - 1].is_live(), name_ + ": a shape without points");
+    CHECK_AT(!shapes.table()[shape.size() - 1].is_live(), name_ + ": a shape without points");
     const std::uint32_t overflown = Cell_shapes::capacity + 1; // or more
     for(std::size_t c = 0; c < f_.cells.size(); ++c)
-      check_equal((std::min)(points.cell_shapes[c].size, overflown), (std::min)(f_.lists[c].size, overflown),
+      check_equal((std::min)(points.lists()[c].size, overflown), (std::min)(f_.lists[c].size, overflown),
                   name_ + ": lists of cells");
   }
 

@@ -195,12 +195,13 @@ private:
     const Slow_transfers slow(f_);
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    points.label = to_buffer(backend_, slow.label);
-    points.cell_shapes = to_buffer(backend_, f_.list_shapes(slow.label));
+    set_labels(points, slow.label);
     Shape_table<Backend> shapes;
     shapes.size = slow.shape.size();
-    shapes.shape = to_buffer(backend_, slow.shape);
+    shapes.table() = to_buffer(backend_, slow.shape);
     shapes.plane = to_buffer(backend_, slow.plane);
+    shapes.set_fitted();
+    require(points, shapes, tables::lists);
     Options options = Options();
     options.maximum_distance = slow.epsilon;
     options.growth.tolerance = f_.tolerance;

@@ -39,7 +39,7 @@ public:
       test_misfits(parts);
     }
     test_misfit_counter(0);
-    test_misfit_counter(Misfit_counter<Backend>::large_cloud);
+    test_misfit_counter(Sample_memory<Backend>().large_cloud);
     test_update();
   }
 
@@ -151,7 +151,8 @@ private:
       shape[id].age = int(id % 11);
       shape[id].entry = int(id);
       shape[id].is_active = id % 2 == 0;
-      shape[id].is_dirty = shape[id].is_changed = false;
+      shape[id].history.set_fitted(true);
+      shape[id].history.set_linked(true);
       if(is_live(id))
         shape[id].moments.add({std::int32_t(id), 1, 2, no_normal}, 1);
       plane[id] = marked_plane(id);
@@ -171,18 +172,18 @@ private:
       if(id < size ? is_live(id) || !is_sparse : is_any(delta[id]))
         old.push_back(id);
 
-    points.label = to_buffer(backend_, label);
+    set_labels(points, label);
     Shape_table<Backend> shapes;
     shapes.size = size;
-    shapes.shape = to_buffer(backend_, shape);
+    shapes.table() = to_buffer(backend_, shape);
     shapes.plane = to_buffer(backend_, plane);
     shapes.steps = filled_buffer(backend_, room, std::uint16_t(999));
     shapes.is_restarted = filled_buffer(backend_, room, std::uint8_t(1));
     shapes.delta = to_buffer(backend_, delta);
     check_equal(take_growth(points, shapes, ids), new_points, where + ": new points");
     check_equal(shapes.size, old.size(), where + ": ids");
-    CHECK_AT((std::min)({shapes.shape.size(), shapes.plane.size(), shapes.steps.size(), shapes.is_restarted.size()}) >=
-               old.size(),
+    CHECK_AT((std::min)({shapes.table().size(), shapes.plane.size(), shapes.steps.size(),
+                         shapes.is_restarted.size()}) >= old.size(),
              where + ": room of the tables");
     std::vector<std::uint32_t> new_id(ids, no_index);
     for(std::uint32_t i = 0; i < old.size() && shapes.size == old.size(); ++i) {
@@ -190,7 +191,7 @@ private:
       const bool is_new = old[i] >= size, is_active = is_any(delta[old[i]]);
       Shape before = is_new ? Shape() : shape[old[i]];
       before.moments += delta[old[i]].moments();
-      const Shape& s = shapes.shape[i];
+      const Shape& s = shapes.table()[i];
       const std::string at = where + ", shape " + std::to_string(old[i]);
       CHECK_AT(s.moments.count == before.moments.count &&
                  std::equal(s.moments.sum, s.moments.sum + 3, before.moments.sum) &&
@@ -204,11 +205,13 @@ private:
       check_equal(s.age, before.age + !is_out_of_use, at + ": age");
       check_equal(int(shapes.steps[i]), is_out_of_use ? 0 : s.age < 8 ? 1 << s.age : 256, at + ": steps");
       if(!is_out_of_use)
-        CHECK_AT(s.is_active == is_active && s.is_dirty == is_active && s.is_changed == is_active, at + ": changes");
+        CHECK_AT((s.is_active != 0) == is_active && s.history.is_fitted() == !is_active &&
+                   s.history.is_linked() == !is_active,
+                 at + ": changes");
     }
     for(std::uint32_t& l : label)
       l = l < first_mark ? new_id[l] : l;
-    check_lists(to_vector(backend_, points.label.data(), label.size()), label, where + ": labels");
+    check_lists(to_vector(backend_, points.label(), label.size()), label, where + ": labels");
     CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": deltas that stay");
   }
 
@@ -286,7 +289,7 @@ private:
     backend_.template for_each_cell<Link_scratch>(
       f_.cells.size() * parts,
       Collect_links<Backend>{
-        f_.cloud, f_.parts_view(parts), {label.data(), state.data()}, is_selected.data(), {links.data(), size, &lost}});
+        f_.cloud, f_.parts_view(parts), label.data(), state.data(), is_selected.data(), {links.data(), size, &lost}});
     for(const Link& link : links)
       if(link.pair != Link::none)
         CHECK_AT(got.emplace(link.pair, link.count).second, name_ + ": a pair has two links");
@@ -384,8 +387,7 @@ private:
   {
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    points.label = to_buffer(backend_, f_.label);
-    points.cell_shapes = to_buffer(backend_, f_.lists);
+    set_labels(points, f_.label);
     Options options = Options();
     options.maximum_distance = 2500;
     options.growth.tolerance = f_.tolerance;
@@ -410,23 +412,27 @@ private:
     }
     Shape_table<Backend> shapes;
     shapes.size = shape.size();
-    shapes.shape = to_buffer(backend_, shape);
+    shapes.table() = to_buffer(backend_, shape);
     const auto ids = to_buffer(backend_, id);
     const auto candidates = to_buffer(backend_, candidate);
     const auto shares = [&](Misfit_counter<Backend>& counter) {
       const auto share = counter.shares(shapes, ids, candidates);
       return to_vector(backend_, share);
     };
-    Misfit_counter<Backend> counter(points, shapes, options, ids, large);
+    require(points, shapes, tables::fits | tables::lists);
+    for(std::size_t s = 0; s < shape.size(); ++s) // the planes of the test in place of fits
+      shapes.table()[s].local = shape[s].local;
+    Sample_memory<Backend> memory = {large};
+    Misfit_counter<Backend> counter(points, shapes, options, ids, memory);
     check_lists(shares(counter), expected, name_ + ": shares of misfits");
     CHECK_AT(f_.cloud.size < 100 || std::count(expected.begin(), expected.end(), 0.) < long(id.size()),
              name_ + ": no share of misfits");
-    check_equal(points.sample.size(), large == 0 ? number_of_samples(shape, id) : f_.cloud.size,
+    check_equal(memory.sample.size(), large == 0 ? number_of_samples(shape, id) : f_.cloud.size,
                 name_ + ": memory for samples");
 
     // Of nearly the same points the last share is taken; otherwise they are counted again.
     for(std::size_t i = 0; i < id.size(); ++i) {
-      Misfit_record& last = shapes.shape[id[i]].last_misfits;
+      Misfit_record& last = shapes.table()[id[i]].history.last_misfits;
       const bool is_moved = (i + 1) % 3 != 0;
       check_equal(last.points, is_moved ? shape[id[i]].moments.count : 0, name_ + ": points of a record");
       last.misfit_share = .125;

@@ -39,7 +39,7 @@ public:
   std::uint32_t add_wall(int n)
   {
     const std::uint32_t id = std::uint32_t(shapes.size), wall = std::uint32_t(offset_.size());
-    std::vector<Shape> all = to_vector(backend_, shapes.shape.data(), shapes.size);
+    std::vector<Shape> all = to_vector(backend_, shapes.table().data(), shapes.size);
     all.emplace_back();
     take_shapes(all);
     offset_.push_back(int(wall) * 20000);
@@ -51,7 +51,7 @@ public:
   // Points of a wall that belong to the shape of that id.
   void add_points(std::uint32_t id, std::uint32_t wall, int n)
   {
-    Shape& shape = shapes.shape[id];
+    Shape& shape = shapes.table()[id];
     for(int i = 0; i < n; ++i) {
       const int u = int(random_() % 40000), v = int(random_() % 40000);
       const int w = offset_[wall] + u * tilt_[wall] / 1000 + int(random_() % 200);
@@ -62,14 +62,15 @@ public:
     refit(shape);
   }
 
-  void remove(std::uint32_t id) { shapes.shape[id].moments = Moments(); }
+  void remove(std::uint32_t id) { shapes.table()[id].moments = Moments(); }
 
   // As where most ids have gone out of use.
   void renumber() { take_shapes(live()); }
 
   Shape_relations regularize(bool is_last, const Shape_relations& before)
   {
-    return regularize_shapes(cloud, shapes, options, {0, is_last}, before);
+    Sample_memory<Sequential_backend> memory;
+    return regularize_shapes(cloud, shapes, options, {0, is_last, memory}, before);
   }
 
   Regular_planes planes() const
@@ -84,7 +85,7 @@ public:
   std::vector<Shape> live() const
   {
     std::vector<Shape> result;
-    std::copy_if(shapes.shape.begin(), shapes.shape.end(), std::back_inserter(result),
+    std::copy_if(shapes.table().begin(), shapes.table().end(), std::back_inserter(result),
                  [](const Shape& shape) { return shape.is_live(); });
     return result;
   }
@@ -93,7 +94,7 @@ private:
   void take_shapes(const std::vector<Shape>& all)
   {
     shapes.size = all.size();
-    shapes.shape = to_buffer(backend_, all);
+    shapes.table() = to_buffer(backend_, all);
   }
 
   Sequential_backend backend_;
@@ -120,7 +121,7 @@ void check_tables(const Shape_table<Sequential_backend>& shapes, const Shape_rel
   std::vector<int> plane_number(shapes.size, -1);
   for(std::size_t i = 0; i < r.id.size(); ++i) {
     const Regular_plane& plane = r.relations.planes.at(std::size_t(r.relations.plane_of[i]));
-    const Shape& shape = shapes.shape[r.id[i]];
+    const Shape& shape = shapes.table()[r.id[i]];
     plane_number[r.id[i]] = r.relations.plane_of[i];
     CHECK_AT(is_same(plane, shape.plane), where + ": plane");
     check_equal(shape.entry, int(i), where + ": entry");
@@ -128,7 +129,7 @@ void check_tables(const Shape_table<Sequential_backend>& shapes, const Shape_rel
              where + ": direction");
   }
   for(std::size_t id = 0; id < shapes.size; ++id)
-    check_equal(shapes.shape[id].plane_number, plane_number[id], where + ": number of the plane");
+    check_equal(shapes.table()[id].plane_number, plane_number[id], where + ": number of the plane");
 }
 
 std::size_t number_of_directions(const Regular_planes& planes)
@@ -150,7 +151,7 @@ int main()
   CHECK(number_of_directions(before) < 6);
 
   walls.add_points(3, 3, 100); // a thousandth of all points
-  CHECK(!is_same(shapes.shape[3].local, before[3]));
+  CHECK(!is_same(shapes.table()[3].local, before[3]));
   r = walls.regularize(false, r);
   check_tables(shapes, r, "few points more");
   CHECK(are_same(walls.planes(), before));
@@ -169,8 +170,8 @@ int main()
   check_tables(shapes, r, "others change");
   CHECK(r.id.size() == walls.live().size() - 1 && r.id.back() == fresh);
   for(std::uint32_t id : {same, fresh})
-    CHECK(shapes.shape[id].plane.normal == canonical(shapes.shape[id].fit.normal));
-  CHECK(is_same(shapes.shape[tiny].plane, shapes.shape[tiny].local));
+    CHECK(shapes.table()[id].plane.normal == canonical(shapes.table()[id].fit.normal));
+  CHECK(is_same(shapes.table()[tiny].plane, shapes.table()[tiny].local));
   before.resize(Walls::large);
   Regular_planes after = walls.planes();
   after.resize(Walls::large);
@@ -203,7 +204,7 @@ int main()
   walls.add_points(tiny, tiny + 1, 10);
   const std::uint32_t late = walls.add_wall(45);
   check_tables(shapes, walls.regularize(true, last), "last again");
-  CHECK(shapes.shape[late].plane.normal == canonical(shapes.shape[late].fit.normal));
+  CHECK(shapes.table()[late].plane.normal == canonical(shapes.table()[late].fit.normal));
   after = walls.planes();
   after.resize(before.size());
   CHECK(are_same(after, before));

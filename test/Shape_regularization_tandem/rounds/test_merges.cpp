@@ -73,7 +73,7 @@ private:
   {
     Shape_table<Backend> shapes;
     shapes.size = shape.size();
-    shapes.shape = to_buffer(backend_, shape);
+    shapes.table() = to_buffer(backend_, shape);
     return shapes;
   }
 
@@ -195,8 +195,9 @@ public:
       expected[t].moments += shape[id].moments;
       expected[t].box.add(shape[id].box);
       expected[t].age = (std::max)(expected[t].age, shape[id].age);
-      expected[t].is_dirty = expected[t].is_changed = true;
-      expected[t].layered_count = 0;
+      expected[t].history.set_fitted(false);
+      expected[t].history.set_linked(false);
+      expected[t].history.set_examined(0);
     }
     for(std::uint32_t i = 0; i < label.size(); ++i) {
       if(label[i] >= first_mark)
@@ -209,17 +210,15 @@ public:
 
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    points.label = to_buffer(backend_, f_.label);
-    points.state = to_buffer(backend_, f_.state);
-    points.cell_shapes = to_buffer(backend_, f_.lists);
+    set_labels(points, f_.label, f_.state);
     Shape_table<Backend> shapes;
     shapes.size = n;
-    shapes.shape = to_buffer(backend_, shape);
+    shapes.table() = to_buffer(backend_, shape);
     shapes.plane = filled_buffer(backend_, n, Plane());
     merge_points(points, shapes, to_buffer(backend_, target));
     check_shapes(shapes, expected, name_ + ": merge");
-    check_lists(to_vector(backend_, points.label.data(), label.size()), label, name_ + ": labels after a merge");
-    check_lists(to_vector(backend_, points.state.data(), label.size()), state, name_ + ": states after a merge");
+    check_lists(to_vector(backend_, points.label(), label.size()), label, name_ + ": labels after a merge");
+    check_lists(to_vector(backend_, points.state(), label.size()), state, name_ + ": states after a merge");
     test_drop(points, shapes, expected, label);
   }
 
@@ -234,8 +233,9 @@ private:
       }
     for(std::uint32_t id = 0; id < n; ++id) {
       shape[id].age = int(id * 5 % 7);
-      shape[id].layered_count = 11;
-      shape[id].is_dirty = shape[id].is_changed = id % 5 == 0;
+      shape[id].history.set_examined(11);
+      shape[id].history.set_fitted(id % 5 != 0);
+      shape[id].history.set_linked(id % 5 != 0);
     }
     return shape;
   }
@@ -254,7 +254,7 @@ private:
       l = l < first_mark && is_dropped[l] ? free_label : l;
     drop_small(points, shapes, minimum);
     check_shapes(shapes, expected, name_ + ": drop");
-    check_lists(to_vector(backend_, points.label.data(), label.size()), label, name_ + ": labels after a drop");
+    check_lists(to_vector(backend_, points.label(), label.size()), label, name_ + ": labels after a drop");
     const Shape_counts counts = count_live(backend_, shapes);
     std::size_t live = 0, assigned = 0;
     for(const Shape& s : expected) {
@@ -269,13 +269,15 @@ private:
   {
     std::vector<Shared_moments> got(expected.size()), sums(expected.size());
     for(std::size_t id = 0; id < expected.size(); ++id) {
-      const Shape &s = shapes.shape[id], &e = expected[id];
+      const Shape &s = shapes.table()[id], &e = expected[id];
       atomic_add<Sequential_backend>(got[id], s.moments, s.box);
       atomic_add<Sequential_backend>(sums[id], e.moments, e.box);
       const std::string at = where + ", shape " + std::to_string(id);
       check_equal(s.age, e.age, at + ": age");
-      check_equal(s.layered_count, e.layered_count, at + ": points when it was examined for layers");
-      CHECK_AT(s.is_dirty == e.is_dirty && s.is_changed == e.is_changed, at + ": changes");
+      check_equal(s.history.points_when_examined(), e.history.points_when_examined(),
+                  at + ": points when it was examined for layers");
+      CHECK_AT(s.history.is_fitted() == e.history.is_fitted() && s.history.is_linked() == e.history.is_linked(),
+               at + ": changes");
     }
     check_moments(got, sums, where);
     CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": sums that stay");

@@ -42,9 +42,9 @@ void make_fragments(Backend& backend, Shape_table<Backend>& shapes, int unevenne
 {
   std::mt19937 random(3);
   shapes.size = columns * rows;
-  shapes.shape = filled_buffer(backend, shapes.size, Shape());
+  shapes.table() = filled_buffer(backend, shapes.size, Shape());
   for(int id = 0; id < columns * rows; ++id) {
-    Shape& shape = shapes.shape[std::size_t(id)];
+    Shape& shape = shapes.table()[std::size_t(id)];
     const int size = unevenness == level ? 20 + 30 * int(random() % 3) * int(random() % 3) : 20 + int(random() % 200);
     for(int i = 0; i < size; ++i) {
       const int x = id % columns * width + int(random() % width), y = id / columns * width + int(random() % width);
@@ -82,7 +82,7 @@ public:
   {
     for(std::uint32_t id = 0; id < shapes.size; ++id) {
       root_.push_back(id);
-      whole_[id] = shapes.shape[id];
+      whole_[id] = shapes.table()[id];
     }
     while(unite(links))
       ++rounds_;
@@ -143,6 +143,7 @@ template <class Backend>
 Shape_unions<Backend> unite(Backend& backend, Shape_table<Backend>& shapes, const Link_list& links,
                             std::uint32_t* rounds = nullptr)
 {
+  shapes.set_fitted();
   Shape_unions<Backend> unions = unite_shapes(backend, Ranks<Backend>(), shapes, criterion, to_buffer(backend, links));
   if(rounds != nullptr)
     *rounds = to_vector(backend, unions.total).front();
@@ -171,7 +172,7 @@ Outcome unite(Backend& backend, int unevenness, unsigned seed)
   for(std::uint32_t id = 0; id < shapes.size; ++id) {
     const std::uint32_t root = root_of(unions.target.data(), id), place = unions.root[root].place;
     outcome.root.push_back(root);
-    outcome.plane.push_back(place == no_index ? shapes.shape[root].local : unions.whole[place].local);
+    outcome.plane.push_back(place == no_index ? shapes.table()[root].local : unions.whole[place].local);
   }
   return outcome;
 }
@@ -194,7 +195,7 @@ void check_apart(std::int32_t shift)
   make_fragments(backend, shapes, 0, shift);
   int rejected = 0, apart = 0;
   for(const Link& link : make_links(5)) {
-    const Shape &a = shapes.shape[link.first()], &b = shapes.shape[link.second()];
+    const Shape &a = shapes.table()[link.first()], &b = shapes.table()[link.second()];
     Fitted_moments joint;
     const bool is_rejected = !criterion.fit(a, b, joint), is_apart = criterion.are_apart(a, b);
     rejected += is_rejected;
@@ -209,7 +210,7 @@ void check_apart(std::int32_t shift)
 void add_fragment(Shape_table<Sequential_backend>& shapes, int x, int y, int z, int size)
 {
   std::mt19937 random(unsigned(shapes.size));
-  Shape& shape = shapes.shape[shapes.size++];
+  Shape& shape = shapes.table()[shapes.size++];
   shape = Shape();
   for(int i = 0; i < size; ++i)
     shape.moments.add({x + int(random() % width), y + int(random() % width), z, no_normal}, 1);
@@ -223,7 +224,7 @@ void check_planes(const Shape_table<Sequential_backend>& shapes, const Shape_uni
 {
   std::map<std::uint32_t, Fitted_moments> whole;
   for(const std::uint32_t id : unions.member)
-    whole[root_of(unions.target.data(), id)].moments += shapes.shape[id].moments;
+    whole[root_of(unions.target.data(), id)].moments += shapes.table()[id].moments;
   for(auto& w : whole) {
     refit(w.second);
     CHECK(is_same(unions.whole[unions.root[w.first].place].local, w.second.local));
@@ -237,7 +238,7 @@ void check_row()
   constexpr int n = 2000;
   Sequential_backend backend;
   Shape_table<Sequential_backend> shapes;
-  shapes.shape.reset(n);
+  shapes.table().reset(n);
   Link_list links;
   for(int i = 0; i < n; ++i) {
     add_fragment(shapes, i * width, 0, 0, 50);
@@ -259,7 +260,7 @@ void check_groups()
   constexpr int n = 1000;
   Sequential_backend backend;
   Shape_table<Sequential_backend> shapes;
-  shapes.shape.reset(3 * n);
+  shapes.table().reset(3 * n);
   Link_list links;
   for(int g = 0; g < n; ++g) {
     add_fragment(shapes, 0, 3 * g * width, 5, 100);

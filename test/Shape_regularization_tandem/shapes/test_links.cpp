@@ -53,7 +53,7 @@ private:
       if(label[i] < first_mark)
         shape[label[i]].moments.add(f_.point[i], 1);
     for(std::uint32_t s = 0; s < shapes; ++s)
-      shape[s].is_changed = s % 3 == 0;
+      shape[s].history.set_linked(s % 3 != 0);
     return shape;
   }
 
@@ -66,7 +66,7 @@ private:
     std::vector<std::uint8_t> expected_state(label.size(), tried_seed_bit);
     for(std::uint32_t i = 0; i < label.size(); ++i) {
       const std::uint32_t s = label[i];
-      if(s >= first_mark || (which == Links::changed && !shape[s].is_changed))
+      if(s >= first_mark || (which == Links::changed && shape[s].history.is_linked()))
         continue;
       bool is_inside = true;
       f_.for_each_neighbor(i, [&](std::uint32_t q) {
@@ -84,18 +84,17 @@ private:
 
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    points.label = to_buffer(backend_, label);
-    points.state = filled_buffer(backend_, label.size(), std::uint8_t(tried_seed_bit));
-    points.cell_shapes = to_buffer(backend_, f_.list_shapes(label));
+    set_labels(points, label, std::vector<std::uint8_t>(label.size(), tried_seed_bit));
     Shape_table<Backend> shapes;
     shapes.size = number;
-    shapes.shape = to_buffer(backend_, shape);
-    check_links(collect_links(points, shapes, which), expected, where);
-    check_lists(to_vector(backend_, points.state.data(), label.size()), expected_state, where + ", interior points");
+    shapes.table() = to_buffer(backend_, shape);
+    check_links(collect_links(points, shapes, which, Phase::loop), expected, where);
+    check_lists(to_vector(backend_, points.state(), label.size()), expected_state, where + ", interior points");
     for(std::uint32_t s = 0; s < number; ++s)
-      check_equal(shapes.shape[s].is_changed, which == Links::all && s % 3 == 0, where + ", shapes that have changed");
+      check_equal(shapes.table()[s].history.is_linked(), which == Links::changed || s % 3 != 0,
+                  where + ", shapes that have changed");
     // Without the interior points, which have no links.
-    check_links(collect_links(points, shapes, which),
+    check_links(collect_links(points, shapes, which, Phase::loop),
                 which == Links::all ? expected : std::map<std::uint64_t, std::uint32_t>(), where + " again");
     if(number == 64 && which == Links::all && label.size() > 3000)
       CHECK_AT(pairs > 1024, where + ": the first table is large enough for " + std::to_string(pairs) + " pairs");

@@ -38,8 +38,8 @@ std::map<std::uint32_t, Sums> sums_of_labels(const State& t)
 {
   std::map<std::uint32_t, Sums> sums;
   for(std::uint32_t i = 0; i < t.points.cloud.size(); ++i)
-    if(t.points.label[i] < first_mark) {
-      Sums& s = sums[t.points.label[i]];
+    if(t.points.label()[i] < first_mark) {
+      Sums& s = sums[t.points.label()[i]];
       s.moments.add(t.points.cloud.point[i], 1);
       s.box.add(t.points.cloud.point[i]);
     }
@@ -66,25 +66,25 @@ void check_state(const State& t, const std::string& where)
 {
   const std::map<std::uint32_t, Sums> sums = sums_of_labels(t);
   const Shape_table<Sequential_backend>& shapes = t.shapes;
-  for(std::size_t size : {shapes.shape.size(), shapes.plane.size(), shapes.steps.size(), shapes.is_restarted.size()})
+  for(std::size_t size : {shapes.table().size(), shapes.plane.size(), shapes.steps.size(), shapes.is_restarted.size()})
     CHECK_AT(size >= shapes.size, where + ": a table is too small");
   std::size_t assigned = 0;
   for(const auto& s : sums) {
     const std::string shape = where + ", shape " + std::to_string(s.first);
-    if(s.first >= shapes.size || !shapes.shape[s.first].is_live()) {
+    if(s.first >= shapes.size || !shapes.table()[s.first].is_live()) {
       CHECK_AT(false, shape + " has " + std::to_string(s.second.moments.count) + " points, but is not live");
       continue;
     }
-    CHECK_AT(is_same(shapes.shape[s.first].moments, s.second.moments), shape + ": moments");
-    CHECK_AT(contains(shapes.shape[s.first].box, s.second.box), shape + ": box");
-    CHECK_AT(is_same(shapes.plane[s.first], rounded(shapes.shape[s.first].plane)), shape + ": plane");
+    CHECK_AT(is_same(shapes.table()[s.first].moments, s.second.moments), shape + ": moments");
+    CHECK_AT(contains(shapes.table()[s.first].box, s.second.box), shape + ": box");
+    CHECK_AT(is_same(shapes.plane[s.first], rounded(shapes.table()[s.first].plane)), shape + ": plane");
     assigned += std::size_t(s.second.moments.count);
   }
   const Shape_counts counts = count_live(t.points.backend, shapes);
   check_equal(counts.points, assigned, where + ": assigned points");
   check_equal(counts.shapes, sums.size(), where + ": live shapes");
   for(std::uint32_t id = 0; id < shapes.size; ++id)
-    CHECK_AT(sums.count(id) > 0 || is_same(shapes.shape[id].moments, Moments()),
+    CHECK_AT(sums.count(id) > 0 || is_same(shapes.table()[id].moments, Moments()),
              where + ", dead shape " + std::to_string(id));
   for(const Shared_moments& delta : shapes.delta)
     CHECK_AT(!is_any(delta) && is_same(delta.moments(), Moments()), where + ": deltas that were not taken");
@@ -99,8 +99,8 @@ Live live_shapes(const Shape_table<Sequential_backend>& shapes)
 {
   Live live;
   for(std::size_t id = 0; id < shapes.size; ++id)
-    if(shapes.shape[id].is_live()) {
-      live.shape.push_back(shapes.shape[id]);
+    if(shapes.table()[id].is_live()) {
+      live.shape.push_back(shapes.table()[id]);
       live.plane.push_back(shapes.plane[id]);
     }
   return live;
@@ -111,13 +111,12 @@ Live live_shapes(const Shape_table<Sequential_backend>& shapes)
 void check_new_ids(State& t, const std::string& where)
 {
   Shape_table<Sequential_backend>& shapes = t.shapes;
-  const Shape* const first = shapes.shape.data();
+  const Shape* const first = shapes.table().data();
   drop_shapes(t.points, shapes, [first](const Shape& shape) { return (&shape - first) % 4 != 0; });
   check_state(t, where + ", most are dropped");
   const Live before = live_shapes(shapes);
   const std::size_t size = shapes.size;
   check_equal(take_growth(t.points, shapes, shapes.size), 0u, where + ": new points");
-  list_shapes(t.points);
   check_state(t, where);
   check_equal(shapes.size, 2 * before.shape.size() < size ? before.shape.size() : size, where + ": ids");
   const Live after = live_shapes(shapes);
@@ -125,7 +124,7 @@ void check_new_ids(State& t, const std::string& where)
   for(std::size_t i = 0; i < before.shape.size() && i < after.shape.size(); ++i) {
     const Shape &a = after.shape[i], &b = before.shape[i];
     CHECK_AT(is_same(a.moments, b.moments) && is_same(after.plane[i], before.plane[i]) && a.entry == b.entry &&
-               a.rollbacks == b.rollbacks && a.plane_number == b.plane_number,
+               a.history.rollbacks() == b.history.rollbacks() && a.plane_number == b.plane_number,
              where + ": the order of the shapes");
     CHECK_AT(a.age == b.age + 1 && !a.is_active, where + ": age");
   }

@@ -117,6 +117,16 @@ std::size_t take_cloud(const Fixture& f, Labeled_cloud<Backend>& points)
   return cell_size;
 }
 
+// Each point has the label, and the state if there are any.
+template <class Backend>
+void set_labels(Labeled_cloud<Backend>& points, const std::vector<std::uint32_t>& label,
+                const std::vector<std::uint8_t>& state = {})
+{
+  points.start_labels();
+  std::copy(label.begin(), label.end(), points.change_labels(false).label);
+  std::copy(state.begin(), state.end(), points.state());
+}
+
 template <class T>
 void check_lists(const std::vector<T>& got, const std::vector<T>& expected, const std::string& name)
 {

@@ -55,6 +55,7 @@ private:
   std::size_t sweep_untried_cells(std::size_t maximum_untried_cells, int& passes, std::size_t& untried_cells);
   std::size_t growth_of_large_shapes();
   void drop_fragments();
+  Shape_relations relate_shapes(typename Backend::template Buffer<Link>& links);
   bool is_going_on(std::size_t new_points) const;
 
   const Import& in_;
@@ -136,7 +137,7 @@ template <class Backend>
 std::size_t Engine<Backend>::growth_of_large_shapes()
 {
   const auto sums = state_.points.backend.template sum<1>(
-    state_.shapes.size, Count_points_of_large{state_.shapes.shape.data(), state_.options.minimum_region_size});
+    state_.shapes.size, Count_points_of_large{state_.shapes.counted(), state_.options.minimum_region_size});
   const std::size_t large = std::size_t(sums[0]);
   const std::size_t best_before = std::exchange(maximum_large_, (std::max)(maximum_large_, large));
   return maximum_large_ - best_before;
@@ -157,6 +158,15 @@ template <class Backend>
 void Engine<Backend>::drop_fragments()
 {
   drop_shapes(state_.points, state_.shapes, Is_fragment{state_.options.minimum_fragment_size});
+}
+
+// Merges touching shapes of one plane, and finds relations. The links get the new ids.
+template <class Backend>
+Shape_relations Engine<Backend>::relate_shapes(typename Backend::template Buffer<Link>& links)
+{
+  Sample_memory<Backend> memory;
+  merge_by_joint_fit(state_.points, state_.shapes, state_.options, links, {tuning::merging::misfit_share, memory});
+  return regularize_shapes(state_.points, state_.shapes, state_.options, {state_.round, false, memory}, relations_);
 }
 
 struct Count_cells_with_seeds {
@@ -190,7 +200,7 @@ bool Engine<Backend>::is_going_on(std::size_t new_points) const
   return new_points > 0 ||
          state_.points.ranks.total(std::size_t(
            count(seeds.count.size(), Count_cells_with_seeds{seeds.cursor.data(), seeds.count.data()}))) > 0 ||
-         count(shapes.size, Count_restarted{shapes.shape.data(), shapes.is_restarted.data()}) > 0;
+         count(shapes.size, Count_restarted{shapes.counted(), shapes.is_restarted.data()}) > 0;
 }
 
 // The order matters. Small fragments go first, so that they need no links. Fragments merge before relations are found,
@@ -212,17 +222,13 @@ bool Engine<Backend>::iterate()
 
   Stage_timer regularity(times_.regularity);
   drop_fragments();
-  refit_shapes(points.backend, points.ranks, shapes);
-  auto links = collect_links(points, shapes, Links::changed);
-  merge_by_joint_fit(points, shapes, options, links, tuning::merging::misfit_share);
-  relations_ = regularize_shapes(points, shapes, options, {state_.round, false}, relations_);
+  auto links = collect_links(points, shapes, Links::changed, Phase::loop);
+  relations_ = relate_shapes(links);
   progress_.show_rounds(state_.round + .7);
-  const Targets<Backend> target = coplanar_targets(points.backend, shapes, links);
-  merge_shapes(points.backend, shapes, target);
-  apply_planes(points, shapes, options, target);
-  points.sample.reset(0); // others need the memory
+  apply_planes(points, shapes, options, coplanar_targets(points.backend, shapes, links));
   if(state_.round >= tuning::loop::young_rounds)
-    transfer_points(points, shapes, options, {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, 1});
+    transfer_points(points, shapes, options,
+                    {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, 1, Phase::loop});
   ++state_.round;
   return progress_.show_rounds(state_.round) && is_going_on(new_points);
 }

@@ -38,11 +38,9 @@ struct Free_all {
 template <class Backend>
 void clear_labels(Labeled_cloud<Backend>& points)
 {
-  points.cell_shapes.reset(points.number_of_cells());
-  points.backend.for_each(points.number_of_cells(), Clear_lists{points.cell_shapes.data()});
-  points.label.reset(points.cloud.size_with_ghosts());
-  points.state.reset(points.cloud.size_with_ghosts());
-  points.backend.for_each(points.cloud.size_with_ghosts(), Free_all{points.labels()});
+  points.start_labels();
+  points.backend.for_each(points.cloud.size_with_ghosts(), Free_all{points.change_labels(false)});
+  points.backend.for_each(points.number_of_cells(), Clear_lists{points.make_lists()});
 }
 
 // The order is given by what each stage needs: neighbors the sorted points, normals the neighbors, seeds the normals.

@@ -260,7 +260,7 @@ struct Count_transfers {
   }
 };
 
-// The making of one plan. All moments have to be right and fitted.
+// The making of one plan, of fitted shapes.
 template <class Backend>
 class Transfer_planner {
   template <class T>
@@ -270,7 +270,7 @@ public:
   Transfer_planner(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
                    Planes planes)
     : points_(points), backend_(points.backend), shapes_(shapes),
-      options_(options), criterion_{shapes.shape.data(), options.maximum_distance, planes == Planes::may_change}
+      options_(options), criterion_{shapes.fitted(), options.maximum_distance, planes == Planes::may_change}
   {}
 
   Transfer_plan<Backend> plan(const Buffer<Link>& links)
@@ -312,7 +312,7 @@ private:
     query_.reset(keys.size());
     queries_of_ = filled_buffer(backend_, shapes_.size, Range{0, 0});
     backend_.for_each(keys.size(),
-                      Make_query<Table>{table.view(), keys.size(), shapes_.shape.data(), shapes_.plane.data(),
+                      Make_query<Table>{table.view(), keys.size(), shapes_.fitted(), shapes_.plane.data(),
                                         query_.data(), queries_of_.data()},
                       shapes_per_thread);
   }
@@ -322,7 +322,7 @@ private:
     count_ = filled_buffer(backend_, 2 * query_.size(), std::uint64_t(0));
     backend_.template for_each_cell<Count_scratch>(
       points_.number_of_parts(),
-      Count_fitting<Backend>{points_.cloud.view(), points_.parts_view(), points_.label.data(), queries_of_.data(),
+      Count_fitting<Backend>{points_.cloud.view(), points_.listed_parts(), points_.label(), queries_of_.data(),
                              query_.data(), count_.data(), options_.growth.tolerance, criterion_.may_change});
     points_.ranks.sum(count_.data(), count_.size());
   }

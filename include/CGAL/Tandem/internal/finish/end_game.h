@@ -27,26 +27,25 @@ namespace Tandem {
 namespace internal {
 
 struct Mark_below {
-  const Shape* shape;
-  std::int64_t size;
+  const std::int64_t* size;
+  std::int64_t minimum;
   std::uint8_t* is_below;
 
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
-  {
-    is_below[id] = shape[id].is_live() && shape[id].moments.count < size;
-  }
+  CGAL_TANDEM_HD void operator()(std::size_t id) const { is_below[id] = size[id] > 0 && size[id] < minimum; }
 };
 
 // By id.
 template <class Backend>
 using Marks = typename Backend::template Buffer<std::uint8_t>;
-
-// 1 for live shapes of less than `size` points, 0 for all other entries.
 template <class Backend>
-Marks<Backend> shapes_below(Backend& backend, const Shape_table<Backend>& shapes, std::int64_t size)
+using Sizes = typename Backend::template Buffer<std::int64_t>;
+
+// 1 for live shapes of less than `minimum` points, 0 for all other entries.
+template <class Backend>
+Marks<Backend> shapes_below(Backend& backend, const Sizes<Backend>& size, std::int64_t minimum)
 {
-  Marks<Backend> is_below(shapes.size);
-  for_each_shape(backend, shapes, Mark_below{shapes.shape.data(), size, is_below.data()});
+  Marks<Backend> is_below(size.size());
+  backend.for_each(size.size(), Mark_below{size.data(), minimum, is_below.data()}, shapes_per_thread);
   return is_below;
 }
 
@@ -66,7 +65,7 @@ struct Round_plane {
     if(!shape[id].is_live())
       return;
     plane[id] = rounded(shape[id].plane);
-    shape[id].checked = shape[id].plane;
+    shape[id].history.set_checked(shape[id].plane);
   }
 };
 
@@ -76,7 +75,8 @@ template <class Backend>
 void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Marks<Backend>& is_checked,
                     const Tolerance& tolerance)
 {
-  for_each_shape(points.backend, shapes, Round_plane{shapes.shape.data(), shapes.plane.data()});
+  require(points, shapes, tables::moments);
+  for_each_shape(points.backend, shapes, Round_plane{shapes.counted(), shapes.plane.data()});
   update_points(points, shapes, identity_targets(points.backend, shapes.size), is_checked.data(), tolerance);
 }
 
@@ -91,13 +91,13 @@ struct Take_local {
   }
 };
 
-// Fits all shapes whose points have changed. Fragments take their local planes, as after a rollback.
+// Fragments take their local planes, as after a rollback.
 template <class Backend>
-void refit_fragments(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                     const Marks<Backend>& is_fragment)
+void take_planes_of_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                              const Marks<Backend>& is_fragment)
 {
-  refit_shapes(points.backend, points.ranks, shapes);
-  for_each_shape(points.backend, shapes, Take_local{shapes.shape.data(), is_fragment.data()});
+  require(points, shapes, tables::fits);
+  for_each_shape(points.backend, shapes, Take_local{shapes.fitted(), is_fragment.data()});
 }
 
 struct Take_links_of_fragments {
@@ -119,70 +119,71 @@ void join_fragments(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes
                     const Marks<Backend>& is_fragment)
 {
   Backend& backend = points.backend;
-  refit_shapes(backend, points.ranks, shapes);
-  const auto all = collect_links(points, shapes, Links::all);
+  const auto all = collect_links(points, shapes, Links::all, Phase::end);
   auto links = backend.template collect<Link>(all.size(), Take_links_of_fragments{all.data(), is_fragment.data()});
-  if(is_any_joined(backend, merge_by_joint_fit(points, shapes, options, links, tuning::merging::final_misfit_share)))
-    refit_fragments(points, shapes, is_fragment);
-  points.sample.reset(0); // others need the memory
+  Sample_memory<Backend> memory;
+  const Joint_fit_merge<Backend> merge = {tuning::merging::final_misfit_share, memory};
+  if(is_any_joined(backend, merge_by_joint_fit(points, shapes, options, links, merge)))
+    take_planes_of_fragments(points, shapes, is_fragment);
 }
 
 // Fragments are not dropped at once: they may be parts of one face, or of a larger neighbor. There are two rounds,
-// because with one of them, faces behind many patches are lost. A round that changes little is the last one. Moments
-// are summed again at its end.
+// because with one of them, faces behind many patches are lost. A round that changes little is the last one. The sizes
+// by which points are reassigned are those before free points are labeled.
 template <class Backend>
 void consolidate(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
   using namespace tuning::end_game;
   const Tolerance& tolerance = options.growth.tolerance;
+  Backend& backend = points.backend;
   for(int round = 0; round < consolidation_rounds; ++round) {
-    const auto is_fragment = shapes_below(points.backend, shapes, options.minimum_region_size);
-    const Shape_counts before = count_live(points.backend, shapes);
-    refit_fragments(points, shapes, is_fragment);
+    require(points, shapes, tables::moments);
+    const Shape_counts before = count_live(backend, shapes);
+    const auto is_fragment = shapes_below(backend, sizes_of(backend, shapes), options.minimum_region_size);
+    take_planes_of_fragments(points, shapes, is_fragment);
     detach_misfits(points, shapes, is_fragment, tolerance);
     join_fragments(points, shapes, options, is_fragment);
     detach_misfits(points, shapes, is_fragment, tolerance);
-    propagate_labels(points, shapes, tolerance);
-    const auto may_lose = shapes_below(points.backend, shapes, options.minimum_region_size);
-    reassign(points, shapes, tolerance, may_lose.data(), false);
-    recount(points, shapes);
-    const Shape_counts now = count_live(points.backend, shapes);
+    const auto size = sizes_of(backend, shapes);
+    const auto may_lose = shapes_below(backend, size, options.minimum_region_size);
+    propagate_labels(points, shapes, tolerance, Phase::end);
+    reassign(points, shapes, tolerance, {size.data(), may_lose.data(), Phase::end, false});
+    require(points, shapes, tables::moments);
+    const Shape_counts now = count_live(backend, shapes);
     if(kept_shapes.is_reached(std::int64_t(now.shapes), std::int64_t(before.shapes)) &&
        !grown_points.is_reached(std::int64_t(now.points), std::int64_t(before.points)))
       break;
   }
 }
 
-// One regularization of all shapes, with labels and shapes that follow from it. The moments have to be those of the
-// points before, and are afterwards. Returns the relations, by shape; `before` has those of the last such step, which
-// are kept where little has changed.
+// One regularization of all shapes, with labels and shapes that follow from it. Returns the relations, by shape.
+// `before`: those of the last such step, which are kept where little has changed.
 template <class Backend>
 Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                                    int round, const Shape_relations& before)
 {
   Backend& backend = points.backend;
   const Tolerance& tolerance = options.growth.tolerance;
-  refit_shapes(backend, points.ranks, shapes);
-  Shape_relations relations = regularize_shapes(points, shapes, options, {round, true}, before);
-  points.sample.reset(0); // others need the memory
-  const auto links = collect_links(points, shapes, Links::all);
+  Sample_memory<Backend> memory;
+  Shape_relations relations = regularize_shapes(points, shapes, options, {round, true, memory}, before);
+  memory.sample.release();
+  const auto links = collect_links(points, shapes, Links::all, Phase::end);
   merge_points(points, shapes, coplanar_targets(backend, shapes, links));
   detach_misfits(points, shapes, all_shapes(backend, shapes), tolerance);
-  propagate_labels(points, shapes, tolerance);
-  recount(points, shapes);
+  propagate_labels(points, shapes, tolerance, Phase::end);
   drop_small(points, shapes, options.lasting_size);
   return relations;
 }
 
 struct Mark_safe {
-  const Shape* shape;
+  const std::int64_t* size;
   std::int64_t minimum_size;
   std::uint8_t* is_safe;
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
     constexpr tuning::Share safe_size = tuning::end_game::safe_size;
-    is_safe[id] = safe_size.is_reached(shape[id].moments.count, minimum_size);
+    is_safe[id] = safe_size.is_reached(size[id], minimum_size);
   }
 };
 
@@ -194,11 +195,12 @@ void reassign_to_larger(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   Marks<Backend> may_lose(shapes.size);
   bool is_any = true;
   for(int round = 0; round < tuning::end_game::reassignment_rounds && is_any; ++round) {
-    for_each_shape(points.backend, shapes,
-                   Mark_safe{shapes.shape.data(), options.minimum_region_size, may_lose.data()});
-    is_any = reassign(points, shapes, options.growth.tolerance, may_lose.data(), true);
+    require(points, shapes, tables::moments);
+    const auto size = sizes_of(points.backend, shapes);
+    for_each_shape(points.backend, shapes, Mark_safe{size.data(), options.minimum_region_size, may_lose.data()});
+    is_any =
+      reassign(points, shapes, options.growth.tolerance, {size.data(), may_lose.data(), Phase::reassignment, true});
   }
-  list_shapes(points);
   drop_small(points, shapes, options.minimum_region_size);
 }
 
@@ -209,24 +211,9 @@ void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
 {
   const Tolerance& tolerance = options.growth.tolerance;
   choose_sides(points, shapes, tolerance);
-  list_shapes(points);
   fit_normals_to_shapes(points, shapes, tolerance);
   detach_misfits(points, shapes, all_shapes(points.backend, shapes), tolerance);
   drop_small(points, shapes, options.minimum_region_size);
-}
-
-// An interior point is skipped, since all of its neighbors have had its label. Neighbors may have lost it since, so the
-// bit is cleared before the stages that rely on it.
-struct Clear_interior {
-  std::uint8_t* state;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { state[i] &= std::uint8_t(~interior_bit); }
-};
-
-template <class Backend>
-void clear_interior(Labeled_cloud<Backend>& points)
-{
-  points.backend.for_each(points.cloud.size(), Clear_interior{points.state.data()});
 }
 
 // Returns the relations of the live shapes; `round` is the number of rounds of the loop. It runs to its end even if the
@@ -238,23 +225,20 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
                          int round, Progress& progress)
 {
   const auto show = [&](double share) { progress.show(Detection_stage::end_game, share); };
-  clear_interior(points);
   consolidate(points, shapes, options);
   drop_small(points, shapes, options.lasting_size);
   show(.2);
   const Shape_relations first = regularize_finally(points, shapes, options, round, {});
   show(.4);
   const int rounds = tuning::transfer::maximum_rounds;
-  transfer_points(points, shapes, options, {Planes::may_change, rounds, options.lasting_size});
+  transfer_points(points, shapes, options, {Planes::may_change, rounds, options.lasting_size, Phase::end});
   Shape_relations relations = regularize_finally(points, shapes, options, round, first);
   show(.6);
-  transfer_points(points, shapes, options, {Planes::are_fixed, rounds, options.lasting_size});
-  clear_interior(points);
+  transfer_points(points, shapes, options, {Planes::are_fixed, rounds, options.lasting_size, Phase::end});
   reassign_to_larger(points, shapes, options);
   show(.7);
   if(options.has_estimated_normals)
     sharpen_edges(points, shapes, options);
-  clear_interior(points);
   show(.8);
   relabel_small_components(points, shapes, options);
   show(.9);

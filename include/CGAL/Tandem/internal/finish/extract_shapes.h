@@ -32,8 +32,8 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
   return planes;
 }
 
-// Of the distances of the points to the regular plane of an entry, in epsilons. From the moments of the shape: its
-// local fit, and what its regular plane adds to it.
+// Of the distances of the points to the regular plane of an entry, in epsilons. From the last fit of the shape, and
+// what its regular plane adds to it: few points have come or gone since.
 struct Measure_rms {
   const Shape* shape;
   const std::uint32_t* id;
@@ -137,9 +137,9 @@ private:
   {
     const auto id = to_buffer(backend_, relations_.id);
     const auto entry_of = places_of(backend_, shapes_.size, id);
-    backend_.for_each(label_.size(), Map_to_entries{points_.label.data(), entry_of.data(), label_.data()});
+    backend_.for_each(label_.size(), Map_to_entries{points_.label(), entry_of.data(), label_.data()});
     Buffer<double> rms(id.size());
-    backend_.for_each(id.size(), Measure_rms{shapes_.shape.data(), id.data(), options_.maximum_distance, rms.data()},
+    backend_.for_each(id.size(), Measure_rms{shapes_.table().data(), id.data(), options_.maximum_distance, rms.data()},
                       shapes_per_thread);
     rms_ = to_vector(backend_, rms);
   }

@@ -10,8 +10,7 @@
 
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/base/Tuning.h>
-#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
-#include <CGAL/Tandem/internal/shapes/Shape_table.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -162,9 +161,10 @@ struct Label_propagation {
 };
 
 // Labels free points until a round labels hardly any, or after a number of rounds. Proposals that are still open then
-// are dropped. plane: by shape, as rounded for the tests of points.
+// are dropped. Moments do not follow.
 template <class Backend>
-void propagate_labels(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Tolerance& tolerance)
+void propagate_labels(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance,
+                      Phase phase)
 {
   constexpr std::size_t maximum_rounds = tuning::end_game::propagation_rounds;
   Backend& backend = points.backend;
@@ -174,11 +174,13 @@ void propagate_labels(Labeled_cloud<Backend>& points, const Shape_table<Backend>
   typename Backend::template Buffer<std::uint32_t> proposed(with_ghosts);
   auto end = filled_buffer(backend, maximum_rounds + 2, std::uint32_t(0));
   backend.for_each(with_ghosts, Clear_proposals{proposal.data()});
-  const Propose_label<Backend> first = {points.cloud.view(), points.label.data(), points.state.data(),
-                                        shapes.plane.data(), proposal.data(),     tolerance,
-                                        proposed.data(),     end.data() + 1};
+  const std::uint8_t* const state = states_of(points, phase);
+  const Labels_view labels = points.change_labels(false);
+  shapes.lose_moments();
+  const Propose_label<Backend> first = {points.cloud.view(), labels.label, state,           shapes.plane.data(),
+                                        proposal.data(),     tolerance,    proposed.data(), end.data() + 1};
   backend.for_each(n, first);
-  const Label_propagation<Backend> rounds = {first, points.labels(), {proposed.data(), end.data()}, few};
+  const Label_propagation<Backend> rounds = {first, labels, {proposed.data(), end.data()}, few};
   points.ranks.run_propagation(backend, maximum_rounds, n, rounds);
 }
 

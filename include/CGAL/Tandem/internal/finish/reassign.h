@@ -1,16 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Passes over assigned points while planes are fixed. Points move to larger shapes that they fit, or all shapes are
-// counted again. Changes labels and interior bits of points, and moments and boxes of shapes, nothing else. See the
-// manual, "Reassignment".
+// A pass over assigned points while planes are fixed: points move to larger shapes that they fit. Changes labels and
+// interior bits of points, and moments and boxes of shapes, nothing else. See the manual, "Reassignment".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
 #define CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
 
 #include <CGAL/Tandem/internal/base/Tuning.h>
-#include <CGAL/Tandem/internal/shapes/cell_shapes.h>
-#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 
 #include <vector>
 
@@ -26,10 +24,10 @@ struct Choose_largest {
   Cloud_view cloud;
   const std::uint32_t* label;
   std::uint8_t* state;
-  const Plane* plane;
-  const Shape* shape;
-  const std::uint8_t* may_lose; // by shape
-  std::uint32_t* chosen;        // by point: its next label
+  const Plane* plane; // these three by shape
+  const std::int64_t* size;
+  const std::uint8_t* may_lose;
+  std::uint32_t* chosen; // by point: its next label
   Tolerance tolerance;
   bool marks_interior;
 
@@ -65,10 +63,16 @@ private:
       if(t >= first_mark || t == last)
         continue;
       last = t;
-      if(is_before(shape, t, best) && may_take(t, i) && are_one_surface(t, nearest, i))
+      if(is_before(t, best) && may_take(t, i) && are_one_surface(t, nearest, i))
         best = t;
     }
     return best;
+  }
+
+  // The order by falling size, then by id.
+  CGAL_TANDEM_HD bool is_before(std::uint32_t t, std::uint32_t s) const
+  {
+    return size[t] > size[s] || (size[t] == size[s] && t < s);
   }
 
   CGAL_TANDEM_HD bool may_take(std::uint32_t t, std::size_t i) const
@@ -147,98 +151,44 @@ struct Apply_chosen {
   }
 };
 
-// Points take the chosen labels, by position. Moments stay right if they were; boxes may be too large, because a lost
-// point does not shrink them. Shapes may become empty. Returns whether any label has changed.
+// Points take the chosen labels, by position. Moments follow; boxes may be too large, because a lost point does not
+// shrink them. Shapes may become empty. Returns whether any label has changed.
 template <class Backend>
 bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const std::uint32_t* chosen)
 {
   Backend& backend = points.backend;
+  const Labels_view labels = points.change_labels(false);
   backend.template for_each_cell<Moment_table>(
-    points.number_of_cells(), Apply_chosen<Backend>{points.cloud.view(), points.cells.data(), chosen, points.labels(),
+    points.number_of_cells(), Apply_chosen<Backend>{points.cloud.view(), points.cells.data(), chosen, labels,
                                                     start_deltas(backend, shapes, shapes.size)});
-  points.ranks.update_labels(points.label.data());
+  points.ranks.update_labels(labels.label);
   points.ranks.sum(shapes.delta.data(), shapes.size);
   const bool is_any = count_deltas(backend, shapes) > 0;
   add_deltas(backend, shapes);
   return is_any;
 }
 
-// One round, computed from the labels of the round before (Jacobi): see take_chosen(). may_lose: by id.
+// What a round knows of the shapes, by id: their sizes, and which ones may lose points. Points become interior where
+// that is marked.
+struct Reassignment {
+  const std::int64_t* size;
+  const std::uint8_t* may_lose;
+  Phase phase;
+  bool marks_interior;
+};
+
+// One round, computed from the labels of the round before (Jacobi): see take_chosen().
 template <class Backend>
 bool reassign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance,
-              const std::uint8_t* may_lose, bool marks_interior)
+              const Reassignment& r)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
   typename Backend::template Buffer<std::uint32_t> chosen(n);
-  backend.for_each(n, Choose_largest{points.cloud.view(), points.label.data(), points.state.data(), shapes.plane.data(),
-                                     shapes.shape.data(), may_lose, chosen.data(), tolerance, marks_interior});
+  backend.for_each(n,
+                   Choose_largest{points.cloud.view(), points.label(), states_of(points, r.phase), shapes.plane.data(),
+                                  r.size, r.may_lose, chosen.data(), tolerance, r.marks_interior});
   return take_chosen(points, shapes, chosen.data());
-}
-
-// For each cell: the moments and boxes of the shapes of its points. Successive points often have the same label, so
-// each lane sums a run of them before it looks up a slot.
-template <class Backend>
-struct Sum_moments {
-  Cloud_view cloud;
-  Cells_view cells;
-  const std::uint32_t* label;
-  Shared_moments* sum;
-
-  template <class Block>
-  CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
-  {
-    const Range cell = cells[c];
-    if(cell.size() == 0)
-      return;
-    const Grid_point& base = cloud.point[cell.first];
-    const Cell_sums sums = {base, sum};
-    const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, sums); };
-    table.clear(block);
-    block.template accumulate<Shape_run>(
-      cell.size(),
-      [&](std::uint32_t at, Shape_run& run) {
-        const std::uint32_t i = cell.first + at;
-        if(label[i] >= first_mark)
-          return;
-        if(label[i] != run.shape) {
-          add(run);
-          run = Shape_run();
-          run.shape = label[i];
-        }
-        run.add(cloud.point[i], base, 1);
-      },
-      add);
-    table.template flush<Backend>(block, sums);
-  }
-};
-
-struct Set_sums {
-  Shape* shape;
-  Shared_moments* sum;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
-  {
-    shape[id].moments = Moments();
-    if(is_any(sum[id]))
-      shape[id].box = Box();
-    Add_deltas{shape, sum}(id);
-  }
-};
-
-// Sums moments and boxes of all shapes again from the labels. Needed where labels have changed without their deltas,
-// and to shrink boxes.
-template <class Backend>
-void recount(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
-{
-  Backend& backend = points.backend;
-  Shared_moments* const sums = start_deltas(backend, shapes, shapes.size);
-  backend.template for_each_cell<Moment_table>(
-    points.number_of_parts(),
-    Sum_moments<Backend>{points.cloud.view(), points.parts_view(), points.label.data(), sums});
-  points.ranks.sum(sums, shapes.size);
-  list_shapes(points);
-  for_each_shape(backend, shapes, Set_sums{shapes.shape.data(), sums});
 }
 
 } // namespace internal

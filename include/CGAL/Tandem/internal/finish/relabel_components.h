@@ -32,22 +32,23 @@ struct Free_small_components {
   }
 };
 
-// All shapes have to be of the minimum size, and interior bits have to be clear. Afterwards each shape has that size
-// still, or no point at all. Moments are out of date.
+// All shapes have to be of the minimum size. Afterwards each shape has that size still, or no point at all. Moments do
+// not follow.
 template <class Backend>
-void relabel_small_components(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes,
-                              const Options& options)
+void relabel_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
   const std::size_t n = points.cloud.size();
   { // these buffers are released before the labels are propagated, which needs memory itself
     typename Backend::template Buffer<std::uint32_t> component(points.cloud.size_with_ghosts());
-    auto seams = find_components(points, options.growth.cell_size, points.label.data(), component.data());
-    const auto size = component_sizes(points, points.label.data(), component.data(), seams);
+    auto seams = find_components(points, options.growth.cell_size, points.label(), component.data());
+    const auto size = component_sizes(points, points.label(), component.data(), seams);
+    const Labels_view labels = points.change_labels(true); // lists may have shapes without points
+    shapes.lose_moments();
     points.backend.for_each(n, Free_small_components{component.data(), size.data(),
-                                                     std::uint64_t(options.minimum_region_size), points.label.data()});
+                                                     std::uint64_t(options.minimum_region_size), labels.label});
+    points.ranks.update_labels(labels.label);
   }
-  points.ranks.update_labels(points.label.data());
-  propagate_labels(points, shapes, options.growth.tolerance);
+  propagate_labels(points, shapes, options.growth.tolerance, Phase::components);
 }
 
 } // namespace internal

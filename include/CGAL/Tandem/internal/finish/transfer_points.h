@@ -53,30 +53,27 @@ struct Take_changed_plane {
     Shape& s = shape[id];
     if(!is_changed[id])
       return;
-    s.plane = s.checked = s.local;
-    s.regular_count = 0;
+    s.plane = s.local;
+    s.history.set_checked(s.plane);
+    s.history.set_related(0);
     plane[id] = rounded(s.plane);
   }
 };
 
-// The shapes take their local planes, and the points follow. Shapes with a new plane have no relations any more.
+// The shapes take their local planes, and the points follow; moments do not. Shapes with a new plane have no relations
+// any more.
 template <class Backend>
 void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Transfer_plan<Backend>& plan,
                const Tolerance& tolerance)
 {
   for_each_shape(points.backend, shapes,
-                 Take_changed_plane{shapes.shape.data(), shapes.plane.data(), plan.is_changed.data()});
-  points.backend.for_each(points.cloud.size(), Transfer_point{points.cloud.view(), points.labels(), plan.target.data(),
+                 Take_changed_plane{shapes.fitted(), shapes.plane.data(), plan.is_changed.data()});
+  const Labels_view labels = points.change_labels(false);
+  shapes.lose_moments();
+  points.backend.for_each(points.cloud.size(), Transfer_point{points.cloud.view(), labels, plan.target.data(),
                                                               plan.is_changed.data(), shapes.plane.data(), tolerance});
-  points.ranks.update_labels(points.label.data());
+  points.ranks.update_labels(labels.label);
 }
-
-struct Copy_sizes {
-  const Shape* shape;
-  std::int64_t* size;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id) const { size[id] = shape[id].moments.count; }
-};
 
 struct Mark_changed {
   Shape* shape;
@@ -86,7 +83,7 @@ struct Mark_changed {
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
     if(is_changed[id] || shape[id].moments.count != before[id])
-      shape[id].is_changed = true;
+      shape[id].history.set_linked(false);
   }
 };
 
@@ -102,12 +99,13 @@ struct Sum_moved {
   }
 };
 
-// How points are transferred: whether planes are fitted anew or stay as they are, and how often. Shapes that are
-// smaller afterwards are dissolved; in the loop, that is left to the next round, since they may still grow.
+// How points are transferred: whether planes are fitted anew or stay as they are, how often, and in which phase. Shapes
+// that are smaller afterwards are dissolved; in the loop, that is left to the next round, since they may still grow.
 struct Transfer {
   Planes planes;
   int maximum_rounds;
   std::int64_t minimum_size;
+  Phase phase;
 };
 
 // Rounds of transfers, until hardly any point moves. All points have to fit the planes of their shapes, which are
@@ -118,20 +116,18 @@ void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shape
 {
   Backend& backend = points.backend;
   const Tolerance& tolerance = options.growth.tolerance;
-  typename Backend::template Buffer<std::int64_t> before(shapes.size);
   for(int round = 0; round < transfer.maximum_rounds; ++round) {
-    refit_shapes(backend, points.ranks, shapes);
-    const auto links = collect_links(points, shapes, Links::all);
+    require(points, shapes, tables::fits | tables::lists);
+    const auto links = collect_links(points, shapes, Links::all, transfer.phase);
     const auto plan = Transfer_planner<Backend>(points, shapes, options, transfer.planes).plan(links);
     if(!plan.is_any)
       return;
-    for_each_shape(backend, shapes, Copy_sizes{shapes.shape.data(), before.data()});
+    const auto before = sizes_of(backend, shapes);
     carry_out(points, shapes, plan, tolerance);
-    propagate_labels(points, shapes, tolerance);
-    recount(points, shapes);
-    for_each_shape(backend, shapes, Mark_changed{shapes.shape.data(), before.data(), plan.is_changed.data()});
-    const std::int64_t moved =
-      backend.template sum<1>(shapes.size, Sum_moved{shapes.shape.data(), before.data()})[0] / 2;
+    propagate_labels(points, shapes, tolerance, transfer.phase);
+    require(points, shapes, tables::moments);
+    for_each_shape(backend, shapes, Mark_changed{shapes.counted(), before.data(), plan.is_changed.data()});
+    const std::int64_t moved = backend.template sum<1>(shapes.size, Sum_moved{shapes.counted(), before.data()})[0] / 2;
     drop_small(points, shapes, transfer.minimum_size);
     if(moved < std::int64_t(points.total_points() / tuning::transfer::points_per_moved_point))
       return;

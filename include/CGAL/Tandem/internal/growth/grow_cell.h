@@ -117,7 +117,7 @@ private:
     return at;
   }
 
-  CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return Labels_view{label_, state_}.is_untried(i); }
+  CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return internal::is_untried(label_, state_, i); }
 
   // Tests at most maximum_seeds_in_flight planes, so this is cheap enough for each seed.
   CGAL_TANDEM_HD bool is_candidate(std::uint32_t i) const

@@ -9,8 +9,7 @@
 
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 #include <CGAL/Tandem/internal/growth/grow_cell.h>
-#include <CGAL/Tandem/internal/shapes/Shape_table.h>
-#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 
 #include <algorithm>
 
@@ -119,6 +118,7 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
                        const Growth_options& options)
 {
   Backend& backend = points.backend;
+  require(points, shapes, tables::moments | tables::lists); // the pass adds to the moments
   Border<Backend>& border = points.border;
   const std::size_t cells = points.number_of_cells();
   const std::size_t ids = shapes.size + cells * std::size_t(options.seeds_in_flight);
@@ -129,11 +129,12 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   const Shapes_view view = {plane.data(), steps.data(), is_restarted.data(), start_deltas(backend, shapes, ids)};
   backend.for_each(ids, Copy_for_growth{shapes.plane.data(), shapes.steps.data(), shapes.is_restarted.data(),
                                         shapes.size, view, is_restarted.data()});
-  backend.for_each(border.point.size(), Propose{cloud, points.label.data(), plane.data(), border.point.data(),
+  backend.for_each(border.point.size(), Propose{cloud, points.label(), plane.data(), border.point.data(),
                                                 border.proposal.data(), options.tolerance});
-  const Cell_tables tables = {points.cells_view(), border.range.data(), border.point.data(), border.proposal.data(),
-                              seeds.seed.data(),   seeds.count.data(),  seeds.cursor.data()};
-  const Grow_cells<Backend> body = {cloud, view, points.labels(), options, tables, std::uint32_t(shapes.size)};
+  const Cell_tables tables = {points.listed_cells(), border.range.data(), border.point.data(), border.proposal.data(),
+                              seeds.seed.data(),     seeds.count.data(),  seeds.cursor.data()};
+  const Labels_view labels = points.change_labels(false);
+  const Grow_cells<Backend> body = {cloud, view, labels, options, tables, std::uint32_t(shapes.size)};
   // Large cells need a larger queue, which does not fit into the fast memory of a device.
   if(options.cell_size <= small_cell)
     backend.template for_each_cell<Growth_scratch<small_cell>>(cells, body);
@@ -146,8 +147,9 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
 // Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
 template <class Backend>
 struct Find_untried_cells {
-  Labels_view labels;
-  Cells_view cells;
+  const std::uint32_t* label; // by position, as is the next one
+  const std::uint8_t* state;
+  const Range* cells;
   const std::uint32_t* seed;       // by position
   const std::uint32_t* seed_count; // by cell, as is the next one
   const std::uint32_t* seed_cursor;
@@ -161,7 +163,7 @@ struct Find_untried_cells {
     const std::uint32_t share = cells[c].size() / tuning::loop::points_per_untried_point + 1;
     block.single([&] { untried = 0; });
     block.for_each(seed_count[c] - seed_cursor[c], [&](std::uint32_t at) {
-      if(labels.is_untried(seed[first + at]))
+      if(is_untried(label, state, seed[first + at]))
         block.append(untried);
     });
     block.single([&] {
@@ -181,8 +183,8 @@ std::size_t count_untried_cells(Labeled_cloud<Backend>& points, const Seeds<Back
     std::uint32_t((std::min)({minimum_region_size, std::int64_t(points.total_points()), std::int64_t(first_mark)}));
   points.backend.template for_each_cell<std::uint32_t>(
     points.number_of_cells(),
-    Find_untried_cells<Backend>{points.labels(), points.cells_view(), seeds.seed.data(), seeds.count.data(),
-                                seeds.cursor.data(), smallest, found.data()});
+    Find_untried_cells<Backend>{points.label(), points.state(), points.cells.data(), seeds.seed.data(),
+                                seeds.count.data(), seeds.cursor.data(), smallest, found.data()});
   return points.ranks.total(to_vector(points.backend, found).front());
 }
 

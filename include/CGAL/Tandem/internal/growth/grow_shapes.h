@@ -83,7 +83,8 @@ struct Take_growth {
       return;
     s.moments += delta[old].moments();
     s.box.add(delta[old].box);
-    s.is_dirty = s.is_changed = true;
+    s.history.set_fitted(false);
+    s.history.set_linked(false);
     delta[old] = Shared_moments();
   }
 };
@@ -114,14 +115,14 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   Ids started = backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new});
   ids = points.ranks.share_started(shapes, ids, started);
   Shared_moments* const delta = shapes.delta.data();
-  const auto sums = backend.template sum<2>(ids, Count_grown{shapes.shape.data(), delta, first_new});
+  const auto sums = backend.template sum<2>(ids, Count_grown{shapes.counted(), delta, first_new});
   const std::size_t live = std::size_t(sums[1]);
   const bool is_sparse = 2 * live < first_new;
-  const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.shape.data(), 1}) : Ids();
+  const Ids kept = is_sparse ? backend.compact(first_new, Has_points{shapes.counted(), 1}) : Ids();
   const std::size_t number_kept = is_sparse ? live : first_new, size = number_kept + started.size();
   typename Backend::template Buffer<Shape> shape;
   typename Backend::template Buffer<Plane> plane;
-  const bool moves = is_sparse || size > shapes.shape.size();
+  const bool moves = is_sparse || size > shapes.table().size();
   if(moves) {
     shape.reset(size + size / 2);
     plane.reset(size + size / 2);
@@ -130,30 +131,30 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   }
   Ids new_id(ids);
   backend.for_each(size,
-                   Take_growth{shapes.shape.data(), shapes.plane.data(), moves ? shape.data() : shapes.shape.data(),
+                   Take_growth{shapes.table().data(), shapes.plane.data(),
+                               moves ? shape.data() : shapes.change_moments(),
                                moves ? plane.data() : shapes.plane.data(), shapes.steps.data(),
                                shapes.is_restarted.data(), delta, is_sparse ? kept.data() : nullptr, started.data(),
                                std::uint32_t(number_kept), std::uint32_t(first_new), new_id.data()},
                    shapes_per_thread);
   if(moves) {
-    shapes.shape = std::move(shape);
+    shapes.table() = std::move(shape);
     shapes.plane = std::move(plane);
   }
   shapes.size = size;
+  const Labels_view labels = points.change_labels(false);
   if(is_sparse || started.size() > 0)
-    backend.for_each(points.cloud.size(), Replace_ids{new_id.data(), points.label.data()});
-  points.ranks.update_labels(points.label.data());
+    backend.for_each(points.cloud.size(), Replace_ids{new_id.data(), labels.label});
+  points.ranks.update_labels(labels.label);
   return std::size_t(sums[0]);
 }
 
-// One pass, from proposals to lists of the cells. Returns the number of points that were free before.
+// One pass, from proposals to the table of shapes. Returns the number of points that were free before.
 template <class Backend>
 std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
                         const Growth_options& options)
 {
-  const std::size_t new_points = take_growth(points, shapes, grow_cells(points, shapes, seeds, options));
-  list_shapes(points);
-  return new_points;
+  return take_growth(points, shapes, grow_cells(points, shapes, seeds, options));
 }
 
 // The fits of shapes that started in the last pass.
@@ -170,9 +171,9 @@ struct Take_local_plane {
     Shape& s = shape[id];
     if(!s.is_live() || s.age != 1)
       return;
-    refit_if_dirty(s);
+    fit_if_changed(s);
     plane[id] = rounded(s.local);
-    s.restarted = s.local;
+    s.history.set_restarted(s.local);
   }
 };
 
@@ -181,8 +182,8 @@ struct Take_local_plane {
 template <class Backend>
 void take_local_planes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
-  points.ranks.share_fits(shapes.size, Started_shapes{{shapes.shape.data()}});
-  for_each_shape(points.backend, shapes, Take_local_plane{shapes.shape.data(), shapes.plane.data()});
+  points.ranks.share_fits(shapes.size, Started_shapes{{shapes.counted()}});
+  for_each_shape(points.backend, shapes, Take_local_plane{shapes.counted(), shapes.plane.data()});
 }
 
 } // namespace internal

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Counts how many points of a shape would no longer fit, if a plane replaced the local one. Decides nothing. Changes
-// the samples of the cloud, and last_misfits of shapes. See the manual, "Verification and Rollback".
+// last_misfits of shapes. See the manual, "Verification and Rollback".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MISFIT_COUNTER_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MISFIT_COUNTER_H
@@ -18,6 +18,21 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// A point that is tested against planes of its shape. A copy, so that repeated tests read consecutive memory.
+struct Sample {
+  Grid_point point;
+  std::uint32_t place; // of its shape among the tested ones
+};
+
+// Memory for the samples, which counters take one after the other.
+template <class Backend>
+struct Sample_memory {
+  // Few of the points of a large cloud are samples, so they are counted before memory is taken. For a smaller one,
+  // memory for all points takes less time.
+  std::size_t large_cloud = std::size_t(1) << 24;
+  typename Backend::template Buffer<Sample> sample = {};
+};
 
 // Copies the points that may be counted, those of a cell to one range. Ranges and points come in any order, which does
 // not change the counts. Each cell is passed twice: its points have to be counted before its range is known. Without
@@ -154,7 +169,7 @@ struct Finish_query {
       return;
     Tested_shape s = tested(shape[id[i]]);
     share[i] = s.take_count(candidate[i], count[i]);
-    shape[id[i]].last_misfits = s.last;
+    shape[id[i]].history.last_misfits = s.last;
   }
 };
 
@@ -165,18 +180,14 @@ class Misfit_counter {
   using Buffer = typename Backend::template Buffer<T>;
 
 public:
-  // Few of the points of a large cloud are samples, so they are counted before memory is taken. For a smaller one,
-  // memory for all points takes less time.
-  static constexpr std::size_t large_cloud = std::size_t(1) << 24;
-
   // ids: the shapes that may be tested; their places in this list are those below. Points keep their labels until the
-  // last test.
+  // last test, and lists have to hold for them.
   Misfit_counter(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
-                 const Buffer<std::uint32_t>& ids, std::size_t large = large_cloud)
-    : points_(points), options_(options), tested_(ids.size())
+                 const Buffer<std::uint32_t>& ids, Sample_memory<Backend>& memory)
+    : points_(points), options_(options), memory_(memory), tested_(ids.size())
   {
     if(tested_ > 0)
-      collect_samples(shapes, ids, large);
+      collect_samples(shapes, ids);
   }
 
   // The misfits of each query. query_of: by place, no_index for shapes that are not tested.
@@ -201,38 +212,38 @@ public:
     Buffer<Misfit_query> query(tested_);
     Buffer<std::uint32_t> query_of(tested_), misfits(tested_);
     backend.for_each(tested_,
-                     Start_query{shapes.shape.data(), ids.data(), candidates.data(), options_.maximum_distance,
+                     Start_query{shapes.fitted(), ids.data(), candidates.data(), options_.maximum_distance,
                                  share.data(), query.data(), query_of.data(), misfits.data()},
                      shapes_per_thread);
     count_samples(query_of.data(), query.data(), tested_, misfits.data());
     backend.for_each(
       tested_,
-      Finish_query{shapes.shape.data(), ids.data(), candidates.data(), query_of.data(), misfits.data(), share.data()},
+      Finish_query{shapes.fitted(), ids.data(), candidates.data(), query_of.data(), misfits.data(), share.data()},
       shapes_per_thread);
     return share;
   }
 
 private:
-  void collect_samples(const Shape_table<Backend>& shapes, const Buffer<std::uint32_t>& ids, std::size_t large)
+  void collect_samples(const Shape_table<Backend>& shapes, const Buffer<std::uint32_t>& ids)
   {
     Backend& backend = points_.backend;
     range_.reset(points_.number_of_parts());
     place_of_ = places_of(backend, shapes.size, ids);
     Buffer<std::uint32_t> mask(tested_);
-    backend.for_each(tested_, Choose_mask{shapes.shape.data(), ids.data(), mask.data()});
+    backend.for_each(tested_, Choose_mask{shapes.counted(), ids.data(), mask.data()});
     auto size = filled_buffer(backend, 1, std::uint32_t(0));
-    Collect_samples<Backend> collect = {points_.cloud.view(), points_.parts_view(), points_.label.data(),
-                                        place_of_.data(),     mask.data(),          nullptr,
-                                        size.data(),          range_.data()};
+    Collect_samples<Backend> collect = {
+      points_.cloud.view(), points_.listed_parts(), points_.label(), place_of_.data(), mask.data(), nullptr,
+      size.data(),          range_.data()};
     std::size_t maximum = points_.cloud.size();
-    if(maximum > large) {
+    if(maximum > memory_.large_cloud) {
       backend.template for_each_cell<Count_scratch>(points_.number_of_parts(), collect);
       maximum = to_vector(backend, size)[0];
       backend.for_each(1, Fill<std::uint32_t>{size.data(), 0});
     }
-    if(points_.sample.size() < maximum)
-      points_.sample.reset(maximum);
-    collect.sample = points_.sample.data();
+    if(memory_.sample.size() < maximum)
+      memory_.sample.reset(maximum);
+    collect.sample = memory_.sample.data();
     backend.template for_each_cell<Count_scratch>(points_.number_of_parts(), collect);
   }
 
@@ -241,13 +252,14 @@ private:
   {
     points_.backend.template for_each_cell<Count_scratch>(
       points_.number_of_parts(),
-      Count_misfits<Backend>{points_.parts_view(), points_.sample.data(), range_.data(), place_of_.data(), query_of,
+      Count_misfits<Backend>{points_.listed_parts(), memory_.sample.data(), range_.data(), place_of_.data(), query_of,
                              query, misfits, options_.growth.tolerance});
     points_.ranks.sum(misfits, queries);
   }
 
   Labeled_cloud<Backend>& points_;
   const Options& options_;
+  Sample_memory<Backend>& memory_;
   std::size_t tested_;
   Buffer<std::uint32_t> place_of_; // by id
   Buffer<Range> range_;            // of the samples of each part of a cell

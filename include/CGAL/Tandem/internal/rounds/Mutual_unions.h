@@ -279,9 +279,9 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
   ranks.run_unions(backend, n, (std::max)(n, links.size()),
-                   Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.shape.data(),
-                                         unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
-                                         unions.whole.data(), joins.data(), unions.total.data(), ranks.own_share()});
+                   Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.fitted(), unions.root.data(),
+                                         unions.target.data(), start_deltas(backend, shapes, n), unions.whole.data(),
+                                         joins.data(), unions.total.data(), ranks.own_share()});
   unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
   return unions;
 }

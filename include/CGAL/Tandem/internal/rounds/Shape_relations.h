@@ -18,7 +18,7 @@ struct Shape_summary {
   std::uint32_t id;
   int entry;                // in the relations of before
   std::uint64_t is_waiting; // after a rollback; wide, so that all bytes are defined where summaries are copied
-  std::int64_t regular_count, layered_count;
+  std::int64_t related_points, examined_points; // when its relations were found, and when it was examined for layers
   Shape_fit fit;
   Tested_shape tested;
 
@@ -28,7 +28,7 @@ struct Shape_summary {
 // What it writes.
 struct Regular_shape {
   Regular_plane plane;
-  std::int64_t regular_count, layered_count;
+  std::int64_t related_points, examined_points; // when its relations were found, and when it was examined for layers
   Misfit_record last_misfits;
   int plane_number;
   bool is_rolled_back;

@@ -54,7 +54,7 @@ Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shap
   Targets<Backend> target = identity_targets(backend, shapes.size);
   auto stays = filled_buffer(backend, shapes.size, Stays());
   for(const auto step : {Body::largest, Body::smallest_id, Body::join})
-    backend.for_each(n, Body{step, shapes.shape.data(), members, set, stays.data(), target.data()});
+    backend.for_each(n, Body{step, shapes.counted(), members, set, stays.data(), target.data()});
   return target;
 }
 

@@ -42,11 +42,18 @@ struct Accepting_members {
   CGAL_TANDEM_HD std::uint32_t id(std::uint32_t i) const { return member[i]; }
 };
 
+// How a merge goes on: the largest share of misfits of a shape that joins a union, and memory for samples.
+template <class Backend>
+struct Joint_fit_merge {
+  double misfit_share;
+  Sample_memory<Backend>& memory;
+};
+
 // The shapes of `links` that become one: the members that accept the plane of their union. The largest of these stays,
 // of equal ones that with the smallest id.
 template <class Backend>
 Targets<Backend> joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                                   const Shape_unions<Backend>& unions, double misfit_share)
+                                   const Shape_unions<Backend>& unions, const Joint_fit_merge<Backend>& merge)
 {
   Backend& backend = points.backend;
   const std::size_t n = unions.member.size();
@@ -55,9 +62,9 @@ Targets<Backend> joint_fit_targets(Labeled_cloud<Backend>& points, Shape_table<B
                    Make_candidate{unions.member.data(), unions.target.data(), unions.root.data(), unions.whole.data(),
                                   candidates.data()},
                    shapes_per_thread);
-  const auto shares =
-    Misfit_counter<Backend>(points, shapes, options, unions.member).shares(shapes, unions.member, candidates);
-  return join_members(backend, shapes, n, Accepting_members{unions.member.data(), shares.data(), misfit_share},
+  const auto shares = Misfit_counter<Backend>(points, shapes, options, unions.member, merge.memory)
+                        .shares(shapes, unions.member, candidates);
+  return join_members(backend, shapes, n, Accepting_members{unions.member.data(), shares.data(), merge.misfit_share},
                       unions.target.data());
 }
 
@@ -71,22 +78,22 @@ struct Relabel_link {
   }
 };
 
-// Joint-fit merge of all touching shapes, which have to be fitted. Returns the targets of the merge; an empty table if
+// Joint-fit merge of all touching shapes. Returns the targets of the merge; an empty table if
 // no joint plane was tried. The links then have the new ids. A pair may have several links, or become a pair of one
 // shape with itself.
 template <class Backend>
 Targets<Backend> merge_by_joint_fit(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                                     const Options& options, typename Backend::template Buffer<Link>& links,
-                                    double misfit_share)
+                                    const Joint_fit_merge<Backend>& merge)
 {
   Backend& backend = points.backend;
+  require(points, shapes, tables::fits | tables::lists);
   const Shape_unions<Backend> unions =
     unite_shapes(backend, points.ranks, shapes, {options.squared_cosine, options.maximum_distance}, links);
   if(unions.member.size() == 0)
     return {};
-  Targets<Backend> target = joint_fit_targets(points, shapes, options, unions, misfit_share);
+  Targets<Backend> target = joint_fit_targets(points, shapes, options, unions, merge);
   merge_points(points, shapes, target);
-  refit_shapes(backend, points.ranks, shapes);
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
   return target;
 }

@@ -44,8 +44,8 @@ Targets<Backend> coplanar_targets(Backend& backend, const Shape_table<Backend>& 
                                   const typename Backend::template Buffer<Link>& links)
 {
   Targets<Backend> set = identity_targets(backend, shapes.size);
-  backend.for_each(links.size(), Unite_coplanar<Backend>{shapes.shape.data(), links.data(), set.data()});
-  return join_members(backend, shapes, shapes.size, Shapes_with_plane{shapes.shape.data()}, set.data());
+  backend.for_each(links.size(), Unite_coplanar<Backend>{shapes.table().data(), links.data(), set.data()});
+  return join_members(backend, shapes, shapes.size, Shapes_with_plane{shapes.counted()}, set.data());
 }
 
 } // namespace internal

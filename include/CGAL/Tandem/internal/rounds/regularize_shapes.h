@@ -21,21 +21,13 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Which regularity step it is.
+// Which regularity step it is, and memory for samples.
+template <class Backend>
 struct Regularity_step {
   int round;
   bool is_last; // at the end: also small shapes take part, and those that wait after a rollback
+  Sample_memory<Backend>& memory;
 };
-
-// A shape that was rolled back takes part again when it has grown, or after 2, 4, 8 ... rounds. Otherwise each round
-// would test it in vain.
-CGAL_TANDEM_HD inline void schedule_retry(Shape& shape, int round)
-{
-  if(shape.rollbacks < tuning::verification::maximum_rollbacks)
-    ++shape.rollbacks;
-  shape.retry_round = round + (1 << shape.rollbacks);
-  shape.retry_count = shape.moments.count + shape.moments.count / tuning::verification::retry_growth_divisor;
-}
 
 // All shapes are at their local planes afterwards; those that are too small to have relations lose theirs.
 struct Reset_plane {
@@ -47,7 +39,7 @@ struct Reset_plane {
     shape[id].plane = shape[id].local;
     shape[id].plane_number = -1;
     if(shape[id].moments.count < minimum_size)
-      shape[id].regular_count = 0;
+      shape[id].history.set_related(0);
   }
 };
 
@@ -60,8 +52,14 @@ struct Summarize_shape {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const Shape& s = shape[id[i]];
-    const bool is_waiting = round < s.retry_round && s.moments.count < s.retry_count;
-    summary[i] = {id[i], s.entry, is_waiting, s.regular_count, s.layered_count, {s.scatter, s.fit}, tested(s)};
+    const bool is_waiting = s.history.is_waiting(s.moments.count, round);
+    summary[i] = {id[i],
+                  s.entry,
+                  is_waiting,
+                  s.history.points_when_related(),
+                  s.history.points_when_examined(),
+                  {s.scatter, s.fit},
+                  tested(s)};
   }
 };
 
@@ -76,12 +74,12 @@ struct Apply_relation {
     Shape& s = shape[id[i]];
     s.plane = regular[i].plane;
     s.plane_number = regular[i].plane_number;
-    s.regular_count = regular[i].regular_count;
-    s.layered_count = regular[i].layered_count;
-    s.last_misfits = regular[i].last_misfits;
+    s.history.set_related(regular[i].related_points);
+    s.history.set_examined(regular[i].examined_points);
+    s.history.last_misfits = regular[i].last_misfits;
     s.entry = int(i);
     if(regular[i].is_rolled_back)
-      schedule_retry(s, round);
+      s.history.roll_back(s.moments.count, round);
   }
 };
 
@@ -92,10 +90,9 @@ using Shape_summaries = std::vector<Shape_summary>;
 template <class Backend>
 class Point_verifier {
 public:
-  // ids: of the shapes of the step, in the order of their summaries, which keep the last counts.
-  Point_verifier(Labeled_cloud<Backend>& points, const Shape_table<Backend>& shapes, const Options& options,
-                 const typename Backend::template Buffer<std::uint32_t>& ids, Shape_summaries& summaries)
-    : backend_(points.backend), options_(options), summaries_(summaries), misfits_(points, shapes, options, ids)
+  // misfits: of the shapes of the step, in the order of their summaries, which keep the last counts.
+  Point_verifier(Backend& backend, const Options& options, Misfit_counter<Backend>& misfits, Shape_summaries& summaries)
+    : backend_(backend), options_(options), summaries_(summaries), misfits_(misfits)
   {}
 
   // counts: of misfits, by place in `entries`, scaled from the sample to all points. No entry is listed twice.
@@ -134,25 +131,25 @@ private:
   Backend& backend_;
   const Options& options_;
   Shape_summaries& summaries_;
-  Misfit_counter<Backend> misfits_;
+  Misfit_counter<Backend>& misfits_;
 };
 
 // Whether a shape keeps its relations while they are not found anew. It does not if it has none, or if it has changed
 // much in the loop. In the end game all of its points fit its plane, so changes do not matter.
 inline bool keeps_relations(const Shape_summary& shape, bool is_last)
 {
-  const std::int64_t before = shape.regular_count; // 0 if it has none
+  const std::int64_t before = shape.related_points; // 0 if it has none
   return is_last ? before > 0 : tuning::relations::points_per_held_change * std::abs(shape.points() - before) <= before;
 }
 
 // Whether so many points came, went or changed their shape that relations are to be found anew. Until then they are
-// kept, since little changes in late rounds. With a period of more than one round regular_count is 0, so they never
+// kept, since little changes in late rounds. With a period of more than one round related_points is 0, so they never
 // are. points_before: of the shapes when the relations were found.
 inline bool have_changed(const Shape_summaries& shapes, std::int64_t points_before, std::size_t assigned, bool is_last)
 {
   std::int64_t changed = points_before;
   for(const Shape_summary& s : shapes) // less the points that are still there
-    changed += std::abs(s.points() - s.regular_count) - s.regular_count;
+    changed += std::abs(s.points() - s.related_points) - s.related_points;
   const double share = is_last ? tuning::relations::changed_share_at_end : tuning::relations::changed_share;
   return double(changed) > share * double(assigned);
 }
@@ -202,18 +199,19 @@ Shape_relations find_relations(const Shape_summaries& shapes, const Options& opt
   return r;
 }
 
-// The step. `before`: the relations of the last one. All shapes have to be fitted.
+// The step. `before`: the relations of the last one.
 template <class Backend>
 Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                                  const Regularity_step& step, const Shape_relations& before)
+                                  const Regularity_step<Backend>& step, const Shape_relations& before)
 {
   Backend& backend = points.backend;
+  require(points, shapes, tables::fits | tables::lists);
   const bool is_last = step.is_last, is_due = is_last || (step.round + 1) % options.regularity_period == 0;
   const std::int64_t minimum = is_last ? options.minimum_regular_size : options.minimum_related_size;
-  for_each_shape(backend, shapes, Reset_plane{shapes.shape.data(), minimum});
-  const auto ids = backend.compact(shapes.size, Has_points{shapes.shape.data(), minimum});
+  for_each_shape(backend, shapes, Reset_plane{shapes.fitted(), minimum});
+  const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), minimum});
   typename Backend::template Buffer<Shape_summary> buffer(ids.size());
-  backend.for_each(ids.size(), Summarize_shape{shapes.shape.data(), ids.data(), step.round, buffer.data()},
+  backend.for_each(ids.size(), Summarize_shape{shapes.fitted(), ids.data(), step.round, buffer.data()},
                    shapes_per_thread);
   Shape_summaries summaries = to_vector(backend, buffer);
   const bool is_first = is_last && before.id.empty(); // those of the loop are of other shapes
@@ -223,13 +221,14 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
   if(is_kept)
     r = keep_relations(summaries, before, is_last);
   else {
-    Point_verifier<Backend> verify(points, shapes, options, ids, summaries);
+    Misfit_counter<Backend> misfits(points, shapes, options, ids, step.memory);
+    Point_verifier<Backend> verify(backend, options, misfits, summaries);
     r = find_relations(summaries, options, is_due, is_last, verify);
   }
   for(Shape_summary& s : summaries) {
     r.id.push_back(s.id);
     if(!is_kept)
-      s.regular_count = is_due ? s.points() : 0;
+      s.related_points = is_due ? s.points() : 0;
   }
   if(!is_last)
     split_layers(points, shapes, options, summaries, r);
@@ -238,10 +237,10 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
     const int plane = relations.plane_of[i];
     const Shape_summary& shape = summaries[i];
     return Regular_shape{
-      relations.planes[std::size_t(plane)], shape.regular_count, shape.layered_count, shape.tested.last, plane,
+      relations.planes[std::size_t(plane)], shape.related_points, shape.examined_points, shape.tested.last, plane,
       relations.is_rolled_back[i] != 0};
   });
-  backend.for_each(ids.size(), Apply_relation{shapes.shape.data(), ids.data(), regular.data(), step.round},
+  backend.for_each(ids.size(), Apply_relation{shapes.counted(), ids.data(), regular.data(), step.round},
                    shapes_per_thread);
   return r;
 }

@@ -129,7 +129,7 @@ std::vector<double> find_layers(Labeled_cloud<Backend>& points, std::size_t ids,
   const std::size_t n = test.size();
   auto counts = filled_buffer(backend, n * tuning::layers::bins, std::uint64_t(0));
   backend.template for_each_cell<Count_scratch>(
-    points.number_of_parts(), Count_distances<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
+    points.number_of_parts(), Count_distances<Backend>{points.cloud.view(), points.listed_parts(), points.label(),
                                                        histogram_of.data(), test.data(), counts.data(), epsilon});
   points.ranks.sum(counts.data(), counts.size());
   const auto crooked = to_buffer(backend, is_crooked);
@@ -180,7 +180,7 @@ std::vector<std::int64_t> sum_normals(Labeled_cloud<Backend>& points, std::size_
   const auto query_of = places_of(backend, ids, to_buffer(backend, shapes.id));
   auto sums = filled_buffer(backend, 3 * query.size(), std::int64_t(0));
   backend.template for_each_cell<Count_scratch>(
-    points.number_of_parts(), Sum_normals<Backend>{points.cloud.view(), points.parts_view(), points.label.data(),
+    points.number_of_parts(), Sum_normals<Backend>{points.cloud.view(), points.listed_parts(), points.label(),
                                                    query_of.data(), query.data(), sums.data()});
   points.ranks.sum(sums.data(), sums.size());
   return to_vector(backend, sums);
@@ -212,10 +212,10 @@ std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, std::size
   const auto plane_of = [&](std::size_t entry) { return relations.planes[std::size_t(relations.plane_of[entry])]; };
   for(std::size_t i = 0; i < shapes.size(); ++i)
     if(shapes[i].points() >= tuning::merging::reliable_normal_size &&
-       tuning::layers::examined_growth.is_reached(shapes[i].points(), shapes[i].layered_count)) {
+       tuning::layers::examined_growth.is_reached(shapes[i].points(), shapes[i].examined_points)) {
       entries.push_back(i);
       examined.add(shapes[i].id, {sample_mask(shapes[i].points()), rounded(plane_of(i))});
-      shapes[i].layered_count = shapes[i].points();
+      shapes[i].examined_points = shapes[i].points();
     }
   std::vector<Suspect> suspects;
   if(entries.empty())

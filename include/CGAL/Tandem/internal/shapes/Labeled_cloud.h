@@ -12,6 +12,8 @@
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -30,12 +32,6 @@ struct Cell_shapes {
   {
     return size > capacity || block.find_first(0, size, [&](std::uint32_t i) { return is_selected(shape[i]); }) < size;
   }
-};
-
-// A point that is tested against planes of its shape. A copy, so that repeated tests read consecutive memory.
-struct Sample {
-  Grid_point point;
-  std::uint32_t place; // of its shape among the tested ones
 };
 
 // The cells in equal parts, one after the other, with the shapes of their cells. Passes that look at points one by one
@@ -71,8 +67,14 @@ struct Border {
   Buffer<std::uint32_t> proposal; // the shape that the point joins next, or no_index
 };
 
+// When the bits of interior points were made. Points may have lost their labels since, but within one phase only.
+enum class Phase { loop, end, reassignment, components };
+
 // Tables of the size of the cloud, or of its cells, in the memory of the back end. Labels and states take 5 bytes a
-// point, samples 20 each while they are in use. The passes change lists, proposals, labels, states and samples only.
+// point. The passes change lists, proposals, labels and states only.
+//
+// Lists and interior bits follow from the labels. They are out of date when a pass has changed labels, unless it keeps
+// them right itself. require() makes them again.
 template <class Backend>
 struct Labeled_cloud {
   template <class T>
@@ -85,21 +87,55 @@ struct Labeled_cloud {
   std::size_t total_cells() const { return ranks.total(cells.size()); }
 
   std::size_t number_of_cells() const { return cells.size(); }
-  Cells_view cells_view() const { return {cells.data(), cell_shapes.data()}; }
-
   std::size_t number_of_parts() const { return cells.size() * parts_of_cell(); }
-  Cells_view parts_view() const { return {cells.data(), cell_shapes.data(), std::uint32_t(parts_of_cell())}; }
-  Labels_view labels() { return {label.data(), state.data()}; }
+
+  // Without lists, which may be out of date, and with them.
+  Cells_view parts() const { return {cells.data(), nullptr, std::uint32_t(parts_of_cell())}; }
+  Cells_view listed_parts() const { return {cells.data(), lists(), std::uint32_t(parts_of_cell())}; }
+  Cells_view listed_cells() const { return {cells.data(), lists()}; }
+
+  Cell_shapes* lists() const
+  {
+    assert(has_lists_);
+    return const_cast<Cell_shapes*>(cell_shapes_.data());
+  }
+
+  // For the pass that makes them, of all cells.
+  Cell_shapes* make_lists()
+  {
+    if(cell_shapes_.size() != cells.size())
+      cell_shapes_.reset(cells.size());
+    has_lists_ = true;
+    return cell_shapes_.data();
+  }
+  bool has_lists() const { return has_lists_; }
+
+  const std::uint32_t* label() const { return label_.data(); }
+  std::uint8_t* state() { return state_.data(); }
+
+  // For a pass that changes labels. Whether it keeps the lists right itself, if they are.
+  Labels_view change_labels(bool keeps_lists)
+  {
+    has_lists_ = has_lists_ && keeps_lists;
+    return {label_.data(), state_.data()};
+  }
+
+  // Afterwards no point has a shape.
+  void start_labels()
+  {
+    label_.reset(cloud.size_with_ghosts());
+    state_.reset(cloud.size_with_ghosts());
+    has_lists_ = false;
+  }
+
+  // The phase of the interior bits; true if it is another one now, so that the bits are to be cleared.
+  bool begin_phase(Phase phase) { return std::exchange(phase_, phase) != phase; }
 
   Backend& backend;
   Ranks<Backend> ranks;
   Sorted_cloud<Backend> cloud;
   Buffer<Range> cells;
-  Buffer<Cell_shapes> cell_shapes; // by cell
   Border<Backend> border;
-  Buffer<std::uint32_t> label;
-  Buffer<std::uint8_t> state;
-  Buffer<Sample> sample; // of a Misfit_counter; between two of them its contents are undefined
 
 private:
   std::size_t parts_of_cell() const
@@ -108,6 +144,12 @@ private:
     const std::size_t bodies = backend.concurrency(), n = (std::max)(cells.size(), std::size_t(1));
     return (std::min)((bodies + n - 1) / n, maximum);
   }
+
+  Buffer<Cell_shapes> cell_shapes_; // by cell
+  Buffer<std::uint32_t> label_;
+  Buffer<std::uint8_t> state_;
+  bool has_lists_ = false;
+  Phase phase_ = Phase::loop;
 };
 
 } // namespace internal

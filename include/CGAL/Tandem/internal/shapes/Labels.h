@@ -23,21 +23,21 @@ constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot t
 constexpr std::uint8_t frontier_bit = 1;   // its neighbors are still to be visited
 constexpr std::uint8_t tried_seed_bit = 2; // it has been tried as a seed, or its shape was dissolved
 constexpr std::uint8_t detached_bit = 4;   // it has been detached once; the second time locks it
-// All of its neighbors had its label, so passes over contacts leave it out. Neighbors may lose that label later. The
-// loop accepts this error; the end game clears the bit of all points.
+// All of its neighbors had its label, so passes over contacts leave it out. Neighbors may lose that label later: see
+// Phase in Labeled_cloud.h.
 constexpr std::uint8_t interior_bit = 8;
 
 // By position in the sorted cloud.
 struct Labels_view {
   std::uint32_t* label;
   std::uint8_t* state;
-
-  // Whether a shape may still start at the point. Labels of other shapes and locked points exclude it.
-  CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const
-  {
-    return label[i] == free_label && !(state[i] & tried_seed_bit);
-  }
 };
+
+// Whether a shape may still start at point i. Labels of other shapes and locked points exclude it.
+CGAL_TANDEM_HD inline bool is_untried(const std::uint32_t* label, const std::uint8_t* state, std::uint32_t i)
+{
+  return label[i] == free_label && !(state[i] & tried_seed_bit);
+}
 
 } // namespace internal
 } // namespace Tandem

@@ -12,6 +12,8 @@
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 
+#include <cassert>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -20,17 +22,65 @@ namespace internal {
 constexpr std::size_t shapes_per_thread = 32;
 
 // Loops are over all ids; functors skip those out of use.
+//
+// Moments and boxes follow from the labels, fits from the moments. A pass that changes labels either adds what shapes
+// win and lose to the moments, or leaves them out of date. require() makes them again.
 template <class Backend>
 struct Shape_table {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
+  // By id, which changes in grow_shapes() only. As it is: for planes and numbers, which follow from nothing, and for
+  // fits of the points that a shape had when it was last fitted.
+  Buffer<Shape>& table() { return shape_; }
+  const Buffer<Shape>& table() const { return shape_; }
+
+  // With the moments of the labels, and with fits of these moments as well.
+  Shape* counted()
+  {
+    assert(has_moments_);
+    return shape_.data();
+  }
+  const Shape* counted() const
+  {
+    assert(has_moments_);
+    return shape_.data();
+  }
+  Shape* fitted()
+  {
+    assert(has_moments_ && has_fits_);
+    return shape_.data();
+  }
+  const Shape* fitted() const
+  {
+    assert(has_moments_ && has_fits_);
+    return shape_.data();
+  }
+
+  // For a pass that changes moments as it changes labels, or leaves them out of date.
+  Shape* change_moments()
+  {
+    has_fits_ = false;
+    return shape_.data();
+  }
+  void lose_moments() { has_moments_ = has_fits_ = false; }
+
+  // For the passes that make them.
+  void set_counted() { has_moments_ = true; }
+  void set_fitted() { has_fits_ = true; }
+  bool has_moments() const { return has_moments_; }
+  bool has_fits() const { return has_fits_; }
+
   std::size_t size = 0;              // ids, in use or not; the buffers may have room for more
-  Buffer<Shape> shape;               // by id, which changes in grow_shapes() only
   Buffer<Plane> plane;               // rounded, for the tests of points
   Buffer<std::uint16_t> steps;       // breadth-first steps of the next pass
   Buffer<std::uint8_t> is_restarted; // grows again from all of its points in the next pass
   Buffer<Shared_moments> delta;      // what a pass over the points adds to each shape; zero between passes
+
+private:
+  Buffer<Shape> shape_;
+  bool has_moments_ = true; // of no points, at the beginning
+  bool has_fits_ = false;
 };
 
 template <class Backend, class F>
@@ -64,6 +114,22 @@ struct Has_points {
   CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].moments.count >= minimum_size; }
 };
 
+struct Copy_sizes {
+  const Shape* shape;
+  std::int64_t* size;
+
+  CGAL_TANDEM_HD void operator()(std::size_t id) const { size[id] = shape[id].moments.count; }
+};
+
+// By id: the number of points. A copy, for what goes on with these sizes while they change.
+template <class Backend>
+typename Backend::template Buffer<std::int64_t> sizes_of(Backend& backend, const Shape_table<Backend>& shapes)
+{
+  typename Backend::template Buffer<std::int64_t> size(shapes.size);
+  for_each_shape(backend, shapes, Copy_sizes{shapes.counted(), size.data()});
+  return size;
+}
+
 struct Shape_counts {
   std::size_t shapes, points;
 };
@@ -82,7 +148,7 @@ struct Count_live {
 template <class Backend>
 Shape_counts count_live(Backend& backend, const Shape_table<Backend>& shapes)
 {
-  const auto sums = backend.template sum<2>(shapes.size, Count_live{shapes.shape.data()});
+  const auto sums = backend.template sum<2>(shapes.size, Count_live{shapes.counted()});
   return {std::size_t(sums[0]), std::size_t(sums[1])};
 }
 

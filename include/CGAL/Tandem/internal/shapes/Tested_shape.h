@@ -65,7 +65,10 @@ private:
   }
 };
 
-CGAL_TANDEM_HD inline Tested_shape tested(const Shape& s) { return {s.box, s.local, s.moments.count, s.last_misfits}; }
+CGAL_TANDEM_HD inline Tested_shape tested(const Shape& s)
+{
+  return {s.box, s.local, s.moments.count, s.history.last_misfits};
+}
 
 } // namespace internal
 } // namespace Tandem

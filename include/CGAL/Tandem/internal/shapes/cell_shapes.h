@@ -68,12 +68,11 @@ private:
   }
 };
 
-// To be called when points have got new labels. Points that lose theirs may stay listed.
 template <class Backend>
 void list_shapes(Labeled_cloud<Backend>& points)
 {
   points.backend.template for_each_cell<List_scratch>(
-    points.number_of_cells(), List_shapes{points.cells.data(), points.label.data(), points.cell_shapes.data()});
+    points.number_of_cells(), List_shapes{points.cells.data(), points.label(), points.make_lists()});
 }
 
 // Replaces the shapes of a list by their targets; those with a mark leave it. Merged shapes may be listed twice. A list

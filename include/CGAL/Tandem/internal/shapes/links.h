@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which shapes touch: the edges of the neighbor graph between their points. Sets the interior bits of points, and
-// clears is_changed of shapes where only links of changed shapes are asked for; nothing else.
+// marks shapes as linked where only links of changed shapes are asked for; nothing else.
 
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/base/pairs.h>
-#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
-#include <CGAL/Tandem/internal/shapes/Shape_table.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 
 #include <algorithm>
 
@@ -68,7 +67,8 @@ template <class Backend>
 struct Collect_links {
   Cloud_view cloud;
   Cells_view cells;
-  Labels_view labels;
+  const std::uint32_t* label;
+  std::uint8_t* state;
   const std::uint8_t* is_selected; // by shape
   Link_set<Backend> links;
 
@@ -91,14 +91,14 @@ private:
   template <class Block>
   CGAL_TANDEM_HD void visit(Block& block, Link_scratch& scratch, std::uint32_t i) const
   {
-    const std::uint32_t s = labels.label[i];
-    if(s >= first_mark || !is_selected[s] || (labels.state[i] & interior_bit))
+    const std::uint32_t s = label[i];
+    if(s >= first_mark || !is_selected[s] || (state[i] & interior_bit))
       return;
     const std::uint32_t* row = cloud.row(i);
     bool all_same = true;
     std::uint32_t last = s, edges = 0; // in a row to neighbors of shape `last`
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
-      const std::uint32_t t = labels.label[row[j]];
+      const std::uint32_t t = label[row[j]];
       all_same = all_same && t == s;
       if(t != last) {
         count(block, scratch, s, last, edges);
@@ -109,7 +109,7 @@ private:
     }
     count(block, scratch, s, last, edges);
     if(all_same)
-      labels.state[i] |= interior_bit;
+      state[i] |= interior_bit;
   }
 
   template <class Block>
@@ -137,8 +137,9 @@ struct Select_shape {
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
-    is_selected[id] = shape[id].is_live() && (selects_all || shape[id].is_changed);
-    shape[id].is_changed = shape[id].is_changed && selects_all;
+    is_selected[id] = shape[id].is_live() && (selects_all || !shape[id].history.is_linked());
+    if(!selects_all)
+      shape[id].history.set_linked(true);
   }
 };
 
@@ -156,11 +157,13 @@ struct Take_links {
 // counted again with a larger one. Interior points found by then have no links, so none is lost.
 template <class Backend>
 typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                                                      Links which)
+                                                      Links which, Phase phase)
 {
   Backend& backend = points.backend;
+  require(points, shapes, tables::moments | tables::lists);
+  std::uint8_t* const state = states_of(points, phase);
   typename Backend::template Buffer<std::uint8_t> is_selected(shapes.size);
-  for_each_shape(backend, shapes, Select_shape{shapes.shape.data(), which == Links::all, is_selected.data()});
+  for_each_shape(backend, shapes, Select_shape{shapes.counted(), which == Links::all, is_selected.data()});
   // Hardly more than a pair for 8 points: a bound where most shapes are on other ranks.
   const std::size_t pairs = (std::min)(16 * shapes.size, points.cloud.size() / 8);
   std::size_t size = 1024;
@@ -171,8 +174,9 @@ typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& po
     auto lost = filled_buffer(backend, 1, std::uint32_t(0));
     backend.template for_each_cell<Link_scratch>(
       points.number_of_parts(), Collect_links<Backend>{points.cloud.view(),
-                                                       points.parts_view(),
-                                                       points.labels(),
+                                                       points.listed_parts(),
+                                                       points.label(),
+                                                       state,
                                                        is_selected.data(),
                                                        {table.data(), std::uint32_t(size), lost.data()}});
     points.ranks.sum(lost.data(), 1);

@@ -49,7 +49,7 @@ struct Add_deltas {
       return;
     shape[id].moments += delta[id].moments();
     shape[id].box.add(delta[id].box);
-    shape[id].is_dirty = true;
+    shape[id].history.set_fitted(false);
     delta[id] = Shared_moments();
   }
 };
@@ -57,7 +57,7 @@ struct Add_deltas {
 template <class Backend>
 void add_deltas(Backend& backend, Shape_table<Backend>& shapes)
 {
-  for_each_shape(backend, shapes, Add_deltas{shapes.shape.data(), shapes.delta.data()});
+  for_each_shape(backend, shapes, Add_deltas{shapes.change_moments(), shapes.delta.data()});
 }
 
 } // namespace internal

@@ -10,39 +10,11 @@
 
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
-#include <CGAL/Tandem/internal/shapes/cell_shapes.h>
-#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-struct Refit_shape {
-  Shape* shape;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
-  {
-    if(shape[id].is_live())
-      refit_if_dirty(shape[id]);
-  }
-};
-
-// The fits of shapes, as ranks share them.
-struct Dirty_shapes {
-  Shape* shape;
-
-  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].is_live() && shape[id].is_dirty; }
-  CGAL_TANDEM_HD Fitted_moments& operator[](std::size_t id) const { return shape[id]; }
-  CGAL_TANDEM_HD void set_made(std::size_t id) const { shape[id].is_dirty = false; }
-};
-
-// Afterwards no live shape is dirty.
-template <class Backend>
-void refit_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes)
-{
-  ranks.share_fits(shapes.size, Dirty_shapes{shapes.shape.data()});
-  for_each_shape(backend, shapes, Refit_shape{shapes.shape.data()});
-}
 
 // Adds each shape with a target to its sums, and clears it. Targets are targets of themselves.
 template <class Backend>
@@ -74,18 +46,20 @@ struct Take_joined {
     if(!is_any(joined[id]))
       return;
     Add_deltas{shape, joined}(id);
-    shape[id].is_changed = true;
-    shape[id].layered_count = 0;
+    shape[id].history.set_linked(false);
+    shape[id].history.set_examined(0);
   }
 };
 
-// Adds the shapes to their targets, and clears those without one. Labels are out of date until update_points().
+// Adds the shapes to their targets, and clears those without one. Labels have to follow at once.
 template <class Backend>
-void merge_shapes(Backend& backend, Shape_table<Backend>& shapes, const Targets<Backend>& target)
+void merge_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target)
 {
+  Backend& backend = points.backend;
+  require(points, shapes, tables::moments);
   Shared_moments* const joined = start_deltas(backend, shapes, shapes.size);
-  for_each_shape(backend, shapes, Join_shape<Backend>{shapes.shape.data(), target.data(), joined});
-  for_each_shape(backend, shapes, Take_joined{shapes.shape.data(), joined});
+  for_each_shape(backend, shapes, Join_shape<Backend>{shapes.change_moments(), target.data(), joined});
+  for_each_shape(backend, shapes, Take_joined{shapes.change_moments(), joined});
 }
 
 // Losses of the shapes of a cell, and the labels of its list.
@@ -143,19 +117,21 @@ private:
   CGAL_TANDEM_HD bool checks(std::uint32_t old) const { return is_checked != nullptr && is_checked[old] != 0; }
 };
 
-// Relabels the points, and detaches those that do not fit the plane of a shape that is checked. Moments follow, boxes
-// do not shrink. is_checked: by old id; null if no point is tested.
+// Relabels the points, and detaches those that do not fit the plane of a shape that is checked. Lists follow, and
+// moments; boxes do not shrink. is_checked: by old id; null if no point is tested.
 template <class Backend>
 void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target,
                    const std::uint8_t* is_checked, const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
+  require(points, shapes, tables::lists);
   Shared_moments* const losses = start_deltas(backend, shapes, shapes.size);
+  const Labels_view labels = points.change_labels(true);
   backend.template for_each_cell<Update_scratch>(
     points.number_of_cells(),
-    Update_points<Backend>{points.cloud.view(), points.cells.data(), points.cell_shapes.data(), points.labels(),
-                           target.data(), is_checked, shapes.plane.data(), losses, tolerance});
-  points.ranks.update_labels(points.label.data());
+    Update_points<Backend>{points.cloud.view(), points.cells.data(), points.lists(), labels, target.data(), is_checked,
+                           shapes.plane.data(), losses, tolerance});
+  points.ranks.update_labels(labels.label);
   if(is_checked != nullptr) {
     points.ranks.sum(losses, shapes.size);
     add_deltas(backend, shapes);
@@ -166,7 +142,7 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
 template <class Backend>
 void merge_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Targets<Backend>& target)
 {
-  merge_shapes(points.backend, shapes, target);
+  merge_shapes(points, shapes, target);
   update_points(points, shapes, target, nullptr, Tolerance());
 }
 
@@ -187,7 +163,8 @@ template <class Backend, class Predicate>
 void drop_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Predicate is_dropped)
 {
   Targets<Backend> target(shapes.size);
-  for_each_shape(points.backend, shapes, Drop_shape<Predicate>{shapes.shape.data(), is_dropped, target.data()});
+  require(points, shapes, tables::moments);
+  for_each_shape(points.backend, shapes, Drop_shape<Predicate>{shapes.counted(), is_dropped, target.data()});
   merge_points(points, shapes, target);
 }
 
@@ -219,15 +196,9 @@ struct Apply_plane {
     if(!s.is_live())
       return;
     plane[id] = rounded(s.plane);
-    if(bound_motion(s.box, s.restarted, s.plane) > tuning::motion::restart * maximum_distance) {
+    if(s.history.restart_again(s.box, s.plane, maximum_distance))
       is_restarted[id] = s.age > 1; // a new shape is on the frontier as a whole
-      s.restarted = s.plane;
-    }
-    if(bound_motion(s.box, s.checked, s.plane) > tuning::motion::negligible * maximum_distance) {
-      is_moved[id] = 1;
-      s.checked = s.plane;
-      s.is_changed = true;
-    }
+    is_moved[id] = s.history.check_again(s.box, s.plane, maximum_distance);
   }
 };
 
@@ -242,16 +213,17 @@ struct Check_moved {
   }
 };
 
-// Rounds the planes for the tests of points. Detaches the misfits of shapes that have moved or are new unions. Shapes
-// that have moved far grow again from all of their points, since other points may fit now. Motion is bounded over the
-// box of a shape. It is measured since the last check or restart, so small motions add up.
+// Merges the shapes, and rounds the planes for the tests of points. Detaches the misfits of shapes that have moved or
+// are new unions. Shapes that have moved far grow again from all of their points, since other points may fit now.
+// Motion is bounded over the box of a shape. It is measured since the last check or restart, so small motions add up.
 template <class Backend>
 void apply_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
                   const Targets<Backend>& target)
 {
   typename Backend::template Buffer<std::uint8_t> is_moved(shapes.size), is_checked(shapes.size);
+  merge_shapes(points, shapes, target);
   for_each_shape(points.backend, shapes,
-                 Apply_plane{shapes.shape.data(), shapes.plane.data(), shapes.is_restarted.data(), is_moved.data(),
+                 Apply_plane{shapes.table().data(), shapes.plane.data(), shapes.is_restarted.data(), is_moved.data(),
                              options.maximum_distance});
   for_each_shape(points.backend, shapes, Check_moved{target.data(), is_moved.data(), is_checked.data()});
   update_points(points, shapes, target, is_checked.data(), options.growth.tolerance);
