@@ -12,6 +12,9 @@
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#ifndef CGAL_TANDEM_USE_ENGINE // which has compiled it
+#include <CGAL/Tandem/internal/engine/Engine.h>
+#endif
 
 #include <chrono>
 #include <memory>

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The method, for public headers that call it. Programs that link the library Tandem::tandem_engine have
-// CGAL_TANDEM_USE_ENGINE defined, and get declarations. Others compile the method themselves.
+// What surrounds the engine, for public headers that call it. Programs that link the library Tandem::tandem_engine have
+// CGAL_TANDEM_USE_ENGINE defined, and get declarations. Others compile it themselves, as Planar_shape_detection_3.h does
+// with the engine.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_METHOD_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_METHOD_H
@@ -10,7 +11,6 @@
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/engine/engine_api.h>
 #ifndef CGAL_TANDEM_USE_ENGINE
-#include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
 #include <CGAL/Tandem/internal/finish/export_shapes.h>
 #include <CGAL/Tandem/internal/regularity/relate_planes.h>
