@@ -43,8 +43,8 @@ public:
   /// what executes at the border to the caller: memory, loops over points, bodies on the cells of the cloud, sorting
   typedef unspecified_type Backend;
 
-  /// what executes the method: the engine of this package on a back end, which may be another one
-  typedef unspecified_type Engine;
+  /// what executes the method: starts the engine of this package, on `Backend` or on a device
+  typedef unspecified_type Execution;
 
   /// `true` if `Normal_map` is not `CGAL::Default`
   static constexpr bool has_normal_map;

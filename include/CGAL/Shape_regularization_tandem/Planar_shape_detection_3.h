@@ -5,12 +5,16 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPE_DETECTION_3_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
-#include <CGAL/Shape_regularization_tandem/internal/execution.h>
+#include <CGAL/Shape_regularization_tandem/internal/method.h>
+#include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
+#include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#ifndef CGAL_TANDEM_USE_ENGINE // which has compiled it
+#include <CGAL/Tandem/internal/engine/Engine.h>
+#endif
 
 #include <chrono>
 #include <memory>
@@ -83,11 +87,11 @@ public:
       Ranks::check_same(backend_, parameters_);
       internal::Stop_watch watch;
       in_ =
-        internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Engine::Upload());
+        internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Execution::Upload());
       internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
       import_time_ = watch.lap();
       if(progress_.show(0) && in_.total.points >= parameters_.minimum_region_size)
-        engine_ = std::make_unique<Engine>(backend_, in_, parameters_, progress_);
+        engine_ = Execution::start(backend_, in_, parameters_, progress_);
       in_.uploaded.reset(); // without an engine nobody needs the values
     });
   }
@@ -158,7 +162,7 @@ public:
 
 private:
   using Backend = typename Traits::Backend;
-  using Engine = typename Traits::Engine;
+  using Execution = typename Traits::Execution;
   using Ranks = internal::Ranks<Backend>;
 
   // f() on all ranks. What it throws ends the detection.
@@ -187,7 +191,7 @@ private:
   double import_time_ = 0;
   bool is_finished_ = false;
   bool has_thrown_ = false;
-  std::unique_ptr<Engine> engine_;
+  std::unique_ptr<internal::Detection_engine> engine_;
 };
 
 } // namespace Tandem

@@ -6,11 +6,7 @@
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/finish/Shapes_data.h>
-#ifdef CGAL_TANDEM_USE_ENGINE
-#include <CGAL/Tandem/internal/engine/compiled_engine.h>
-#else
 #include <CGAL/Tandem/internal/finish/group_points.h>
-#endif
 
 #include <cstring>
 #include <utility>

@@ -82,8 +82,8 @@ public:
 
   /// executes what is to be done at the border to the caller
   using Backend = typename internal::Execution_of<ConcurrencyTag>::Backend;
-  /// executes the method, on the same back end
-  using Engine = typename internal::Execution_of<ConcurrencyTag>::Engine;
+  /// executes the method, on the same back end or on a CUDA device
+  using Execution = internal::Execution_of<ConcurrencyTag>;
 
   /// \cond SKIP_IN_MANUAL
   using internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>::Tandem_geometry_3;
@@ -92,37 +92,6 @@ public:
   /// a new back end
   Backend backend() const { return Backend(); }
 };
-
-#if defined(CGAL_TANDEM_USE_CUDA) || defined(DOXYGEN_RUNNING)
-
-/*!
-\ingroup PkgShapeRegularizationTandemTraits
-
-\brief The traits of the GPU: the same geometry, while the whole method runs in CUDA kernels.
-
-\cgalModels `TandemTraits_3`
-*/
-template <class GeomTraits, class PointRange, class PointMap, class NormalMap>
-class Tandem_traits_3<GeomTraits, PointRange, PointMap, NormalMap, Cuda_tag>
-  : public internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap> {
-public:
-  /// a CUDA device
-  using Concurrency_tag = Cuda_tag;
-
-  /// executes what is to be done at the border to the caller, on the host
-  using Backend = typename internal::Execution_of<Cuda_tag>::Backend;
-  /// executes the method on the device
-  using Engine = internal::Cuda_engine;
-
-  /// \cond SKIP_IN_MANUAL
-  using internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>::Tandem_geometry_3;
-  /// \endcond
-
-  /// a new back end
-  Backend backend() const { return Backend(); }
-};
-
-#endif
 
 } // namespace Tandem
 } // namespace CGAL

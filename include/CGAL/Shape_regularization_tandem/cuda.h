@@ -4,14 +4,23 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_CUDA_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_CUDA_H
 
-#ifdef CGAL_TANDEM_USE_CUDA
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
-#endif
 
 #include <string>
 
 namespace CGAL {
 namespace Tandem {
+
+namespace internal {
+
+// Whether the library of cuda_api.h is linked.
+#ifdef CGAL_TANDEM_USE_CUDA
+constexpr bool has_cuda = true;
+#else
+constexpr bool has_cuda = false;
+#endif
+
+} // namespace internal
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
@@ -20,11 +29,10 @@ whether the CUDA back end is linked and there is a device for it. Does not throw
 */
 inline bool cuda_available()
 {
-#ifdef CGAL_TANDEM_USE_CUDA
-  return internal::is_cuda_available();
-#else
-  return false;
-#endif
+  if constexpr(internal::has_cuda)
+    return internal::is_cuda_available();
+  else
+    return false;
 }
 
 /*!
@@ -34,11 +42,10 @@ name, memory and compute capability of the device that a call with `Cuda_tag` wo
 */
 inline std::string cuda_device_report()
 {
-#ifdef CGAL_TANDEM_USE_CUDA
-  return internal::cuda_device_report();
-#else
-  return "built without CUDA: link Tandem::tandem_cuda";
-#endif
+  if constexpr(internal::has_cuda)
+    return internal::cuda_device_report();
+  else
+    return "built without CUDA: link Tandem::tandem_cuda";
 }
 
 /*!
@@ -49,9 +56,8 @@ most 8 GiB), except some megabytes of each thread that still exists. May be call
 */
 inline void release_memory()
 {
-#ifdef CGAL_TANDEM_USE_CUDA
-  internal::release_cuda_memory();
-#endif
+  if constexpr(internal::has_cuda)
+    internal::release_cuda_memory();
 }
 
 } // namespace Tandem

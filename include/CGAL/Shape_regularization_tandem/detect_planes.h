@@ -5,6 +5,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_DETECT_PLANES_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
 namespace CGAL {
 namespace Tandem {

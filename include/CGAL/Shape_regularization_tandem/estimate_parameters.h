@@ -5,30 +5,13 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_ESTIMATE_PARAMETERS_H
 
 #include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
+#include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
-#ifdef CGAL_TANDEM_USE_ENGINE
-#include <CGAL/Tandem/internal/engine/compiled_engine.h>
-#else
-#include <CGAL/Tandem/internal/engine/complete_parameters.h>
-#endif
 
 namespace CGAL {
 namespace Tandem {
-namespace internal {
-
-// The parameters as far as the caller gave them, checked before any work is done.
-inline void check_given_parameters(Parameters p)
-{
-  if(p.maximum_distance == 0)
-    p.maximum_distance = 1;
-  if(p.minimum_region_size == 0)
-    p.minimum_region_size = 3;
-  check_parameters(p);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef

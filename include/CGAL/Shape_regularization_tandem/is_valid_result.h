@@ -6,8 +6,9 @@
 
 #include <CGAL/Shape_regularization_tandem/internal/Result_checker.h>
 #include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
-#include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 namespace CGAL {
 namespace Tandem {

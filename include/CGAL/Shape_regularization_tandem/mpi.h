@@ -9,13 +9,11 @@
 #endif
 
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
-#include <CGAL/Tandem/internal/mpi/Compiled_mpi_engine.h>
-#ifdef CGAL_TANDEM_USE_MPI_CUDA
-#include <CGAL/Tandem/internal/mpi/Cuda_mpi_engine.h>
-#endif
 #include <CGAL/Tandem/internal/mpi/Mpi_ranks.h>
+#include <CGAL/Tandem/internal/mpi/mpi_api.h>
 
 #include <memory>
+#include <type_traits>
 
 namespace CGAL {
 namespace Tandem {
@@ -23,19 +21,20 @@ namespace Tandem {
 namespace internal {
 
 template <class Tag>
-struct Execution_of<Mpi_tag<Tag>> {
+struct Backend_of<Mpi_tag<Tag>> {
   static_assert(!std::is_same<Tag, Cuda_tag>::value,
                 "Mpi_tag<Cuda_tag> needs the CUDA back end of many processes: link Tandem::tandem_mpi_cuda");
-  using Local = typename Backend_of<Tag>::type;
-  using Backend = Mpi_backend<Local>;
-  using Engine = Compiled_mpi_engine<Local>;
+  using type = Mpi_backend<typename Backend_of<Tag>::type>;
 };
 
 #ifdef CGAL_TANDEM_USE_MPI_CUDA
 template <>
-struct Execution_of<Mpi_tag<Cuda_tag>> {
-  using Backend = Mpi_backend<Parallel_host>;
-  using Engine = Cuda_mpi_engine;
+struct Execution_of<Mpi_tag<Cuda_tag>> : Execution_on<Mpi_backend<Parallel_host>> {
+  static std::unique_ptr<Detection_engine> start(Backend& backend, Import& in, const Parameters& parameters,
+                                                 Progress& progress)
+  {
+    return make_cuda_engine(backend, in, parameters, progress);
+  }
 };
 #endif
 
@@ -58,8 +57,8 @@ public:
   using Concurrency_tag = Mpi_tag<ExecutionTag>;
   /// executes what is to be done at the border to the caller
   using Backend = typename internal::Execution_of<Concurrency_tag>::Backend;
-  /// executes the method, together with the engines of the other processes
-  using Engine = typename internal::Execution_of<Concurrency_tag>::Engine;
+  /// executes the method, together with the other processes
+  using Execution = internal::Execution_of<Concurrency_tag>;
 
   /*!
   duplicates the communicator, so that no message meets one of the caller. It is called by all of its processes.

@@ -6,16 +6,12 @@
 
 #include <CGAL/Shape_regularization_tandem/Plane_relations.h>
 #include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
+#include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
-#ifdef CGAL_TANDEM_USE_ENGINE
-#include <CGAL/Tandem/internal/engine/compiled_engine.h>
-#else
-#include <CGAL/Tandem/internal/regularity/relate_planes.h>
-#endif
 
 #include <utility>
 #include <vector>

@@ -30,7 +30,7 @@ using Sequential_traits = CGAL::Tandem::Tandem_traits_3<Kernel, Range, Point_map
 template <class Normal_map>
 struct Thread_traits : Sequential_traits<Normal_map> {
   using Backend = CGAL::Tandem::internal::Thread_backend;
-  using Engine = CGAL::Tandem::internal::Engine<Backend>;
+  using Execution = CGAL::Tandem::internal::Execution_on<Backend>;
   explicit Thread_traits(unsigned threads = 1) : threads(threads) {}
   Backend backend() const { return Backend(threads); }
   unsigned threads;

@@ -23,7 +23,7 @@ using Sequential_traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, Point_map
 template <class Normal_map>
 struct Shuffled_traits : Sequential_traits<Normal_map> {
   using Backend = CGAL::Tandem::internal::Late_backend;
-  using Engine = CGAL::Tandem::internal::Engine<Backend>;
+  using Execution = CGAL::Tandem::internal::Execution_on<Backend>;
   explicit Shuffled_traits(std::uint64_t seed = 1) : seed(seed) {}
   Backend backend() const { return Backend(seed); }
   std::uint64_t seed;

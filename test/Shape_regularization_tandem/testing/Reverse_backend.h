@@ -103,10 +103,7 @@ public:
 };
 
 template <>
-struct Execution_of<Reverse_tag> {
-  using Backend = Reverse_backend;
-  using Engine = internal::Engine<Backend>;
-};
+struct Execution_of<Reverse_tag> : Execution_on<Reverse_backend> {};
 
 } // namespace internal
 } // namespace Tandem

@@ -98,6 +98,16 @@ bool has_own_offset(const NP& np)
          parameter<internal_np::settings_t>(np, Parameters()).maximum_offset != 0;
 }
 
+// The parameters as far as the caller gave them, checked before any work is done.
+inline void check_given_parameters(Parameters p)
+{
+  if(p.maximum_distance == 0)
+    p.maximum_distance = 1;
+  if(p.minimum_region_size == 0)
+    p.minimum_region_size = 3;
+  check_parameters(p);
+}
+
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL

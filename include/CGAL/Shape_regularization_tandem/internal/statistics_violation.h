@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H
 
 #include <CGAL/Tandem/internal/engine/make_options.h>
-#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/finish/measure_relations.h>
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
 
 #include <algorithm>

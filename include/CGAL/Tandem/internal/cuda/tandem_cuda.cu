@@ -7,7 +7,7 @@
 #pragma nv_diag_suppress 20011, 20014 // the functors of Cuda_backend run on the device only
 
 #include <CGAL/Tandem/internal/cuda/interface/cuda_api.h>
-#include <CGAL/Tandem/internal/cuda/runtime/run_and_wait.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Engine_on_device.cuh>
 #include <CGAL/Tandem/internal/cuda/stages/Cuda_stages.cuh>
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
@@ -16,26 +16,18 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The engine with its back end. The caller's thread, and its current device, may differ from call to call.
-struct Cuda_engine::Implementation {
-  Implementation(Import& in, const Parameters& parameters, Progress& progress)
-    : device(current_device()), engine(backend, in, parameters, progress)
-  {}
+namespace {
 
-  template <class F>
-  void on_device(F f)
-  {
-    const Device_guard guard(device);
-    run_and_wait(f);
-  }
-
-  // The engine refers to the back end, so it is constructed after it.
-  int device;
+struct With_backend {
   Cuda_backend backend;
-  Engine<Cuda_backend> engine;
 };
 
-namespace {
+// The engine with its back end, which is constructed before it.
+struct Cuda_engine : With_backend, Engine<Cuda_backend> {
+  Cuda_engine(Import& in, const Parameters& parameters, Progress& progress)
+    : Engine<Cuda_backend>(backend, in, parameters, progress)
+  {}
+};
 
 // The library is compiled with FMA by default: see the manual, "Back Ends and Determinism". On x86-64 processors
 // without it, it would end with an illegal instruction.
@@ -145,42 +137,15 @@ std::shared_ptr<Uploaded_values> Cuda_upload::finish()
   return std::move(values_);
 }
 
-Cuda_engine::Cuda_engine(Import& in, const Parameters& parameters, Progress& progress)
+std::unique_ptr<Detection_engine> make_cuda_engine(Import& in, const Parameters& parameters, Progress& progress)
 {
   require_device();
   require_memory(in, parameters);
-  run_and_wait([&] { implementation_ = std::make_unique<Implementation>(in, parameters, progress); });
+  auto engine =
+    std::make_unique<Engine_on_device>([&] { return std::make_unique<Cuda_engine>(in, parameters, progress); });
   in.coordinates.keep_pages();
   in.normals.keep_pages();
-}
-
-// Buffers are freed on the device that they belong to.
-Cuda_engine::~Cuda_engine()
-{
-  if(implementation_ == nullptr)
-    return;
-  const Device_guard guard(implementation_->device, std::nothrow);
-  implementation_.reset();
-}
-
-bool Cuda_engine::iterate()
-{
-  bool is_going_on = false;
-  implementation_->on_device([&] { is_going_on = implementation_->engine.iterate(); });
-  return is_going_on;
-}
-
-void Cuda_engine::finish()
-{
-  implementation_->on_device([&] { implementation_->engine.finish(); });
-}
-
-// All tables of a result are memory of the host.
-Engine_result Cuda_engine::result()
-{
-  Engine_result result;
-  implementation_->on_device([&] { result = implementation_->engine.result(); });
-  return result;
+  return engine;
 }
 
 bool is_cuda_available() { return missing_for_cuda().empty(); }

@@ -13,42 +13,33 @@
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
 #include <CGAL/Tandem/internal/finish/transfer_points.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
+#include <CGAL/Tandem/internal/engine/Detection_engine.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_by_joint_fit.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// One detection. The caller repeats iterate() until it is false, then calls finish(). The results of all back ends are
-// the same bits.
+// On one back end.
 template <class Backend>
-class Engine {
+class Engine : public Detection_engine {
   static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
 
 public:
-  using Upload = No_upload;
-
-  // Prepares the first round. The import and the progress have to stay as long as the engine. What the callback throws
-  // passes through; the engine can only be destroyed then.
+  // Prepares the first round: see make_engine(). After an exception the engine can only be destroyed.
   Engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress);
 
-  static const char* name() { return Backend::name(); }
-
-  // One round; false when growth is slow and no cell is untried (tuning::loop), the rounds are used up, or the callback
-  // has cancelled.
-  bool iterate();
-
-  // The end game. Afterwards result() is final and keeps the guarantees.
-  void finish();
-
-  // Between rounds: what has been found so far. Its points are checked, but its planes are not final.
-  Engine_result result();
+  const char* name() const override { return Backend::name(); }
+  bool iterate() override;
+  void finish() override;
+  Engine_result result() override;
 
 private:
   std::size_t grow();
@@ -257,6 +248,13 @@ Engine_result Engine<Backend>::result()
   r.times = times_;
   r.peak_bytes = state_.peak_bytes;
   return r;
+}
+
+template <class Backend>
+std::unique_ptr<Detection_engine> make_engine(Backend& backend, Import& in, const Parameters& parameters,
+                                              Progress& progress)
+{
+  return std::make_unique<Engine<Backend>>(backend, in, parameters, progress);
 }
 
 } // namespace internal

@@ -10,11 +10,7 @@
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
-#ifdef CGAL_TANDEM_USE_ENGINE
-#include <CGAL/Tandem/internal/engine/compiled_engine.h>
-#else
-#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
-#endif
+#include <CGAL/Tandem/internal/engine/engine_api.h>
 
 #include <vector>
 

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
-#include <CGAL/Tandem/internal/engine/compiled_engine_impl.h>
+#include <CGAL/Tandem/internal/engine/Engine.h>
+#include <CGAL/Tandem/internal/engine/complete_parameters.h>
+#include <CGAL/Tandem/internal/finish/export_shapes.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
 template class Engine<Tbb_backend>;
-template class Compiled_engine<Tbb_backend>;
+template std::unique_ptr<Detection_engine> make_engine(Tbb_backend&, Import&, const Parameters&, Progress&);
 template void complete_parameters(Tbb_backend&, const Import&, bool, Parameters&);
 template void set_scale(Tbb_backend&, Import&, bool, Parameters&);
 template void find_neighbors(Tbb_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/engine/compiled_engine_impl.h>
+#include <CGAL/Tandem/internal/engine/Engine.h>
+#include <CGAL/Tandem/internal/engine/complete_parameters.h>
+#include <CGAL/Tandem/internal/engine/engine_api.h>
+#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/regularity/relate_planes.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
 template class Engine<Sequential_backend>;
-template class Compiled_engine<Sequential_backend>;
+template std::unique_ptr<Detection_engine> make_engine(Sequential_backend&, Import&, const Parameters&, Progress&);
 template void complete_parameters(Sequential_backend&, const Import&, bool, Parameters&);
 template void set_scale(Sequential_backend&, Import&, bool, Parameters&);
 template void find_neighbors(Sequential_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);

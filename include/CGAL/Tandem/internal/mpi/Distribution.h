@@ -8,11 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_MPI_DISTRIBUTION_H
 
 #include <CGAL/Tandem/internal/cloud/Import.h>
-#ifdef CGAL_TANDEM_USE_ENGINE
-#include <CGAL/Tandem/internal/engine/compiled_engine.h>
-#else
 #include <CGAL/Tandem/internal/finish/group_points.h>
-#endif
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 #include <CGAL/Tandem/internal/mpi/rank_boundaries.h>
 

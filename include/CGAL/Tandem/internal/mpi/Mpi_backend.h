@@ -7,11 +7,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_BACKEND_H
 
-#include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/backend/Parallel_host.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <CGAL/Tandem/internal/backend/Tbb_backend.h>
-#endif
 #include <CGAL/Tandem/internal/mpi/Communicator.h>
 
 #include <memory>
@@ -38,12 +35,7 @@ private:
 template <class Local>
 struct Stage_overrides<Mpi_backend<Local>> : Stage_overrides<Local> {};
 
-// What executes on the host of a rank.
-#ifdef CGAL_LINKED_WITH_TBB
-using Parallel_host = Tbb_backend;
-#else
-using Parallel_host = Sequential_backend;
-#endif
+// What executes on the host of a rank: a device has no memory of the host.
 template <class Local>
 using Search_host = typename std::conditional<std::is_base_of<Host_memory, Local>::value, Local, Parallel_host>::type;
 

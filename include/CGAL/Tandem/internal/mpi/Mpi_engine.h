@@ -8,6 +8,7 @@
 
 #include <CGAL/Tandem/internal/mpi/Distribution.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_ranks.h>
+#include <CGAL/Tandem/internal/mpi/mpi_api.h>
 
 #include <CGAL/Tandem/internal/engine/Engine.h>
 
@@ -15,31 +16,23 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The interface is that of Engine. Each function is called by all ranks.
+// Each function is called by all ranks.
 template <class Local>
-class Mpi_engine {
+class Mpi_engine : public Detection_engine {
   using Backend = Mpi_backend<Local>;
   using Host = Mpi_backend<Search_host<Local>>;
 
 public:
-  using Upload = No_upload;
-
-  // The values of the import go to other ranks; it keeps its numbers of points and items.
   Mpi_engine(Host& host, Import& in, const Parameters& parameters, Progress& progress)
     : host_(host), distribution_(host_, in, parameters.cell_size), in_(take(distribution_, in)),
       backend_(host.shared_communicator()), engine_(backend_, in_, parameters, progress)
   {}
 
-  // The engine refers to members.
-  Mpi_engine(const Mpi_engine&) = delete;
-  Mpi_engine& operator=(const Mpi_engine&) = delete;
+  const char* name() const override { return engine_.name(); }
+  bool iterate() override { return engine_.iterate(); }
+  void finish() override { engine_.finish(); }
 
-  static const char* name() { return Backend::name(); }
-
-  bool iterate() { return engine_.iterate(); }
-  void finish() { engine_.finish(); }
-
-  Engine_result result()
+  Engine_result result() override
   {
     Engine_result r = engine_.result();
     if(host_.communicator().sum(std::uint64_t(r.shape_of.size())) == 0)
@@ -67,6 +60,13 @@ private:
   Backend backend_;
   Engine<Backend> engine_;
 };
+
+template <class Local>
+std::unique_ptr<Detection_engine> make_engine(Mpi_backend<Local>& backend, Import& in, const Parameters& parameters,
+                                              Progress& progress)
+{
+  return std::make_unique<Mpi_engine<Local>>(backend, in, parameters, progress);
+}
 
 } // namespace internal
 } // namespace Tandem

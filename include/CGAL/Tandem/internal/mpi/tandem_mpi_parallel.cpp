@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
-#include <CGAL/Tandem/internal/mpi/tandem_mpi_impl.h>
+#include <CGAL/Tandem/internal/engine/complete_parameters.h>
+#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/mpi/Mpi_engine.h>
+#include <CGAL/Tandem/internal/mpi/first_unconnected.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -10,7 +13,7 @@ namespace internal {
 
 using Backend = Mpi_backend<Tbb_backend>;
 
-template class Compiled_mpi_engine<Tbb_backend>;
+template std::unique_ptr<Detection_engine> make_engine(Backend&, Import&, const Parameters&, Progress&);
 template std::size_t first_unconnected(Backend&, const Import&, const std::vector<std::int32_t>&, std::size_t,
                                        std::size_t);
 template void complete_parameters(Backend&, const Import&, bool, Parameters&);

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The model of Backend on a CUDA device: the current one of the calling thread. Loops of functors are kernels in the
-// order of the thread's stream, and return before they end. Loops on the host run on Host_side. Operations are defined
-// in Sequential_backend.h.
+// order of the thread's stream, and return before they end. Loops on the host run on Parallel_host. Operations are
+// defined in Sequential_backend.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
 
 #include <CGAL/Tandem/internal/cuda/runtime/copy.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/Device_sort_table.cuh>
-#include <CGAL/Tandem/internal/cuda/runtime/Host_side.h>
+#include <CGAL/Tandem/internal/backend/Parallel_host.h>
 #include <CGAL/Tandem/internal/cuda/execution/cub_calls.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/range_sort.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/rounds.cuh>
@@ -216,7 +216,7 @@ public:
   }
 
 private:
-  Host_side host_;
+  Parallel_host host_;
   Buffer<std::uint32_t> order_; // cells by falling size: see expect_cells()
 
   // What a block has on all devices without a further setting, less the shared variables of Cuda_block.

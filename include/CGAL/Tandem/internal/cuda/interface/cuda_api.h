@@ -7,9 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H
 #define CGAL_TANDEM_INTERNAL_CUDA_INTERFACE_CUDA_API_H
 
-#include <CGAL/Tandem/internal/base/Progress.h>
-#include <CGAL/Tandem/internal/finish/Engine_result.h>
-#include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/engine/Detection_engine.h>
 
 #include <memory>
 #include <string>
@@ -43,36 +41,10 @@ private:
   std::shared_ptr<Values_on_device> values_;
 };
 
-// Engine<Cuda_backend> on the device that is current when it is constructed. Different threads may use it one after the
-// other, whatever their current device is.
-class Cuda_engine {
-public:
-  using Upload = Cuda_upload;
-
-  // Throws std::runtime_error without a device and for failures of it, std::length_error if its memory is too small.
-  // The memory of the caller's values is kept for the next import.
-  Cuda_engine(Import& in, const Parameters& parameters, Progress& progress);
-
-  // The constructor that engines of the host have; their back end has no work here.
-  template <class Backend>
-  Cuda_engine(Backend&, Import& in, const Parameters& parameters, Progress& progress)
-    : Cuda_engine(in, parameters, progress)
-  {}
-
-  ~Cuda_engine();
-  Cuda_engine(const Cuda_engine&) = delete;
-  Cuda_engine& operator=(const Cuda_engine&) = delete;
-
-  static const char* name() { return "cuda"; }
-
-  bool iterate();
-  void finish();
-  Engine_result result();
-
-private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
-};
+// The engine on the device that is current now. Different threads may use it one after the other, whatever their current
+// device is. Throws std::runtime_error without a device and for failures of it, std::length_error if its memory is too
+// small. The memory of the caller's values is kept for the next import.
+std::unique_ptr<Detection_engine> make_cuda_engine(Import& in, const Parameters& parameters, Progress& progress);
 
 // Whether the current device can run the kernels of the library.
 bool is_cuda_available();

@@ -8,7 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_PINNED_COPIES_CUH
 
 #include <CGAL/Tandem/internal/cuda/runtime/Device_buffer.cuh>
-#include <CGAL/Tandem/internal/cuda/runtime/Host_side.h>
+#include <CGAL/Tandem/internal/backend/Parallel_host.h>
 #include <CGAL/Tandem/internal/cuda/runtime/Pinned_memory.cuh>
 
 #include <algorithm>
@@ -153,7 +153,7 @@ inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
                         (std::min)(maximum, table.bytes - first)});
   const int device = current_device();
   std::atomic<std::size_t> next(0);
-  Host_side().for_each_piece((std::min)(pieces.size(), maximum_copying_threads), 1, [&](std::size_t, std::size_t) {
+  Parallel_host().for_each_piece((std::min)(pieces.size(), maximum_copying_threads), 1, [&](std::size_t, std::size_t) {
     const Device_guard guard(device);
     Pinned_pair pair;
     for(std::size_t i; (i = next++) < pieces.size();) {

@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_COPY_CUH
 
-#include <CGAL/Tandem/internal/cuda/runtime/Host_side.h>
+#include <CGAL/Tandem/internal/backend/Parallel_host.h>
 #include <CGAL/Tandem/internal/cuda/runtime/Pinned_copies.cuh>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ void make_on_device(std::size_t n, F f, T* target)
   for(std::size_t first = 0; first < n; first += maximum) {
     const std::size_t size = (std::min)(maximum, n - first);
     T* const piece = reinterpret_cast<T*>(Staging::of_thread().take(size * sizeof(T)));
-    Host_side().for_each_on_host(
+    Parallel_host().for_each_on_host(
       size, [&](std::size_t i) { new(piece + i) T(f(first + i)); }, 4096);
     CGAL_TANDEM_CUDA(
       cudaMemcpyAsync(target + first, piece, size * sizeof(T), cudaMemcpyHostToDevice, stream_of_thread()));

@@ -83,7 +83,7 @@ public:
   void send_tables()
   {
     are_in_tables_ = true;
-    Host_side().for_each_piece(size_, maximum_points(), [&](std::size_t first, std::size_t last) {
+    Parallel_host().for_each_piece(size_, maximum_points(), [&](std::size_t first, std::size_t last) {
       const Piece piece = begin(last - first);
       const std::size_t bytes = piece.size * vector_bytes_;
       for(std::size_t t = 0; t < number_of_tables(); ++t)

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The back end that works on memory of the host beside a device. It has loops over what only the host has, and
-// copies of large tables.
+// The back end of the host that CGAL::Parallel_if_available_tag selects. It also works beside a device, on what only the
+// host has.
 
-#ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_HOST_SIDE_H
-#define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_HOST_SIDE_H
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_PARALLEL_HOST_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_PARALLEL_HOST_H
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
@@ -18,13 +18,13 @@ namespace Tandem {
 namespace internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
-using Host_side = Tbb_backend;
+using Parallel_host = Tbb_backend;
 #else
-using Host_side = Sequential_backend;
+using Parallel_host = Sequential_backend;
 #endif
 
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_HOST_SIDE_H
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_PARALLEL_HOST_H

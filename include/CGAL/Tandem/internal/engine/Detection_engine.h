@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a detection knows of the engine that runs it: the same for all back ends, libraries and numbers of processes.
+
+#ifndef CGAL_TANDEM_INTERNAL_ENGINE_DETECTION_ENGINE_H
+#define CGAL_TANDEM_INTERNAL_ENGINE_DETECTION_ENGINE_H
+
+#include <CGAL/Tandem/internal/base/Progress.h>
+#include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/finish/Engine_result.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// One detection. The caller repeats iterate() until it is false, then calls finish(). The results of all engines are
+// the same bits.
+class Detection_engine {
+public:
+  Detection_engine() = default;
+  Detection_engine(const Detection_engine&) = delete;
+  Detection_engine& operator=(const Detection_engine&) = delete;
+  virtual ~Detection_engine() = default;
+
+  // Of the back end that runs the method.
+  virtual const char* name() const = 0;
+
+  // One round; false when growth is slow and no cell is untried (tuning::loop), the rounds are used up, or the callback
+  // has cancelled.
+  virtual bool iterate() = 0;
+
+  // The end game. Afterwards result() is final and keeps the guarantees.
+  virtual void finish() = 0;
+
+  // Between rounds: what has been found so far. Its points are checked, but its planes are not final.
+  virtual Engine_result result() = 0;
+};
+
+// Prepares the first round. The back end, the import and the progress have to stay as long as the engine. What the
+// callback throws passes through. Defined in Engine.h, and compiled once in the library Tandem::tandem_engine. Other
+// libraries have functions of their own: see cuda/interface/cuda_api.h and mpi/mpi_api.h.
+template <class Backend>
+std::unique_ptr<Detection_engine> make_engine(Backend& backend, Import& in, const Parameters& parameters,
+                                              Progress& progress);
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ENGINE_DETECTION_ENGINE_H

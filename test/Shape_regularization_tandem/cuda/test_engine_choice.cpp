@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The choice between device and host, with a device of this test: its engine is used where it can be made; otherwise
+// the host has the values and gives the same result. What the callback throws is no failure of the device.
+
+#undef NDEBUG
+
+#include "testing/test_support.h"
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Tandem {
+
+struct Test_device_tag {};
+
+namespace internal {
+
+template <>
+struct Execution_of<Test_device_tag> : Cuda_or_host_execution<Sequential_backend> {
+  using Upload = No_upload;
+};
+
+// Returns the engine of the device; called by make_cuda_engine(), which is that of the library elsewhere.
+std::function<std::unique_ptr<Detection_engine>(Import&, const Parameters&, Progress&)> test_device;
+
+std::unique_ptr<Detection_engine> make_cuda_engine(Import& in, const Parameters& parameters, Progress& progress)
+{
+  return test_device(in, parameters, progress);
+}
+
+// An engine from outside of the package: the sequential one under another name.
+class Device_engine : public Detection_engine {
+public:
+  Device_engine(Import& in, const Parameters& parameters, Progress& progress)
+    : engine_(make_engine(backend_, in, parameters, progress))
+  {}
+
+  const char* name() const override { return "device"; }
+  bool iterate() override { return engine_->iterate(); }
+  void finish() override { engine_->finish(); }
+  Engine_result result() override { return engine_->result(); }
+
+private:
+  Sequential_backend backend_;
+  std::unique_ptr<Detection_engine> engine_;
+};
+
+// Values on the device: notes that the host asks for them.
+class Noted_values : public Uploaded_values {
+public:
+  explicit Noted_values(bool& is_downloaded) : is_downloaded_(is_downloaded) {}
+  void download() override { is_downloaded_ = true; }
+
+private:
+  bool& is_downloaded_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+using namespace CGAL::Tandem::internal;
+using CGAL::Tandem::Test_device_tag;
+
+const Cloud cloud = to_cloud(scenes::make_scene("cube", scene_options(3000)));
+const Parameters parameters = make_parameters(.02, 40);
+
+void test_device_is_used()
+{
+  test_device = [](Import& in, const Parameters& p, Progress& progress) {
+    return std::make_unique<Device_engine>(in, p, progress);
+  };
+  const Shapes shapes = detect<Test_device_tag>(cloud, parameters);
+  CHECK_AT(shapes.statistics().backend == std::string("device"), shapes.statistics().backend);
+  check_same(shapes, detect(cloud, parameters), "device");
+  CHECK(shapes.number_of_shapes() == 6);
+}
+
+template <class Failure>
+void test_failure(const std::string& name)
+{
+  bool is_downloaded = false;
+  test_device = [&](Import& in, const Parameters&, Progress&) -> std::unique_ptr<Detection_engine> {
+    in.uploaded = std::make_shared<Noted_values>(is_downloaded);
+    throw Failure(name);
+  };
+  const Shapes shapes = detect<Test_device_tag>(cloud, parameters);
+  CHECK_AT(shapes.statistics().backend == std::string(Sequential_backend::name()), name);
+  CHECK_AT(is_downloaded, name + ": the host lacks the values");
+  check_same(shapes, detect(cloud, parameters), name);
+}
+
+// Of the callback, of one of the types that mean a failure of the device elsewhere; or of none of these types.
+template <class Exception>
+void test_passes(bool is_of_callback)
+{
+  test_device = [&](Import& in, const Parameters& p, Progress& progress) -> std::unique_ptr<Detection_engine> {
+    if(!is_of_callback)
+      throw Exception("passes");
+    return std::make_unique<Device_engine>(in, p, progress);
+  };
+  int calls = 0;
+  const auto callback = [&](double) {
+    if(++calls > 1 && is_of_callback) // the first call comes before the engine
+      throw Exception("passes");
+    return true;
+  };
+  check_throws<Exception>(
+    [&] {
+      CGAL::Tandem::detect_planes<Test_device_tag>(
+        cloud, CGAL::Tandem::parameters::settings(parameters).point_map(First<Kernel>()).callback(callback));
+    },
+    {"passes"}, __LINE__);
+  CHECK_AT(calls == (is_of_callback ? 2 : 1), std::to_string(calls) + " calls");
+}
+
+int main()
+{
+  test_device_is_used();
+  test_failure<std::runtime_error>("no device");
+  test_failure<std::length_error>("too little memory");
+  test_passes<std::runtime_error>(true);
+  test_passes<std::length_error>(true);
+  test_passes<std::logic_error>(false);
+  return report();
+}
