@@ -13,7 +13,6 @@
 #include "testing/host_backends.h"
 
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
-#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 using namespace CGAL::Tandem::internal;

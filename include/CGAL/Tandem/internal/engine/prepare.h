@@ -17,7 +17,7 @@
 #include <CGAL/Tandem/internal/growth/find_border.h>
 #include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
-#include <CGAL/Tandem/internal/shapes/cell_shapes.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 
 namespace CGAL {
 namespace Tandem {

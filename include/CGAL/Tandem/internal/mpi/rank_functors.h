@@ -10,7 +10,6 @@
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
-#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
 #include <algorithm>
 

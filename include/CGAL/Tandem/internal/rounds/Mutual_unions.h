@@ -13,7 +13,6 @@
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/links.h>
-#include <CGAL/Tandem/internal/shapes/shape_deltas.h>
 
 #include <algorithm>
 #include <cstddef>
