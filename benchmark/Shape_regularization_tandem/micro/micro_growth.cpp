@@ -26,11 +26,10 @@ void clear_shapes(State& t)
 template <class State>
 void fit_shapes(State& t)
 {
-  auto& backend = t.points.backend;
-  internal::refit_shapes(backend, t.points.ranks, t.shapes);
-  for(std::size_t id = 0; id < t.shapes.size; ++id)
-    t.shapes.shape[id].plane = t.shapes.shape[id].local;
-  internal::apply_planes(t.points, t.shapes, t.options, internal::identity_targets(backend, t.shapes.size));
+  internal::require(t.points, t.shapes, internal::tables::fits);
+  for(internal::Shape& shape : t.shapes.table())
+    shape.plane = shape.local;
+  internal::apply_planes(t.points, t.shapes, t.options, internal::identity_targets(t.points.backend, t.shapes.size));
 }
 
 template <class State>
