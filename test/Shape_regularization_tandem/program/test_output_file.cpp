@@ -151,7 +151,7 @@ void test_fail()
   std::cerr.rdbuf(previous);
   CHECK(!has_thrown && code == 7);
   CHECK_AT(buffer.written() ==
-             "detect_planes: a message of two lines, which is too long for a short string (and advice)\n",
+             "detect_planes: a message of two lines,\\x0awhich is too long for a short string (and advice)\n",
            buffer.written());
 }
 
