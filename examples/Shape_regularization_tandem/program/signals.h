@@ -7,6 +7,7 @@
 #define DETECT_PLANES_SIGNALS_H
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -85,9 +86,10 @@ inline void handle(int signal, void (*handler)(int))
 // Where a second signal, which no program can catch, may come soon: mpirun sends it.
 inline volatile std::sig_atomic_t first_signal_removes = 0;
 
-// The first signal requests the end of the run, a second one ends the process.
+// The first signal requests the end of the run, a second one ends the process. What is interrupted finds its errno.
 inline void request_end(int signal)
 {
+  const int error = errno;
   if(is_interrupted()) {
     end_by_signal(signal);
     return;
@@ -96,6 +98,7 @@ inline void request_end(int signal)
   if(first_signal_removes != 0)
     remove_names();
   handle(signal, request_end); // some systems reset it
+  errno = error;
 }
 
 // nohup ignores SIGHUP, for example: that stays so.

@@ -136,7 +136,7 @@ set(out_of_help "${out}")
 # The help offers nothing that this program was built without, which is bad usage.
 file(WRITE "${WORK_DIR}/none.xyz" "")
 foreach(offer IN ITEMS "--view FILE:--view v.html" "--mesh FILE:--mesh m.off" "kinetic,:--mesh m.off --mesh-method kinetic"
-        "polygonal,:--mesh m.off --mesh-method polygonal" "parallel[,;]:--backend parallel"
+        "polygonal,:--mesh m.off --mesh-method polygonal" "sequential, parallel:--backend parallel"
         "\\.laz:--output l.laz" "--mesh-seconds:--mesh m.off --mesh-method polygonal --mesh-seconds 5")
   string(REGEX MATCH "^(.*):(.*)$" offer "${offer}")
   set(option "${CMAKE_MATCH_2}")
