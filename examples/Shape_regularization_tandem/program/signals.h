@@ -90,14 +90,14 @@ inline volatile std::sig_atomic_t first_signal_removes = 0;
 inline void request_end(int signal)
 {
   const int error = errno;
-  if(is_interrupted()) {
+  if(is_interrupted())
     end_by_signal(signal);
-    return;
+  else {
+    interrupt_flag = 1;
+    if(first_signal_removes != 0)
+      remove_names();
+    handle(signal, request_end); // some systems reset it
   }
-  interrupt_flag = 1;
-  if(first_signal_removes != 0)
-    remove_names();
-  handle(signal, request_end); // some systems reset it
   errno = error;
 }
 
