@@ -129,10 +129,10 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
     shapes.steps.reset(size + size / 2);
     shapes.is_restarted.reset(size + size / 2);
   }
+  Shape* const table = shapes.change_moments(); // also where they move
   Ids new_id(ids);
   backend.for_each(size,
-                   Take_growth{shapes.table().data(), shapes.plane.data(),
-                               moves ? shape.data() : shapes.change_moments(),
+                   Take_growth{shapes.table().data(), shapes.plane.data(), moves ? shape.data() : table,
                                moves ? plane.data() : shapes.plane.data(), shapes.steps.data(),
                                shapes.is_restarted.data(), delta, is_sparse ? kept.data() : nullptr, started.data(),
                                std::uint32_t(number_kept), std::uint32_t(first_new), new_id.data()},
