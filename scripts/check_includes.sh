@@ -14,9 +14,9 @@ longest=14
 cd "$(dirname "$0")/../include"
 find CGAL -name '*.h' -o -name '*.cuh' -o -name '*.cu' | sort | xargs grep -H '^#include <CGAL/\(Tandem\|Shape_reg\)' |
   sed 's/:#include </ /; s/>.*//' | awk -v order="$order" -v longest="$longest" '
-    # The plain structs of the interface are below the engine, the other public headers above it.
+    # The plain data of both sides, in CGAL/Tandem, are below the engine, the public functions above it.
     function rank(file, folder) {
-      if(file ~ /^CGAL\/Shape_regularization_tandem\/(Parameters|Plane_relations|Statistics|detection_stage)\.h$/)
+      if(file ~ /^CGAL\/Tandem\/[^\/]*$/)
         return 0
       folder = file
       if(!sub(/^CGAL\/Tandem\/internal\//, "", folder))

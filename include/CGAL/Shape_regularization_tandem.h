@@ -9,14 +9,11 @@
 The whole package.
 */
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
 #include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/Plane_relations.h>
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 #include <CGAL/Shape_regularization_tandem/cuda.h>
-#include <CGAL/Shape_regularization_tandem/detection_stage.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
@@ -24,5 +21,9 @@ The whole package.
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 #include <CGAL/Shape_regularization_tandem/tags.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
+#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/Plane_relations.h>
+#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/detection_stage.h>
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_H

@@ -11,8 +11,8 @@
 #include "testing/evaluate.h"
 #include "clouds/ply_cloud.h"
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
-#include <CGAL/Shape_regularization_tandem/Statistics.h>
+#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/Statistics.h>
 
 #include <functional>
 

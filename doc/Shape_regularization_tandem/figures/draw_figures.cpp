@@ -169,7 +169,7 @@ private:
               bool by_direction = false) const
   {
     Table table(tables_ + name + ".md", "`" + name + "`");
-    const auto text = [](Number value) { return CGAL::Tandem::internal::to_text(value); };
+    const auto text = [](Number value) { return CGAL::Tandem::to_text(value); };
     for(std::size_t i = 0; i < values.size(); ++i) {
       Parameters p = right_;
       p.*parameter = values[i];

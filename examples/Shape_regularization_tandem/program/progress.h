@@ -10,7 +10,7 @@
 #include <unistd.h>
 #endif
 
-#include <CGAL/Shape_regularization_tandem/detection_stage.h>
+#include <CGAL/Tandem/detection_stage.h>
 
 #include <algorithm>
 #include <chrono>

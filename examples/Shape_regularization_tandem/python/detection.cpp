@@ -110,27 +110,26 @@ auto with_maps(const Cloud& cloud, const F& f)
 }
 
 // Negative counts do not wrap around, and 0 does not mean that the value is to be estimated.
-std::size_t count(const CGAL::Tandem::internal::Count_range& range, const std::optional<long long>& given,
-                  std::size_t otherwise)
+std::size_t count(const CGAL::Tandem::Count_range& range, const std::optional<long long>& given, std::size_t otherwise)
 {
   if(!given)
     return otherwise;
   if(*given < (long long)(range.smallest) || *given > (long long)(range.largest))
-    CGAL::Tandem::internal::throw_out_of_range(range.name, *given, to_text(range));
+    CGAL::Tandem::throw_out_of_range(range.name, *given, to_text(range));
   return std::size_t(*given);
 }
 
 double length(const char* name, const std::optional<double>& given, double smallest)
 {
   if(given)
-    CGAL::Tandem::internal::check_length(name, *given, smallest);
+    CGAL::Tandem::check_length(name, *given, smallest);
   return given.value_or(0);
 }
 
 // A length or size that is to be estimated is 0. The offset stays a parameter of its own: it may be 0.
 Parameters parameters_of(const Settings& s)
 {
-  using namespace CGAL::Tandem::internal;
+  using namespace CGAL::Tandem;
   Parameters p;
   p.maximum_distance = length("maximum_distance", s.maximum_distance, smallest_length);
   length("maximum_offset", s.maximum_offset, 0);

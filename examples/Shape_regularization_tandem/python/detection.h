@@ -7,9 +7,9 @@
 #ifndef TANDEM_PYTHON_DETECTION_H
 #define TANDEM_PYTHON_DETECTION_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
-#include <CGAL/Shape_regularization_tandem/Plane_relations.h>
-#include <CGAL/Shape_regularization_tandem/Statistics.h>
+#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/Plane_relations.h>
+#include <CGAL/Tandem/Statistics.h>
 
 #include <array>
 #include <cstdint>

@@ -141,7 +141,7 @@ public:
     Backend backend = traits_.backend();
     return Ranks::together(backend, [&] {
       internal::Stop_watch watch;
-      internal::Shapes_data data =
+      Shapes_data data =
         internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
       Statistics& statistics = data.statistics;
       statistics.is_cancelled = is_cancelled();

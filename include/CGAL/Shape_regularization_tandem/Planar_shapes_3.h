@@ -4,8 +4,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANAR_SHAPES_3_H
 
+#include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/finish/Shapes_data.h>
 #include <CGAL/Tandem/internal/finish/group_points.h>
 
 #include <cstring>
@@ -45,11 +45,11 @@ public:
   /// a plane of the kernel
   using Plane_3 = typename GeomTraits::Plane_3;
   /// a `std::array` of four doubles
-  using Coefficients = internal::Coefficients;
+  using Coefficients = Tandem::Coefficients;
   /// a range of `std::int32_t` with random access iterators
-  using Shape_indices = internal::Shared_table<std::int32_t>;
+  using Shape_indices = Shared_table<std::int32_t>;
   /// \cond SKIP_IN_MANUAL
-  using Data = internal::Shapes_data;
+  using Data = Shapes_data;
   /// \endcond
 
   /// @}
@@ -179,7 +179,7 @@ public:
   /// one shape of each coplanar group: a list of the distinct planes
   std::vector<std::size_t> distinct_planes() const
   {
-    const std::vector<int> first = internal::representatives(data_.coplanar_group);
+    const std::vector<int> first = representatives(data_.coplanar_group);
     return std::vector<std::size_t>(first.begin(), first.end());
   }
   /// @}
@@ -220,7 +220,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const Data& data() const { return data_; }
-  const internal::Point_groups& point_groups() const { return points_; }
+  const Point_groups& point_groups() const { return points_; }
 
   static void add_to_hash(std::uint64_t& h, std::uint64_t word)
   {
@@ -243,7 +243,7 @@ private:
   // Labels outside of the shapes are left out; is_valid_result() reports them.
   void take_points()
   {
-    points_ = std::exchange(data_.points, internal::Point_groups());
+    points_ = std::exchange(data_.points, Point_groups());
     if(!points_.first.empty())
       return;
     internal::Sequential_backend backend;
@@ -252,7 +252,7 @@ private:
 
   Data data_;
   std::vector<Plane_3> planes_;
-  internal::Point_groups points_;
+  Point_groups points_;
 };
 
 } // namespace Tandem

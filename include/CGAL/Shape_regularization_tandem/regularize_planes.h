@@ -4,13 +4,14 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_REGULARIZE_PLANES_H
 
-#include <CGAL/Shape_regularization_tandem/Plane_relations.h>
 #include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
 #include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
-#include <CGAL/Tandem/internal/cloud/import_cloud.h>
+#include <CGAL/Tandem/Plane_relations.h>
+#include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 
 #include <utility>
@@ -198,7 +199,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
     internal::check_plane_options(p, internal::Is_given<internal_np::maximum_distance_t, NamedParameters>::value);
 
   const auto plane_map = internal::parameter<internal_np::plane_t>(np, CGAL::Identity_property_map<Plane_item>());
-  std::vector<internal::Coefficients> coefficients;
+  std::vector<Coefficients> coefficients;
   for(auto it = planes.begin(); it != planes.end(); ++it) {
     const typename Traits::Plane_3 s = get(plane_map, *it);
     coefficients.push_back(
@@ -212,7 +213,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   auto plane_of =
     internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
   internal::drop_unassigned(in, plane_of);
-  const std::vector<internal::Coefficients> given = coefficients;
+  const std::vector<Coefficients> given = coefficients;
   Plane_relations result = internal::relate_planes(backend, in, plane_of, options, coefficients);
   const std::vector<internal::Vector> directions = internal::group_directions(result.parallel_group, coefficients);
   result.fixed_direction = internal::fixed_directions_of(directions, p);
@@ -221,7 +222,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   std::size_t s = 0;
   for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
     if(result.is_changed[s]) {
-      const internal::Coefficients& c = coefficients[s];
+      const Coefficients& c = coefficients[s];
       put(plane_map, *it, traits.construct_plane_3_object()(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
     }
   return result;

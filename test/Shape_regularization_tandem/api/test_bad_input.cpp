@@ -148,7 +148,7 @@ void check_refused(const NP& list, std::initializer_list<const char*> words, int
 // A plane with exact normals is found at the smallest angle, however it lies. Packing turns its normals by less.
 void test_smallest_angle()
 {
-  const double smallest = CGAL::Tandem::internal::smallest_angle_deg;
+  const double smallest = CGAL::Tandem::smallest_angle_deg;
   std::mt19937 random(7);
   std::normal_distribution<double> gauss(0, 1);
   for(int run = 0; run < 40; ++run) {
@@ -248,14 +248,14 @@ void test_extreme_coordinates()
           name + ", large offset");
   };
   for(double unit : {1e-322, 1e-318, 1e-300, 1e-272, 1e-269, 1e268, 1e272})
-    check_all(make_scaled_box(unit), CGAL::Tandem::internal::to_text(unit));
+    check_all(make_scaled_box(unit), CGAL::Tandem::to_text(unit));
   for(double x : {5e-324, 1e-310, 1e-250, 1e300, 1.7e308, -1.7e308}) {
     const Pairs<Epick> points(200, {{x, x, -x}, {0, 0, 1}});
-    const std::string name = "equal points at " + CGAL::Tandem::internal::to_text(x);
+    const std::string name = "equal points at " + CGAL::Tandem::to_text(x);
     check_all(points, name);
     const auto given = np::point_map(First<Epick>()).normal_map(Second<Epick>());
     for(double distance : {1e-270, 1e-20, .01, 1e270})
-      check(points, given.maximum_distance(distance), name + ", distance " + CGAL::Tandem::internal::to_text(distance));
+      check(points, given.maximum_distance(distance), name + ", distance " + CGAL::Tandem::to_text(distance));
   }
 }
 

@@ -170,7 +170,7 @@ private:
     const std::uint32_t n = f_.cloud.size;
     const Tolerance certain = {f_.tolerance.distance / 2, f_.tolerance.squared_cosine};
     const Exact_bounds bounds = {1200, 0};
-    std::vector<Coefficients> plane;
+    std::vector<CGAL::Tandem::Coefficients> plane;
     for(const Plane& p : f_.plane)
       plane.push_back({double(p.nx) / normal_scale, double(p.ny) / normal_scale, double(p.nz) / normal_scale,
                        double(p.d) / normal_scale});
@@ -235,7 +235,7 @@ private:
       if(f_.label[i] < shapes)
         expected[f_.label[i]].push_back(i);
     }
-    const Point_groups groups = group_points(backend_, shape_of.data(), shape_of.size(), shapes);
+    const auto groups = group_points(backend_, shape_of.data(), shape_of.size(), shapes);
     for(std::size_t s = 0; s < shapes; ++s)
       check_lists(std::vector<std::uint32_t>(groups.position.begin() + groups.first[s],
                                              groups.position.begin() + groups.first[s + 1]),

@@ -70,7 +70,7 @@ void test_exact_check()
   for(int i = 0; i < 20000; ++i) {
     const scenes::Vec n = random.direction(), tilt = unit(add_scaled(n, .9 * random.uniform(), random.direction()));
     const Regular_plane plane = {{n.x, n.y, n.z}, 1e6 * (random.uniform() - .5)};
-    const Coefficients c = to_caller(plane, in.grid);
+    const auto c = to_caller(plane, in.grid);
     const scenes::Vec u = unit(cross(n, scenes::Vec{n.y, n.z, -n.x}));
     // Exactly on the bound, up to rounding, or near it by a few grid steps.
     const double off = epsilon + (i % 3 == 0 ? 0 : 1e-3 * epsilon * random.gaussian());
@@ -110,7 +110,7 @@ void test_zero_offset()
   Grid grid = {};
   grid.step = .5;
   grid.origin = {7, 0, 1};
-  const Coefficients c = to_caller({{0, 0, 1}, -2}, grid);
+  const auto c = to_caller({{0, 0, 1}, -2}, grid);
   CHECK(c[2] == 1 && c[3] == 0 && !std::signbit(c[3]));
 }
 

@@ -32,7 +32,7 @@ bool groups_as_host(Cuda_backend& cuda, std::size_t points, std::size_t shapes)
   if(points > 0 && shapes > 0)
     shape_of.back() = std::int32_t(shapes) - 1;
   Sequential_backend host;
-  const Point_groups expected = group_points(host, shape_of.data(), points, shapes);
+  const auto expected = group_points(host, shape_of.data(), points, shapes);
   Engine_result result;
   group_points_cuda(cuda, to_buffer(cuda, shape_of), shapes, result);
   return result.points.first == expected.first && result.shape_of.size() == points &&

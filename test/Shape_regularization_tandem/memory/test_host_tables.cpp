@@ -8,12 +8,14 @@
 
 #include "testing/checks.h"
 
+#include <CGAL/Tandem/Shared_table.h>
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
+using CGAL::Tandem::Shared_table;
 using namespace CGAL::Tandem::internal;
 
 // Pages come back for a buffer of about the same size, once, and not for others.

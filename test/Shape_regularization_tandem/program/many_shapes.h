@@ -20,7 +20,7 @@ struct Many_shapes {
   Many_shapes(std::size_t number_of_walls, bool has_floor)
   {
     const std::size_t row = std::size_t(std::sqrt(double(number_of_walls)));
-    CGAL::Tandem::internal::Shapes_data data;
+    CGAL::Tandem::Shapes_data data;
     std::vector<std::vector<Point>> members;
     if(has_floor)
       members.emplace_back();
@@ -54,7 +54,7 @@ private:
       result.push_back(corner + Vector((i % 8) / 7., 0, 0) + (i / 8) / 7. * up);
   }
 
-  void fill(CGAL::Tandem::internal::Shapes_data& data, const std::vector<std::vector<Point>>& members)
+  void fill(CGAL::Tandem::Shapes_data& data, const std::vector<std::vector<Point>>& members)
   {
     std::vector<std::int32_t> labels;
     for(const auto& list : members)
@@ -62,9 +62,7 @@ private:
         points.insert(p);
         labels.push_back(std::int32_t(&list - members.data()));
       }
-    CGAL::Tandem::internal::Host_buffer<std::int32_t> shape_of(labels.size());
-    std::copy(labels.begin(), labels.end(), shape_of.begin());
-    data.shape_of = std::move(shape_of);
+    data.shape_of = std::move(labels);
     data.is_flipped.resize(members.size());
     data.parameters.maximum_distance = .01;
     shapes = program::Shapes(data);

@@ -97,9 +97,7 @@ void check_units_of_mesh()
 Output_case case_of_plane(const std::string& name, const Cloud& cloud, const program::Shapes::Coefficients& plane)
 {
   Shapes::Data data = detect(cloud, make_parameters(1, cloud.size() + 1)).data();
-  CGAL::Tandem::internal::Host_buffer<std::int32_t> shape_of(cloud.size());
-  std::fill(shape_of.begin(), shape_of.end(), 0);
-  data.shape_of = std::move(shape_of);
+  data.shape_of = std::vector<std::int32_t>(cloud.size(), 0);
   data.coefficients = {plane};
   data.parallel_group = data.coplanar_group = {0};
   data.fixed_direction = data.symmetry_group = {-1};

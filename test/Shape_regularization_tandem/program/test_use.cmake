@@ -70,7 +70,7 @@ int main()
 ")
 if(USE STREQUAL "add_subdirectory") # the rest of the headers is compiled by the others
   file(WRITE "${WORK_DIR}/user/user.cpp" "
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/check_parameters.h>
 int main()
 {
   CGAL::Tandem::Parameters p;

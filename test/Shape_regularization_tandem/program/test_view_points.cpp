@@ -38,7 +38,7 @@ Point_set make_points(std::size_t size)
 Shapes make_shapes(std::size_t size)
 {
   Shapes::Data data;
-  CGAL::Tandem::internal::Host_buffer<std::int32_t> shape_of(size);
+  std::vector<std::int32_t> shape_of(size);
   for(std::size_t i = 0; i < size; ++i)
     shape_of[i] = int(i % 3) - 1;
   data.shape_of = std::move(shape_of);

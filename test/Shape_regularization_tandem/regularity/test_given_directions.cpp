@@ -234,7 +234,7 @@ void check_corrupted_claim()
   const Cloud cloud = make_house(.3, 0);
   const auto list = np::settings(make_house_parameters()).point_map(First<Kernel>()).normal_map(Second<Kernel>());
   const Shapes shapes = detect(cloud, make_house_parameters());
-  CGAL::Tandem::internal::Shapes_data data = shapes.data();
+  CGAL::Tandem::Shapes_data data = shapes.data();
   for(int& k : data.fixed_direction)
     k = 1;
   std::string why;

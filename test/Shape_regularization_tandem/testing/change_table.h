@@ -6,20 +6,18 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHANGE_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHANGE_TABLE_H
 
-#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/Shared_table.h>
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 // change(std::vector<T>&): results share the table, so it is changed in a copy.
 template <class T, class Change>
-void change_table(CGAL::Tandem::internal::Shared_table<T>& table, Change change)
+void change_table(CGAL::Tandem::Shared_table<T>& table, Change change)
 {
   std::vector<T> values(table.begin(), table.end());
   change(values);
-  CGAL::Tandem::internal::Host_buffer<T> changed(values.size());
-  std::copy(values.begin(), values.end(), changed.begin());
-  table = std::move(changed);
+  table = std::move(values);
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHANGE_TABLE_H

@@ -9,8 +9,9 @@
 
 #include "change_table.h"
 
-#include <CGAL/Tandem/internal/finish/Shapes_data.h>
+#include <CGAL/Tandem/Shapes_data.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <set>
@@ -21,7 +22,7 @@
 // Numbers all corruptions, and makes one of them: that of the number `target`.
 class Corruption {
 public:
-  using Data = CGAL::Tandem::internal::Shapes_data;
+  using Data = CGAL::Tandem::Shapes_data;
 
   Corruption(Data& data, std::size_t target) : target_(target)
   {
@@ -107,7 +108,7 @@ private:
     visit(of + "total", total);
   }
 
-  void visit_fields(const std::string& of, CGAL::Tandem::internal::Point_groups& g)
+  void visit_fields(const std::string& of, CGAL::Tandem::Point_groups& g)
   {
     auto& [first, position] = g;
     visit(of + "first", first);
@@ -175,7 +176,7 @@ private:
   }
 
   template <class T>
-  void visit(const std::string& field, CGAL::Tandem::internal::Shared_table<T>& table)
+  void visit(const std::string& field, CGAL::Tandem::Shared_table<T>& table)
   {
     const bool was_made = is_made();
     std::vector<T> values(table.begin(), table.end());

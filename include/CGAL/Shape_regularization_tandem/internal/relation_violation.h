@@ -24,7 +24,7 @@ namespace internal {
 // A name with its index, for messages.
 inline std::string numbered(const char* what, std::size_t index) { return std::string(what) + " " + to_text(index); }
 
-inline std::string to_text(const std::pair<int, int>& groups)
+inline std::string text_of(const std::pair<int, int>& groups)
 {
   return to_text(groups.first) + " and " + to_text(groups.second);
 }
@@ -83,13 +83,13 @@ inline std::string orthogonality_violation(const Shapes_data& data)
   for(std::size_t i = 0; i < pairs.size(); ++i) {
     const std::pair<int, int>& pair = pairs[i];
     if(pair.first < 0 || pair.first >= pair.second || std::size_t(pair.second) >= first.size())
-      return "no such pair of orthogonal groups: " + to_text(pair);
+      return "no such pair of orthogonal groups: " + text_of(pair);
     if(i > 0 && !(pairs[i - 1] < pair))
-      return "listed twice, or not sorted, are the orthogonal groups " + to_text(pair);
+      return "listed twice, or not sorted, are the orthogonal groups " + text_of(pair);
     const Coefficients &a = data.coefficients[first[pair.first]], &b = data.coefficients[first[pair.second]];
     const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     if(!(std::fabs(product) <= 1e-15))
-      return "not orthogonal are groups " + to_text(pair) + ": the dot product is " + to_text(product);
+      return "not orthogonal are groups " + text_of(pair) + ": the dot product is " + to_text(product);
   }
   return {};
 }
@@ -121,10 +121,10 @@ inline std::string listing_violation(const Shapes_data& data)
   const auto found = orthogonal_pairs(directions, listed.size());
   std::set_difference(found.begin(), found.end(), listed.begin(), listed.end(), std::back_inserter(difference));
   if(!difference.empty())
-    return "not listed are the orthogonal groups " + to_text(difference[0]);
+    return "not listed are the orthogonal groups " + text_of(difference[0]);
   std::set_difference(listed.begin(), listed.end(), found.begin(), found.end(), std::back_inserter(difference));
   if(!difference.empty())
-    return "not orthogonal are groups " + to_text(difference[0]);
+    return "not orthogonal are groups " + text_of(difference[0]);
   return given_direction_violation(data, directions);
 }
 

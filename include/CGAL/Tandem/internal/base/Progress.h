@@ -7,8 +7,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H
 #define CGAL_TANDEM_INTERNAL_BASE_PROGRESS_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
-#include <CGAL/Shape_regularization_tandem/detection_stage.h>
+#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/detection_stage.h>
 
 #include <algorithm>
 #include <utility>

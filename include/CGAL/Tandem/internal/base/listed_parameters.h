@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_LISTED_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_BASE_LISTED_PARAMETERS_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 
 #include <utility>
 #include <vector>

@@ -7,17 +7,15 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_PLANES_H
 #define CGAL_TANDEM_INTERNAL_BASE_PLANES_H
 
+#include <CGAL/Tandem/Coefficients.h>
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <algorithm>
-#include <array>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-using Coefficients = std::array<double, 4>; // a x + b y + c z + d = 0, of unit normal
 
 // The points g with normal . g = offset, in grid steps. The normal is unit.
 struct Regular_plane {

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/memory/Vector_table.h>

@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
 
 #include <algorithm>

@@ -7,10 +7,10 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_API_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_API_H
 
-#include <CGAL/Shape_regularization_tandem/Plane_relations.h>
+#include <CGAL/Tandem/Plane_relations.h>
+#include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/engine/Detection_engine.h>
-#include <CGAL/Tandem/internal/finish/Shapes_data.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_MEMORY_USE_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_MEMORY_USE_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
 namespace CGAL {

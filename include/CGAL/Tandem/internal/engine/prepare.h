@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_PREPARE_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_PREPARE_H
 
-#include <CGAL/Shape_regularization_tandem/Statistics.h>
+#include <CGAL/Tandem/Statistics.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/engine/Stage_timer.h>
 #include <CGAL/Tandem/internal/engine/Tandem_state.h>

@@ -7,11 +7,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_ENGINE_RESULT_H
 #define CGAL_TANDEM_INTERNAL_FINISH_ENGINE_RESULT_H
 
-#include <CGAL/Shape_regularization_tandem/Statistics.h>
-#include <CGAL/Tandem/internal/base/planes.h>
-#include <CGAL/Tandem/internal/memory/Host_buffer.h>
+#include <CGAL/Tandem/Shapes_data.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,13 +24,6 @@ struct Engine_shape {
   int plane_group;    // coplanar group
   std::size_t size;   // points
   bool is_flipped;    // most of the given normals of its points are opposite to the plane
-};
-
-// The imported points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1].
-// So `first` has one entry more than there are shapes.
-struct Point_groups {
-  std::vector<std::size_t> first;
-  Shared_table<std::uint32_t> position;
 };
 
 // Tables of points are indexed by imported points: the valid items of the caller's range, in its order. Shapes and

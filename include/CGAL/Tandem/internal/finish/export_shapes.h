@@ -7,9 +7,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_EXPORT_SHAPES_H
 
+#include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
-#include <CGAL/Tandem/internal/finish/Shapes_data.h>
 #include <CGAL/Tandem/internal/finish/measure_relations.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 

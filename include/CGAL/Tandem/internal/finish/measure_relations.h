@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_RELATIONS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_RELATIONS_H
 
-#include <CGAL/Tandem/internal/finish/Shapes_data.h>
+#include <CGAL/Tandem/Shapes_data.h>
 
 #include <algorithm>
 #include <cstddef>

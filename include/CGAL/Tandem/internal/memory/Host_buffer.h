@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Memory of the host for tables of the size of the cloud. Arrays without initial values, arrays that copies share, and
-// the table that is sorted by key.
+// Memory of the host for tables of the size of the cloud. Arrays without initial values, and the table that is
+// sorted by key.
 
 #ifndef CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H
 #define CGAL_TANDEM_INTERNAL_MEMORY_HOST_BUFFER_H
@@ -88,28 +88,6 @@ private:
 
   std::unique_ptr<T[], Free> data_;
   std::size_t size_ = 0;
-};
-
-// A table that does not change any more. Copies share the items, so a result is copied in constant time.
-template <class T>
-class Shared_table {
-public:
-  using value_type = T;
-  using const_iterator = const T*;
-  using iterator = const_iterator;
-
-  Shared_table() = default;
-  Shared_table(Host_buffer<T>&& table) : table_(std::make_shared<const Host_buffer<T>>(std::move(table))) {}
-
-  const T* data() const { return table_ ? table_->data() : nullptr; }
-  std::size_t size() const { return table_ ? table_->size() : 0; }
-  bool empty() const { return size() == 0; }
-  const T* begin() const { return data(); }
-  const T* end() const { return data() + size(); }
-  const T& operator[](std::size_t i) const { return (*table_)[i]; }
-
-private:
-  std::shared_ptr<const Host_buffer<T>> table_;
 };
 
 // Keys with the index that each belongs to, in the layout that sorts on the host need: both beside each other. Functors

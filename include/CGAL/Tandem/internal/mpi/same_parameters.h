@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_SAME_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_MPI_SAME_PARAMETERS_H
 
+#include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/mpi/Communicator.h>
 

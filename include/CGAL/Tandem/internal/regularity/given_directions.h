@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 

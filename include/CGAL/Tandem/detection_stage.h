@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_DETECTION_STAGE_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_DETECTION_STAGE_H
+#ifndef CGAL_TANDEM_DETECTION_STAGE_H
+#define CGAL_TANDEM_DETECTION_STAGE_H
 
 namespace CGAL {
 namespace Tandem {
@@ -43,4 +43,4 @@ inline Detection_stage stage_at(double progress)
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_DETECTION_STAGE_H
+#endif // CGAL_TANDEM_DETECTION_STAGE_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_STATISTICS_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_STATISTICS_H
+#ifndef CGAL_TANDEM_STATISTICS_H
+#define CGAL_TANDEM_STATISTICS_H
 
 #include <cstddef>
 #include <string>
@@ -67,4 +67,4 @@ struct Statistics {
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_STATISTICS_H
+#endif // CGAL_TANDEM_STATISTICS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_PLANE_RELATIONS_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_PLANE_RELATIONS_H
+#ifndef CGAL_TANDEM_PLANE_RELATIONS_H
+#define CGAL_TANDEM_PLANE_RELATIONS_H
 
 #include <algorithm>
 #include <cstddef>
@@ -49,4 +49,4 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_PLANE_RELATIONS_H
+#endif // CGAL_TANDEM_PLANE_RELATIONS_H

@@ -1,72 +1,24 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The ranges of the parameters, and exceptions for values outside of them.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_PARAMETERS_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_PARAMETERS_H
+#ifndef CGAL_TANDEM_CHECK_PARAMETERS_H
+#define CGAL_TANDEM_CHECK_PARAMETERS_H
+
+#include <CGAL/Tandem/Parameters.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
-
-/*!
-\ingroup PkgShapeRegularizationTandemRef
-
-The resolved parameters of a detection. Lengths are in the units of the input,
-angles in degrees.
-*/
-struct Parameters {
-  /// largest distance of a point to the plane of its shape (epsilon of the paper)
-  double maximum_distance = 0;
-  /// largest angle between the normal of a point and that of its shape (alpha), in [0.05, 90)
-  double maximum_angle = 25;
-  /// angle within which shapes are made parallel or orthogonal (beta), in [0, 45)
-  double angle_tolerance = 8;
-  /// largest offset between parallel planes that are made coplanar (sigma)
-  double maximum_offset = 0;
-  /// smallest number of points of a shape
-  std::size_t minimum_region_size = 0;
-  /// number of neighbors of a point (k), in [3, 64]
-  std::size_t k_neighbors = 12;
-  /// largest number of points of an octree cell, in [64, 65536]
-  std::size_t cell_size = 8192;
-  /// whether shapes of nearly the same direction are made parallel
-  bool regularize_parallelism = true;
-  /// whether directions at nearly a right angle are made orthogonal
-  bool regularize_orthogonality = true;
-  /// whether parallel shapes of nearly the same plane are made coplanar
-  bool regularize_coplanarity = true;
-  /// directions known beforehand, such as the vertical, of any length: shapes within `angle_tolerance` become exactly
-  /// parallel or orthogonal to them where their points allow it, before they are compared with each other. Directions
-  /// are one, the first of them, if they are opposite or make an angle of less than 1e-9 radians.
-  std::vector<std::array<double, 3>> fixed_directions;
-  /// whether shapes get the same angle to `symmetry_direction` where they nearly have it. That direction is a fixed
-  /// one, too; it is the first of `fixed_directions` that is one with it.
-  bool regularize_axis_symmetry = false;
-  /// the axis of symmetry, of any length
-  std::array<double, 3> symmetry_direction = {0, 0, 1};
-
-  /// \cond SKIP_IN_MANUAL
-  // For experiments on the alternation: rounds of growth from one regularity step to the next. 1 is the method; with
-  // more than there are rounds, shapes are detected first and regularized afterwards.
-  std::size_t regularity_period = 1;
-  /// \endcond
-};
-
-/// progress in [0, 1]; returning `false` cancels.
-using Callback = std::function<bool(double)>;
-
-namespace internal {
 
 // The same text whatever the locale of the program is.
 template <class T>
@@ -144,8 +96,6 @@ inline void check_directions(const Parameters& p)
     check_direction("symmetry_direction", p.symmetry_direction);
 }
 
-} // namespace internal
-
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
@@ -154,22 +104,22 @@ the parameters is outside of it. Estimated parameters must be resolved before.
 */
 inline void check_parameters(const Parameters& p)
 {
-  internal::check_length("maximum_distance", p.maximum_distance, internal::smallest_length);
-  if(!(p.maximum_angle >= internal::smallest_angle_deg && p.maximum_angle < 90))
-    internal::throw_out_of_range("maximum_angle", p.maximum_angle,
-                                 "[" + internal::to_text(internal::smallest_angle_deg) +
-                                   ", 90) degrees: smaller angles are below the rounding of normals");
+  check_length("maximum_distance", p.maximum_distance, smallest_length);
+  if(!(p.maximum_angle >= smallest_angle_deg && p.maximum_angle < 90))
+    throw_out_of_range("maximum_angle", p.maximum_angle,
+                       "[" + to_text(smallest_angle_deg) +
+                         ", 90) degrees: smaller angles are below the rounding of normals");
   if(!(p.angle_tolerance >= 0 && p.angle_tolerance < 45))
-    internal::throw_out_of_range("angle_tolerance", p.angle_tolerance, "[0, 45) degrees");
-  internal::check_length("maximum_offset", p.maximum_offset, 0);
-  internal::check_count(internal::minimum_region_size_range, p.minimum_region_size);
-  internal::check_count(internal::k_neighbors_range, p.k_neighbors);
-  internal::check_count(internal::cell_size_range, p.cell_size);
-  internal::check_count(internal::regularity_period_range, p.regularity_period);
-  internal::check_directions(p);
+    throw_out_of_range("angle_tolerance", p.angle_tolerance, "[0, 45) degrees");
+  check_length("maximum_offset", p.maximum_offset, 0);
+  check_count(minimum_region_size_range, p.minimum_region_size);
+  check_count(k_neighbors_range, p.k_neighbors);
+  check_count(cell_size_range, p.cell_size);
+  check_count(regularity_period_range, p.regularity_period);
+  check_directions(p);
 }
 
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_PARAMETERS_H
+#endif // CGAL_TANDEM_CHECK_PARAMETERS_H

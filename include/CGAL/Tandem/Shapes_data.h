@@ -3,20 +3,28 @@
 //
 // The result of a detection as the caller gets it: by items of the range, with groups of shapes and statistics.
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_SHAPES_DATA_H
-#define CGAL_TANDEM_INTERNAL_FINISH_SHAPES_DATA_H
+#ifndef CGAL_TANDEM_SHAPES_DATA_H
+#define CGAL_TANDEM_SHAPES_DATA_H
 
-#include <CGAL/Shape_regularization_tandem/Parameters.h>
-#include <CGAL/Shape_regularization_tandem/Statistics.h>
-#include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/Coefficients.h>
+#include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/Shared_table.h>
+#include <CGAL/Tandem/Statistics.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
-namespace internal {
+
+// The points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1]. So `first`
+// has one entry more than there are shapes.
+struct Point_groups {
+  std::vector<std::size_t> first;
+  Shared_table<std::uint32_t> position;
+};
 
 // What Planar_shapes_3 is made of. Tests corrupt it to see whether Result_checker finds each violation.
 struct Shapes_data {
@@ -49,8 +57,7 @@ inline std::vector<int> representatives(const std::vector<int>& group)
   return first;
 }
 
-} // namespace internal
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_SHAPES_DATA_H
+#endif // CGAL_TANDEM_SHAPES_DATA_H

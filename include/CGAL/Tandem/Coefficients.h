@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_COEFFICIENTS_H
+#define CGAL_TANDEM_COEFFICIENTS_H
+
+#include <array>
+
+namespace CGAL {
+namespace Tandem {
+
+/// \ingroup PkgShapeRegularizationTandemRef
+/// the plane a x + b y + c z + d = 0 as (a, b, c, d), in double whatever the kernel is
+using Coefficients = std::array<double, 4>;
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_COEFFICIENTS_H

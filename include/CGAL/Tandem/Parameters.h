@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TANDEM_PARAMETERS_H
+#define CGAL_TANDEM_PARAMETERS_H
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+The resolved parameters of a detection. Lengths are in the units of the input,
+angles in degrees.
+*/
+struct Parameters {
+  /// largest distance of a point to the plane of its shape (epsilon of the paper)
+  double maximum_distance = 0;
+  /// largest angle between the normal of a point and that of its shape (alpha), in [0.05, 90)
+  double maximum_angle = 25;
+  /// angle within which shapes are made parallel or orthogonal (beta), in [0, 45)
+  double angle_tolerance = 8;
+  /// largest offset between parallel planes that are made coplanar (sigma)
+  double maximum_offset = 0;
+  /// smallest number of points of a shape
+  std::size_t minimum_region_size = 0;
+  /// number of neighbors of a point (k), in [3, 64]
+  std::size_t k_neighbors = 12;
+  /// largest number of points of an octree cell, in [64, 65536]
+  std::size_t cell_size = 8192;
+  /// whether shapes of nearly the same direction are made parallel
+  bool regularize_parallelism = true;
+  /// whether directions at nearly a right angle are made orthogonal
+  bool regularize_orthogonality = true;
+  /// whether parallel shapes of nearly the same plane are made coplanar
+  bool regularize_coplanarity = true;
+  /// directions known beforehand, such as the vertical, of any length: shapes within `angle_tolerance` become exactly
+  /// parallel or orthogonal to them where their points allow it, before they are compared with each other. Directions
+  /// are one, the first of them, if they are opposite or make an angle of less than 1e-9 radians.
+  std::vector<std::array<double, 3>> fixed_directions;
+  /// whether shapes get the same angle to `symmetry_direction` where they nearly have it. That direction is a fixed
+  /// one, too; it is the first of `fixed_directions` that is one with it.
+  bool regularize_axis_symmetry = false;
+  /// the axis of symmetry, of any length
+  std::array<double, 3> symmetry_direction = {0, 0, 1};
+
+  /// \cond SKIP_IN_MANUAL
+  // For experiments on the alternation: rounds of growth from one regularity step to the next. 1 is the method; with
+  // more than there are rounds, shapes are detected first and regularized afterwards.
+  std::size_t regularity_period = 1;
+  /// \endcond
+};
+
+/// progress in [0, 1]; returning `false` cancels.
+using Callback = std::function<bool(double)>;
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_PARAMETERS_H
