@@ -2,16 +2,15 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Fails when a header of the engine includes one of a later folder, or when a chain of includes within the package is
-# longer than 14 files. The folders in their order:
+# Fails when a header of the engine includes one of a later folder of the table in CONTRIBUTING.md, when its folder is not
+# there, or when a chain of includes within the package is longer than 14 files.
 
 set -eu
 
-order='base memory backend cloud neighbors regularity shapes growth rounds finish engine
-  cuda/interface cuda/runtime cuda/execution cuda/neighbors cuda/stages cuda mpi'
 longest=14
 
 cd "$(dirname "$0")/../include"
+order=$(sed -n 's/^| `\([a-z/]*\)` | .*/\1/p' ../CONTRIBUTING.md | sed -n '/^base$/,$p' | tr '\n' ' ')
 find CGAL -name '*.h' -o -name '*.cuh' -o -name '*.cu' | sort | xargs grep -H '^#include <CGAL/\(Tandem\|Shape_reg\)' |
   sed 's/:#include </ /; s/>.*//' | awk -v order="$order" -v longest="$longest" '
     # The plain data of both sides, in CGAL/Tandem, are below the engine, the public functions above it.
@@ -23,7 +22,7 @@ find CGAL -name '*.h' -o -name '*.cuh' -o -name '*.cu' | sort | xargs grep -H '^
         return folders + 1
       sub(/\/[^\/]*$/, "", folder)
       if(!(folder in place)) {
-        print file ": its folder is not in the order of scripts/check_includes.sh"
+        print file ": its folder is not in the table of CONTRIBUTING.md"
         failed = 1
       }
       return place[folder]
@@ -42,7 +41,7 @@ find CGAL -name '*.h' -o -name '*.cuh' -o -name '*.cu' | sort | xargs grep -H '^
       return known[file] = deepest + 1
     }
 
-    BEGIN { folders = split(order, names, /[ \n]+/); for(i = 1; i <= folders; ++i) place[names[i]] = i }
+    BEGIN { folders = split(order, names, / /); for(i = 1; i <= folders; ++i) place[names[i]] = i }
 
     {
       included[$1, ++includes[$1]] = $2

@@ -15,16 +15,44 @@
 namespace CGAL {
 namespace Tandem {
 
-namespace internal {
+/*!
+\ingroup PkgShapeRegularizationTandemTraits
 
-// The geometry: what does not depend on the back end.
-template <class GeomTraits, class PointRange, class PointMap, class NormalMap>
-class Tandem_geometry_3 {
+\brief The kernel, the range with its maps, and what executes.
+
+\tparam GeomTraits a model of `Kernel`
+\tparam PointRange a model of `ConstRange` whose iterators are random access
+\tparam PointMap a model of `ReadablePropertyMap` from the value type of `PointRange` to `GeomTraits::Point_3`
+\tparam NormalMap a model of `ReadablePropertyMap` from the value type of `PointRange` to `GeomTraits::Vector_3`,
+or `CGAL::Default` if the normals are to be estimated
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, `CGAL::Parallel_if_available_tag`, `Cuda_tag`,
+`Cuda_if_available_tag` or `Mpi_tag`
+
+\cgalModels `TandemTraits_3`
+*/
+template <class GeomTraits, class PointRange, class PointMap, class NormalMap = CGAL::Default,
+          class ConcurrencyTag = CGAL::Parallel_if_available_tag>
+class Tandem_traits_3 {
 public:
+  /// what executes, as the tag selects it
+  using Concurrency_tag = ConcurrencyTag;
+
+#ifdef DOXYGEN_RUNNING
+  /*!
+  With `Mpi_tag` the communicator is duplicated, so that no message meets one of the caller: all of its processes call
+  the constructor. With other tags there is none.
+
+  \throw std::logic_error MPI is not initialized
+  */
+  explicit Tandem_traits_3(const GeomTraits& geom_traits = GeomTraits(),
+                           const boost::mpi::communicator& communicator = boost::mpi::communicator());
+#else
   using Geom_traits = GeomTraits;
   using Point_range = PointRange;
   using Point_map = PointMap;
   using Normal_map = NormalMap;
+  using Execution = internal::Execution_of<ConcurrencyTag>;
+  using Backend = typename Execution::Backend;
 
   using FT = typename GeomTraits::FT;
   using Point_3 = typename GeomTraits::Point_3;
@@ -36,7 +64,6 @@ public:
   using Compute_z_3 = typename GeomTraits::Compute_z_3;
   using Construct_plane_3 = typename GeomTraits::Construct_plane_3;
 
-  /// whether normals are given
   static constexpr bool has_normal_map = !std::is_same<NormalMap, CGAL::Default>::value;
 
   static_assert(
@@ -44,53 +71,21 @@ public:
                         std::random_access_iterator_tag>::value,
     "The range of points needs random access iterators.");
 
-  explicit Tandem_geometry_3(const GeomTraits& geom_traits = GeomTraits()) : geom_traits_(geom_traits) {}
+  explicit Tandem_traits_3(const GeomTraits& geom_traits = GeomTraits(), const Execution& execution = Execution())
+    : geom_traits_(geom_traits), execution_(execution)
+  {}
 
   Compute_x_3 compute_x_3_object() const { return geom_traits_.compute_x_3_object(); }
   Compute_y_3 compute_y_3_object() const { return geom_traits_.compute_y_3_object(); }
   Compute_z_3 compute_z_3_object() const { return geom_traits_.compute_z_3_object(); }
   Construct_plane_3 construct_plane_3_object() const { return geom_traits_.construct_plane_3_object(); }
   const GeomTraits& geom_traits() const { return geom_traits_; }
+  Backend backend() const { return execution_.backend(); }
+#endif
 
 private:
   GeomTraits geom_traits_;
-};
-
-} // namespace internal
-
-/*!
-\ingroup PkgShapeRegularizationTandemTraits
-
-\brief The kernel, the range with its maps, and what executes.
-
-\tparam GeomTraits a model of `Kernel`
-\tparam PointRange a model of `ConstRange` whose iterators are random access
-\tparam PointMap a model of `ReadablePropertyMap` from the value type of `PointRange` to `GeomTraits::Point_3`
-\tparam NormalMap a model of `ReadablePropertyMap` from the value type of `PointRange` to `GeomTraits::Vector_3`,
-or `CGAL::Default` if the normals are to be estimated
-\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, `CGAL::Parallel_if_available_tag`, `Cuda_tag` or
-`Cuda_if_available_tag`
-
-\cgalModels `TandemTraits_3`
-*/
-template <class GeomTraits, class PointRange, class PointMap, class NormalMap = CGAL::Default,
-          class ConcurrencyTag = CGAL::Parallel_if_available_tag>
-class Tandem_traits_3 : public internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap> {
-public:
-  /// what executes, as the tag selects it
-  using Concurrency_tag = ConcurrencyTag;
-
-  /// executes what is to be done at the border to the caller
-  using Backend = typename internal::Execution_of<ConcurrencyTag>::Backend;
-  /// executes the method, on the same back end or on a CUDA device
-  using Execution = internal::Execution_of<ConcurrencyTag>;
-
-  /// \cond SKIP_IN_MANUAL
-  using internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>::Tandem_geometry_3;
-  /// \endcond
-
-  /// a new back end
-  Backend backend() const { return Backend(); }
+  Execution execution_;
 };
 
 } // namespace Tandem

@@ -20,16 +20,32 @@ namespace Tandem {
 
 namespace internal {
 
+// The method on all ranks of a communicator, which is duplicated, so that no message meets one of the caller.
+template <class Local>
+class Execution_on_ranks : public Execution_on<Mpi_backend<Local>> {
+public:
+  Execution_on_ranks(const boost::mpi::communicator& communicator = boost::mpi::communicator())
+    : communicator_(std::make_shared<Communicator>(communicator))
+  {}
+
+  Mpi_backend<Local> backend() const { return Mpi_backend<Local>(communicator_); }
+
+private:
+  std::shared_ptr<Communicator> communicator_;
+};
+
 template <class Tag>
-struct Backend_of<Mpi_tag<Tag>> {
+struct Execution_of<Mpi_tag<Tag>> : Execution_on_ranks<typename Backend_of<Tag>::type> {
   static_assert(!std::is_same<Tag, Cuda_tag>::value,
                 "Mpi_tag<Cuda_tag> needs the CUDA back end of many processes: link Tandem::tandem_mpi_cuda");
-  using type = Mpi_backend<typename Backend_of<Tag>::type>;
+  using Execution_on_ranks<typename Backend_of<Tag>::type>::Execution_on_ranks;
 };
 
 #ifdef CGAL_TANDEM_USE_MPI_CUDA
 template <>
-struct Execution_of<Mpi_tag<Cuda_tag>> : Execution_on<Mpi_backend<Parallel_host>> {
+struct Execution_of<Mpi_tag<Cuda_tag>> : Execution_on_ranks<Parallel_host> {
+  using Execution_on_ranks<Parallel_host>::Execution_on_ranks;
+
   static std::unique_ptr<Detection_engine> start(Backend& backend, Import& in, const Parameters& parameters,
                                                  Progress& progress)
   {
@@ -39,44 +55,6 @@ struct Execution_of<Mpi_tag<Cuda_tag>> : Execution_on<Mpi_backend<Parallel_host>
 #endif
 
 } // namespace internal
-
-/*!
-\ingroup PkgShapeRegularizationTandemTraits
-
-\brief The traits of many processes: the same geometry, while each process has a part of the points.
-
-\cgalModels `TandemTraits_3`
-*/
-template <class GeomTraits, class PointRange, class PointMap, class NormalMap, class ExecutionTag>
-class Tandem_traits_3<GeomTraits, PointRange, PointMap, NormalMap, Mpi_tag<ExecutionTag>>
-  : public internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap> {
-  using Geometry = internal::Tandem_geometry_3<GeomTraits, PointRange, PointMap, NormalMap>;
-
-public:
-  /// the processes of a communicator
-  using Concurrency_tag = Mpi_tag<ExecutionTag>;
-  /// executes what is to be done at the border to the caller
-  using Backend = typename internal::Execution_of<Concurrency_tag>::Backend;
-  /// executes the method, together with the other processes
-  using Execution = internal::Execution_of<Concurrency_tag>;
-
-  /*!
-  duplicates the communicator, so that no message meets one of the caller. It is called by all of its processes.
-
-  \throw std::logic_error MPI is not initialized
-  */
-  explicit Tandem_traits_3(const GeomTraits& geom_traits = GeomTraits(),
-                           const boost::mpi::communicator& communicator = boost::mpi::communicator())
-    : Geometry(geom_traits), communicator_(std::make_shared<internal::Communicator>(communicator))
-  {}
-
-  /// a new back end
-  Backend backend() const { return Backend(communicator_); }
-
-private:
-  std::shared_ptr<internal::Communicator> communicator_;
-};
-
 } // namespace Tandem
 } // namespace CGAL
 

@@ -11,7 +11,6 @@
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
-#include <CGAL/Tandem/internal/finish/export_shapes.h>
 
 #include <cmath>
 #include <iostream>

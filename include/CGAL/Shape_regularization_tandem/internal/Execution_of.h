@@ -44,6 +44,8 @@ struct Execution_on {
   using Backend = Host;
   using Upload = No_upload;
 
+  Backend backend() const { return Backend(); }
+
   static std::unique_ptr<Detection_engine> start(Backend& backend, Import& in, const Parameters& parameters,
                                                  Progress& progress)
   {

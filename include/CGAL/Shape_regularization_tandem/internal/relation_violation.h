@@ -8,6 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RELATION_VIOLATION_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 
 #include <algorithm>
