@@ -74,7 +74,10 @@ public:
     : Planar_shape_detection_3(points, np, internal::make_traits<Traits>(np))
   {}
 
-  /// the same with given traits, whose communicator counts with `Mpi_tag`
+  /*!
+  reads the points, estimates the parameters that are not given, and finds the neighbors of the points, with these
+  traits. With `Mpi_tag` the communicator is that of the traits.
+  */
   template <class NamedParameters>
   Planar_shape_detection_3(const Point_range& points, const NamedParameters& np, const Traits& traits)
     : traits_(traits), backend_(traits_.backend()),
@@ -118,8 +121,8 @@ public:
     return engine_ && !is_finished_ && !is_cancelled() && together([&] { return engine_->iterate(); });
   }
 
-  /// cleans up, and verifies each point against the final plane of its shape; also after a cancellation, with the
-  /// shapes found until then. All that the package guarantees holds from here on.
+  /// cleans up, and verifies each point against the final plane of its shape; after a cancellation, of the shapes found
+  /// until then. All that the package guarantees holds for `shapes()` afterwards.
   void finish()
   {
     const internal::Round_to_nearest rounding;
@@ -132,8 +135,8 @@ public:
     together([&] { progress_.show_end(); });
   }
 
-  /// the shapes: of the last round, whose planes are not final, or the final ones after `finish()`, whose points are
-  /// shared with further copies
+  /// the shapes: before `finish()` those of the last round, whose planes are not final, after it the final ones, whose
+  /// tables of points all copies share
   Shapes shapes() const
   {
     const internal::Round_to_nearest rounding;
@@ -157,7 +160,7 @@ public:
   /// the parameters in use, with what was estimated
   const Parameters& parameters() const { return parameters_; }
 
-  /// whether the callback has cancelled; after the rounds the result is complete all the same
+  /// whether the callback has cancelled the detection. If it has done so after the last round, the result is complete.
   bool is_cancelled() const { return progress_.is_cancelled(); }
 
 private:

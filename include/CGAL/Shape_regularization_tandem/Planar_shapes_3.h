@@ -97,7 +97,8 @@ public:
   /// the planes of all shapes
   const std::vector<Plane_3>& planes() const { return planes_; }
 
-  /// the plane as (a, b, c, d) with a x + b y + c z + d = 0 and a unit normal: in double also where the kernel has less
+  /// the plane of shape `s` as (a, b, c, d) with a x + b y + c z + d = 0 and a unit normal: in double also where the
+  /// kernel has less
   const Coefficients& coefficients(std::size_t s) const { return data_.coefficients[s]; }
 
   /// whether most of the given normals of the points of shape `s` are opposite to the normal of `plane(s)`
@@ -110,8 +111,8 @@ public:
   /// the number of points of shape `s`; with `Mpi_tag`, of all processes
   std::size_t size(std::size_t s) const { return data_.size[s]; }
 
-  /// the positions of the points of shape `s` in the caller's range, ascending; with `Mpi_tag`, the range of this process,
-  /// as for all functions about points
+  /// the positions of the points of shape `s` in the caller's range, ascending. With `Mpi_tag` all functions about
+  /// points are about the range of the calling process.
   Positions points(std::size_t s) const
   {
     return Positions(points_.position.data() + points_.first[s], points_.position.data() + points_.first[s + 1]);
@@ -127,7 +128,8 @@ public:
   /// the shape of the point at position `i` of the caller's range, -1 if it has none
   int shape_index(std::size_t i) const { return data_.shape_of[i]; }
 
-  /// the same for all points: iterators, `size()`, `empty()` and an index operator. Copies share the indices.
+  /// the shape of each point, -1 for none: a range with iterators, `size()`, `empty()` and an index operator. Copies
+  /// share the indices.
   const Shape_indices& shape_indices() const { return data_.shape_of; }
 
   /// whether the normals were estimated
@@ -157,12 +159,12 @@ public:
   /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   const std::vector<std::pair<int, int>>& orthogonal_groups() const { return data_.orthogonal_groups; }
 
-  /// which of the `fixed_directions` of the detection parallel group `g` has, up to its sign, the first of those that are
-  /// one; -1 if none
+  /// the index of the first of the `fixed_directions` of the detection that parallel group `g` has, up to its sign; -1
+  /// if it has none
   int fixed_direction(std::size_t g) const { return data_.fixed_direction[g]; }
 
-  /// the symmetry group of parallel group `g`: those of one make the same angle with the `symmetry_direction` of the
-  /// detection, up to 1e-15 of its cosine. -1 without that direction.
+  /// the symmetry group of parallel group `g`: parallel groups of a symmetry group make the same angle with the
+  /// `symmetry_direction` of the detection, up to 1e-15 of its cosine. It is -1 for a detection without that direction.
   int symmetry_group(std::size_t g) const { return data_.symmetry_group[g]; }
 
   /// whether the planes of shapes `s` and `t` have the same normal
@@ -196,8 +198,8 @@ public:
   /// whether the callback ended the detection early. The shapes found until then are complete and verified.
   bool is_cancelled() const { return data_.statistics.is_cancelled; }
 
-  /// equal for equal results: a 64-bit hash of the shape indices, in the order of the range, of the coefficients, and of
-  /// the normals where they are estimated
+  /// equal for equal results: a 64-bit hash of the shape indices, in the order of the range, of the coefficients, and
+  /// of the normals where they are estimated
   std::uint64_t hash() const
   {
     std::uint64_t h = hash(data_.shape_of, data_.coefficients);
@@ -206,7 +208,8 @@ public:
     return h;
   }
 
-  /// the same for a range of shape indices in another order, without normals
+  /// the hash of these shape indices and of these planes: that of a result with given normals whose points are in the
+  /// order of the indices
   template <class IndexRange>
   static std::uint64_t hash(const IndexRange& shape_indices, const std::vector<Coefficients>& planes)
   {

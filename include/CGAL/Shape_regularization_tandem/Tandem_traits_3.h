@@ -34,7 +34,7 @@ template <class GeomTraits, class PointRange, class PointMap, class NormalMap = 
           class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 class Tandem_traits_3 {
 public:
-  /// what executes, as the tag selects it
+  /// the tag, which selects what executes
   using Concurrency_tag = ConcurrencyTag;
 
 #ifdef DOXYGEN_RUNNING

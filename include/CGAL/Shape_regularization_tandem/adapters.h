@@ -51,7 +51,7 @@ private:
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-the shape of each position. It fits the planes `shapes.planes()`.
+a property map from the position of a point to its shape, -1 for none: an index of `shapes.planes()`.
 */
 template <class GeomTraits>
 Position_index_map shape_index_map(const Planar_shapes_3<GeomTraits>& shapes)
@@ -62,7 +62,8 @@ Position_index_map shape_index_map(const Planar_shapes_3<GeomTraits>& shapes)
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-the coplanar group of each position. It fits the planes of `distinct_planes()`.
+a property map from the position of a point to its coplanar group, -1 for none: an index of the planes that
+`distinct_planes()` returns.
 */
 template <class GeomTraits>
 Position_index_map plane_index_map(const Planar_shapes_3<GeomTraits>& shapes)
@@ -77,7 +78,7 @@ Position_index_map plane_index_map(const Planar_shapes_3<GeomTraits>& shapes)
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-each plane once, in the order of the coplanar groups.
+the distinct planes of the shapes, in the order of their coplanar groups.
 */
 template <class GeomTraits>
 std::vector<typename GeomTraits::Plane_3> distinct_planes(const Planar_shapes_3<GeomTraits>& shapes)
@@ -152,7 +153,10 @@ OutputIterator output_shapes(const PointRange& points, const Planar_shapes_3<Geo
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-the same for a point set, whose items are indices.
+writes, for each shape of a point set, a pair of its plane, oriented as its points, and of the vector of the indices of
+its points.
+
+\return the past-the-end iterator of the output
 */
 template <class Point, class Vector, class GeomTraits, class OutputIterator>
 OutputIterator output_shapes(const CGAL::Point_set_3<Point, Vector>& points, const Planar_shapes_3<GeomTraits>& shapes,
@@ -172,7 +176,8 @@ OutputIterator output_shapes(const CGAL::Point_set_3<Point, Vector>& points, con
 \ingroup PkgShapeRegularizationTandemRef
 
 \brief writes the shape of each point, -1 for none, into an `int` property of the point set, which is added if it is not
-there. It shows up in files and in CGAL Lab, and is the item-keyed `plane_index_map` of the point set.
+there. The property is written to files, is shown by CGAL Lab, and maps items to planes where a `plane_index_map` is
+asked for.
 
 \return the property map
 */

@@ -77,15 +77,16 @@ the defaults then
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{fixed_directions}
-    \cgalParamDescription{a range of `Vector_3` or `std::array<double, 3>`, of any length: directions known beforehand, such
-    as the vertical. Shapes within `angle_tolerance` become exactly parallel or orthogonal to them where their points
-    allow it. Directions are one, the first of them, if they are opposite or make an angle of less than 1e-9 radians.}
+    \cgalParamDescription{a range of `Vector_3` or `std::array<double, 3>`, of any length: directions known beforehand,
+    such as the vertical. Shapes within `angle_tolerance` become exactly parallel or orthogonal to them where their
+    points allow it. Of directions that are opposite, or that make an angle of less than 1e-9 radians, only the first
+    counts.}
     \cgalParamDefault{there are none}
   \cgalParamNEnd
   \cgalParamNBegin{symmetry_direction}
     \cgalParamDescription{a `Vector_3` or `std::array<double, 3>`, of any length: shapes that make nearly the same angle
-    with this axis, such as the two sides of a roof, make exactly the same where their points and their right angles allow
-    it. It counts as a fixed direction, too.}
+    with this axis, such as the two sides of a roof, make exactly the same where their points and their right angles
+    allow it. The axis is also a fixed direction.}
     \cgalParamDefault{(0, 0, 1) with `regularize_axis_symmetry`}
   \cgalParamNEnd
   \cgalParamNBegin{regularize_axis_symmetry}
@@ -98,10 +99,10 @@ the defaults then
     \cgalParamDefault{`Parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread, between
-    the stages and several times in a round; `stage_at()` names the stage. It cancels by returning `false`: then the shapes found
-    until then are finished and verified, so that all guarantees hold; see `Planar_shapes_3::is_cancelled()`. What it
-    throws ends the detection at once and reaches the caller.}
+    \cgalParamDescription{a `std::function<bool(double)>` that gets the progress, in [0, 1], on the calling thread,
+    between the stages and several times in a round; `stage_at()` names the stage. The callback cancels the detection by
+    returning `false`: then the shapes found until then are finished and verified, so that all guarantees hold; see
+    `Planar_shapes_3::is_cancelled()`. What the callback throws ends the detection at once and reaches the caller.}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}

@@ -166,9 +166,7 @@ namespace parameters {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-Adds to a list of CGAL the parameters of other lists:
-`combine(CGAL::parameters::point_map(pm).normal_map(nm), maximum_distance(.05), cell_size(4096))`.
-Each of the others holds a single parameter.
+returns the list, as there is nothing to be added to it.
 */
 template <typename NP>
 const NP& combine(const NP& np)
@@ -176,7 +174,12 @@ const NP& combine(const NP& np)
   return np;
 }
 
-/// the same for one parameter or more
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+adds to a list of CGAL the parameters of other lists, each of which has a single one:
+`combine(CGAL::parameters::point_map(pm).normal_map(nm), maximum_distance(.05), cell_size(4096))`.
+*/
 template <typename NP, typename T, typename Tag, typename... Others>
 auto combine(const NP& np, const CGAL::Named_function_parameters<T, Tag>& one, const Others&... others)
 {

@@ -108,22 +108,22 @@ inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
 \brief makes given planes exactly parallel, orthogonal and coplanar where their points allow it.
 
 Takes the named parameters of `CGAL::Shape_regularization::Planes::regularize_planes()`, for planes of efficient RANSAC,
-region growing or any other detector. Unlike that function it
+region growing or any other detector. Unlike that function, this one
 - ties all orthogonal groups exactly: for groups that are reported as orthogonal, the dot product of the unit normals is
   at most 1e-15 in absolute value;
 - fits the planes of a group jointly to their points, and verifies the result against the points: a plane is rolled back
-  where more than a fifth of its points within `maximum_distance` would leave it, or where their root mean square distance
-  would grow by more than 0.6 `maximum_distance` (in quadrature). For small groups that join a larger direction these
-  bounds are two fifths and `maximum_distance`;
+  where more than a fifth of its points within `maximum_distance` would leave it, or where their root mean square
+  distance would grow by more than 0.6 `maximum_distance` (in quadrature). For small groups that join a larger direction
+  these bounds are two fifths and `maximum_distance`;
 - reports the relations, and how far each plane moved.
 
 Planes keep their orientation. Each plane that the result calls parallel, orthogonal, coplanar or symmetric to another,
-or that has a fixed direction, gets a unit normal, also where it had that relation before; the others are left as they
+or that has a fixed direction, gets a unit normal, also where it had that relation before; other planes are left as they
 are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither turned
-nor moved. Where `regularize_parallelism` is `false`, there are no
-coplanar groups either. Unlike there, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The
-result is independent of the order of the points. Groups and joint fits are
-those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
+nor moved. Where `regularize_parallelism` is `false`, there are no coplanar groups either. Unlike in the function of
+`CGAL::Shape_regularization`, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The result
+is independent of the order of the points. Groups and joint fits are those of section 4 of \cgalCite{OLA16}. Time is
+linear in the number of points.
 
 \tparam PlaneRange a range with random access iterators
 \tparam PointRange a model of `ConstRange` with random access iterators
@@ -134,8 +134,8 @@ those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{plane_index_map}
-    \cgalParamDescription{a property map from the position of a point (`std::size_t`) to the position of its plane (`int`),
-    -1 if it has none}
+    \cgalParamDescription{a property map from the position of a point (`std::size_t`) to the position of its plane
+    (`int`), -1 if it has none}
     \cgalParamDefault{there is none: this parameter is mandatory}
   \cgalParamNEnd
   \cgalParamNBegin{plane_map}
@@ -151,13 +151,14 @@ those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
     \cgalParamDefault{25}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_offset}
-    \cgalParamDescription{the largest distance between parallel planes that are made coplanar. This and
+    \cgalParamDescription{the largest distance between parallel planes that are made coplanar. `maximum_offset` and
     `maximum_distance` count as four times the extent of the points where they are larger.}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
     \cgalParamDescription{the distance to its plane within which a point counts in the verification}
-    \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least `maximum_offset`}
+    \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least
+    `maximum_offset`}
   \cgalParamNEnd
   \cgalParamNBegin{regularize_parallelism, regularize_orthogonality, regularize_coplanarity}
     \cgalParamDescription{which relations are made exact}
@@ -169,7 +170,7 @@ those of section 4 of \cgalCite{OLA16}. Time is linear in the number of points.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the relations
+\return how the planes are related
 
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
 \throw std::length_error more than 2^31 points

@@ -24,8 +24,8 @@ struct Cuda_tag {};
 \ingroup PkgShapeRegularizationTandemRef
 
 `Cuda_tag` where the CUDA back end is linked, a device is there, and the points fit into its
-memory, otherwise `CGAL::Parallel_if_available_tag`. If the device fails later, or while nothing but it has the
-points, `std::runtime_error` is thrown.
+memory, otherwise `CGAL::Parallel_if_available_tag`. If the device fails later, or while the points are in its
+memory only, `std::runtime_error` is thrown.
 */
 #ifdef CGAL_TANDEM_USE_CUDA
 struct Cuda_if_available_tag {};

@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Tandem {
 
 /// \ingroup PkgShapeRegularizationTandemRef
-/// the plane a x + b y + c z + d = 0 as (a, b, c, d), in double whatever the kernel is
+/// the plane a x + b y + c z + d = 0 as the four numbers (a, b, c, d), in double for every kernel
 using Coefficients = std::array<double, 4>;
 
 } // namespace Tandem

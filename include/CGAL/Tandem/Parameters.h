@@ -40,11 +40,12 @@ struct Parameters {
   /// whether parallel shapes of nearly the same plane are made coplanar
   bool regularize_coplanarity = true;
   /// directions known beforehand, such as the vertical, of any length: shapes within `angle_tolerance` become exactly
-  /// parallel or orthogonal to them where their points allow it, before they are compared with each other. Directions
-  /// are one, the first of them, if they are opposite or make an angle of less than 1e-9 radians.
+  /// parallel or orthogonal to them where their points allow it, before they are compared with each other. Of
+  /// directions that are opposite, or that make an angle of less than 1e-9 radians, only the first counts.
   std::vector<std::array<double, 3>> fixed_directions;
-  /// whether shapes get the same angle to `symmetry_direction` where they nearly have it. That direction is a fixed
-  /// one, too; it is the first of `fixed_directions` that is one with it.
+  /// whether shapes that make nearly the same angle with `symmetry_direction` get exactly the same. Then
+  /// `symmetry_direction` is also a fixed direction, unless one of `fixed_directions` is the same direction: that one
+  /// takes its place.
   bool regularize_axis_symmetry = false;
   /// the axis of symmetry, of any length
   std::array<double, 3> symmetry_direction = {0, 0, 1};
@@ -56,7 +57,8 @@ struct Parameters {
   /// \endcond
 };
 
-/// progress in [0, 1]; returning `false` cancels.
+/// \ingroup PkgShapeRegularizationTandemRef
+/// a function that gets the progress of a detection, in [0, 1], and cancels the detection by returning `false`
 using Callback = std::function<bool(double)>;
 
 } // namespace Tandem

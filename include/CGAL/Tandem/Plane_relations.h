@@ -18,21 +18,23 @@ namespace Tandem {
 How planes are related after `regularize_planes()`. Planes are numbered as in the caller's range, groups from 0.
 */
 struct Plane_relations {
-  std::vector<int> parallel_group; ///< of each plane: those of a group have the same unit normal, up to its sign
-  std::vector<int> coplanar_group; ///< of each plane: those of a group are the same plane
+  /// the parallel group of each plane: planes of a parallel group have the same unit normal, up to its sign
+  std::vector<int> parallel_group;
+  std::vector<int> coplanar_group; ///< the coplanar group of each plane: planes of a coplanar group are the same plane
   /// pairs of parallel groups that are orthogonal, each with the smaller index first, sorted
   std::vector<std::pair<int, int>> orthogonal_groups;
-  /// of each parallel group: which of `fixed_directions` it has, the first of those that are one; -1 if none
+  /// for each parallel group the index of the first of `fixed_directions` that it has, -1 if it has none
   std::vector<int> fixed_direction;
-  /// of each parallel group: those of a symmetry group make the same angle with `symmetry_direction`, up to 1e-15 of its
-  /// cosine. -1 without that direction, or without a normal.
+  /// the symmetry group of each parallel group: parallel groups of a symmetry group make the same angle with
+  /// `symmetry_direction`, up to 1e-15 of its cosine. It is -1 if there is no `symmetry_direction`, or if the planes of
+  /// the parallel group have no normal.
   std::vector<int> symmetry_group;
-  std::vector<bool> is_changed; ///< of each plane: whether it was changed
-  /// of each plane: whether its points rejected all relations that were tested, so that it was rolled back
+  std::vector<bool> is_changed; ///< for each plane, whether it was changed
+  /// for each plane, whether its points rejected all relations that were tested, so that it was rolled back
   std::vector<bool> is_rolled_back;
-  std::vector<double> angle;            ///< of each plane: how far it was turned, in degrees
-  std::vector<double> largest_distance; ///< of each plane: the largest distance of its points to it
-  double maximum_distance = 0;          ///< the tolerance of the verification
+  std::vector<double> angle;            ///< for each plane, how far it was turned, in degrees
+  std::vector<double> largest_distance; ///< for each plane, the largest distance of its points to it
+  double maximum_distance = 0;          ///< the distance to its plane within which a point counted in the verification
 
   /// the number of distinct directions
   std::size_t number_of_parallel_groups() const { return number_of_groups(parallel_group); }

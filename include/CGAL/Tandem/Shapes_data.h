@@ -19,8 +19,8 @@
 namespace CGAL {
 namespace Tandem {
 
-// The points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1]. So `first`
-// has one entry more than there are shapes.
+// The points of each shape, ascending: those of shape s are position[first[s]] ... position[first[s + 1] - 1]. So
+// `first` has one entry more than there are shapes.
 struct Point_groups {
   std::vector<std::size_t> first;
   Shared_table<std::uint32_t> position;

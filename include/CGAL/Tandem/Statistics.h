@@ -17,12 +17,12 @@ Seconds spent in each stage of a detection.
 */
 struct Stage_times {
   double normals = 0;    ///< estimation of normals, 0 if they are given
-  double sort = 0;       ///< import, and order along the curve
+  double sort = 0;       ///< import of the points, and their order along the space-filling curve
   double neighbors = 0;  ///< nearest neighbors
   double growth = 0;     ///< growth of the shapes
   double regularity = 0; ///< links, clustering, constrained fits, verification, merging
   double finish = 0;     ///< end game, exact check, export
-  double total = 0;      ///< everything between the caller's range and the result
+  double total = 0;      ///< all stages, from the caller's range to the result
 };
 
 /*!
@@ -36,31 +36,31 @@ struct Statistics {
   std::size_t number_of_ignored_normals = 0;     ///< points whose given normal is null or not finite
   std::size_t number_of_assigned_points = 0;     ///< points that belong to a shape
   std::size_t number_of_shapes = 0;              ///< connected pieces of planes
-  std::size_t number_of_directions = 0;          ///< parallel groups
-  std::size_t number_of_planes = 0;              ///< coplanar groups
-  std::size_t number_of_orthogonal_pairs = 0;    ///< pairs of parallel groups
+  std::size_t number_of_directions = 0;          ///< parallel groups: distinct directions of the shapes
+  std::size_t number_of_planes = 0;              ///< coplanar groups: distinct planes of the shapes
+  std::size_t number_of_orthogonal_pairs = 0;    ///< pairs of parallel groups that are orthogonal
 
-  /// assigned points / points
+  /// the share of the points that belong to a shape
   double coverage = 0;
-  /// mean distance of the assigned points to their planes, in units of the input; measured on the grid, whose step is
-  /// about a thousandth of `maximum_distance`
+  /// mean distance of the points of the shapes to their planes, in units of the input; measured on the grid, whose step
+  /// is about a thousandth of `maximum_distance`
   double mean_distance = 0;
-  /// degrees of freedom of the planes: 2 for a direction, less 1 for each direction it is orthogonal to and that is
-  /// counted before it (so 3 for an orthogonal frame), never less than 0; and 1 for the offset of each plane
+  /// degrees of freedom of the planes: 1 for the offset of each plane, and 2 for each direction, less 1 for each
+  /// orthogonal direction that is counted before it, but never less than 0 (so 3 for an orthogonal frame)
   std::size_t degrees_of_freedom = 0;
-  /// the paper's complexity: degrees of freedom / (3 x shapes); 0 if there are no shapes
+  /// the complexity of the paper: `degrees_of_freedom` / (3 `number_of_shapes`), or 0 if there are no shapes
   double complexity = 0;
 
-  std::size_t number_of_rounds = 0;   ///< of growth and regularization
-  Stage_times times;                  ///< in seconds
-  std::size_t peak_bytes = 0;         ///< of the tables of the size of the cloud, when they are largest
-  double grid_step = 0;               ///< in units of the input
-  bool is_grid_coarse = false;        ///< the step exceeds `maximum_distance` / 1024, because of the extent
-  bool has_estimated_normals = false; ///< because none were given
-  bool is_cancelled = false;          ///< by the callback
-  std::string backend;                ///< what executed: "sequential", "parallel", ...
+  std::size_t number_of_rounds = 0;   ///< rounds of growth and regularization
+  Stage_times times;                  ///< seconds spent in each stage
+  std::size_t peak_bytes = 0;         ///< memory of all tables that have an entry for each point, when they are largest
+  double grid_step = 0;               ///< the width of a step of the grid, in units of the input
+  bool is_grid_coarse = false;        ///< whether `grid_step` exceeds `maximum_distance` / 1024: the extent is large
+  bool has_estimated_normals = false; ///< whether normals were estimated, because none were given
+  bool is_cancelled = false;          ///< whether the callback ended the detection early
+  std::string backend;                ///< the name of the back end that executed: "sequential", "parallel", ...
 
-  /// points that could not take part
+  /// the number of points with an invalid position or normal, which belong to no shape
   std::size_t number_of_ignored_points() const { return number_of_ignored_coordinates + number_of_ignored_normals; }
 };
 
