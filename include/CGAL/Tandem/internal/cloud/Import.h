@@ -8,7 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
 
 #include <CGAL/Shape_regularization_tandem/Parameters.h>
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/memory/Vector_table.h>
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_TRANSFER_POINTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_TRANSFER_POINTS_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/finish.h>
 #include <CGAL/Tandem/internal/finish/Transfer_plan.h>
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>

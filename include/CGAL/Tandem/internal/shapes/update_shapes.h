@@ -8,7 +8,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
