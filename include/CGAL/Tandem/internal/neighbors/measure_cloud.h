@@ -94,7 +94,7 @@ Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sa
           quantile(thickness, thickness_quantile)};
 }
 
-// Every fourth point, in the order of the curve, which doubles the spacing on a surface.
+// One point of so many, in the order of the curve. Of every fourth point the spacing on a surface is twice as wide.
 inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
 {
   std::vector<Grid_point> thin;

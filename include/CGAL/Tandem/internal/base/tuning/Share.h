@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The numbers that steer the method are in this folder, stage by stage. Each has its unit, where it comes from, and what
-// moving it does. "Paper" is Oesau, Lafarge and Alliez 2016. "Measured" means: chosen on scans of buildings, rooms and
-// streets and on generated scenes with known faces, by coverage, number of directions and planes, and faces found.
-// Entries that only bound the work, such as numbers of passes, were chosen so that more of them change next to nothing.
-// With other values the result is another one, on all back ends alike. The manual has tables of them, which
-// scripts/tuning.py makes of these headers.
+// The numbers that steer the method, stage by stage. Each has its unit, where it comes from, and what moving it does.
+// "Paper" is Oesau, Lafarge and Alliez 2016. "Measured" means: chosen on scans of buildings, rooms and streets and on
+// generated scenes with known faces, by coverage, number of directions and planes, and faces found. Entries that only
+// bound the work, such as numbers of passes, were chosen so that more of them change next to nothing. With other values
+// the result is another one, on all back ends alike. Numbers of the manual are made of these, by scripts/tuning.py.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_SHARE_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_SHARE_H

@@ -55,8 +55,8 @@ constexpr int measured_distance_bits = -16;
 constexpr double spacing_quantile = .5;
 constexpr double noise_quantile = .75;
 constexpr double thickness_quantile = .25;
-// Neighborhoods that are thicker than this share of their half-width are balls: the sample is thinned to every
-// fourth point, at most so often, and not below so many points.
+// Neighborhoods that are thicker than this share of their half-width are balls: the sample is thinned to
+// one point of so many, at most so often, and not below so many points.
 constexpr double ball_thickness = .4;
 constexpr std::size_t thinning = 4;
 constexpr int maximum_thinnings = 3;

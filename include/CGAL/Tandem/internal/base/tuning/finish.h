@@ -19,7 +19,8 @@ namespace tuning {
 // After the loop: consolidation of fragments, label propagation, reassignment.
 namespace end_game {
 
-// Rounds of consolidation. It ends when at most one shape of 50 has gone and fewer than one point of 1000 has come.
+// Rounds of consolidation. It ends when this share of the shapes is left, and their points are less than this share of
+// those before.
 constexpr int consolidation_rounds = 2;
 constexpr Share kept_shapes = {49, 50};
 constexpr Share grown_points = {1001, 1000};

@@ -60,7 +60,7 @@ constexpr double suspicious_rms = 0.45;
 // edges, may lean by themselves.
 constexpr double certain_lean = 0.1;
 constexpr std::int64_t minimum_size = 100;
-// A shape is examined again when it has grown by a tenth.
+// A shape is examined again when it has this share of its former points.
 constexpr Share examined_growth = {11, 10};
 
 } // namespace layers
