@@ -57,7 +57,7 @@ void merge_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   Backend& backend = points.backend;
   require(points, shapes, tables::moments);
   Shared_moments* const joined = start_deltas(backend, shapes, shapes.size);
-  for_each_shape(backend, shapes, Join_shape<Backend>{shapes.change_moments(), target.data(), joined});
+  for_each_shape(backend, shapes, Join_shape<Backend>{shapes.counted(), target.data(), joined});
   for_each_shape(backend, shapes, Take_joined{shapes.change_moments(), joined});
 }
 
