@@ -10,7 +10,7 @@ set -eu
 longest=14
 
 cd "$(dirname "$0")/../include"
-order=$(sed -n 's/^| `\([a-z/]*\)` | .*/\1/p' ../CONTRIBUTING.md | sed -n '/^base$/,$p' | tr '\n' ' ')
+order=$(sed -n 's/^| `\([a-z/]*\)` | .*/\1/p' ../CONTRIBUTING.md | sed -n '/^base\/tuning$/,$p' | tr '\n' ' ')
 find CGAL -name '*.h' -o -name '*.cuh' -o -name '*.cu' | sort | xargs grep -H '^#include <CGAL/\(Tandem\|Shape_reg\)' |
   sed 's/:#include </ /; s/>.*//' | awk -v order="$order" -v longest="$longest" '
     # The plain data of both sides, in CGAL/Tandem, are below the engine, the public functions above it.

@@ -2,7 +2,8 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Builds the manual as HTML, after installing Doxygen if it is missing. Fails on any warning.
+# Builds the manual as HTML, after installing Doxygen if it is missing. Fails on any warning. Numbers of the method are
+# those of the headers of tuning constants, by scripts/tuning.py.
 #   doc.sh            the manual, with the pictures and tables of the repository
 #   doc.sh --figures  draws these again first, by scripts/doc_figures.sh
 #   TANDEM_DOC_DIR    where to (default: build/doc of this repository)
@@ -48,15 +49,16 @@ case ${1:-} in
   --figures) "$root/scripts/doc_figures.sh" || exit 1 ;;
   *) fail "unknown argument $1; usage: doc.sh [--figures]" ;;
 esac
-[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" doxygen
-mkdir -p "$TANDEM_DOC_DIR"
+[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" doxygen python3
+mkdir -p "$TANDEM_DOC_DIR/numbers"
+python3 "$root/scripts/tuning.py" page > "$TANDEM_DOC_DIR/numbers/Numbers.txt"
+settings=$(python3 "$root/scripts/tuning.py" aliases)
 folder=$(tag_folder) || fail "TANDEM_CGAL_TAGS is no folder"
-settings=
 if [ -n "$folder" ]; then
-  settings=$(tag_settings "$folder")
-  [ -n "$settings" ] || fail "$folder has no tag file of a package that the manual depends on"
+  links=$(tag_settings "$folder")
+  [ -n "$links" ] || fail "$folder has no tag file of a package that the manual depends on"
 fi
 cd "$root"
-{ cat "$doc/Doxyfile" && echo "$settings"; } | doxygen - > "$TANDEM_DOC_DIR/doxygen.log" 2>&1 ||
+{ cat "$doc/Doxyfile" && printf '%s\n' "$settings" "${links:-}"; } | doxygen - > "$TANDEM_DOC_DIR/doxygen.log" 2>&1 ||
   { cat "$TANDEM_DOC_DIR/doxygen.log" >&2; fail "Doxygen has warnings or errors"; }
 echo "Manual: $TANDEM_DOC_DIR/html/index.html"

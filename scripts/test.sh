@@ -5,10 +5,10 @@
 # Installs what is missing, builds and runs all tests: first the style of the sources, and whether CMake takes what is
 # found and does without the rest; then the release build with TBB and all tests; the bits of results from other
 # compilers and options; a choice of tests under ASan + UBSan, with all outputs, and one under TSan, with nothing that is
-# optional; the instructions that detections take, see scripts/cost.sh; the fuzz targets for some seconds; with a CUDA
-# compiler, all that is found (tests of a device are skipped without one); and the benchmark in small, which fails where
-# a result of Tandem is wrong or differs between back ends. The manual has to build without a warning, see
-# scripts/check_doc.sh.
+# optional; the requests of stages and the instructions that detections take, see scripts/check_requests.sh and
+# scripts/cost.sh; the fuzz targets for some seconds; with a CUDA compiler, all that is found (tests of a device are
+# skipped without one); and the benchmark in small, which fails where a result of Tandem is wrong or differs between back
+# ends. The manual has to build without a warning, see scripts/check_doc.sh.
 #   test.sh [style] [configure] [release] [benchmark] [bits] [asan] [cost] [tsan] [fuzz] [cuda] [doc]   only these
 #                     (default: all of them)
 #   TANDEM_BUILD_DIR  parent of the build folders (default: build of this repository)
@@ -194,6 +194,10 @@ run_asan()
 
 run_cost()
 {
+  step requests
+  mkdir -p "$build"
+  "$root/scripts/check_requests.sh" > "$build/requests.log" 2>&1 ||
+    { cat "$build/requests.log" >&2; fail "some requests of stages are not needed, or not tested"; }
   step count
   TANDEM_BUILD_DIR=$build TANDEM_SKIP_INSTALL=1 "$root/scripts/cost.sh" || fail "detections cost more than is recorded"
 }

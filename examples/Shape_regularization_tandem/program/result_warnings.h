@@ -10,7 +10,7 @@
 #include "output/write_results.h"
 #include "ranks/Ranks.h"
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/growth.h>
 
 #include <algorithm>
 #include <cmath>

@@ -151,11 +151,12 @@ private:
     for(std::uint32_t i = 0; i < n; i += 61)
       sparse[i] = f_.label[i];
     std::vector<std::uint32_t> all = sparse;
-    const std::vector<std::size_t> joined = propagate_naively(all, 16, 0);
+    constexpr std::size_t rounds = tuning::end_game::propagation_rounds;
+    const std::vector<std::size_t> joined = propagate_naively(all, rounds, 0);
     if(n < 100)
       return; // nobody joins anybody
     CHECK_AT(joined.size() > 3, name_ + ": there are too few rounds");
-    const std::pair<std::size_t, std::size_t> ends[] = {{16, 0}, {2, 0}, {16, joined[1]}};
+    const std::pair<std::size_t, std::size_t> ends[] = {{rounds, 0}, {2, 0}, {rounds, joined[1]}};
     for(const auto& end : ends) {
       std::vector<std::uint32_t> expected = sparse, label = sparse, proposed(n), counters(end.first + 2, 0);
       propagate_naively(expected, end.first, end.second);
@@ -168,7 +169,7 @@ private:
                           Label_propagation<Backend>{
                             first, {label.data(), state.data()}, {proposed.data(), counters.data()}, end.second});
       check_lists(label, expected, name_ + ": rounds of label propagation");
-      CHECK_AT((label == all) == (end.first == 16 && end.second == 0), name_ + ": the end of label propagation");
+      CHECK_AT((label == all) == (end.first == rounds && end.second == 0), name_ + ": the end of label propagation");
     }
   }
 
@@ -235,8 +236,8 @@ private:
         nearest.emplace(f_.distance(t, i), t);
       const std::int64_t epsilon = f_.tolerance.distance, least = nearest.begin()->first;
       for(std::uint32_t t : shapes)
-        if(std::int64_t(f_.distance(t, i)) <= least + epsilon / 4 ||
-           10 * distance_of_planes(nearest.begin()->second, t, i) <= 9 * epsilon)
+        if(std::int64_t(f_.distance(t, i)) <= least + epsilon / tuning::end_game::distance_per_farther_plane ||
+           !tuning::end_game::layer_distance.is_exceeded(distance_of_planes(nearest.begin()->second, t, i), epsilon))
           choice.emplace(-shape[t].moments.count, t);
       expected[i] = choice.begin()->second;
     }

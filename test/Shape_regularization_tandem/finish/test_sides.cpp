@@ -88,10 +88,13 @@ private:
     for(std::uint32_t q : around(i))
       if(f_.label[q] == f_.label[i])
         sum.add(difference(f_.point[q], f_.point[i]));
-    const Thickness t = sum.size < 24 ? Thickness{0, 0} : thickness(sum.mean());
+    const Thickness t = sum.size < tuning::sides::minimum_visits ? Thickness{0, 0} : thickness(sum.mean());
     const double gap = double(t.middle) - t.smallest, sine = std::sin(25 * 0.017453292519943295);
-    const double error2 = t.middle > 0 ? double(t.smallest) * t.middle / (gap * gap * sum.size / 3) : 1;
-    return error2 <= sine * sine / 9 ? normals::encoded_normal(sum.mean(), t.smallest) : no_normal;
+    const double points = sum.size / tuning::sides::visits_per_point;
+    const double error2 = t.middle > 0 ? double(t.smallest) * t.middle / (gap * gap * points) : 1;
+    return error2 <= sine * sine / tuning::sides::squared_alpha_per_error
+             ? normals::encoded_normal(sum.mean(), t.smallest)
+             : no_normal;
   }
 
   // The points that three steps to the farther half of the neighbors reach, in the last to every second one, in the
@@ -99,7 +102,7 @@ private:
   std::vector<std::uint32_t> around(std::uint32_t i, int steps = 3) const
   {
     std::vector<std::uint32_t> points;
-    const int k = (std::min)(f_.cloud.k, 12);
+    const int k = (std::min)(f_.cloud.k, tuning::normals::maximum_neighbors);
     for(int j = k / 2; steps > 0 && j < k && f_.cloud.row(i)[j] != no_index; j += steps > 1 ? 1 : 2) {
       points.push_back(f_.cloud.row(i)[j]);
       const std::vector<std::uint32_t> beyond = around(f_.cloud.row(i)[j], steps - 1);
@@ -109,7 +112,7 @@ private:
   }
 
   // The mean of the distances to plane t, with their signs and at most epsilon, of the points of shape s around i; 0 if
-  // it is at most half of the mean of the absolute values.
+  // it is at most a share of the mean of the absolute values.
   double mean_side(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
   {
     const double epsilon = double(f_.tolerance.distance);
@@ -124,7 +127,8 @@ private:
     };
     for(std::uint32_t q : around(i))
       add(q);
-    return 2 * std::fabs(sum) > size ? sum : 0;
+    const tuning::Share share = tuning::sides::clear_share;
+    return double(share.denominator) * std::fabs(sum) > double(share.numerator) * size ? sum : 0;
   }
 
   bool is_aligned_naively(std::uint32_t s, std::uint32_t t) const

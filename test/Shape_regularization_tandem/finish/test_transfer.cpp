@@ -77,7 +77,8 @@ public:
     for(std::uint32_t s = 0; s < shape.size(); ++s) {
       const std::size_t before = explained[s].first + number_fitting(s, shape[s].plane),
                         after = explained[s].second + number_fitting(s, shape[s].local);
-      result[s].second = may_change && takes[s] && 500 * after > 501 * before;
+      result[s].second =
+        may_change && takes[s] && tuning::transfer::better_plane.is_exceeded(std::int64_t(after), std::int64_t(before));
     }
     for(std::uint32_t t = 0; t < shape.size(); ++t) {
       std::sort(takers[t].begin(), takers[t].end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -110,12 +111,14 @@ private:
     return {mean, squares / double(points_[t].size())};
   }
 
-  // By Cantelli's inequality, a fifth of the points may be within epsilon.
+  // By Cantelli's inequality, enough points may be within epsilon.
   bool may_fit(std::uint32_t t, const Regular_plane& p) const
   {
     const auto [mean, variance] = distances(t, p);
     const double beyond = std::fabs(mean) - epsilon;
-    return beyond <= 0 || 4 * variance >= beyond * beyond;
+    const tuning::Share share = tuning::transfer::explained_share;
+    return beyond <= 0 ||
+           double(share.denominator - share.numerator) * variance >= double(share.numerator) * beyond * beyond;
   }
 
   std::size_t number_fitting(std::uint32_t t, const Regular_plane& p) const
@@ -125,13 +128,16 @@ private:
                                      [&](std::uint32_t i) { return fits(integer, f_.point[i], f_.tolerance); }));
   }
 
-  // All that fit, if they are a fifth of the shape, or three fifths of a layer.
+  // All that fit, if they are a large enough share of the shape, or of a layer.
   std::size_t number_explained(std::uint32_t t, const Regular_plane& p) const
   {
     const auto [mean, variance] = distances(t, p);
-    const bool is_layer = std::fabs(mean) > .8 * epsilon && variance <= 2.25 * distances(t, shape[t].local).second;
+    using namespace tuning::transfer;
+    const bool is_layer =
+      std::fabs(mean) > layer_distance * epsilon && variance <= layer_variance * distances(t, shape[t].local).second;
     const std::size_t fitting = number_fitting(t, p);
-    return 5 * fitting >= (is_layer ? 3 : 1) * points_[t].size() ? fitting : 0;
+    const tuning::Share share = is_layer ? layer_share : explained_share;
+    return share.is_reached(std::int64_t(fitting), std::int64_t(points_[t].size())) ? fitting : 0;
   }
 
   const Fixture& f_;

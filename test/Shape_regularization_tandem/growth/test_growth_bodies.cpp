@@ -104,7 +104,7 @@ private:
       plane.insert(plane.end(), f_.plane.begin(), f_.plane.end());
     std::vector<std::uint16_t> rounds;
     for(std::size_t s = 0; s < plane.size(); ++s)
-      rounds.push_back(std::uint16_t(s % 3 == 0 ? 256 : s % 5));
+      rounds.push_back(std::uint16_t(s % 3 == 0 ? tuning::growth::maximum_steps : int(s % 5)));
     const std::vector<std::uint32_t> expected = flood_fill(label, state, rounds);
     std::vector<std::uint8_t> is_restarted(plane.size(), 0);
     std::vector<Shared_moments> delta(plane.size()), expected_delta(plane.size());
@@ -117,12 +117,13 @@ private:
     const std::vector<Cell_shapes> lists = f_.list_shapes(label);
     const Cells_view cells = {f_.cells.data(), lists.data()};
     const Cell_tables tables = {cells, border.data(), nullptr, nullptr, nullptr, none.data(), cursor.data()};
-    const Grow_cells<Backend> body = {f_.cloud,
-                                      {plane.data(), rounds.data(), is_restarted.data(), delta.data()},
-                                      {label.data(), state.data()},
-                                      {f_.tolerance, 8, 64, 7, 0},
-                                      tables,
-                                      0};
+    const Grow_cells<Backend> body = {
+      f_.cloud,
+      {plane.data(), rounds.data(), is_restarted.data(), delta.data()},
+      {label.data(), state.data()},
+      {f_.tolerance, tuning::growth::young_seeds_in_flight, tuning::growth::seed_tries, 7, 0},
+      tables,
+      0};
     if(std::all_of(f_.cells.begin(), f_.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))
       backend_.template for_each_cell<Growth_scratch<small_cell>>(f_.cells.size(), body);
     else
@@ -203,7 +204,9 @@ private:
       check_equal(int(shapes.is_restarted[i]), 0, at + ": restart");
       const bool is_out_of_use = !is_new && !is_live(old[i]);
       check_equal(s.age, before.age + !is_out_of_use, at + ": age");
-      check_equal(int(shapes.steps[i]), is_out_of_use ? 0 : s.age < 8 ? 1 << s.age : 256, at + ": steps");
+      check_equal(int(shapes.steps[i]),
+                  is_out_of_use ? 0 : (std::min)(1 << (std::min)(s.age, 30), tuning::growth::maximum_steps),
+                  at + ": steps");
       if(!is_out_of_use)
         CHECK_AT((s.is_active != 0) == is_active && s.history.is_fitted() == !is_active &&
                    s.history.is_linked() == !is_active,
@@ -436,7 +439,7 @@ private:
       const bool is_moved = (i + 1) % 3 != 0;
       check_equal(last.points, is_moved ? shape[id[i]].moments.count : 0, name_ + ": points of a record");
       last.misfit_share = .125;
-      last.points += i % 2 == 0 ? 0 : last.points / 16 + 1;
+      last.points += i % 2 == 0 ? 0 : 2 * last.points / tuning::verification::points_per_change + 1;
       expected[i] = is_moved && i % 2 == 0 ? .125 : expected[i];
     }
     check_lists(shares(counter), expected, name_ + ": shares of misfits that are known");
@@ -446,7 +449,7 @@ private:
   double share_of_misfits(std::uint32_t s, const Shape& shape, const Regular_plane& candidate) const
   {
     std::uint32_t step = 1, misfits = 0; // positions of the sample are multiples
-    while(shape.moments.count / (2 * step) >= 512)
+    while(shape.moments.count / (2 * step) >= tuning::verification::sample_size)
       step *= 2;
     const Plane before = rounded(shape.local), after = rounded(candidate);
     for(std::uint32_t i = 0; i < f_.cloud.size; i += step)

@@ -44,7 +44,7 @@ std::vector<Grid_point> points_of(const std::vector<Item>& items)
 }
 
 template <class Backend>
-std::vector<Grid_point> with_normals(std::vector<Grid_point> points, int k = 12)
+std::vector<Grid_point> with_normals(std::vector<Grid_point> points, int k = tuning::normals::maximum_neighbors)
 {
   Backend backend;
   std::vector<std::uint32_t> neighbors(points.size() * std::size_t(k) + 1);

@@ -144,9 +144,10 @@ void test_angles()
   }
   check_equal(sine_deg(90), 1, "sine of 90");
   check_equal(cosine_deg(90), 0, "cosine of 90");
-  for(double t = 0; t < 4.5; t += 0.01)
+  const double deviations = tuning::clustering::kernel_deviations, last = deviations * deviations / 2;
+  for(double t = 0; t < last; t += 0.01)
     check_close(gaussian(t), std::exp(-t), 0.002, "gaussian at " + std::to_string(t));
-  check_equal(gaussian(4.6), 0, "gaussian beyond the cut");
+  check_equal(gaussian(last + 0.1), 0, "gaussian beyond the cut");
 }
 
 void test_mean_shift()
@@ -164,11 +165,13 @@ void test_mean_shift()
   }
   const double radius = sine_deg(8);
   const Mean_shift<Direction_index> shift(normal, weight, radius);
+  using namespace tuning::clustering;
   for(int i = 0; i < 300; i += 10) {
     double dense = 0;
     for(int j = 0; j < 300; ++j) {
-      const double t = 2 * (1 - dot(normal[i], normal[j]) * dot(normal[i], normal[j])) / (radius * radius);
-      dense += weight[j] * (t <= 4.5 ? std::exp(-t) : 0);
+      const double squared_sine = 1 - dot(normal[i], normal[j]) * dot(normal[i], normal[j]);
+      const double t = squared_sine / (2 * sigma * sigma * radius * radius);
+      dense += weight[j] * (t <= kernel_deviations * kernel_deviations / 2 ? std::exp(-t) : 0);
     }
     check_close(shift.density(normal[i]) / dense, 1, 0.01, "density of normal " + std::to_string(i));
   }
@@ -356,13 +359,14 @@ void test_rollback()
   }
   check_equal(double(r.directions.size()), 6, "directions after rollback");
 
-  // a fifth of the points may misfit, not more
-  for(double share : {0.2, 0.201}) {
+  // so many of the points may misfit, not more
+  constexpr double allowed = tuning::verification::misfit_share;
+  for(double share : {allowed, allowed + 0.001}) {
     Verify verify{shapes, 0};
     verify.share = [&](int i) { return i == 3 ? share : 0.0; };
     const Relations limit = regularize(shapes, std::vector<char>(6, 0), all_on, verify);
-    check_equal(limit.is_rolled_back[3], share > 0.2, "rollback of shape 3");
-    check_equal(limit.direction_of[2] == limit.direction_of[3], share <= 0.2, "shape 3 is parallel to 2");
+    check_equal(limit.is_rolled_back[3], share > allowed, "rollback of shape 3");
+    check_equal(limit.direction_of[2] == limit.direction_of[3], share <= allowed, "shape 3 is parallel to 2");
     check_equal(limit.direction_of[0], limit.direction_of[1], "shapes 0 and 1 stay parallel");
     check(verify.calls <= 7, "calls of verify", verify.calls, 7);
   }
@@ -393,10 +397,11 @@ void test_leftovers()
     check(is_same(r.directions[r.direction_of[0]], canonical(s[0].fit.normal)), "the large group is not turned");
     return double(r.directions.size());
   };
-  check_equal(directions(false, 0.35, 400), 2, "directions while shapes grow");
-  check_equal(directions(true, 0.35, 400), 1, "directions at the end");
-  check_equal(directions(true, 0.45, 400), 2, "directions, too many points object");
-  check_equal(directions(true, 0.35, 1900), 2, "directions, not worth a third of a mean shape");
+  constexpr double allowed = tuning::leftovers::misfit_share;
+  check_equal(directions(false, allowed - 0.05, 400), 2, "directions while shapes grow");
+  check_equal(directions(true, allowed - 0.05, 400), 1, "directions at the end");
+  check_equal(directions(true, allowed + 0.05, 400), 2, "directions, too many points object");
+  check_equal(directions(true, allowed - 0.05, 1900), 2, "directions, not worth a third of a mean shape");
 }
 
 void test_coplanar()

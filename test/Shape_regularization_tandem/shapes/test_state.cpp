@@ -7,28 +7,12 @@
 
 #undef NDEBUG
 
+#include "testing/Open_engine.h"
 #include "testing/test_support.h"
-
-#include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
 
 #include <map>
 
 using namespace CGAL::Tandem::internal;
-using State = Tandem_state<Sequential_backend>;
-
-// The state is private; an explicit instantiation may name it nevertheless.
-struct State_of_engine {
-  using type = State Engine<Sequential_backend>::*;
-  friend type reveal(State_of_engine);
-};
-
-template <class Tag, typename Tag::type Member>
-struct Reveal {
-  friend typename Tag::type reveal(Tag) { return Member; }
-};
-
-template struct Reveal<State_of_engine, &Engine<Sequential_backend>::state_>;
-
 struct Sums {
   Moments moments;
   Box box;
@@ -131,16 +115,10 @@ void check_new_ids(State& t, const std::string& where)
 }
 
 // Returns the number of rounds.
-int test(const std::string& name, const scenes::Options& options, Parameters parameters)
+int test(const std::string& name, const scenes::Options& options, const Parameters& parameters)
 {
-  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, CGAL::Sequential_tag>;
-  Sequential_backend backend;
-  const Cloud cloud = to_cloud(scenes::make_scene(name, options));
-  Import in = read_points(backend, cloud, Item_reader<Traits>(Traits(), First<Kernel>(), Second<Kernel>()));
-  choose_grid(in, parameters.maximum_distance);
-  Progress progress;
-  Engine<Sequential_backend> engine(backend, in, parameters, progress);
-  State& state = engine.*reveal(State_of_engine());
+  Open_engine engine(name, options, parameters);
+  State& state = engine.state();
   const int failures_before = failures();
   for(bool goes_on = true; goes_on && failures() == failures_before;) {
     goes_on = engine.iterate();

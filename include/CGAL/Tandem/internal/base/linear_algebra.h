@@ -8,7 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_LINEAR_ALGEBRA_H
 #define CGAL_TANDEM_INTERNAL_BASE_LINEAR_ALGEBRA_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/regularity.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <cmath>

@@ -8,7 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_CLOUD_IMPORT_H
 
 #include <CGAL/Tandem/check_parameters.h>
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/memory/Vector_table.h>
 
@@ -175,8 +175,8 @@ inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)
   return true;
 }
 
-// The grid of a cloud: epsilon has 1,024 to 2,047 steps, or less where the extent needs a coarser grid. Throws if it
-// had less than 16, or would have for every epsilon. See the manual, "Grid and Units".
+// The grid of a cloud: epsilon has as many steps as it should, or less where the extent needs a coarser grid. Throws if
+// it had less than the fewest, or would have for every epsilon. See the manual, "Grid and Units".
 inline Grid make_grid(const Coordinate_box& box, double epsilon)
 {
   const double largest = std::ldexp(largest_length, 24);

@@ -7,6 +7,7 @@
 #define CGAL_TANDEM_INTERNAL_ENGINE_DETECTION_ENGINE_H
 
 #include <CGAL/Tandem/internal/base/Progress.h>
+#include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 

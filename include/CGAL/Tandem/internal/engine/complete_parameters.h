@@ -30,7 +30,7 @@ double estimate_maximum_distance(Backend& backend, const Import& in)
   double largest = 0; // all points are equal: any positive length
   for(int c = 0; c < 3; ++c)
     largest = (std::max)(largest, std::fabs(box.low[c]));
-  return largest > 1e-200 ? bounded_length(1e-6 * largest) : 1;
+  return largest > 1e-200 ? bounded_length(smallest_distance * largest) : 1;
 }
 
 inline std::size_t estimate_minimum_region_size(std::size_t points)

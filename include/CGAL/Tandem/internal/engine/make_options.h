@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The parameters in the units of the grid: lengths in steps, angles of points as squared cosines. Here the numbers of
-// Tuning.h become bounds of one cloud. Changes nothing.
+// base/tuning become bounds of one cloud. Changes nothing.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
 
 #include <CGAL/Tandem/internal/base/angles.h>
+#include <CGAL/Tandem/internal/base/tuning/finish.h>
+#include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
@@ -51,7 +53,8 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.maximum_distance = p.maximum_distance / step;
   o.squared_cosine = cosine * cosine;
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
-  o.lasting_size = (std::max)(std::int64_t(3), tuning::end_game::lasting_size.of(o.minimum_region_size));
+  o.lasting_size =
+    (std::max)(tuning::end_game::minimum_lasting_size, tuning::end_game::lasting_size.of(o.minimum_region_size));
   o.minimum_regular_size = (std::min)(o.lasting_size, tuning::loop::minimum_regular_size);
   o.minimum_related_size = (std::max)((std::min)(o.minimum_region_size, tuning::loop::minimum_regular_size),
                                       tuning::loop::related_share.of(o.minimum_region_size));

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_TRANSFER_PLAN_H
 #define CGAL_TANDEM_INTERNAL_FINISH_TRANSFER_PLAN_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/finish.h>
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/shapes/Count_scratch.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
@@ -119,7 +119,7 @@ private:
     const Distances d = distances(t, plane);
     const double e = std::sqrt(d.centroid2) - maximum_distance;
     const double rest = double(share.denominator - share.numerator);
-    return e <= 0 || d.variance * rest * 1.000001 >= e * e * double(share.numerator);
+    return e <= 0 || d.variance * rest * tuning::exactness::bound_factor >= e * e * double(share.numerator);
   }
 
   // Whether t lies beside the plane, as thin as its local plane has it: then it may be a layer of its own.

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_CLUTTER_H
 #define CGAL_TANDEM_INTERNAL_FINISH_CLUTTER_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/finish.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 

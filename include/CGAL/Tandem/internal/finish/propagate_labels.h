@@ -9,7 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_PROPAGATE_LABELS_H
 
 #include <CGAL/Tandem/internal/backend/lanes.h>
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/finish.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
 namespace CGAL {

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
 #define CGAL_TANDEM_INTERNAL_FINISH_REASSIGN_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/finish.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
 #include <vector>

@@ -9,7 +9,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_TRANSFER_POINTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_TRANSFER_POINTS_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/finish.h>
 #include <CGAL/Tandem/internal/finish/Transfer_plan.h>
 #include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/finish/reassign.h>
@@ -117,7 +117,7 @@ void transfer_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shape
   Backend& backend = points.backend;
   const Tolerance& tolerance = options.growth.tolerance;
   for(int round = 0; round < transfer.maximum_rounds; ++round) {
-    require(points, shapes, tables::fits | tables::lists);
+    require(points, shapes, tables::fits);
     const auto links = collect_links(points, shapes, Links::all, transfer.phase);
     const auto plan = Transfer_planner<Backend>(points, shapes, options, transfer.planes).plan(links);
     if(!plan.is_any)

@@ -6,7 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_GROWTH_CELL_JOB_H
 #define CGAL_TANDEM_INTERNAL_GROWTH_CELL_JOB_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Growth_options.h>

@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_MPI_MPI_RANKS_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/base/tuning/normals.h>
 #include <CGAL/Tandem/internal/finish/clutter.h>
 #include <CGAL/Tandem/internal/mpi/Ghosts.h>
 #include <CGAL/Tandem/internal/mpi/Host_view.h>

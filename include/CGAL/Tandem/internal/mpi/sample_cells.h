@@ -9,7 +9,7 @@
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 #include <CGAL/Tandem/internal/mpi/octants.h>
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/cloud.h>
 
 namespace CGAL {
 namespace Tandem {

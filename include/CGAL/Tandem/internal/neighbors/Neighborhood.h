@@ -10,7 +10,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_NEIGHBORHOOD_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/normals.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <cmath>
@@ -152,7 +152,7 @@ CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
     return 0;
   const float start = to_float(d / q);
   float r = to_float(start + exact_product(start, to_float(exact_product(t, start) / q)));
-  for(int i = 0; i < 8; ++i) {
+  for(int i = 0; i < tuning::normals::variance_steps; ++i) {
     const float r2 = to_float(exact_product(r, r));
     const double value = d - exact_product(r, q) - exact_product(r2, to_float(double(r) - t));
     const double slope = 3 * double(r2) - 2 * exact_product(r, t) + q;
@@ -160,7 +160,7 @@ CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
       break;
     const float step = to_float(value / slope);
     r += step;
-    if(exact_product(step, t) < 2e-3 * slope)
+    if(exact_product(step, t) < tuning::normals::last_variance_step * slope)
       break;
   }
   return r;

@@ -8,7 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_GROW_NEIGHBORHOODS_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/normals.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 #include <CGAL/Tandem/internal/neighbors/Neighborhood.h>
 
@@ -45,7 +45,6 @@ struct Workspace {
 // epsilon_grid: epsilon in grid steps. The tables of neighborhoods are set by the caller.
 inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_grid)
 {
-  const float grid = 0.25f; // above the variance of rounding to the grid
   const float flat = to_float(noiseless_share * epsilon_grid);
   const float clutter = to_float(clutter_share * epsilon_grid);
   const int k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
@@ -54,7 +53,7 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
           nullptr,
           candidate,
           k,
-          to_float(exact_product(flat, flat) + grid),
+          to_float(exact_product(flat, flat) + rounding_variance),
           to_float(exact_product(clutter, clutter))};
 }
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/cloud.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/neighbors/Cloud_measure.h>
@@ -94,7 +94,7 @@ Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sa
           quantile(thickness, thickness_quantile)};
 }
 
-// Every fourth point, in the order of the curve, which doubles the spacing on a surface.
+// One point of so many, in the order of the curve. Of every fourth point the spacing on a surface is twice as wide.
 inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
 {
   std::vector<Grid_point> thin;
@@ -110,7 +110,8 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
 {
   if(!(in.box.extent() > smallest_length))
     return Cloud_measure();
-  const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), -16)); // up to 2^27 steps
+  using namespace tuning::estimation;
+  const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), measured_distance_bits)); // up to 2^27 steps
   const double inverse_step = 1 / grid.step;
   Host_buffer<Grid_point> point(in.size());
   in.download_values();
@@ -119,7 +120,6 @@ Cloud_measure measure_cloud(Backend& backend, const Import& in)
   std::vector<Grid_point> sample = sample_cells(backend, point);
   Cloud_measure measure = measure_sample(backend, sample);
   const double spacing = measure.spacing;
-  using namespace tuning::estimation;
   for(int i = 0; i < maximum_thinnings && measure.thickness > ball_thickness && sample.size() > minimum_sample; ++i) {
     sample = thinned(sample);
     measure = measure_sample(backend, sample);

@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_INDEX_H
 
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
+#include <CGAL/Tandem/internal/base/tuning/exactness.h>
 
 #include <algorithm>
 #include <cstdint>

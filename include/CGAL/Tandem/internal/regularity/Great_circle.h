@@ -8,7 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_GREAT_CIRCLE_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GREAT_CIRCLE_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/exactness.h>
 
 #include <algorithm>
 #include <array>

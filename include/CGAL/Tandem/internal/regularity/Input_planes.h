@@ -126,7 +126,8 @@ private:
     const Vector n = {c[0], c[1], c[2]};
     const bool has_normal = dot(n, n) > 0;
     fits_.push_back({scatter, fit_plane(scatter)});
-    is_excluded_.push_back(!has_normal || moments.count < 3 || !(e.value[1] > 1e-12 * e.value[2]));
+    is_excluded_.push_back(!has_normal || moments.count < 3 ||
+                           !(e.value[1] > tuning::exactness::minimum_width_ratio2 * e.value[2]));
     given.push_back(has_normal ? given_plane({n, -(dot(n, grid.origin) + c[3]) / grid.step}, scatter.centroid)
                                : Plane{0, 0, 0, 0});
   }

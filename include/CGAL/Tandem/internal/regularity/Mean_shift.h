@@ -13,7 +13,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_MEAN_SHIFT_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_MEAN_SHIFT_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/regularity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +24,12 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// (1 - t / 256)^256, which is exp(-t) within 0.002, cut off at three standard
-// deviations (t = 4.5). A fixed polynomial, since exp() differs between machines.
+// exp(-t) as a fixed polynomial, the power 2^n of 1 - t / 2^n, cut off where the kernel ends.
 inline double gaussian(double t)
 {
-  constexpr double deviations = tuning::clustering::kernel_deviations;
-  double e = t <= deviations * deviations / 2 ? 1 - t * 0.00390625 : 0;
-  for(int k = 0; k < 8; ++k)
+  using namespace tuning::clustering;
+  double e = t <= kernel_deviations * kernel_deviations / 2 ? 1 - t / (1 << kernel_power_bits) : 0;
+  for(int k = 0; k < kernel_power_bits; ++k)
     e *= e;
   return e;
 }

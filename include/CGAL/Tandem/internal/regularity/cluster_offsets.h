@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_OFFSETS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_CLUSTER_OFFSETS_H
 
+#include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/regularity/Mean_shift.h>
 
 #include <utility>

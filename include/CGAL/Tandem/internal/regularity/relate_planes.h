@@ -25,7 +25,7 @@ inline double resolve_maximum_distance(const Import& in, const std::vector<int>&
     return options.maximum_distance;
   const double estimate = (std::max)(estimate_maximum_distance(in, plane_of, planes), options.maximum_offset);
   const double extent = in.size() > 0 ? in.box.extent() : 0;
-  const double smallest = extent > 0 ? extent * 1e-6 : 1;
+  const double smallest = extent > 0 ? extent * tuning::estimation::smallest_distance : 1;
   return bounded_length((std::max)(estimate, smallest));
 }
 

@@ -8,7 +8,8 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_RELATIONS_H
 
 #include <CGAL/Tandem/internal/base/Moments.h>
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/exactness.h>
+#include <CGAL/Tandem/internal/base/tuning/regularity.h>
 #include <CGAL/Tandem/internal/base/planes.h>
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 

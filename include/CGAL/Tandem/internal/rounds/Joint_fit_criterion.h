@@ -7,7 +7,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_JOINT_FIT_CRITERION_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_JOINT_FIT_CRITERION_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/exactness.h>
+#include <CGAL/Tandem/internal/base/tuning/merging.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 
 #include <algorithm>
@@ -78,7 +79,9 @@ struct Joint_fit_criterion {
   {
     const Symmetric_matrix joint = joint_matrix(a.scatter, b.scatter);
     const double maximum = a.fit.smallest + maximum_excess(a) + b.fit.smallest + maximum_excess(b);
-    return has_eigenvalues_above(joint, std::fma(1e-8, joint.xx + joint.yy + joint.zz, 1.000001 * maximum));
+    const double trace = joint.xx + joint.yy + joint.zz;
+    return has_eigenvalues_above(
+      joint, std::fma(tuning::exactness::eigenvalue_margin, trace, tuning::exactness::bound_factor * maximum));
   }
 
   // Without the cheap test before.

@@ -12,6 +12,7 @@
 #include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
 #include <CGAL/Tandem/internal/rounds/Shape_relations.h>
 #include <CGAL/Tandem/internal/rounds/split_layers.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 
 #include <cstdint>
 #include <cstdlib>

@@ -57,7 +57,8 @@ struct Count_distances {
       if(s >= first_mark || histogram_of[s] == no_index)
         return;
       const std::uint32_t h = histogram_of[s];
-      const std::int64_t from_first = signed_distance(test[h].plane, cloud.point[cell.first + at]) + 2 * epsilon;
+      const std::int64_t from_first =
+        signed_distance(test[h].plane, cloud.point[cell.first + at]) + tuning::layers::reach * epsilon;
       const std::int64_t bin = from_first / (epsilon / tuning::layers::bins_per_distance);
       if(bin >= 0 && bin < tuning::layers::bins)
         Backend::atomic_add(histogram[h * tuning::layers::bins + std::uint32_t(bin)], std::uint64_t(1));
@@ -103,8 +104,9 @@ CGAL_TANDEM_HD inline double find_layer(const std::int64_t* density, bool is_cro
       highest = density[bin];
       peak = bin;
     }
-  return is_crooked || peak_height.is_reached(highest, middle) ? (peak + 0.5) / tuning::layers::bins_per_distance - 2
-                                                               : 0;
+  if(!is_crooked && !peak_height.is_reached(highest, middle))
+    return 0;
+  return (peak + 0.5) / tuning::layers::bins_per_distance - tuning::layers::reach;
 }
 
 struct Find_layer {

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_OPTIONS_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 #include <CGAL/Tandem/internal/shapes/Growth_options.h>
 
@@ -37,7 +37,7 @@ struct Exact_bounds {
   }
 };
 
-// Lengths are grid steps, sizes are numbers of points. See the manual, "Choosing Parameters", and Tuning.h.
+// Lengths are grid steps, sizes are numbers of points. See the manual, "Choosing Parameters", and base/tuning.
 struct Options {
   Growth_options growth;
   Regularity_options regularity;

@@ -9,6 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_SHAPES_SEEDS_H
 
 #include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
 namespace CGAL {
@@ -95,7 +96,8 @@ private:
   CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
   {
     const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);
-    if(2 * score.fitting < cloud.k)
+    constexpr tuning::Share share = tuning::growth::seed_share;
+    if(!share.is_reached(score.fitting, cloud.k))
       return not_a_seed;
     const Grid_point& p = cloud.point[i];
     const std::int64_t x = p.x - (std::int64_t(box.low[0]) + box.high[0]) / 2;

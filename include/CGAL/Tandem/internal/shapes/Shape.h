@@ -9,7 +9,8 @@
 
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/growth.h>
+#include <CGAL/Tandem/internal/base/tuning/regularity.h>
 #include <CGAL/Tandem/internal/base/planes.h>
 
 #include <cstdint>

@@ -6,7 +6,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_TESTED_SHAPE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_TESTED_SHAPE_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/growth.h>
+#include <CGAL/Tandem/internal/base/tuning/regularity.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
 
 #include <cstdint>

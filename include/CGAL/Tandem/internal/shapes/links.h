@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/tuning/merging.h>
 #include <CGAL/Tandem/internal/base/pairs.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 

@@ -8,7 +8,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_UPDATE_SHAPES_H
 
-#include <CGAL/Tandem/internal/base/Tuning.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
@@ -58,7 +57,7 @@ void merge_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   Backend& backend = points.backend;
   require(points, shapes, tables::moments);
   Shared_moments* const joined = start_deltas(backend, shapes, shapes.size);
-  for_each_shape(backend, shapes, Join_shape<Backend>{shapes.change_moments(), target.data(), joined});
+  for_each_shape(backend, shapes, Join_shape<Backend>{shapes.counted(), target.data(), joined});
   for_each_shape(backend, shapes, Take_joined{shapes.change_moments(), joined});
 }
 
