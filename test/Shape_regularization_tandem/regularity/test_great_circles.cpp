@@ -9,7 +9,7 @@
 #include "testing/checks.h"
 
 #include <CGAL/Tandem/internal/regularity/Frames.h>
-#include <CGAL/Tandem/internal/regularity/relations.h>
+#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
 
 #include <cstring>
 #include <functional>
@@ -178,7 +178,8 @@ Direction_group make_group(Random& random, const Vector& normal, bool is_small)
     return Symmetric_matrix{s * a.x * a.x, s * a.x * a.y, s * a.x * a.z, s * a.y * a.y, s * a.y * a.z, s * a.z * a.z};
   };
   const double width = is_small ? 10 : 10 + 1e4 * random.uniform() * random.uniform();
-  Direction_group g = {{0}, .14, {}, double(100 + random.below(3)), {}, {}, {}, 0, {}, false};
+  Direction_group g = direction_group({0}, .14);
+  g.weight = double(100 + random.below(3));
   g.matrix = term(g.weight * width * width, u) + term(g.weight * width * width * random.uniform(), v) +
              term(g.weight * random.uniform(), n);
   if(random.below(4) == 0)

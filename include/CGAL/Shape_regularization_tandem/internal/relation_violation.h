@@ -9,6 +9,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
+#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,8 @@
 
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -139,6 +141,14 @@ CGAL_TANDEM_HD inline Fit fit_plane(const Scatter& s)
   const Eigen_system e = eigen_system(s.matrix);
   return {e.vector[0], e.value[0] > 0 ? e.value[0] : 0, e.value[2] > 0 ? e.value[2] : 0};
 }
+
+// A shape: its scatter and its local least-squares plane, which passes through the centroid and has a unit normal.
+struct Shape_fit {
+  Scatter scatter;
+  Fit fit;
+};
+
+using Shape_fits = std::vector<Shape_fit>;
 
 } // namespace internal
 } // namespace Tandem
