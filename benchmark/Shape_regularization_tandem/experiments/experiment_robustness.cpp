@@ -44,7 +44,7 @@ void run_robustness(const Experiment_options& options)
         append_cell(columns, "percent", percent);
         append_cell(columns, "scene_seed", seed);
         for(const std::string& method : regularized_methods(options))
-          trials.add(c, method, c.task, columns);
+          trials.add(c, c.task, {method, columns});
       }
     trials.write();
   }
