@@ -27,7 +27,8 @@ public:
   Walls() : cloud(backend_) // which is empty: no point rejects anything
   {
     options.maximum_distance = 1500;
-    options.regularity = {8, 1500, 1500, true, true, true, false};
+    options.regularity.angle_tolerance_deg = 8;
+    options.regularity.maximum_offset = options.regularity.maximum_distance = 1500;
     options.minimum_regular_size = 10;
     options.minimum_related_size = 40;
     options.regularity_period = 1;

@@ -60,14 +60,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));
   o.tight = make_tolerance(o.maximum_distance * tuning::growth::tight_distance_share,
                            cosine_deg(p.maximum_angle * tuning::growth::tight_angle_share));
-  o.regularity = {p.angle_tolerance,
-                  p.maximum_offset / step,
-                  o.maximum_distance,
-                  p.regularize_parallelism,
-                  p.regularize_orthogonality,
-                  p.regularize_coplanarity,
-                  false};
-  set_given_directions(p, o.regularity);
+  o.regularity = make_regularity_options(p, p.angle_tolerance, step);
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
   // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.
   const double certain_distance = (std::max)(o.maximum_distance - distance_margin(in.grid), -1.);

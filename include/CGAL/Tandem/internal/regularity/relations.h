@@ -23,11 +23,11 @@ namespace internal {
 inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
 
 struct Regularity_options {
-  double angle_tolerance_deg; // beta, in [0, 45)
-  double maximum_offset;      // sigma, the radius of coplanar classes
-  double maximum_distance;    // epsilon
-  bool parallelism, orthogonality, coplanarity;
-  bool is_last; // growth has ended: everything that is rejected is tried again, and leftovers join directions
+  double angle_tolerance_deg = 0; // beta, in [0, 45)
+  double maximum_offset = 0;      // sigma, the radius of coplanar classes
+  double maximum_distance = 0;    // epsilon
+  bool parallelism = true, orthogonality = true, coplanarity = true;
+  bool is_last = false; // growth has ended: everything that is rejected is tried again, and leftovers join directions
   // The most misfits by which a shape accepts a relation, whatever their share: in the loop they would grow again as
   // strips beside it. But never less than strip_share of its points.
   double points_of_strips = std::numeric_limits<double>::infinity();
