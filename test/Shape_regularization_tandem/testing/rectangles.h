@@ -7,10 +7,11 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RECTANGLES_H
 
 #include "checks.h"
+#include "same_bits.h"
+#include "scatters.h"
 
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 
-#include <cstring>
 #include <functional>
 #include <random>
 #include <string>
@@ -26,12 +27,6 @@ inline Vector polar(double azimuth_deg, double elevation_deg)
 {
   const double c = cosine_deg(elevation_deg);
   return {c * cosine_deg(azimuth_deg), c * sine_deg(azimuth_deg), sine_deg(elevation_deg)};
-}
-
-// s v v^T
-inline Symmetric_matrix square(double s, const Vector& v)
-{
-  return {s * v.x * v.x, s * v.x * v.y, s * v.x * v.z, s * v.y * v.y, s * v.y * v.z, s * v.z * v.z};
 }
 
 struct Rectangle {
@@ -109,8 +104,6 @@ inline Relations run(const std::vector<Rectangle>& rectangles, const Regularity_
 {
   return run(rectangles, 2, 1e30, options);
 }
-
-inline bool is_same(const Vector& a, const Vector& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 // What every result promises.
 inline void check_tables(const Relations& r, std::size_t n, const std::string& what)
