@@ -8,7 +8,9 @@
 
 #include <CGAL/Tandem/internal/base/planes.h>
 
+#include <algorithm>
 #include <cstring>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -19,6 +21,12 @@ inline bool is_same(const Vector& a, const Vector& b) { return std::memcmp(&a, &
 inline bool is_same(const Regular_plane& a, const Regular_plane& b)
 {
   return is_same(a.normal, b.normal) && std::memcmp(&a.offset, &b.offset, sizeof a.offset) == 0;
+}
+
+inline bool are_same(const std::vector<Regular_plane>& a, const std::vector<Regular_plane>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Regular_plane& p, const Regular_plane& q) { return is_same(p, q); });
 }
 
 } // namespace internal

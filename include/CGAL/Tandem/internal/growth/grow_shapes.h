@@ -131,12 +131,20 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   }
   Shape* const table = shapes.change_moments(); // also where they move
   Ids new_id(ids);
-  backend.for_each(size,
-                   Take_growth{shapes.table().data(), shapes.plane.data(), moves ? shape.data() : table,
-                               moves ? plane.data() : shapes.plane.data(), shapes.steps.data(),
-                               shapes.is_restarted.data(), delta, is_sparse ? kept.data() : nullptr, started.data(),
-                               std::uint32_t(number_kept), std::uint32_t(first_new), new_id.data()},
-                   shapes_per_thread);
+  Take_growth take = {};
+  take.old_shape = shapes.table().data();
+  take.old_plane = shapes.plane.data();
+  take.shape = moves ? shape.data() : table;
+  take.plane = moves ? plane.data() : shapes.plane.data();
+  take.steps = shapes.steps.data();
+  take.is_restarted = shapes.is_restarted.data();
+  take.delta = delta;
+  take.kept = is_sparse ? kept.data() : nullptr;
+  take.started = started.data();
+  take.number_kept = std::uint32_t(number_kept);
+  take.first_new = std::uint32_t(first_new);
+  take.new_id = new_id.data();
+  backend.for_each(size, take, shapes_per_thread);
   if(moves) {
     shapes.table() = std::move(shape);
     shapes.plane = std::move(plane);

@@ -48,14 +48,13 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
   const float grid = 0.25f; // above the variance of rounding to the grid
   const float flat = to_float(noiseless_share * epsilon_grid);
   const float clutter = to_float(clutter_share * epsilon_grid);
-  const int k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
-  return {cloud,
-          nullptr,
-          nullptr,
-          candidate,
-          k,
-          to_float(exact_product(flat, flat) + grid),
-          to_float(exact_product(clutter, clutter))};
+  Workspace w = {};
+  w.cloud = cloud;
+  w.candidate = candidate;
+  w.k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
+  w.flat = to_float(exact_product(flat, flat) + grid);
+  w.minimum_clutter2 = to_float(exact_product(clutter, clutter));
+  return w;
 }
 
 // The point itself and its k nearest neighbors.

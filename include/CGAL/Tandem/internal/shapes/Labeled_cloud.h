@@ -55,6 +55,12 @@ struct Cells_view {
   }
 };
 
+struct Border_view {
+  const Range* range;
+  const std::uint32_t* point;
+  const std::uint32_t* proposal;
+};
+
 // The points with a neighbor in another cell, ascending, so cell by cell. Only they can be reached by shapes of other
 // cells. `proposal` is new in each pass of growth; the others never change.
 template <class Backend>
@@ -65,6 +71,8 @@ struct Border {
   Buffer<Range> range; // by cell: its entries in the next two
   Buffer<std::uint32_t> point;
   Buffer<std::uint32_t> proposal; // the shape that the point joins next, or no_index
+
+  Border_view view() const { return {range.data(), point.data(), proposal.data()}; }
 };
 
 // When the bits of interior points were made. Points may have lost their labels since, but within one phase only.

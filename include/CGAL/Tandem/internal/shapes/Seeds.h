@@ -49,11 +49,19 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
 
 // The candidates of a cell are seed[cell.first] ... seed[cell.first + count[c] - 1]; those before cursor[c] are used
 // up. Candidates stay in their order; growth only moves the cursors. `count` and `cursor` are by cell.
+struct Seeds_view {
+  const std::uint32_t* seed;
+  const std::uint32_t* count;
+  std::uint32_t* cursor;
+};
+
 template <class Backend>
 struct Seeds {
   typename Backend::template Buffer<std::uint32_t> seed;
   typename Backend::template Buffer<std::uint32_t> count;
   typename Backend::template Buffer<std::uint32_t> cursor;
+
+  Seeds_view view() { return {seed.data(), count.data(), cursor.data()}; }
 };
 
 // Above all keys of seeds, so these points are sorted to the end of their cell.
