@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Distance in grid steps. The result is rounded to integers once, so that all tests of points are exact.
+// The bounds of a test of points; the distance is in grid steps. The result is rounded to integers once, so that all
+// tests of points are exact.
 inline Tolerance make_tolerance(double distance, double cosine)
 {
   return {std::int64_t(llrint(distance * normal_scale)), std::int64_t(llrint(cosine * cosine * 4294967296.0))};
@@ -41,8 +42,8 @@ inline Growth_options make_growth_options(const Parameters& p, const Tolerance& 
 
 static_assert(smallest_angle_deg > 2 * tuning::exactness::packing_margin_deg, "exact normals would not fit");
 
-// `certain` is what an integer test accepts without doubt: tighter by all roundings of distance and angle. `exact` is
-// in the caller's units, hence not divided by the step.
+// The options of a detection. `certain` is what an integer test accepts without doubt: tighter by all roundings of
+// distance and angle. `exact` is in the caller's units, hence not divided by the step.
 inline Options make_options(const Import& in, const Parameters& p)
 {
   Options o;

@@ -53,7 +53,7 @@ struct Propose {
   }
 };
 
-// What the cells have from pass to pass
+// The tables that cells keep from pass to pass.
 struct Cell_tables {
   Cells_view cells;
   Border_view border;
@@ -107,8 +107,8 @@ struct Copy_for_growth {
   }
 };
 
-// One pass. Returns the end of the ids: each cell has some of its own for shapes that may start, so that cells need no
-// common counter, and new ids follow from the order of cells and seeds.
+// Runs one pass of growth over all cells. Returns the end of the ids: each cell has some of its own for shapes that may
+// start, so that cells need no common counter, and new ids follow from the order of cells and seeds.
 template <class Backend>
 std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
                        const Growth_options& options)
@@ -166,7 +166,7 @@ struct Find_untried_cells {
   }
 };
 
-// Counts these cells, with one test for each seed from the cursors on. Changes nothing.
+// Counts the cells that have many untried seeds, with one test for each seed from the cursors on. Changes nothing.
 template <class Backend>
 std::size_t count_untried_cells(Labeled_cloud<Backend>& points, Seeds<Backend>& seeds, std::int64_t minimum_region_size)
 {

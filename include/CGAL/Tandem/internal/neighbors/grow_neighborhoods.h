@@ -42,7 +42,7 @@ struct Workspace {
   float minimum_clutter2; // squared distance from the plane
 };
 
-// epsilon_grid: epsilon in grid steps. The tables of neighborhoods are set by the caller.
+// The workspace of an estimation, for epsilon in grid steps. The tables of neighborhoods are set by the caller.
 inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_grid)
 {
   const float grid = 0.25f; // above the variance of rounding to the grid
@@ -57,7 +57,7 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
   return w;
 }
 
-// The point itself and its k nearest neighbors.
+// The neighborhood of point i and its k nearest neighbors.
 CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i, int k)
 {
   const Grid_point p = w.cloud.point[i];
@@ -96,8 +96,8 @@ CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float 
   return encode_normal({n.x, n.y, n.z});
 }
 
-// What candidates are compared by: expected error from noise, and a penalty for being thick, as across an edge. Here
-// and below products are exact, so that no compiler can contract a sum differently.
+// The cost by which candidates are compared: expected error from noise, and a penalty for being thick, as across an
+// edge. Here and below products are exact, so that no compiler can contract a sum differently.
 CGAL_TANDEM_HD inline float cost(const Candidate& c)
 {
   return to_float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));
