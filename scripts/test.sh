@@ -61,7 +61,7 @@ install_mpi()
 install()
 {
   case $1 in
-    style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy ;;
+    style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy python3 ;;
     release) "$root/scripts/install_dependencies.sh" gnuplot-nox libjs-three libbenchmark-dev libnanoflann-dev help2man ||
       echo "not all can be installed: pictures or --view are not tested, or micro-benchmarks or the manual page not built"
       # shellcheck disable=SC2086
@@ -116,17 +116,20 @@ configuration()
     fail "tests of $name failed"
 }
 
-# Format of all sources, order of the includes, and clang-tidy on the engine.
+# Format and lengths of all sources, order of the includes, and clang-tidy on the engine.
 run_style()
 {
   step format
   find "$root/include" "$root/examples" "$root/test" "$root/benchmark" "$root/cmake" "$root/doc" \
     \( -name '*.h' -o -name '*.cpp' -o -name '*.cuh' -o -name '*.cu' \) -exec clang-format --dry-run --Werror {} + ||
     fail "clang-format would change these files"
+  step limits
+  python3 "$root/test/Shape_regularization_tandem/scripts/test_check_limits.py" > "$build/limits.log" 2>&1 ||
+    { cat "$build/limits.log" >&2; fail "check_limits.py does not see what is too long"; }
+  "$root/scripts/check_limits.py" || fail "sources are longer than CONTRIBUTING.md allows"
   step includes
   "$root/scripts/check_includes.sh" || fail "includes run against the order of the folders"
   step clang-tidy
-  mkdir -p "$build"
   clang-tidy --quiet "$root/include/CGAL/Tandem/internal/engine/tandem_engine_sequential.cpp" -- -std=c++17 "-I$root/include" \
     > "$build/tidy.log" 2>&1 || { cat "$build/tidy.log" >&2; fail "clang-tidy complains"; }
 }
@@ -247,7 +250,6 @@ run_cuda()
 # In the folder of the release build, where it has been compiled.
 run_benchmark()
 {
-  mkdir -p "$build"
   step measure
   TANDEM_BUILD_DIR=$build/release TANDEM_JOBS=$jobs TANDEM_SKIP_INSTALL=1 \
     "$root/scripts/benchmark.sh" --quick > "$build/benchmark.log" 2>&1 ||
@@ -256,7 +258,6 @@ run_benchmark()
 
 run_doc()
 {
-  mkdir -p "$build"
   "$root/scripts/check_doc.sh" > "$build/doc.log" 2>&1 || { cat "$build/doc.log" >&2; fail "the manual is not as it should be"; }
 }
 

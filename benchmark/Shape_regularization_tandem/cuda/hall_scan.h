@@ -27,7 +27,7 @@ public:
   explicit Hall_scan(std::uint64_t seed = 1, int boxes = 60, double outliers = 0.02) : seed_(seed), outliers_(outliers)
   {
     Dice dice(seed);
-    boxes_.push_back({{0, 0, 7.5}, {30, 20, 7.5}, 1, 0});
+    boxes_.push_back({{0, 0, 7.5}, {30, 20, 7.5}, 1, 0, true});
     for(int i = 1; i < boxes; ++i) {
       const double size = 0.15 * std::pow(30, dice.uniform());
       const double turn = dice.uniform() < 0.6 ? 0 : 3.14159265 * dice.uniform();
@@ -54,6 +54,7 @@ public:
 private:
   struct Box {
     double center[3], half[3], cosine, sine;
+    bool is_hall = false;
   };
 
   class Dice {
@@ -96,8 +97,8 @@ private:
     const double ray[3] = {std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)};
     double nearest = 1e30;
     Sample s = {{0, 0, 0}, {0, 0, 1}};
-    for(std::size_t b = 0; b < boxes_.size(); ++b)
-      meet(boxes_[b], b == 0, from, ray, nearest, s.normal);
+    for(const Box& box : boxes_)
+      meet(box, from, ray, nearest, s.normal);
     nearest += 0.003 * dice.bell();
     for(int c = 0; c < 3; ++c) {
       s.position[c] = from[c] + nearest * ray[c];
@@ -107,7 +108,7 @@ private:
   }
 
   // Slabs, in the frame of the box; the hall is seen from inside.
-  static void meet(const Box& box, bool is_hall, const double* from, const double* ray, double& nearest, double* normal)
+  static void meet(const Box& box, const double* from, const double* ray, double& nearest, double* normal)
   {
     const double x = from[0] - box.center[0], y = from[1] - box.center[1];
     const double o[3] = {box.cosine * x + box.sine * y, box.cosine * y - box.sine * x, from[2] - box.center[2]};
@@ -125,9 +126,9 @@ private:
         leave_axis = a;
       }
     }
-    const double t = is_hall ? leave : enter;
-    const int axis = is_hall ? leave_axis : enter_axis;
-    if(!(t < nearest) || (!is_hall && (enter > leave || enter < 0.2)))
+    const double t = box.is_hall ? leave : enter;
+    const int axis = box.is_hall ? leave_axis : enter_axis;
+    if(!(t < nearest) || (!box.is_hall && (enter > leave || enter < 0.2)))
       return;
     nearest = t;
     normal[0] = axis == 0 ? box.cosine : axis == 1 ? -box.sine : 0;

@@ -38,7 +38,7 @@ void run_regularity(const Experiment_options& options)
         task.angle_tolerance_deg = beta;
         Row columns;
         append_cell(columns, "beta", beta);
-        trials.add(c, method, task, columns, "", &base);
+        trials.add(c, task, {method, columns, "", &base});
       }
     }
   trials.write();
@@ -60,7 +60,7 @@ void run_cell_size(const Experiment_options& options)
         Row columns;
         append_cell(columns, "points_in_a_cell", size);
         append_cell(columns, "repeat", repeat);
-        trials.add(c, "tandem", task, columns);
+        trials.add(c, task, {"tandem", columns});
       }
   trials.write();
 }

@@ -97,7 +97,7 @@ private:
       Row columns;
       append_cell(columns, "sweep", sweep);
       append_cell(columns, "value", value);
-      const Row& row = trials_.add(c, name, task, columns);
+      const Row& row = trials_.add(c, task, {name, columns});
       if(cell(row, "finished") != "true")
         return 1e300;
       fastest = (std::min)(fastest, std::atof(cell(row, "user_seconds").c_str()));

@@ -25,7 +25,7 @@ void run_stability(const Experiment_options& options)
       task.maximum_angle_deg = 45; // so that epsilon alone decides how far a shape reaches
       Row columns;
       append_cell(columns, "epsilon_percent", percent);
-      trials.add(c, method, task, columns);
+      trials.add(c, task, {method, columns});
     }
   trials.write();
 }

@@ -36,7 +36,7 @@ void add_periods(Trials& trials, const Named_cloud& c, const std::string& series
     append_cell(columns, "series", series);
     append_cell(columns, "period", period_name(period));
     append_cell(columns, "position", position++);
-    trials.add(c, "tandem", task, columns, "Tandem, regularized: " + period_name(period));
+    trials.add(c, task, {"tandem", columns, "Tandem, regularized: " + period_name(period)});
   }
   trials.write();
 }

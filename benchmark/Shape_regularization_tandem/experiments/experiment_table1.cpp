@@ -48,7 +48,7 @@ void run_table1(const Experiment_options& options)
     for(const std::string& method : regularized_methods(options)) {
       Task task = c.task;
       task.threads = options.threads;
-      trials.add(c, method, task, columns);
+      trials.add(c, task, {method, columns});
     }
     trials.write();
   }

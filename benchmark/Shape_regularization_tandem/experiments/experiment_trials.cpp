@@ -51,20 +51,19 @@ Trials::Trials(const Experiment_options& options, const std::string& name) : opt
               "coverage", "shapes", "direct", "planes", "complex", "F1");
 }
 
-const Row& Trials::add(const Named_cloud& c, const std::string& contestant_name, const Task& task, const Row& columns,
-                       const std::string& method, const Run* base)
+const Row& Trials::add(const Named_cloud& c, const Task& task, const Trial& trial)
 {
-  const Contestant who = contestant(contestant_name);
-  const Run run = run_isolated(who, c.cloud, task, options_.time_limit, base);
-  Row row = columns;
+  const Contestant who = contestant(trial.contestant);
+  const Run run = run_isolated(who, c.cloud, task, options_.time_limit, trial.base);
+  Row row = trial.columns;
   append_cell(row, "contestant", who.name);
-  append_cell(row, "method", method.empty() ? who.description : method);
+  append_cell(row, "method", trial.method.empty() ? who.description : trial.method);
   append_task(row, c.name, c.cloud.points.size(), task);
   append_run(row, who, run);
   if(run.finished)
     append_judgement(row, c, task, run);
   rows_.push_back(row);
-  print(row, columns);
+  print(row, trial.columns);
   return rows_.back();
 }
 

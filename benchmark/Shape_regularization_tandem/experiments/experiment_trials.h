@@ -13,15 +13,20 @@ namespace CGAL {
 namespace Tandem {
 namespace benchmark {
 
+struct Trial {
+  std::string contestant;
+  Row columns;               // the step of the experiment
+  std::string method = "";   // its name in the table; by default as the contestant describes itself
+  const Run* base = nullptr; // continued by this one
+};
+
 // The runs of an experiment, printed as they are done and kept as rows.
 class Trials {
 public:
   Trials(const Experiment_options& options, const std::string& name);
 
-  // One run in a process of its own. `columns` tell the step of the experiment; `method` names it in the table, by
-  // default as the contestant does. The row that was added; the run may have failed.
-  const Row& add(const Named_cloud& c, const std::string& contestant_name, const Task& task, const Row& columns,
-                 const std::string& method = "", const Run* base = nullptr);
+  // One run in a process of its own. The row that was added; the run may have failed.
+  const Row& add(const Named_cloud& c, const Task& task, const Trial& trial);
 
   // The run of the contestant's base, to be continued by add(); not finished if there is no base.
   Run run_base(const Named_cloud& c, const std::string& contestant_name, const Task& task) const;

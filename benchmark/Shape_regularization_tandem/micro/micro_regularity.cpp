@@ -54,7 +54,10 @@ Shape_fits make_shapes(std::size_t n)
 
 Regularity_options options()
 {
-  return {angle_tolerance_deg, maximum_distance, maximum_distance, true, true, true, false};
+  Regularity_options o;
+  o.angle_tolerance_deg = angle_tolerance_deg;
+  o.maximum_offset = o.maximum_distance = maximum_distance;
+  return o;
 }
 
 // No point misfits.

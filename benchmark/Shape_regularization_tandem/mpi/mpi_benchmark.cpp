@@ -69,6 +69,15 @@ std::uint64_t hash_of_labels(const Shapes& shapes, std::size_t points, std::size
   return sum;
 }
 
+struct Job {
+  std::string backend;
+  Cloud cloud;
+  std::size_t first; // number of the first point of this rank
+  int runs;
+  double before; // bytes of this process when it had nothing but the points
+  std::size_t minimum_region_size;
+};
+
 struct Row {
   double wall = 0, memory = 0;                    // seconds, bytes
   std::array<double, number_of_stages> sent = {}; // bytes, by stage
@@ -76,9 +85,8 @@ struct Row {
   CGAL::Tandem::Statistics statistics;
 };
 
-// first: number of the first point of this rank. before: bytes of this process when it had nothing but the points.
 template <class Traits, class NP, class Bytes>
-Row detect(const Cloud& cloud, std::size_t first, const NP& np, const Traits& traits, Bytes bytes_sent, double before)
+Row detect(const Job& job, const NP& np, const Traits& traits, Bytes bytes_sent)
 {
   Row row;
   Stage stage = Stage::sort;
@@ -90,13 +98,14 @@ Row detect(const Cloud& cloud, std::size_t first, const NP& np, const Traits& tr
     return true;
   };
   const auto start = std::chrono::steady_clock::now();
-  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(cloud, np.callback(CGAL::Tandem::Callback(count)), traits);
+  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(job.cloud, np.callback(CGAL::Tandem::Callback(count)),
+                                                           traits);
   detection.detect();
   const auto shapes = detection.shapes();
   row.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   row.sent[number_of_stages - 1] += bytes_sent() - sent;
-  row.memory = memory("VmHWM") - before;
-  row.hash = hash_of_labels(shapes, cloud.size(), first);
+  row.memory = memory("VmHWM") - job.before;
+  row.hash = hash_of_labels(shapes, job.cloud.size(), job.first);
   row.statistics = shapes.statistics();
   return row;
 }
@@ -115,15 +124,6 @@ void print(const Row& row, int ranks, const std::string& backend)
             << row.hash << std::dec << std::endl;
 }
 
-struct Job {
-  std::string backend;
-  Cloud cloud;
-  std::size_t first;
-  int runs;
-  double before;
-  std::size_t minimum_region_size;
-};
-
 // bytes_sent: from the traits.
 template <class Tag, class Bytes>
 void run_with(const Job& job, const boost::mpi::communicator& world, Bytes bytes_sent)
@@ -136,8 +136,7 @@ void run_with(const Job& job, const boost::mpi::communicator& world, Bytes bytes
                     .minimum_region_size(job.minimum_region_size);
   for(int run = 0; run < job.runs; ++run) {
     world.barrier();
-    Row row = detect(
-      job.cloud, job.first, np, traits, [&] { return double(bytes_sent(traits)); }, job.before);
+    Row row = detect(job, np, traits, [&] { return double(bytes_sent(traits)); });
     MPI_Allreduce(MPI_IN_PLACE, &row.wall, 2, MPI_DOUBLE, MPI_MAX, world);
     MPI_Allreduce(MPI_IN_PLACE, row.sent.data(), int(row.sent.size()), MPI_DOUBLE, MPI_SUM, world);
     MPI_Allreduce(MPI_IN_PLACE, &row.hash, 1, MPI_UINT64_T, MPI_SUM, world);
@@ -191,12 +190,11 @@ int main(int argc, char** argv)
   const std::size_t points = argc > 3 ? std::size_t(std::strtod(argv[3], nullptr)) : 0;
   const std::size_t rank = std::size_t(world.rank()), ranks = std::size_t(world.size());
   const bool are_tiles = kind == "tiles";
-  Job job = {backend,
-             {},
-             are_tiles ? points * rank : points * rank / ranks,
-             argc > 4 ? std::atoi(argv[4]) : 1,
-             0,
-             (std::max)(std::size_t(200), points / 10000)};
+  Job job = {};
+  job.backend = backend;
+  job.first = are_tiles ? points * rank : points * rank / ranks;
+  job.runs = argc > 4 ? std::atoi(argv[4]) : 1;
+  job.minimum_region_size = (std::max)(std::size_t(200), points / 10000);
   if((are_tiles || kind == "strong") && points > 0) {
     job.cloud = are_tiles ? scan(0, points, 100 * float(rank)) : scan(job.first, points * (rank + 1) / ranks, 0);
     job.before = memory("VmRSS");

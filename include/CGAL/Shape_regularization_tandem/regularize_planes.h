@@ -30,14 +30,8 @@ inline Regularity_options check_plane_options(const Parameters& p, bool has_dist
   if(has_distance)
     check_length("maximum_distance", p.maximum_distance, smallest_length);
   check_directions(p);
-  Regularity_options options = {p.maximum_angle,
-                                p.maximum_offset,
-                                p.maximum_distance,
-                                p.regularize_parallelism,
-                                p.regularize_orthogonality,
-                                p.regularize_coplanarity,
-                                true};
-  set_given_directions(p, options);
+  Regularity_options options = make_regularity_options(p, p.maximum_angle, 1);
+  options.is_last = true;
   return options;
 }
 

@@ -56,23 +56,25 @@ void test_box(const std::string& kernel, double noise, double exactness, double 
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+enum Switches { parallelism = 1, orthogonality = 2, coplanarity = 4 };
+
 void test_switches()
 {
   const Scene<Kernel> box = make_box<Kernel>(1, 0.005);
-  auto run = [&](bool parallel, bool orthogonal, bool coplanar) {
+  auto run = [&](int off) {
     Scene<Kernel> s = box;
     return CGAL::Tandem::regularize_planes(s.planes, s.points,
                                            np::plane_index_map(s.index_map())
                                              .maximum_angle(8)
                                              .maximum_offset(0.05)
-                                             .regularize_parallelism(parallel)
-                                             .regularize_orthogonality(orthogonal)
-                                             .regularize_coplanarity(coplanar));
+                                             .regularize_parallelism((off & parallelism) == 0)
+                                             .regularize_orthogonality((off & orthogonality) == 0)
+                                             .regularize_coplanarity((off & coplanarity) == 0));
   };
-  check_equal(double(run(true, false, true).orthogonal_groups.size()), 0, "right angles, orthogonality off");
-  check_equal(double(run(true, true, false).number_of_coplanar_groups()), 8, "planes, coplanarity off");
-  check_equal(double(run(false, false, true).number_of_parallel_groups()), 8, "directions, parallelism off");
-  for(bool changed : run(false, false, false).is_changed)
+  check_equal(double(run(orthogonality).orthogonal_groups.size()), 0, "right angles, orthogonality off");
+  check_equal(double(run(coplanarity).number_of_coplanar_groups()), 8, "planes, coplanarity off");
+  check_equal(double(run(parallelism | orthogonality).number_of_parallel_groups()), 8, "directions, parallelism off");
+  for(bool changed : run(parallelism | orthogonality | coplanarity).is_changed)
     check(!changed, "nothing changes with all switches off");
 }
 

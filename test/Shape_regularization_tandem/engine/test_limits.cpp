@@ -179,7 +179,15 @@ void test_faces_behind_patches()
   test_faces_behind_patches(make_rough_faces(.02), make_patches(1000), 100, 8192);
   test_faces_behind_patches(make_rough_faces(.02), make_patches(1000), points_of_patch + 1, 8192);
   // No cell has as many points of a face as the smallest shape.
-  test_faces_behind_patches({3, 8000, 1, 1, 2, .02, .1}, {30000, 13, .03, 0, 3, 0, 0}, 5000, 8192);
+  Squares faces = make_rough_faces(.02), patches = make_patches(30000);
+  faces.count = 3;
+  faces.points = 8000;
+  faces.low = 1;
+  faces.high = 2;
+  patches.points = 13;
+  patches.side = .03;
+  patches.high = 3;
+  test_faces_behind_patches(faces, patches, 5000, 8192);
 }
 
 // Of at most as many points as a point has neighbors.

@@ -10,8 +10,7 @@
 #undef NDEBUG
 
 #include "testing/memory_limit.h"
-#include "testing/mpi_failure.h"
-#include "testing/mpi_support.h"
+#include "testing/mpi_failing_rank.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
@@ -20,32 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <set>
 
 #include <malloc.h>
-
-namespace np = CGAL::Tandem::parameters;
-using CGAL::Tandem::Callback;
-
-Dealt_case make_case()
-{
-  Parameters parameters = make_parameters(.01, 30);
-  parameters.cell_size = 64;
-  return {{"cube", to_cloud(scenes::make_scene("cube", scene_options(1200, .001, .1))), parameters, Given::normals},
-          Deal::random};
-}
-
-std::set<int> first_and_last(const Ranks& ranks) { return {0, ranks.size() - 1}; }
-
-// The ranks are as they were before.
-void check_alive(const Ranks& ranks) { CHECK(sum_over(ranks, compare_with_one(ranks, {make_case()})) >= 6); }
-
-template <class List>
-auto detect_with(const Ranks& ranks, const Cloud& part, const List& list)
-{
-  return CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(
-    part, list.point_map(First<Kernel>()).normal_map(Second<Kernel>()).communicator(ranks));
-}
 
 void test_parameters(const Ranks& ranks)
 {
@@ -121,24 +96,6 @@ void test_normals_of_some_ranks(const Ranks& ranks)
   check_alive(ranks);
 }
 
-// On one rank it fails at one of the points.
-struct Failing_map {
-  using key_type = Cloud::value_type;
-  using value_type = Kernel::Point_3;
-  using reference = const value_type&;
-  using category = boost::readable_property_map_tag;
-
-  friend reference get(const Failing_map& map, const key_type& item)
-  {
-    if(&item == map.failing)
-      map.fail();
-    return item.first;
-  }
-
-  const key_type* failing;
-  std::function<void()> fail;
-};
-
 template <class Tag>
 void test_map(const Ranks& ranks, const std::string& expected, const std::function<void()>& fail)
 {
@@ -168,15 +125,6 @@ void test_extent(const Ranks& ranks)
   check_failure(ranks, failure_of([&] { detect_with(ranks, c.part(ranks), np::maximum_distance(.01)); }),
                 {"range_error"}, "extent");
   check_alive(ranks);
-}
-
-template <class F>
-std::string failure_with_callback(const Ranks& ranks, int calling, F callback)
-{
-  const Callback none, own = callback;
-  const Cloud part = make_case().part(ranks);
-  const auto list = np::settings(make_case().parameters).callback(ranks.rank() == calling ? own : none);
-  return failure_of([&] { detect_with(ranks, part, list); });
 }
 
 // How often the callback is called in the case of these tests.

@@ -20,12 +20,12 @@ public:
   using Flat_ring = std::vector<Flat>;
   using Violations = std::vector<std::string>;
 
-  Polygon_checker(const program::Shapes& shapes, std::size_t s) : c(shapes.coefficients(s))
+  Polygon_checker(const program::Shapes& shapes, std::size_t s) : c_(shapes.coefficients(s))
   {
     for(int k = 1; k < 3; ++k)
-      if(std::fabs(c[k]) > std::fabs(c[steepest]))
-        steepest = k;
-    is_reversed = (c[steepest] < 0) != bool(shapes.is_flipped(s));
+      if(std::fabs(c_[k]) > std::fabs(c_[steepest_]))
+        steepest_ = k;
+    is_reversed_ = (c_[steepest_] < 0) != bool(shapes.is_flipped(s));
   }
 
   // Of polygons with holes.
@@ -42,10 +42,10 @@ public:
         expect(orientation(rings.back()) == (is_outer ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE), "orientation");
       }
     check_apart(rings);
-    if(found.empty())
+    if(found_.empty())
       check_nesting(shape);
     expect(is_close(sum, shape.area), "area");
-    return found;
+    return found_;
   }
 
   // Of polygons without holes that cover the area.
@@ -59,15 +59,15 @@ public:
       sum += area(face.rings[0]);
     }
     expect(is_close(sum, expected_area), "area of the faces");
-    return found;
+    return found_;
   }
 
   // The point of the plane closest to a point, in the coordinates that decide; and whether it is in a polygon.
   Flat foot(const program::Kernel::Point_3& p) const
   {
-    const long double height = c[0] * static_cast<long double>(p.x()) + c[1] * static_cast<long double>(p.y()) +
-                               c[2] * static_cast<long double>(p.z()) + c[3];
-    return flat({double(p.x() - height * c[0]), double(p.y() - height * c[1]), double(p.z() - height * c[2])});
+    const long double height = c_[0] * static_cast<long double>(p.x()) + c_[1] * static_cast<long double>(p.y()) +
+                               c_[2] * static_cast<long double>(p.z()) + c_[3];
+    return flat({double(p.x() - height * c_[0]), double(p.y() - height * c_[1]), double(p.z() - height * c_[2])});
   }
   bool is_inside(const Written_polygon& polygon, const Flat& p) const
   {
@@ -83,13 +83,13 @@ private:
   void expect(bool is_true, const char* what)
   {
     if(!is_true)
-      found.push_back(what);
+      found_.push_back(what);
   }
 
   Flat flat(const Position& p) const
   {
-    const double x = p[(steepest + 1) % 3], y = p[(steepest + 2) % 3];
-    return is_reversed ? Flat(y, x) : Flat(x, y);
+    const double x = p[(steepest_ + 1) % 3], y = p[(steepest_ + 2) % 3];
+    return is_reversed_ ? Flat(y, x) : Flat(x, y);
   }
   Flat_ring flat(const Ring& ring) const
   {
@@ -123,7 +123,7 @@ private:
       sum += ax * by - ay * bx;
       largest_square = (std::max)({largest_square, ax * ax, ay * ay});
     }
-    return sum / 2 / std::fabs(c[steepest]);
+    return sum / 2 / std::fabs(c_[steepest_]);
   }
   bool is_close(long double a, long double b) const { return std::fabs(a - b) <= 1e-12L * (a + largest_square); }
 
@@ -133,10 +133,10 @@ private:
     for(const Written_polygon& polygon : shape.polygons)
       for(const Ring& ring : polygon.rings)
         for(const Position& p : ring) {
-          long double height = c[3], size = std::fabs(c[3]);
+          long double height = c_[3], size = std::fabs(c_[3]);
           for(std::size_t k = 0; k < 3; ++k) {
-            height += static_cast<long double>(c[k]) * p[k];
-            size += std::fabs(static_cast<long double>(c[k]) * p[k]);
+            height += static_cast<long double>(c_[k]) * p[k];
+            size += std::fabs(static_cast<long double>(c_[k]) * p[k]);
           }
           expect(std::fabs(height) <= size * 0x1p-51L, "off the plane");
         }
@@ -193,10 +193,10 @@ private:
     }
   }
 
-  const program::Shapes::Coefficients& c;
-  std::size_t steepest = 0;
-  bool is_reversed;
-  Violations found;
+  const program::Shapes::Coefficients& c_;
+  std::size_t steepest_ = 0;
+  bool is_reversed_;
+  Violations found_;
   long double largest_square = 0;
 };
 

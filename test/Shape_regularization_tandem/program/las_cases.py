@@ -19,7 +19,7 @@ def text_points(paths):
     return [tuple(map(float, line.split()[:3])) for line in lines if line[0] not in '#x']
 
 
-def make(path, point_format, records, flag, classification, scale):
+def make(path, point_format, records, flag, *, classification, scale):
     points = [tuple(map(float, line.split()[:3])) for line in sys.stdin]
     ids = [] if records == 'none' else [int(r) for r in records.split(',')]
     content = {2112: b'WKT\0', 34735: struct.pack('<4H', 1, 1, 0, 0)}
@@ -81,7 +81,7 @@ def check_projection(las, point_format, flag, records):
 
 command, path, *rest = sys.argv[1:]
 if command == 'make':
-    make(path, int(rest[0]), rest[1], int(rest[2]), int(rest[3]), float(rest[4]))
+    make(path, int(rest[0]), rest[1], int(rest[2]), classification=int(rest[3]), scale=float(rest[4]))
 elif command == 'grid':
     check_grid(Las(path), float(rest[0]), text_points(rest[1:]))
 else:

@@ -128,11 +128,11 @@ void test_mode(const std::filesystem::path& folder)
 // Shows what was written without memory.
 class Fixed_buffer : public std::streambuf {
 public:
-  Fixed_buffer() { setp(text.data(), text.data() + text.size()); }
+  Fixed_buffer() { setp(text_.data(), text_.data() + text_.size()); }
   std::string written() const { return std::string(pbase(), pptr()); }
 
 private:
-  std::array<char, 256> text;
+  std::array<char, 256> text_;
 };
 
 void test_fail()

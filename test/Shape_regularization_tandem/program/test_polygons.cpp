@@ -113,15 +113,19 @@ Result outline_of(const std::vector<Flat>& points, const std::string& where)
   return result;
 }
 
+struct Rectangle {
+  double x, y, width, height;
+};
+
 struct Generator {
   std::mt19937 random;
   double unit() { return random_unit(random); }
 
-  void add(std::vector<Flat>& points, int n, double x, double y, double width, double height)
+  void add(std::vector<Flat>& points, int n, const Rectangle& r)
   {
     for(int i = 0; i < n; ++i) {
       const double u = unit(), v = unit();
-      points.emplace_back(x + width * u, y + height * v);
+      points.emplace_back(r.x + r.width * u, r.y + r.height * v);
     }
   }
 };
@@ -130,16 +134,16 @@ void check_points()
 {
   Generator g{std::mt19937(5)};
   std::vector<Flat> step, apart, line, equal(50, Flat(1, 2)), crossed;
-  g.add(step, 20000, 0, 0, 1, 1);
-  g.add(step, 800, 1, 0, 1, 1); // five times as far apart
+  g.add(step, 20000, {0, 0, 1, 1});
+  g.add(step, 800, {1, 0, 1, 1}); // five times as far apart
   const Result one = outline_of(step, "density");
   CHECK_AT(one.pieces == 1 && one.holes == 0 && std::fabs(one.area / 2 - 1) < .05,
            std::to_string(one.pieces) + ' ' + std::to_string(one.holes) + ' ' + std::to_string(one.area));
-  g.add(apart, 4000, 0, 0, 1, 1);
-  g.add(apart, 4000, 1.2, 0, 1, 1);
+  g.add(apart, 4000, {0, 0, 1, 1});
+  g.add(apart, 4000, {1.2, 0, 1, 1});
   const Result two = outline_of(apart, "apart");
   CHECK_AT(two.pieces == 2 && two.holes == 0 && std::fabs(two.area / 2 - 1) < .05, std::to_string(two.pieces));
-  g.add(apart, 3, 1.05, .1, .1, .8); // stray points between them
+  g.add(apart, 3, {1.05, .1, .1, .8}); // stray points between them
   CHECK(outline_of(apart, "stray").pieces == 2);
   for(int i = 0; i < 100; ++i)
     line.emplace_back(.1 * i, .3 * i);
@@ -154,7 +158,7 @@ void check_random_points(int run)
   std::vector<Flat> points;
   for(int i = 0; i < 6; ++i) {
     const int n = int(400 * g.unit());
-    g.add(points, n, g.unit(), g.unit(), g.unit() * g.unit(), g.unit() * g.unit());
+    g.add(points, n, {g.unit(), g.unit(), g.unit() * g.unit(), g.unit() * g.unit()});
   }
   if(run % 3 == 0)
     for(int i = 0; i < 300; ++i)

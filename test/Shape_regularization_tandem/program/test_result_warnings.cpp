@@ -20,12 +20,12 @@ double program::measured_noise(const Point_set&) { return measure(); }
 // Another rank has measured this.
 class Two_ranks : public program::Ranks {
 public:
-  explicit Two_ranks(double other) : other(other) {}
+  explicit Two_ranks(double other) : other_(other) {}
   int size() const override { return 2; }
-  double largest(double own) const override { return (std::max)(own, -other); }
+  double largest(double own) const override { return (std::max)(own, -other_); }
 
 private:
-  double other;
+  double other_;
 };
 
 int main()

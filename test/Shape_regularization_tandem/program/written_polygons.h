@@ -116,27 +116,27 @@ inline Written_shapes read_obj(const std::string& text)
 
 class Ply_bytes {
 public:
-  explicit Ply_bytes(const std::string& text) : text(text), position(text.find("end_header\n") + 11) {}
+  explicit Ply_bytes(const std::string& text) : text_(text), position_(text.find("end_header\n") + 11) {}
 
   template <class T>
   T next()
   {
     T value;
-    std::memcpy(&value, text.substr(position, sizeof value).data(), sizeof value);
-    position += sizeof value;
+    std::memcpy(&value, text_.substr(position_, sizeof value).data(), sizeof value);
+    position_ += sizeof value;
     return value;
   }
 
   std::size_t count_of(const std::string& element) const
   {
-    return std::size_t(std::atol(text.c_str() + text.find("element " + element + ' ') + 9 + element.size()));
+    return std::size_t(std::atol(text_.c_str() + text_.find("element " + element + ' ') + 9 + element.size()));
   }
-  bool has(const std::string& line) const { return text.find(line) < position; }
-  bool is_at_end() const { return position == text.size(); }
+  bool has(const std::string& line) const { return text_.find(line) < position_; }
+  bool is_at_end() const { return position_ == text_.size(); }
 
 private:
-  const std::string& text;
-  std::size_t position;
+  const std::string& text_;
+  std::size_t position_;
 };
 
 inline Written_shapes read_ply(const std::string& text, std::size_t number_of_shapes)

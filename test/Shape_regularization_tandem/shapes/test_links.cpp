@@ -30,6 +30,8 @@ public:
     for(std::uint32_t shapes : {3u, 64u, 3000u})
       for(Links which : {Links::all, Links::changed})
         test_links(shapes, which);
+    for(std::uint32_t parts : {1u, 3u, 16u})
+      test_parts(parts);
   }
 
 private:
@@ -85,9 +87,7 @@ private:
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
     set_labels(points, label, std::vector<std::uint8_t>(label.size(), tried_seed_bit));
-    Shape_table<Backend> shapes;
-    shapes.size = number;
-    shapes.table() = to_buffer(backend_, shape);
+    Shape_table<Backend> shapes = make_table(backend_, shape);
     check_links(collect_links(points, shapes, which, Phase::loop), expected, where);
     check_lists(to_vector(backend_, points.state(), label.size()), expected_state, where + ", interior points");
     for(std::uint32_t s = 0; s < number; ++s)
@@ -98,6 +98,43 @@ private:
                 which == Links::all ? expected : std::map<std::uint64_t, std::uint32_t>(), where + " again");
     if(number == 64 && which == Links::all && label.size() > 3000)
       CHECK_AT(pairs > 1024, where + ": the first table is large enough for " + std::to_string(pairs) + " pairs");
+  }
+
+  // Of some shapes, in parts of cells, into a table that is large enough.
+  void test_parts(std::uint32_t parts)
+  {
+    std::vector<std::uint8_t> state(f_.state.size(), 0), expected_state(state), is_selected;
+    for(std::size_t s = 0; s < f_.plane.size(); ++s)
+      is_selected.push_back(s % 4 != 1);
+    std::map<std::uint64_t, std::uint32_t> expected, got;
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const std::uint32_t s = f_.label[i];
+      if(s >= first_mark || !is_selected[s])
+        continue;
+      expected_state[i] = interior_bit;
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        const std::uint32_t t = f_.label[q];
+        if(t != s)
+          expected_state[i] = 0;
+        if(t != s && t < first_mark)
+          ++expected[std::uint64_t((std::min)(s, t)) << 32 | (std::max)(s, t)];
+      });
+    }
+    std::uint32_t size = 1, lost = 0;
+    while(size < 2 * f_.neighbor.size())
+      size *= 2;
+    std::vector<Link> links(size);
+    std::vector<std::uint32_t> label = f_.label;
+    backend_.template for_each_cell<Link_scratch>(
+      f_.cells.size() * parts,
+      Collect_links<Backend>{
+        f_.cloud, f_.parts_view(parts), label.data(), state.data(), is_selected.data(), {links.data(), size, &lost}});
+    for(const Link& link : links)
+      if(link.pair != Link::none)
+        CHECK_AT(got.emplace(link.pair, link.count).second, name_ + ": a pair has two links");
+    check_equal(lost, 0u, name_ + ": links that are lost");
+    CHECK_AT(got == expected && expected.size() > 3, name_ + ": links");
+    check_lists(state, expected_state, name_ + ": interior points");
   }
 
   void check_links(const typename Backend::template Buffer<Link>& links,

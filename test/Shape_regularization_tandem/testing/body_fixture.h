@@ -49,6 +49,27 @@ struct Fixture {
     return result;
   }
 
+  // The planes, shifted by half of epsilon.
+  std::vector<Plane> moved_planes() const
+  {
+    std::vector<Plane> planes = plane;
+    for(Plane& p : planes)
+      p.d += tolerance.distance / 2;
+    return planes;
+  }
+
+  // So many shapes, with the points of their labels.
+  std::vector<Shape> shapes_of_labels(std::size_t n) const
+  {
+    std::vector<Shape> shape(n);
+    for(std::uint32_t i = 0; i < label.size(); ++i)
+      if(label[i] < first_mark) {
+        shape[label[i]].moments.add(point[i], 1);
+        shape[label[i]].box.add(point[i]);
+      }
+    return shape;
+  }
+
   // f(neighbor) for each neighbor of i.
   template <class F>
   void for_each_neighbor(std::uint32_t i, F f) const
@@ -105,12 +126,9 @@ template <class Backend>
 std::size_t take_cloud(const Fixture& f, Labeled_cloud<Backend>& points)
 {
   points.cloud.k = f.cloud.k;
-  points.cloud.point.reset(f.point.size());
-  std::copy(f.point.begin(), f.point.end(), points.cloud.point.data());
-  points.cloud.neighbor.reset(f.neighbor.size());
-  std::copy(f.neighbor.begin(), f.neighbor.end(), points.cloud.neighbor.data());
-  points.cells.reset(f.cells.size());
-  std::copy(f.cells.begin(), f.cells.end(), points.cells.data());
+  points.cloud.point = to_buffer(points.backend, f.point);
+  points.cloud.neighbor = to_buffer(points.backend, f.neighbor);
+  points.cells = to_buffer(points.backend, f.cells);
   std::size_t cell_size = 0;
   for(const Range& cell : f.cells)
     cell_size = (std::max)(cell_size, std::size_t(cell.size()));
@@ -127,6 +145,15 @@ void set_labels(Labeled_cloud<Backend>& points, const std::vector<std::uint32_t>
   std::copy(state.begin(), state.end(), points.state());
 }
 
+template <class Backend>
+Shape_table<Backend> make_table(Backend& backend, const std::vector<Shape>& shape)
+{
+  Shape_table<Backend> shapes;
+  shapes.size = shape.size();
+  shapes.table() = to_buffer(backend, shape);
+  return shapes;
+}
+
 template <class T>
 void check_lists(const std::vector<T>& got, const std::vector<T>& expected, const std::string& name)
 {
@@ -134,18 +161,32 @@ void check_lists(const std::vector<T>& got, const std::vector<T>& expected, cons
   CHECK_AT(at < 0, name + ": the first that differs is " + std::to_string(at));
 }
 
+inline bool are_equal(const Moments& a, const Moments& b)
+{
+  return a.count == b.count && std::equal(a.sum, a.sum + 3, b.sum) && std::equal(a.product, a.product + 6, b.product);
+}
+
 inline void check_moments(const std::vector<Shared_moments>& got, const std::vector<Shared_moments>& expected,
                           const std::string& name)
 {
   for(std::size_t s = 0; s < got.size(); ++s) {
-    const Moments a = got[s].moments(), b = expected[s].moments();
     const Box &p = got[s].box, &q = expected[s].box;
-    CHECK_AT(a.count == b.count && std::equal(a.sum, a.sum + 3, b.sum) &&
-               std::equal(a.product, a.product + 6, b.product),
-             name + ", moments of shape " + std::to_string(s));
+    CHECK_AT(are_equal(got[s].moments(), expected[s].moments()), name + ", moments of shape " + std::to_string(s));
     CHECK_AT(std::equal(p.low, p.low + 3, q.low) && std::equal(p.high, p.high + 3, q.high),
              name + ", box of shape " + std::to_string(s));
   }
+}
+
+// The same of the shapes of a table.
+template <class Backend>
+void check_moments(const Shape_table<Backend>& shapes, const std::vector<Shared_moments>& expected,
+                   const std::string& name)
+{
+  std::vector<Shared_moments> got(shapes.size);
+  for(std::size_t s = 0; s < shapes.size; ++s)
+    atomic_add<Sequential_backend>(got[s], shapes.table()[s].moments, shapes.table()[s].box);
+  check_moments(got, expected, name);
+  CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), name + ": deltas that stay");
 }
 
 inline void add_point(Shared_moments& target, const Grid_point& p, int sign)

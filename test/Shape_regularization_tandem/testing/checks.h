@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHECKS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHECKS_H
 
+#include <cmath>
 #include <cstdlib>
 #include <initializer_list>
 #include <iostream>
@@ -79,6 +80,11 @@ template <class T, class U>
 void check_equal(const T& value, const U& expected, const std::string& what)
 {
   check(value == T(expected), what, value, expected);
+}
+
+inline void check_close(double value, double expected, double tolerance, const std::string& what)
+{
+  check(std::fabs(value - expected) <= tolerance, what, value, expected);
 }
 
 // f() has to throw an Exception whose text has all of the words.

@@ -46,8 +46,25 @@ inline Cloud make_squares_cloud(const Squares& faces, const Squares& patches)
 
 constexpr std::size_t points_of_patch = 30;
 
-inline Squares make_rough_faces(double noise) { return {30, 400, 1, 0, 6, noise, .1}; }
-inline Squares make_patches(std::size_t count) { return {count, points_of_patch, .3, 0, 6, 0, 0}; }
+inline Squares make_squares(std::size_t count, std::size_t points, double side)
+{
+  Squares s = {};
+  s.count = count;
+  s.points = points;
+  s.side = side;
+  s.high = 6;
+  return s;
+}
+
+inline Squares make_rough_faces(double noise)
+{
+  Squares s = make_squares(30, 400, 1);
+  s.distance_noise = noise;
+  s.angle_noise = .1;
+  return s;
+}
+
+inline Squares make_patches(std::size_t count) { return make_squares(count, points_of_patch, .3); }
 
 inline Cloud make_patches_cloud(std::size_t patches, double face_noise)
 {

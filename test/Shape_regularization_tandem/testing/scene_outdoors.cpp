@@ -66,13 +66,19 @@ Model make_street()
 
 namespace {
 
-// A prism of six sides about the z axis of the frame, with the lids that are asked for, and its solid.
-void add_hexagon(Model& model, const Frame& f, double apothem, double bottom, double top, unsigned lids)
+// A prism of six sides about the z axis of its frame
+struct Hexagon {
+  double apothem, bottom, top;
+  unsigned lids;
+};
+
+// The prism with the lids that are asked for, and its solid.
+void add_hexagon(Model& model, const Frame& f, const Hexagon& h)
 {
-  double half = 0.5773502691896258 * apothem;
+  const double apothem = h.apothem, bottom = h.bottom, top = h.top, half = 0.5773502691896258 * apothem;
   std::vector<Vec> upper, lower;
   // Without a lid it reaches into what it stands on.
-  double root = lids & side_bottom ? 0 : 0.1;
+  double root = h.lids & side_bottom ? 0 : 0.1;
   Convex solid = {Model::half_space(f, {0, 0, -1}, root - bottom), Model::half_space(f, {0, 0, 1}, top)};
   Frame side = f;
   for(int i = 0; i < 6; ++i, side = side.turned({0, 0, 1}, 0.5773502691896258)) {
@@ -83,9 +89,9 @@ void add_hexagon(Model& model, const Frame& f, double apothem, double bottom, do
     lower.push_back(side.point({apothem, half, bottom}));
   }
   std::reverse(lower.begin(), lower.end());
-  if(lids & side_top)
+  if(h.lids & side_top)
     model.add_face(Frame(), upper);
-  if(lids & side_bottom)
+  if(h.lids & side_bottom)
     model.add_face(Frame(), lower);
   model.solids.push_back(solid);
 }
@@ -96,10 +102,10 @@ Model make_tower()
 {
   Model model;
   Frame f = Frame().turned({0.2, -0.3, 1}, 0.4);
-  add_hexagon(model, f, 3.2, 0, 1.4, side_top);
-  add_hexagon(model, f, 2.4, 1.4, 12, 0);
-  add_hexagon(model, f, 2.8, 6.8, 7.2, side_top | side_bottom);
-  add_hexagon(model, f, 2.8, 11.6, 12, side_top | side_bottom);
+  add_hexagon(model, f, {3.2, 0, 1.4, side_top});
+  add_hexagon(model, f, {2.4, 1.4, 12, 0});
+  add_hexagon(model, f, {2.8, 6.8, 7.2, side_top | side_bottom});
+  add_hexagon(model, f, {2.8, 11.6, 12, side_top | side_bottom});
   Frame side = f;
   Vec apex = f.point({0, 0, 16});
   Convex spire = {Model::half_space(f, {0, 0, -1}, -11.9)};

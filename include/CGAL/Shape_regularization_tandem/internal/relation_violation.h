@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
+#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,8 @@
 
 #include <CGAL/Tandem/internal/base/linear_algebra.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -35,8 +37,8 @@ struct Moment_sums {
   }
 };
 
-// Of points of one cell, relative to one of them: see cell_extent_bits for why 64 bits suffice.
-// add() with sign -1 takes a point out, here and below.
+// Moments of points of one cell, relative to one of them: see cell_extent_bits for why 64 bits suffice. add() with sign
+// -1 takes a point out, here and below.
 struct Cell_moments : Moment_sums<std::int64_t> {
   CGAL_TANDEM_HD void add(std::int64_t x, std::int64_t y, std::int64_t z, int sign = 1)
   {
@@ -53,7 +55,7 @@ struct Cell_moments : Moment_sums<std::int64_t> {
   }
 };
 
-// Of any points, in grid coordinates: products of up to 2^56 times 2^35 points need 128 bits.
+// Moments of any points, in grid coordinates: products of up to 2^56 times 2^35 points need 128 bits.
 struct Moments : Moment_sums<Int128> {
   CGAL_TANDEM_HD void add(const Grid_point& p, int sign = 1)
   {
@@ -67,8 +69,8 @@ struct Moments : Moment_sums<Int128> {
   }
 };
 
-// The same sums about the origin of the grid instead of (ox, oy, oz). Then those of all cells of a shape can be
-// added. Exact: products of q = p + o are expanded as pp' + op' + po' + oo'.
+// Moments about (ox, oy, oz) as moments about the origin of the grid. There those of all cells of a shape can be added.
+// Exact: products of q = p + o are expanded as pp' + op' + po' + oo'.
 CGAL_TANDEM_HD inline Moments shifted(const Cell_moments& m, std::int64_t ox, std::int64_t oy, std::int64_t oz)
 {
   const std::int64_t o[3] = {ox, oy, oz};
@@ -139,6 +141,14 @@ CGAL_TANDEM_HD inline Fit fit_plane(const Scatter& s)
   const Eigen_system e = eigen_system(s.matrix);
   return {e.vector[0], e.value[0] > 0 ? e.value[0] : 0, e.value[2] > 0 ? e.value[2] : 0};
 }
+
+// A shape: its scatter and its local least-squares plane, which passes through the centroid and has a unit normal.
+struct Shape_fit {
+  Scatter scatter;
+  Fit fit;
+};
+
+using Shape_fits = std::vector<Shape_fit>;
 
 } // namespace internal
 } // namespace Tandem

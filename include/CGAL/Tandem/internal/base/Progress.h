@@ -31,17 +31,17 @@ public:
     return !is_cancelled_;
   }
 
-  // The same for a share of a stage.
+  // Calls the callback with a share of a stage. Returns whether the detection goes on.
   bool show(Detection_stage stage, double share)
   {
     const double first = first_progress(stage), last = first_progress(Detection_stage(int(stage) + 1));
     return show(first + share * (last - first));
   }
 
-  // The number of rounds is not known before.
+  // Calls the callback before a round, with a guess of the share, since the number of rounds is not known before.
   bool show_rounds(double rounds) { return show(Detection_stage::rounds, 1 - 8 / (8 + rounds)); }
 
-  // The last call, whose answer comes too late.
+  // Calls the callback for the last time. What it returns changes nothing any more.
   void show_end()
   {
     share_ = 1;

@@ -48,15 +48,15 @@ CGAL_TANDEM_HD inline Vector cross(const Vector& a, const Vector& b)
 
 CGAL_TANDEM_HD inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
-// The null vector stays null: it stands for a direction that does not exist.
+// The vector of length 1. The null vector stays null: it stands for a direction that does not exist.
 CGAL_TANDEM_HD inline Vector unit(const Vector& a)
 {
   const double l = length(a);
   return l > 0 ? Vector{a.x / l, a.y / l, a.z / l} : a;
 }
 
-// The one definition of orthogonal unit normals, in the engine and in the result.
-// See the manual, "Orthogonality: Stars and Frames".
+// Whether two unit normals are orthogonal: the one definition, in the engine and in the result. See the manual,
+// "Orthogonality: Stars and Frames".
 CGAL_TANDEM_HD inline bool are_orthogonal(const Vector& a, const Vector& b)
 {
   return std::fabs(dot(a, b)) <= tuning::relations::orthogonal_dot;

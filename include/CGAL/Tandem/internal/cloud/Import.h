@@ -53,8 +53,8 @@ CGAL_TANDEM_HD inline double largest_component(const Vector& v)
   return std::fmax(std::fmax(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
 }
 
-// To unit length, also where squares would overflow or vanish. Then it is divided by the largest component before. The
-// null vector gives NaN in that case; valid normals are never null.
+// The vector of unit length, also where squares would overflow or vanish: then it is divided by the largest component
+// before. The null vector gives NaN in that case; valid normals are never null.
 CGAL_TANDEM_HD inline Vector normalized(const Vector& v)
 {
   const double largest = largest_component(v);
@@ -82,9 +82,9 @@ struct No_upload {
 
   // Called once, with the tables and the number of points. The memory of the tables must stay where it is.
   void start(Vector_table&, Vector_table&, std::size_t) {}
-  // The next piece of a thread: at most so many points.
+  // The next piece of a thread, of at most `maximum` points.
   Piece begin(std::size_t maximum) { return {maximum}; }
-  // The piece has been read. The number is the position of its first point.
+  // Takes a piece that has been read. The number is the position of its first point.
   void end(const Piece&, std::size_t) {}
   // Called once, after all pieces. Null: the values are in the tables.
   std::shared_ptr<Uploaded_values> finish() { return nullptr; }
@@ -127,7 +127,7 @@ struct Import {
       uploaded->download();
   }
 
-  // The same, and frees the memory of the device.
+  // Copies values from a device as download_values(), and frees the memory there.
   void drop_upload()
   {
     download_values();
@@ -152,7 +152,7 @@ struct Import {
   }
 };
 
-// The origin is the middle of the box, counted in steps and rounded down. So it moves with a cloud that moves by
+// Sets the origin to the middle of the box, counted in steps and rounded down. So it moves with a cloud that moves by
 // multiples of the step. Coordinates that are too large to be counted are such multiples. Returns false if the cloud
 // does not fit into +-2^28 steps; 4 are kept for rounding.
 inline bool place_origin(const Coordinate_box& box, double step, Grid& grid)

@@ -35,8 +35,8 @@ struct Code_frame {
                         std::uint32_t(p.z - low[2]) >> shift);
   }
 
-  // The order within one finest octant, which matters where far outliers make it large. shift is at most 8, so the code
-  // has at most 24 bits.
+  // The place of a point in the order within one finest octant, which matters where far outliers make it large. shift
+  // is at most 8, so the code has at most 24 bits.
   CGAL_TANDEM_HD std::uint64_t code_inside(const Grid_point& p) const
   {
     const std::uint32_t mask = (1u << shift) - 1;
@@ -222,7 +222,7 @@ inline bool is_leaf(int level, int shift, std::uint64_t points, std::size_t cell
   return level == curve_bits || (points <= cell_size && curve_bits - level + shift <= cell_extent_bits);
 }
 
-// Appends the cells of a leaf: it is one, unless it is a finest octant of more points, which is cut.
+// Appends the cells of a leaf. A leaf is one cell, but a finest octant of more points than a cell may have is cut.
 inline void append_cells(const Range& leaf, std::size_t cell_size, std::vector<Range>& cells)
 {
   for(std::uint32_t first = leaf.first; first < leaf.last; first += std::uint32_t(cell_size))

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A code has 3 * 21 = 63 bits.
+// Bits of a coordinate in a code, which has 3 * 21 = 63 bits.
 constexpr int curve_bits = 21;
 
 // Moves bit i of v < 2^21 to bit 3 i, so that three coordinates can be interleaved.
@@ -29,7 +29,7 @@ CGAL_TANDEM_HD inline std::uint64_t spread_bits(std::uint32_t v)
   return s;
 }
 
-// Bit i becomes the parity of the bits above i.
+// The number whose bit i is the parity of the bits of v above i.
 CGAL_TANDEM_HD inline std::uint32_t parity_above(std::uint32_t v)
 {
   v >>= 1;

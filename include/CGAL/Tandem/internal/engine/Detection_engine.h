@@ -26,17 +26,17 @@ public:
   Detection_engine& operator=(const Detection_engine&) = delete;
   virtual ~Detection_engine() = default;
 
-  // Of the back end that runs the method.
+  // The name of the back end that runs the method.
   virtual const char* name() const = 0;
 
-  // One round; false when growth is slow and no cell is untried (tuning::loop), the rounds are used up, or the callback
-  // has cancelled.
+  // Runs one round. Returns false when growth is slow and no cell is untried (tuning::loop), the rounds are used up, or
+  // the callback has cancelled.
   virtual bool iterate() = 0;
 
-  // The end game. Afterwards result() is final and keeps the guarantees.
+  // Runs the end game. Afterwards result() is final and keeps the guarantees.
   virtual void finish() = 0;
 
-  // Between rounds: what has been found so far. Its points are checked, but its planes are not final.
+  // What has been found so far, between rounds. Its points are checked, but its planes are not final.
   virtual Engine_result result() = 0;
 };
 

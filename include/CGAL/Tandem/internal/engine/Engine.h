@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// On one back end.
+// The engine on one back end.
 template <class Backend>
 class Engine : public Detection_engine {
   static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
@@ -70,10 +70,10 @@ Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& paramete
   is_prepared_ = prepare(state_, in, parameters, times_, progress);
 }
 
-// Passes of growth; returns the number of points that got a shape. Young rounds have one pass: with more, faces are
-// lost under noise. Later rounds have further passes as long as many cells have untried seeds; slow rounds, as long as
-// any has. So patches too small for a shape do not delay the faces behind them. Nor do they enlarge the table of shapes
-// in each round. See the manual, "Growth" and "End of the Loop".
+// Runs the passes of growth of a round; returns the number of points that got a shape. Young rounds have one pass: with
+// more, faces are lost under noise. Later rounds have further passes as long as many cells have untried seeds; slow
+// rounds, as long as any has. So patches too small for a shape do not delay the faces behind them. Nor do they enlarge
+// the table of shapes in each round. See the manual, "Growth" and "End of the Loop".
 template <class Backend>
 std::size_t Engine<Backend>::grow()
 {
@@ -94,9 +94,9 @@ std::size_t Engine<Backend>::grow()
   return new_points;
 }
 
-// Further passes until at most so many cells have many untried seeds, or all passes are used. Returns the number of
-// points that got a shape. Between passes only shapes that have just started are fitted, to their local planes: fitting
-// all shapes finds fewer faces on noisy scenes.
+// Runs further passes until at most so many cells have many untried seeds, or all passes are used. Returns the number
+// of points that got a shape. Between passes only shapes that have just started are fitted, to their local planes:
+// fitting all shapes finds fewer faces on noisy scenes.
 template <class Backend>
 std::size_t Engine<Backend>::sweep_untried_cells(std::size_t maximum_untried_cells, int& passes,
                                                  std::size_t& untried_cells)
@@ -194,10 +194,10 @@ bool Engine<Backend>::is_going_on(std::size_t new_points) const
          count(shapes.size, Count_restarted{shapes.counted(), shapes.is_restarted.data()}) > 0;
 }
 
-// The order matters. Small fragments go first, so that they need no links. Fragments merge before relations are found,
-// so that their unions have relations. Labels follow at once for merged fragments, and in apply_planes() for coplanar
-// shapes. Large planes take what they explain when shapes are no longer young, so that the relations of the next round
-// see whole surfaces.
+// One round. The order matters: small fragments go first, so that they need no links. Fragments merge before relations
+// are found, so that their unions have relations. Labels follow at once for merged fragments, and in apply_planes() for
+// coplanar shapes. Large planes take what they explain when shapes are no longer young, so that the relations of the
+// next round see whole surfaces.
 template <class Backend>
 bool Engine<Backend>::iterate()
 {
@@ -224,7 +224,8 @@ bool Engine<Backend>::iterate()
   return progress_.show_rounds(state_.round) && is_going_on(new_points);
 }
 
-// A cloud that is empty, or was not prepared, has no relations, but an empty result.
+// Runs the end game and makes the result. A cloud that is empty, or was not prepared, has no relations, but an empty
+// result.
 template <class Backend>
 void Engine<Backend>::finish()
 {
@@ -236,7 +237,8 @@ void Engine<Backend>::finish()
   is_finished_ = true;
 }
 
-// Large tables of the result are shared, so copies are cheap. A call between rounds does not change the state.
+// The result so far. Large tables of the result are shared, so copies are cheap. A call between rounds does not change
+// the state.
 template <class Backend>
 Engine_result Engine<Backend>::result()
 {

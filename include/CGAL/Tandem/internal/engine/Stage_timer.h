@@ -21,7 +21,7 @@ public:
   Stage_timer& operator=(const Stage_timer&) = delete;
   ~Stage_timer() { stop(); }
 
-  // A second call has no effect.
+  // Adds the seconds so far to the stage. A second call has no effect.
   void stop()
   {
     if(is_running_)

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// From the noise or the spacing, whichever gives more.
+// The epsilon that is estimated: from the noise or the spacing, whichever gives more.
 template <class Backend>
 double estimate_maximum_distance(Backend& backend, const Import& in)
 {
@@ -39,7 +39,7 @@ inline std::size_t estimate_minimum_region_size(std::size_t points)
   return (std::max)(minimum_region_size, std::size_t(std::llround(region_size_per_root * std::sqrt(double(points)))));
 }
 
-// Fills in what is 0, and checks the whole.
+// Estimates the parameters that are 0, and checks all of them.
 template <class Backend>
 void complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p)
 {
@@ -52,7 +52,7 @@ void complete_parameters(Backend& backend, const Import& in, bool has_offset, Pa
   check_parameters(p);
 }
 
-// The same, and chooses the grid of the points.
+// Completes the parameters, as above, and chooses the grid of the points.
 template <class Backend>
 void set_scale(Backend& backend, Import& in, bool has_offset, Parameters& p)
 {

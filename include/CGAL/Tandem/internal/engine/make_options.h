@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Distance in grid steps. The result is rounded to integers once, so that all tests of points are exact.
+// The bounds of a test of points; the distance is in grid steps. The result is rounded to integers once, so that all
+// tests of points are exact.
 inline Tolerance make_tolerance(double distance, double cosine)
 {
   return {std::int64_t(llrint(distance * normal_scale)), std::int64_t(llrint(cosine * cosine * 4294967296.0))};
@@ -43,8 +44,8 @@ inline Growth_options make_growth_options(const Parameters& p, const Tolerance& 
 
 static_assert(smallest_angle_deg > 2 * tuning::exactness::packing_margin_deg, "exact normals would not fit");
 
-// `certain` is what an integer test accepts without doubt: tighter by all roundings of distance and angle. `exact` is
-// in the caller's units, hence not divided by the step.
+// The options of a detection. `certain` is what an integer test accepts without doubt: tighter by all roundings of
+// distance and angle. `exact` is in the caller's units, hence not divided by the step.
 inline Options make_options(const Import& in, const Parameters& p)
 {
   Options o;
@@ -63,14 +64,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));
   o.tight = make_tolerance(o.maximum_distance * tuning::growth::tight_distance_share,
                            cosine_deg(p.maximum_angle * tuning::growth::tight_angle_share));
-  o.regularity = {p.angle_tolerance,
-                  p.maximum_offset / step,
-                  o.maximum_distance,
-                  p.regularize_parallelism,
-                  p.regularize_orthogonality,
-                  p.regularize_coplanarity,
-                  false};
-  set_given_directions(p, o.regularity);
+  o.regularity = make_regularity_options(p, p.angle_tolerance, step);
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
   // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.
   const double certain_distance = (std::max)(o.maximum_distance - distance_margin(in.grid), -1.);

@@ -14,11 +14,11 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The sorted cloud: point, place of the imported one, neighbors.
+// Bytes of a point of the sorted cloud: point, place of the imported one, neighbors.
 inline std::size_t cloud_bytes_per_point(std::size_t k) { return sizeof(Grid_point) + (k + 1) * sizeof(std::uint32_t); }
 
-// Where they are largest: in the estimation of normals, or in the end game if normals are given. The imported
-// coordinates and normals are included, the caller's range is not.
+// Bytes of a point on the host, in the stage where they are most: in the estimation of normals, or in the end game if
+// normals are given. The imported coordinates and normals are included, the caller's range is not.
 inline std::size_t host_bytes_per_point(int k, const Import& in)
 {
   constexpr std::size_t labels = 2 * sizeof(std::uint32_t) + 1; // and seeds, states
@@ -28,8 +28,8 @@ inline std::size_t host_bytes_per_point(int k, const Import& in)
          (in.has_normals ? labels + end_game : neighborhoods);
 }
 
-// In the largest stage of a device: the tests of planes, or the grouping of points with keys of 32 bits. Small cells
-// cost more a point, as the tables of a cell do not depend on its points.
+// Bytes of a point on a device, in the stage where they are most: the tests of planes, or the grouping of points with
+// keys of 32 bits. Small cells cost more a point, as the tables of a cell do not depend on its points.
 inline std::size_t device_bytes_per_point(const Parameters& p, bool has_normals)
 {
   constexpr std::size_t cell = 3584;                // lists, links, sums of new shapes

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Also clears the states.
+// Makes points free, and clears their states.
 struct Free_all {
   Labels_view labels;
 
@@ -34,7 +34,7 @@ struct Free_all {
   }
 };
 
-// Afterwards no point has a shape, and the lists of the cells are empty.
+// Starts without shapes: afterwards no point has one, and the lists of the cells are empty.
 template <class Backend>
 void clear_labels(Labeled_cloud<Backend>& points)
 {
@@ -43,9 +43,10 @@ void clear_labels(Labeled_cloud<Backend>& points)
   points.backend.for_each(points.number_of_cells(), Clear_lists{points.make_lists()});
 }
 
-// The order is given by what each stage needs: neighbors the sorted points, normals the neighbors, seeds the normals.
-// The first three end with wait(), so that times are separate. An empty cloud has options only. Returns whether there is
-// anything to grow from: not in an empty cloud, nor if the callback has cancelled before the seeds.
+// Prepares all tables of a detection. The order is given by what each stage needs: neighbors the sorted points, normals
+// the neighbors, seeds the normals. The first three end with wait(), so that times are separate. An empty cloud has
+// options only. Returns whether there is anything to grow from: not in an empty cloud, nor if the callback has
+// cancelled before the seeds.
 template <class Backend>
 bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters, Stage_times& times, Progress& progress)
 {

@@ -12,6 +12,7 @@
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
 #include <CGAL/Tandem/internal/finish/measure_relations.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
+#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
 
 #include <utility>
 #include <vector>

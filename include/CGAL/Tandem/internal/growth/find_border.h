@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Of bodies whose lanes share nothing.
+// The scratch memory of bodies whose lanes share nothing.
 struct No_scratch {};
 
 // Whether the points of a cell have a neighbor in another one. Only its own row counts, since proposals are
@@ -57,7 +57,7 @@ private:
   }
 };
 
-// The marks take one byte a point meanwhile, the result 8 bytes a border point.
+// Finds the border points of all cells. The marks take one byte a point meanwhile, the result 8 bytes a border point.
 template <class Backend>
 void find_border(Labeled_cloud<Backend>& points)
 {

@@ -33,8 +33,8 @@ class Cell_growth : private Cell_expansion<Backend, Block, Scratch> {
 public:
   using Base::Base;
 
-  // Old shapes grow before new ones start, so that these do not take the points the old ones reach. Nothing can start
-  // without seeds, so then the active shapes need not be known.
+  // Grows the shapes of the cell, and starts new ones. Old shapes grow before new ones start, so that these do not take
+  // the points the old ones reach. Nothing can start without seeds, so then the active shapes need not be known.
   CGAL_TANDEM_HD void run()
   {
     block_.single([&] { s_.tail = s_.active_count = 0; });
@@ -119,7 +119,8 @@ private:
 
   CGAL_TANDEM_HD bool is_untried(std::uint32_t i) const { return internal::is_untried(label_, state_, i); }
 
-  // Tests at most maximum_seeds_in_flight planes, so this is cheap enough for each seed.
+  // Whether a shape may start at point i. Tests at most maximum_seeds_in_flight planes, so this is cheap enough for
+  // each seed.
   CGAL_TANDEM_HD bool is_candidate(std::uint32_t i) const
   {
     if(!is_untried(i))
@@ -187,19 +188,21 @@ private:
     });
   }
 
-  // The seed for j = 0, else a neighbor of it; it may be no_index, or in another cell.
+  // Point j of those around a seed: the seed itself for j = 0, else a neighbor of it; it may be no_index, or in another
+  // cell.
   CGAL_TANDEM_HD std::uint32_t near_seed(std::uint32_t seed, std::uint32_t j) const
   {
     return j == 0 ? seed : cloud_.row(seed)[j - 1];
   }
 
-  // Points of other cells are left out, since their labels may change at this time.
+  // Whether a free point of the cell fits the plane. Points of other cells are left out, since their labels may change
+  // at this time.
   CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
   {
     return this->is_own(q) && label_[q] == free_label && fits(plane, cloud_.point[q], options_.tolerance);
   }
 
-  // The core takes its label. The shape grows by one step in this pass: its plane is still uncertain.
+  // Starts a shape: its core takes the label. The shape grows by one step in this pass: its plane is still uncertain.
   CGAL_TANDEM_HD void start_shape(const Trial& trial, std::uint32_t shape)
   {
     block_.single([&] {

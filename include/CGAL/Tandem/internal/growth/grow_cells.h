@@ -53,15 +53,11 @@ struct Propose {
   }
 };
 
-// What the cells have from pass to pass. border_of, seed_count and seed_cursor are by cell, seed is by position.
+// The tables that cells keep from pass to pass.
 struct Cell_tables {
   Cells_view cells;
-  const Range* border_of; // in `border`
-  const std::uint32_t* border;
-  const std::uint32_t* proposal;
-  const std::uint32_t* seed;
-  const std::uint32_t* seed_count;
-  std::uint32_t* seed_cursor;
+  Border_view border;
+  Seeds_view seeds;
 };
 
 // The body of a pass: makes the job of a cell from the tables.
@@ -77,15 +73,15 @@ struct Grow_cells {
   template <class Block, class Scratch>
   CGAL_TANDEM_HD void operator()(Block& block, Scratch& scratch, std::uint32_t c) const
   {
-    const Range border = tables.border_of[c];
+    const Range border = tables.border.range[c];
     const Cell_job job = {
       tables.cells[c],
-      tables.border + border.first,
-      tables.proposal + border.first,
+      tables.border.point + border.first,
+      tables.border.proposal + border.first,
       border.size(),
-      tables.seed + tables.cells[c].first,
-      tables.seed_count[c],
-      tables.seed_cursor + c,
+      tables.seeds.seed + tables.cells[c].first,
+      tables.seeds.count[c],
+      tables.seeds.cursor + c,
       first_new + c * std::uint32_t(options.seeds_in_flight),
       tables.cells.may_have(block, c, [&](std::uint32_t s) { return shapes.is_restarted[s] != 0; })};
     Cell_growth<Backend, Block, Scratch>(block, scratch, {job, cloud, shapes, labels, options}).run();
@@ -111,8 +107,8 @@ struct Copy_for_growth {
   }
 };
 
-// One pass. Returns the end of the ids: each cell has some of its own for shapes that may start, so that cells need no
-// common counter, and new ids follow from the order of cells and seeds.
+// Runs one pass of growth over all cells. Returns the end of the ids: each cell has some of its own for shapes that may
+// start, so that cells need no common counter, and new ids follow from the order of cells and seeds.
 template <class Backend>
 std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
                        const Growth_options& options)
@@ -131,8 +127,7 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
                                         shapes.size, view, is_restarted.data()});
   backend.for_each(border.point.size(), Propose{cloud, points.label(), plane.data(), border.point.data(),
                                                 border.proposal.data(), options.tolerance});
-  const Cell_tables tables = {points.listed_cells(), border.range.data(), border.point.data(), border.proposal.data(),
-                              seeds.seed.data(),     seeds.count.data(),  seeds.cursor.data()};
+  const Cell_tables tables = {points.listed_cells(), border.view(), seeds.view()};
   const Labels_view labels = points.change_labels(false);
   const Grow_cells<Backend> body = {cloud, view, labels, options, tables, std::uint32_t(shapes.size)};
   // Large cells need a larger queue, which does not fit into the fast memory of a device.
@@ -150,20 +145,18 @@ struct Find_untried_cells {
   const std::uint32_t* label; // by position, as is the next one
   const std::uint8_t* state;
   const Range* cells;
-  const std::uint32_t* seed;       // by position
-  const std::uint32_t* seed_count; // by cell, as is the next one
-  const std::uint32_t* seed_cursor;
+  Seeds_view seeds;
   std::uint32_t smallest_shape; // points
   std::uint32_t* found;         // number of cells
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, std::uint32_t& untried, std::uint32_t c) const
   {
-    const std::uint32_t first = cells[c].first + seed_cursor[c];
+    const std::uint32_t first = cells[c].first + seeds.cursor[c];
     const std::uint32_t share = cells[c].size() / tuning::loop::points_per_untried_point + 1;
     block.single([&] { untried = 0; });
-    block.for_each(seed_count[c] - seed_cursor[c], [&](std::uint32_t at) {
-      if(is_untried(label, state, seed[first + at]))
+    block.for_each(seeds.count[c] - seeds.cursor[c], [&](std::uint32_t at) {
+      if(is_untried(label, state, seeds.seed[first + at]))
         block.append(untried);
     });
     block.single([&] {
@@ -173,18 +166,16 @@ struct Find_untried_cells {
   }
 };
 
-// Counts these cells, with one test for each seed from the cursors on. Changes nothing.
+// Counts the cells that have many untried seeds, with one test for each seed from the cursors on. Changes nothing.
 template <class Backend>
-std::size_t count_untried_cells(Labeled_cloud<Backend>& points, const Seeds<Backend>& seeds,
-                                std::int64_t minimum_region_size)
+std::size_t count_untried_cells(Labeled_cloud<Backend>& points, Seeds<Backend>& seeds, std::int64_t minimum_region_size)
 {
   auto found = filled_buffer(points.backend, 1, std::uint32_t(0));
   const std::uint32_t smallest =
     std::uint32_t((std::min)({minimum_region_size, std::int64_t(points.total_points()), std::int64_t(first_mark)}));
   points.backend.template for_each_cell<std::uint32_t>(
-    points.number_of_cells(),
-    Find_untried_cells<Backend>{points.label(), points.state(), points.cells.data(), seeds.seed.data(),
-                                seeds.count.data(), seeds.cursor.data(), smallest, found.data()});
+    points.number_of_cells(), Find_untried_cells<Backend>{points.label(), points.state(), points.cells.data(),
+                                                          seeds.view(), smallest, found.data()});
   return points.ranks.total(to_vector(points.backend, found).front());
 }
 

@@ -101,10 +101,10 @@ struct Count_grown {
   }
 };
 
-// The table after a pass, of which `ids` is the end of the ids. New shapes get consecutive ids behind the others. Where
-// most ids are out of use, all shapes get new ones, in the same order: ties are broken by id, so that keeps all
-// results. So the tables stay proportional to the live shapes. Labels are rewritten only if some id is new. Returns the
-// number of points that got a shape.
+// Makes the table of shapes after a pass, of which `ids` is the end of the ids. New shapes get consecutive ids behind
+// the others. Where most ids are out of use, all shapes get new ones, in the same order: ties are broken by id, so that
+// keeps all results. So the tables stay proportional to the live shapes. Labels are rewritten only if some id is new.
+// Returns the number of points that got a shape.
 template <class Backend>
 std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, std::size_t ids)
 {
@@ -131,12 +131,20 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   }
   Shape* const table = shapes.change_moments(); // also where they move
   Ids new_id(ids);
-  backend.for_each(size,
-                   Take_growth{shapes.table().data(), shapes.plane.data(), moves ? shape.data() : table,
-                               moves ? plane.data() : shapes.plane.data(), shapes.steps.data(),
-                               shapes.is_restarted.data(), delta, is_sparse ? kept.data() : nullptr, started.data(),
-                               std::uint32_t(number_kept), std::uint32_t(first_new), new_id.data()},
-                   shapes_per_thread);
+  Take_growth take = {};
+  take.old_shape = shapes.table().data();
+  take.old_plane = shapes.plane.data();
+  take.shape = moves ? shape.data() : table;
+  take.plane = moves ? plane.data() : shapes.plane.data();
+  take.steps = shapes.steps.data();
+  take.is_restarted = shapes.is_restarted.data();
+  take.delta = delta;
+  take.kept = is_sparse ? kept.data() : nullptr;
+  take.started = started.data();
+  take.number_kept = std::uint32_t(number_kept);
+  take.first_new = std::uint32_t(first_new);
+  take.new_id = new_id.data();
+  backend.for_each(size, take, shapes_per_thread);
   if(moves) {
     shapes.table() = std::move(shape);
     shapes.plane = std::move(plane);
@@ -149,7 +157,7 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   return std::size_t(sums[0]);
 }
 
-// One pass, from proposals to the table of shapes. Returns the number of points that were free before.
+// Runs one pass of growth, from proposals to the table of shapes. Returns the number of points that were free before.
 template <class Backend>
 std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, Seeds<Backend>& seeds,
                         const Growth_options& options)
@@ -177,8 +185,8 @@ struct Take_local_plane {
   }
 };
 
-// Between two passes of a round: shapes that started in the last one take their local planes. So they can go on before
-// they have relations. They are on the frontier as a whole, so they need no restart.
+// Gives shapes that started in the last pass their local planes, between two passes of a round. So they can go on
+// before they have relations. They are on the frontier as a whole, so they need no restart.
 template <class Backend>
 void take_local_planes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {

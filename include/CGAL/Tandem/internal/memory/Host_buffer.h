@@ -50,7 +50,8 @@ public:
     size_ = size;
   }
 
-  // At its end the memory goes to Kept_pages instead of the system, for the next buffer of about this size.
+  // Makes the buffer give its memory at its end to Kept_pages instead of the system, for the next buffer of about this
+  // size.
   void keep_pages() { data_.get_deleter().is_kept = true; }
 
   // The buffer is empty afterwards.

@@ -77,7 +77,7 @@ public:
       std::copy_n(doubles_.data() + 3 * from, 3, doubles_.data() + 3 * to);
   }
 
-  // See Host_buffer. The memory of whichever type is in use is kept.
+  // Makes the tables give their memory at their end to Kept_pages: see Host_buffer.
   void keep_pages()
   {
     floats_.keep_pages();
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  // Also false for an empty table, whose view has a null pointer either way.
+  // Whether the numbers are floats. Also false for an empty table, whose view has a null pointer either way.
   bool is_float() const { return floats_.size() > 0; }
 
   template <class T>

@@ -22,7 +22,7 @@ constexpr std::uint32_t bucket_bits = 3;
 constexpr std::uint32_t bucket_size = 1u << bucket_bits;
 constexpr std::uint32_t branch_bits = 3;
 constexpr std::uint32_t branching = 1u << branch_bits;
-// Enough for 2^32 points; level 0 are the buckets.
+// Levels that are enough for 2^32 points. Level 0 are the buckets.
 constexpr int maximum_levels = 1 + (32 - bucket_bits + branch_bits - 1) / branch_bits;
 
 // The coordinates of eight points, by axis for loads of Float8. The last bucket repeats its last point.
@@ -51,8 +51,8 @@ inline Node_box joined(const Node_box& a, const Node_box& b)
   return r;
 }
 
-// Between the nearest points of both boxes; 0 if they overlap. Exact: gaps are at most 2^30 steps, the sum is below
-// 2^62.
+// The squared distance between the nearest points of two boxes; 0 if they overlap. Exact: gaps are at most 2^30 steps,
+// the sum is below 2^62.
 inline std::uint64_t squared_distance(const Node_box& a, const Node_box& b)
 {
   std::uint64_t sum = 0;
@@ -63,7 +63,7 @@ inline std::uint64_t squared_distance(const Node_box& a, const Node_box& b)
   return sum;
 }
 
-// Exact for the same reason.
+// The squared length of the diagonal. Exact: its sides have at most 2^30 steps.
 inline std::uint64_t squared_diagonal(const Node_box& a)
 {
   std::uint64_t sum = 0;
@@ -74,8 +74,8 @@ inline std::uint64_t squared_diagonal(const Node_box& a)
   return sum;
 }
 
-// From a to each of the siblings, in float. Rounded by a factor of at most 1 + 6u, u = 2^-24, however far apart the
-// boxes are.
+// The squared distances from a to each of the siblings, in float, rounded by a factor of at most 1 + 6u, u = 2^-24,
+// however far apart the boxes are.
 inline Float8 squared_distance8(const Sibling_boxes& b, const Node_box& a)
 {
   Float8 gap[3];

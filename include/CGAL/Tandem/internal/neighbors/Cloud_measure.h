@@ -10,7 +10,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Of a cloud, these are quantiles over points, in units of the coordinates. Of a point, they are its own values.
+// Noise and spacing: of a cloud as quantiles over its points, in units of the coordinates; of a point as its own
+// values.
 struct Cloud_measure {
   double spacing = 0;   // median, over the points, of the mean distance to the 6 nearest neighbors
   double noise = 0;     // upper quartile of the rms distance of 20 neighbors to their plane

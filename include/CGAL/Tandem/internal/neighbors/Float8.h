@@ -99,7 +99,7 @@ inline Float8 fill8(float f)
 }
 inline void store8(float* p, const Float8& a) { std::memcpy(p, a.v, sizeof a.v); }
 
-// See above; the functions below are the same as those of SSE2.
+// float(p[i] - origin). This function and those below give the same as those of SSE2.
 inline Float8 difference8(const std::int32_t* p, std::int32_t origin)
 {
   return make8([&](int i) { return float(p[i] - origin); });

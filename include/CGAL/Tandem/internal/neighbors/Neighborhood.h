@@ -33,7 +33,7 @@ CGAL_TANDEM_HD inline Float_vector operator-(const Float_vector& a, const Float_
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-// Has at most 48 bits, so the product itself never rounds.
+// The product of two floats. It has at most 48 bits, so it never rounds.
 CGAL_TANDEM_HD inline double exact_product(float a, float b) { return double(a) * double(b); }
 
 CGAL_TANDEM_HD inline double exact_dot(const Float_vector& a, const Float_vector& b)
@@ -41,7 +41,7 @@ CGAL_TANDEM_HD inline double exact_dot(const Float_vector& a, const Float_vector
   return exact_product(a.x, b.x) + exact_product(a.y, b.y) + exact_product(a.z, b.z);
 }
 
-// From p to q, rounded where they are more than 2^24 steps apart.
+// The vector from p to q, rounded where they are more than 2^24 steps apart.
 CGAL_TANDEM_HD inline Float_vector difference(const Grid_point& q, const Grid_point& p)
 {
   return {to_float(q.x - p.x), to_float(q.y - p.y), to_float(q.z - p.z)};
@@ -75,7 +75,7 @@ struct Neighborhood_sum {
     ++size;
   }
 
-  // A neighborhood of another point, which lies at `offset` from this one.
+  // Adds a neighborhood of another point, which lies at `offset` from this one.
   CGAL_TANDEM_HD void add(const Float_vector& offset, const Neighborhood& h)
   {
     add(offset + h.mean);
@@ -104,7 +104,8 @@ struct Neighborhood_sum {
   }
 };
 
-// The same with second moments about the point itself instead of the mean. Its plane is the best one through the point.
+// The neighborhood with second moments about the point itself instead of the mean. Its plane is the best one through
+// the point.
 CGAL_TANDEM_HD inline Neighborhood about_point(const Neighborhood& h)
 {
   const Float_vector& m = h.mean;
@@ -125,7 +126,7 @@ struct Thickness {
 
 namespace covariance {
 
-// Symmetric 3x3.
+// A symmetric 3x3 matrix.
 struct Matrix {
   float xx, xy, xz, yy, yz, zz;
 };
@@ -136,7 +137,8 @@ CGAL_TANDEM_HD inline float minor_of(float a, float b, float c, float d)
   return to_float(exact_product(a, b) - exact_product(c, d));
 }
 
-// The adjugate. Its trace is a coefficient of the characteristic polynomial: the sum of products of two eigenvalues.
+// The adjugate of m. Its trace is a coefficient of the characteristic polynomial: the sum of products of two
+// eigenvalues.
 CGAL_TANDEM_HD inline Matrix cofactors(const Matrix& m)
 {
   return {minor_of(m.yy, m.zz, m.yz, m.yz), minor_of(m.xz, m.yz, m.xy, m.zz), minor_of(m.xy, m.yz, m.xz, m.yy),
@@ -168,8 +170,8 @@ CGAL_TANDEM_HD inline float smallest_root(float t, float q, double d)
 
 } // namespace covariance
 
-// From the characteristic polynomial: the smallest root first, then the middle one from sum and product of the others.
-// That costs a fraction of an eigensystem, and there are up to five for each point.
+// The two lower eigenvalues from the characteristic polynomial: the smallest root first, then the middle one from sum
+// and product of the others. That costs a fraction of an eigensystem, and there are up to five for each point.
 CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
 {
   // Below this the second direction is rounding: of the grid (1/12 step^2), or of floats.
@@ -189,8 +191,8 @@ CGAL_TANDEM_HD inline Thickness thickness(const Neighborhood& h)
   return {r, middle > minimum_width && middle > minimum_ratio * t ? middle : 0};
 }
 
-// The direction of the smallest eigenvalue, not unit. It is the longest column of the adjugate of the covariance less
-// that eigenvalue.
+// The normal of the plane: the direction of the smallest eigenvalue, not of unit length. It is the longest column of
+// the adjugate of the covariance less that eigenvalue.
 CGAL_TANDEM_HD inline Float_vector plane_normal(const Neighborhood& h, float smallest)
 {
   const covariance::Matrix m = {to_float(double(h.xx) - smallest), h.xy, h.xz,

@@ -88,8 +88,8 @@ struct Finish {
   const std::uint32_t* source;
   Grid_point* point;
 
-  // That of a plane through the point itself and few neighbors. Those on a face beside it lie in the direction of the
-  // normal of the face. So the rough plane is across the face, and the point does not fit it.
+  // The packed normal of a plane through the point itself and few neighbors. Those on a face beside it lie in the
+  // direction of the normal of the face. So the rough plane is across the face, and the point does not fit it.
   CGAL_TANDEM_HD std::uint32_t rough_normal(std::uint32_t i) const
   {
     const Neighborhood h =

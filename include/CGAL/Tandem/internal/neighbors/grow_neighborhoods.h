@@ -42,22 +42,21 @@ struct Workspace {
   float minimum_clutter2; // squared distance from the plane
 };
 
-// epsilon_grid: epsilon in grid steps. The tables of neighborhoods are set by the caller.
+// The workspace of an estimation, for epsilon in grid steps. The tables of neighborhoods are set by the caller.
 inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, double epsilon_grid)
 {
   const float flat = to_float(noiseless_share * epsilon_grid);
   const float clutter = to_float(clutter_share * epsilon_grid);
-  const int k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
-  return {cloud,
-          nullptr,
-          nullptr,
-          candidate,
-          k,
-          to_float(exact_product(flat, flat) + rounding_variance),
-          to_float(exact_product(clutter, clutter))};
+  Workspace w = {};
+  w.cloud = cloud;
+  w.candidate = candidate;
+  w.k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
+  w.flat = to_float(exact_product(flat, flat) + rounding_variance);
+  w.minimum_clutter2 = to_float(exact_product(clutter, clutter));
+  return w;
 }
 
-// The point itself and its k nearest neighbors.
+// The neighborhood of point i and its k nearest neighbors.
 CGAL_TANDEM_HD inline Neighborhood nearest_neighborhood(const Workspace& w, std::uint32_t i, int k)
 {
   const Grid_point p = w.cloud.point[i];
@@ -96,8 +95,8 @@ CGAL_TANDEM_HD inline std::uint32_t encoded_normal(const Neighborhood& h, float 
   return encode_normal({n.x, n.y, n.z});
 }
 
-// What candidates are compared by: expected error from noise, and a penalty for being thick, as across an edge. Here
-// and below products are exact, so that no compiler can contract a sum differently.
+// The cost by which candidates are compared: expected error from noise, and a penalty for being thick, as across an
+// edge. Here and below products are exact, so that no compiler can contract a sum differently.
 CGAL_TANDEM_HD inline float cost(const Candidate& c)
 {
   return to_float(c.error2 + exact_product(thickness_weight, c.smallest / c.middle));

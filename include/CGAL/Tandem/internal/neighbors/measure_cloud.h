@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// About tuning::estimation::sampled_points points, in the order of the curve. Whole cells are taken at a constant
-// stride, since neighbors of a point must be in the sample as well.
+// A sample of about tuning::estimation::sampled_points points, in the order of the curve. Whole cells are taken at a
+// constant stride, since neighbors of a point must be in the sample as well.
 template <class Backend>
 std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
 {
@@ -65,7 +65,7 @@ inline Cloud_measure measure_neighborhood(const Grid_point* point, std::uint32_t
           e.value[1] > 0 ? std::sqrt(smallest / e.value[1]) : 0};
 }
 
-// Reorders the values, in linear time.
+// The q-quantile of the values, which are reordered, in linear time.
 inline double quantile(std::vector<double>& values, double q)
 {
   const auto nth = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
@@ -73,8 +73,8 @@ inline double quantile(std::vector<double>& values, double q)
   return *nth;
 }
 
-// Quantiles over all points of a sample, in grid steps. A point of one cell may lack neighbors in cells that are not
-// sampled; these few hardly change medians and quartiles.
+// The measure of a sample, by quantiles over its points, in grid steps. A point of one cell may lack neighbors in cells
+// that are not sampled; these few hardly change medians and quartiles.
 template <class Backend>
 Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sample)
 {
@@ -94,7 +94,8 @@ Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sa
           quantile(thickness, thickness_quantile)};
 }
 
-// One point of so many, in the order of the curve. Of every fourth point the spacing on a surface is twice as wide.
+// One point of so many of the sample, in the order of the curve. Of every fourth point the spacing on a surface is twice
+// as wide.
 inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
 {
   std::vector<Grid_point> thin;

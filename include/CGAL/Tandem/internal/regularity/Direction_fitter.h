@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// groups and is_dirty are indexed alike. Members are indices of shapes, ascending. A shape is in one group at most.
+// A shape is in one group at most.
 template <class Verify>
 class Direction_fitter {
 public:
@@ -51,9 +51,7 @@ public:
     }
     if(options.parallelism && options.is_last)
       join_leftovers(pending);
-    groups.erase(
-      std::remove_if(groups.begin(), groups.end(), [](const Direction_group& g) { return g.members.empty(); }),
-      groups.end());
+    drop([](const Direction_group& g) { return g.members.empty(); });
   }
 
   // The groups; all have directions, also those of one shape.
@@ -75,10 +73,8 @@ private:
   void join_given(std::vector<int>& pending)
   {
     const double right_sine = sine_deg(options.angle_tolerance_deg * tuning::directions::right_share[0]);
-    for(const Vector& d : options.fixed_directions) {
-      groups.push_back({{}, right_sine, {}, 0, {}, d, rounded_normal(d), 0, d, false, true});
-      is_dirty.push_back(1);
-    }
+    for(const Vector& d : options.fixed_directions)
+      groups.push_back(given_direction_group(d, right_sine));
     const double sine = sine_deg(options.angle_tolerance_deg * tuning::directions::parallel_share[0]);
     if(groups.empty() || !options.parallelism || !(sine > tuning::directions::minimum_sine))
       return;
@@ -98,10 +94,10 @@ private:
   // the last level, without right angles, the other groups keep their directions.
   void freeze(double right_sine)
   {
-    for(std::size_t g = 0; g < groups.size(); ++g) {
-      groups[g].is_frozen = right_sine == 0 && !is_dirty[g];
-      if(is_dirty[g] && !groups[g].is_given)
-        groups[g].sine = right_sine;
+    for(Direction_group& g : groups) {
+      g.is_frozen = right_sine == 0 && !g.has_changed;
+      if(g.has_changed && !g.is_given)
+        g.sine = right_sine;
     }
     refit();
   }
@@ -126,7 +122,7 @@ private:
       } else {
         std::vector<int>& m = groups[best.second].members;
         m.insert(std::lower_bound(m.begin(), m.end(), i), i);
-        is_dirty[best.second] = 1;
+        groups[best.second].has_changed = true;
       }
     }
     pending.swap(rest);
@@ -151,8 +147,7 @@ private:
     for(std::vector<int>& cluster : clusters) {
       for(int& k : cluster)
         k = pending[k];
-      groups.push_back({cluster, right_sine, {}, 0, {}, {}, {}, 0, {}, false, false});
-      is_dirty.push_back(1);
+      groups.push_back(direction_group(std::move(cluster), right_sine));
     }
   }
 
@@ -178,8 +173,10 @@ private:
   void join_leftovers(const std::vector<int>& pending)
   {
     for(int i : pending) {
-      groups.push_back({{i}, 0, {}, 0, {}, {}, {}, 0, canonical(shapes[i].fit.normal), true, false});
-      refit(groups.back());
+      groups.push_back(direction_group({i}, 0));
+      groups.back().direction = canonical(shapes[i].fit.normal);
+      groups.back().is_frozen = true;
+      groups.back().fit(shapes);
     }
     Direction_joiner<Verified_planes<Verify>>(shapes, options.maximum_distance, sine_deg(options.angle_tolerance_deg),
                                               verified, groups)
@@ -189,27 +186,9 @@ private:
   // Fits the groups whose members have changed.
   void refit()
   {
-    if(std::find(is_dirty.begin(), is_dirty.end(), char(1)) == is_dirty.end())
-      return;
-    for(std::size_t g = 0; g < groups.size(); ++g)
-      if(is_dirty[g])
-        refit(groups[g]);
-    std::fill(is_dirty.begin(), is_dirty.end(), char(0));
-  }
-
-  void refit(Direction_group& g) const
-  {
-    g.matrix = {0, 0, 0, 0, 0, 0};
-    g.weight = 0;
-    for(int i : g.members) {
-      g.matrix = g.matrix + shapes[i].scatter.matrix;
-      g.weight += shapes[i].scatter.count;
-    }
-    if(g.is_given)
-      return;
-    g.fit();
-    if(g.members.size() == 1) // the bits of its own fit: rolled_back() compares them
-      g.set_fit(canonical(shapes[g.members.front()].fit.normal));
+    for(Direction_group& g : groups)
+      if(g.has_changed)
+        g.fit(shapes);
   }
 
   // Sets the directions of all groups, with right angles where they are enabled.
@@ -286,30 +265,21 @@ private:
           rejected_cost[i] = verified.added(i, groups[g].fitted);
       }
       members.swap(kept);
-      is_dirty[g] = 1;
+      groups[g].has_changed = true;
     }
-    drop_empty();
+    drop([](const Direction_group& g) { return g.members.empty() && !g.is_given; });
   }
 
-  // Keeps the order of groups, and given directions.
-  void drop_empty()
+  template <class Predicate>
+  void drop(Predicate is_dropped)
   {
-    std::size_t kept = 0;
-    for(std::size_t g = 0; g < groups.size(); ++g)
-      if(groups[g].is_given || !groups[g].members.empty()) {
-        if(kept != g)
-          groups[kept] = std::move(groups[g]);
-        is_dirty[kept++] = is_dirty[g];
-      }
-    groups.resize(kept);
-    is_dirty.resize(kept);
+    groups.erase(std::remove_if(groups.begin(), groups.end(), is_dropped), groups.end());
   }
 
   const Shape_fits& shapes;
   const Regularity_options& options;
   Verified_planes<Verify>& verified;
   std::vector<Direction_group> groups;
-  std::vector<char> is_dirty;        // per group: its members changed
   std::vector<char> was_rejected;    // per shape: by its points, at any level
   std::vector<double> rejected_cost; // per shape: what the fit of the rejected group added (steps^2)
 };

@@ -10,6 +10,7 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_JOINER_H
 
 #include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
+#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 namespace CGAL {

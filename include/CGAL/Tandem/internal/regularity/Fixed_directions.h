@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Groups of parallel shapes, and the directions that are fixed so far. A new direction is made orthogonal to at most
-// two of those, so that it is never over-determined. Only Direction_group::direction is written. See the manual,
-// "Orthogonality: Stars and Frames", chains.
+// The directions that are fixed so far. A new direction is made orthogonal to at most two of those, so that it is never
+// over-determined. Only Direction_group::direction is written. See the manual, "Orthogonality: Stars and Frames", chains.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 
+#include <CGAL/Tandem/internal/regularity/Direction_group.h>
 #include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/constrained_fit.h>
@@ -17,96 +17,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Shapes that share one direction, and the moments that decide on it. Right angles to other groups are considered
-// within the angle whose sine is given. It is smaller for shapes that were rejected before.
-struct Direction_group {
-  std::vector<int> members; // shapes, ascending; never empty between steps, but for given directions
-  double sine;
-  Symmetric_matrix matrix; // sum of the members' scatter
-  double weight;           // points
-  Eigen_system eigen;      // of the matrix
-  Vector fitted;           // least squares, unconstrained
-  Vector rounded;          // the same on the grid of the Gauss map
-  double minimum;          // sum of squared distances of the fit
-  Vector direction;        // the result
-  bool is_frozen;          // keeps its direction, others may be made orthogonal to it
-  bool is_given = false;   // its direction is given: it stays, and other groups are made orthogonal to it first
-
-  // The unconstrained fit, from the matrix alone.
-  void fit()
-  {
-    eigen = eigen_system(matrix);
-    set_fit(canonical(eigen.vector[0]));
-  }
-
-  // Sets what follows from a fitted normal.
-  void set_fit(const Vector& n)
-  {
-    fitted = n;
-    rounded = rounded_normal(n);
-    minimum = quadratic_form(matrix, n);
-  }
-
-  // By how much a direction exceeds the sum of squared distances of the fit (steps^2).
-  double cost(const Vector& n) const { return quadratic_form(matrix, n) - minimum; }
-};
-
-// Given directions in their order, then groups by falling number of points; ties are broken by the first member, which is
-// in no other group.
-inline bool is_heavier(const std::vector<Direction_group>& groups, int a, int b)
-{
-  if(groups[a].is_given || groups[b].is_given)
-    return groups[a].is_given && (!groups[b].is_given || a < b);
-  if(groups[a].weight != groups[b].weight)
-    return groups[a].weight > groups[b].weight;
-  return groups[a].members.front() < groups[b].members.front();
-}
-
-// What a rotation of the normal costs at least, in steps^2 by the squared angle.
-inline double smallest_gap(const Eigen_system& e) { return (std::max)(e.value[1] - e.value[0], 1e-300); }
-
-// The least cost (steps^2) of making the normal of a scatter orthogonal to x, to first order in the rotation. Rotating
-// about an axis costs the gap of two eigenvalues times the squared angle.
-inline double cost_of_right_angle(const Eigen_system& e, const Vector& x)
-{
-  const double gap1 = smallest_gap(e);
-  const double gap2 = (std::max)(e.value[2] - e.value[0], 1e-300);
-  const double d0 = dot(e.vector[0], x), d1 = dot(e.vector[1], x), d2 = dot(e.vector[2], x);
-  const double ease = d1 * d1 / gap1 + d2 * d2 / gap2;
-  return ease > 0 ? d0 * d0 / ease : (d0 == 0 ? 0 : 1e300);
-}
-
-// The square of the unused share of what a right angle may cost, in [0, 1]. 0: it costs too much.
-inline double score_of_cost(double cost, double allowed)
-{
-  const double left = cost < allowed ? 1 - cost / allowed : (cost <= 0 ? 1 : 0);
-  return left * left;
-}
-
-// A bound on what it costs a group to be made orthogonal to a direction d, and to `other` unless that is null: at least
-// base + gap (axis . d)^2 / |other x d|^2, in steps^2. The denominator is 1 without another one.
-struct Least_cost {
-  Vector axis, other;
-  double base, gap;
-};
-
-// That of cost_of_right_angle().
-inline Least_cost least_cost(const Direction_group& g)
-{
-  return {g.eigen.vector[0], {0, 0, 0}, 0, smallest_gap(g.eigen)};
-}
-
-// That of Direction_group::cost() of a normal that is also orthogonal to p.
-inline Least_cost least_cost_beside(const Direction_group& g, const Vector& p)
-{
-  const Plane_basis basis(p);
-  const Symmetric_matrix_2 m = restricted(g.matrix, basis);
-  double c = 1, s = 0;
-  smallest_eigenvector(m, c, s);
-  const double delta = (m.p - m.r) * 0.5, root = std::sqrt(std::fma(delta, delta, m.q * m.q));
-  return {unit(basis.lifted(c, s)), p, (m.p + m.r) * 0.5 - root - g.minimum, 2 * root};
-}
 
 // The fixed directions that may be the best partner of a group. Values of the index are roots of weights.
 class Partner_region {

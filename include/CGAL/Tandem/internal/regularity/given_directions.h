@@ -55,12 +55,20 @@ inline Vector symmetry_axis(const Parameters& p)
   return add_direction(directions, given_direction(p.symmetry_direction));
 }
 
-// The axis of symmetry is a fixed direction, too.
-inline void set_given_directions(const Parameters& p, Regularity_options& options)
+// step: the unit of lengths. The axis of symmetry is a fixed direction, too.
+inline Regularity_options make_regularity_options(const Parameters& p, double angle_tolerance_deg, double step)
 {
+  Regularity_options options;
+  options.angle_tolerance_deg = angle_tolerance_deg;
+  options.maximum_offset = p.maximum_offset / step;
+  options.maximum_distance = p.maximum_distance / step;
+  options.parallelism = p.regularize_parallelism;
+  options.orthogonality = p.regularize_orthogonality;
+  options.coplanarity = p.regularize_coplanarity;
   options.fixed_directions = distinct_fixed_directions(p);
   if(p.regularize_axis_symmetry)
     options.symmetry_axis = {add_direction(options.fixed_directions, given_direction(p.symmetry_direction))};
+  return options;
 }
 
 // The normals of parallel groups, up to their signs. group: of each plane.

@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/regularity/Input_planes.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
+#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
 
 #include <vector>
 

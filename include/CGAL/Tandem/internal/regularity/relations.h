@@ -11,34 +11,24 @@
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/base/tuning/regularity.h>
 #include <CGAL/Tandem/internal/base/planes.h>
-#include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A shape: its moments and its local least-squares plane, which passes through the centroid and has a unit normal.
-struct Shape_fit {
-  Scatter scatter;
-  Fit fit;
-};
-
-using Shape_fits = std::vector<Shape_fit>;
-
 // For a given normal, the plane with the least sum of squared distances.
 inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { return {n, dot(n, s.scatter.centroid)}; }
 
 struct Regularity_options {
-  double angle_tolerance_deg; // beta, in [0, 45)
-  double maximum_offset;      // sigma, the radius of coplanar classes
-  double maximum_distance;    // epsilon
-  bool parallelism, orthogonality, coplanarity;
-  bool is_last; // growth has ended: everything that is rejected is tried again, and leftovers join directions
+  double angle_tolerance_deg = 0; // beta, in [0, 45)
+  double maximum_offset = 0;      // sigma, the radius of coplanar classes
+  double maximum_distance = 0;    // epsilon
+  bool parallelism = true, orthogonality = true, coplanarity = true;
+  bool is_last = false; // growth has ended: everything that is rejected is tried again, and leftovers join directions
   // The most misfits by which a shape accepts a relation, whatever their share: in the loop they would grow again as
   // strips beside it. But never less than strip_share of its points.
   double points_of_strips = std::numeric_limits<double>::infinity();
@@ -65,47 +55,6 @@ struct Relations {
   std::vector<Regular_plane> planes; // their normals are the same bits as the directions
   std::vector<char> is_rolled_back;  // by shape: its points rejected a plane, and it keeps its local fit
 };
-
-// The directions that may be exactly orthogonal to one.
-class Right_angle_region {
-public:
-  explicit Right_angle_region(const Vector& direction) : circle(great_circle(direction)) {}
-
-  bool meets(const Direction_cell& cell, double) const { return circle.meets(cell); }
-  int nearest_quarter(const Direction_cell&) const { return 0; }
-
-private:
-  Great_circle circle;
-};
-
-// The same as are_orthogonal(). Plain products decide nearly all pairs: without FMA in the processor, fma() is slow.
-inline bool are_exactly_orthogonal(const Vector& a, const Vector& b)
-{
-  return std::fabs(a.x * b.x + a.y * b.y + a.z * b.z) <= tuning::exactness::dot_margin && are_orthogonal(a, b);
-}
-
-// All pairs (i, j), i < j, of exactly orthogonal unit directions, sorted; null vectors have none. A direction is
-// compared with those near its great circle: for n directions in general position, about the square root of n. The list
-// is not complete if there are more than `most`.
-inline std::vector<std::pair<int, int>> orthogonal_pairs(const std::vector<Vector>& directions,
-                                                         std::size_t most = (std::numeric_limits<std::size_t>::max)())
-{
-  std::vector<std::pair<int, int>> pairs;
-  Great_circle_index index;
-  std::vector<int> added; // by number in the index
-  for(std::size_t j = 0; j < directions.size() && pairs.size() <= most; ++j) {
-    if(!(dot(directions[j], directions[j]) > 0))
-      continue;
-    index.search(Right_angle_region(directions[j]), [&](int k) {
-      if(are_exactly_orthogonal(directions[added[k]], directions[j]))
-        pairs.push_back({added[k], int(j)});
-    });
-    index.add(directions[j], 0);
-    added.push_back(int(j));
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
 
 } // namespace internal
 } // namespace Tandem

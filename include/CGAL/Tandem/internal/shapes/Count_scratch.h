@@ -20,7 +20,7 @@ struct Count_scratch {
   std::uint32_t key[slots];
   std::uint32_t count[slots];
 
-  // By all lanes, before the first add() of a cell.
+  // Empties the slots. Called by all lanes, before the first add() of a cell.
   template <class Block>
   CGAL_TANDEM_HD void clear(Block& block)
   {
@@ -42,7 +42,8 @@ struct Count_scratch {
       Backend::atomic_add(total[k], Total(1));
   }
 
-  // By all lanes, after the last add(): one atomic addition for each key of the cell, not for each point.
+  // Adds the slots to the table of all cells. Called by all lanes, after the last add(): one atomic addition for each
+  // key of the cell, not for each point.
   template <class Backend, class Block, class Total>
   CGAL_TANDEM_HD void flush(Block& block, Total* total)
   {

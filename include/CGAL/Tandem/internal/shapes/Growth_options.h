@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// See the manual, "Growth".
+// How shapes start and grow: see the manual, "Growth".
 struct Growth_options {
   Tolerance tolerance;     // epsilon and alpha
   int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin; rises after young rounds

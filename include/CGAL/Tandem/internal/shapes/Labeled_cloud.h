@@ -26,7 +26,8 @@ struct Cell_shapes {
   std::uint32_t size;
   std::uint32_t shape[capacity];
 
-  // By all lanes. Where it is false, a pass over the selected shapes can leave out the cell.
+  // Whether the cell may have a point of a selected shape; if not, a pass over these shapes can leave it out. Called by
+  // all lanes.
   template <class Block, class Predicate>
   CGAL_TANDEM_HD bool may_have(Block& block, Predicate is_selected) const
   {
@@ -55,6 +56,12 @@ struct Cells_view {
   }
 };
 
+struct Border_view {
+  const Range* range;
+  const std::uint32_t* point;
+  const std::uint32_t* proposal;
+};
+
 // The points with a neighbor in another cell, ascending, so cell by cell. Only they can be reached by shapes of other
 // cells. `proposal` is new in each pass of growth; the others never change.
 template <class Backend>
@@ -65,6 +72,8 @@ struct Border {
   Buffer<Range> range; // by cell: its entries in the next two
   Buffer<std::uint32_t> point;
   Buffer<std::uint32_t> proposal; // the shape that the point joins next, or no_index
+
+  Border_view view() const { return {range.data(), point.data(), proposal.data()}; }
 };
 
 // When the bits of interior points were made. Points may have lost their labels since, but within one phase only.
@@ -82,14 +91,14 @@ struct Labeled_cloud {
 
   explicit Labeled_cloud(Backend& backend) : backend(backend), ranks(backend) {}
 
-  // Of all ranks.
+  // The number of points of all ranks.
   std::size_t total_points() const { return ranks.total(cloud.size()); }
   std::size_t total_cells() const { return ranks.total(cells.size()); }
 
   std::size_t number_of_cells() const { return cells.size(); }
   std::size_t number_of_parts() const { return cells.size() * parts_of_cell(); }
 
-  // Without lists, which may be out of date, and with them.
+  // The cells in parts: parts() without lists, which may be out of date, listed_parts() with them.
   Cells_view parts() const { return {cells.data(), nullptr, std::uint32_t(parts_of_cell())}; }
   Cells_view listed_parts() const { return {cells.data(), lists(), std::uint32_t(parts_of_cell())}; }
   Cells_view listed_cells() const { return {cells.data(), lists()}; }
@@ -100,7 +109,7 @@ struct Labeled_cloud {
     return const_cast<Cell_shapes*>(cell_shapes_.data());
   }
 
-  // For the pass that makes them, of all cells.
+  // The lists of all cells, for the pass that makes them.
   Cell_shapes* make_lists()
   {
     if(cell_shapes_.size() != cells.size())
@@ -113,14 +122,15 @@ struct Labeled_cloud {
   const std::uint32_t* label() const { return label_.data(); }
   std::uint8_t* state() { return state_.data(); }
 
-  // For a pass that changes labels. Whether it keeps the lists right itself, if they are.
+  // Labels and states for a pass that changes them. keeps_lists: whether the pass keeps lists right that are so before
+  // it.
   Labels_view change_labels(bool keeps_lists)
   {
     has_lists_ = has_lists_ && keeps_lists;
     return {label_.data(), state_.data()};
   }
 
-  // Afterwards no point has a shape.
+  // Makes the tables of labels and states. Afterwards no point has a shape.
   void start_labels()
   {
     label_.reset(cloud.size_with_ghosts());
@@ -128,7 +138,8 @@ struct Labeled_cloud {
     has_lists_ = false;
   }
 
-  // The phase of the interior bits; true if it is another one now, so that the bits are to be cleared.
+  // Begins a phase of the interior bits. Returns whether it is another one than before, so that the bits are to be
+  // cleared.
   bool begin_phase(Phase phase) { return std::exchange(phase_, phase) != phase; }
 
   Backend& backend;

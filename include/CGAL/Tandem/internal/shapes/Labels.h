@@ -27,7 +27,7 @@ constexpr std::uint8_t detached_bit = 4;   // it has been detached once; the sec
 // Phase in Labeled_cloud.h.
 constexpr std::uint8_t interior_bit = 8;
 
-// By position in the sorted cloud.
+// The labels and states of points, by position in the sorted cloud.
 struct Labels_view {
   std::uint32_t* label;
   std::uint8_t* state;

@@ -115,7 +115,7 @@ struct Moment_table {
     return slots;
   }
 
-  // By one lane.
+  // Adds a run of points of one shape, by one lane.
   template <class Backend, class Block>
   CGAL_TANDEM_HD void add(Block& block, const Shape_run& run, const Cell_sums& target)
   {
@@ -128,7 +128,7 @@ struct Moment_table {
     block.add_box(box[slot], run.box);
   }
 
-  // A single point, by one lane.
+  // Adds a single point, by one lane.
   template <class Backend, class Block>
   CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, int sign, const Cell_sums& target)
   {
@@ -138,7 +138,8 @@ struct Moment_table {
     add<Backend>(block, run, target);
   }
 
-  // By all lanes, after the last add(). Only here do cells share memory, with atomic additions.
+  // Adds the sums of the cell to those of the shapes. Called by all lanes, after the last add(). Only here do cells
+  // share memory, with atomic additions.
   template <class Backend, class Block>
   CGAL_TANDEM_HD void flush(Block& block, const Cell_sums& target)
   {

@@ -20,8 +20,8 @@ struct Exact_bounds {
   double maximum_distance;
   double cosine; // of maximum_angle, raised by what a normal may lose when it is rounded to float
 
-  // True only if every order of evaluation in double finds the point within epsilon. The margin is relative to the sum
-  // of the terms, which bounds the error of rounding.
+  // Whether p is within epsilon of the plane for certain: true only if every order of evaluation in double finds the
+  // point within epsilon. The margin is relative to the sum of the terms, which bounds the error of rounding.
   bool is_near(const Coefficients& c, const Vector& p) const
   {
     const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
@@ -30,14 +30,15 @@ struct Exact_bounds {
     return std::fma(size, tuning::exactness::evaluation_margin, std::fabs(e)) <= maximum_distance;
   }
 
-  // n: of unit length. The sign of a normal is ignored.
+  // Whether the unit normal n is within alpha of that of the plane. The sign of a normal is ignored.
   bool is_aligned(const Coefficients& c, const Vector& n) const
   {
     return std::fabs(dot({c[0], c[1], c[2]}, n)) >= cosine;
   }
 };
 
-// Lengths are grid steps, sizes are numbers of points. See the manual, "Choosing Parameters", and base/tuning.
+// The parameters of the stages. Lengths are grid steps, sizes are numbers of points. See the manual, "Choosing
+// Parameters", and base/tuning.
 struct Options {
   Growth_options growth;
   Regularity_options regularity;

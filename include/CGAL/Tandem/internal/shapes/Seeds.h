@@ -28,7 +28,7 @@ struct Planarity {
   int close = 0;   // ... that do so within tighter bounds
 };
 
-// Both numbers are in [0, k]. A point without a normal has none of either.
+// How planar the surface is at point i. Both numbers are in [0, k]. A point without a normal has none of either.
 CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance,
                                           const Tolerance& tight)
 {
@@ -50,14 +50,23 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
 
 // The candidates of a cell are seed[cell.first] ... seed[cell.first + count[c] - 1]; those before cursor[c] are used
 // up. Candidates stay in their order; growth only moves the cursors. `count` and `cursor` are by cell.
+struct Seeds_view {
+  const std::uint32_t* seed;
+  const std::uint32_t* count;
+  std::uint32_t* cursor;
+};
+
 template <class Backend>
 struct Seeds {
   typename Backend::template Buffer<std::uint32_t> seed;
   typename Backend::template Buffer<std::uint32_t> count;
   typename Backend::template Buffer<std::uint32_t> cursor;
+
+  Seeds_view view() { return {seed.data(), count.data(), cursor.data()}; }
 };
 
-// Above all keys of seeds, so these points are sorted to the end of their cell.
+// The key of a point that is no seed. It is above all keys of seeds, so these points are sorted to the end of their
+// cell.
 constexpr std::uint64_t not_a_seed = ~std::uint64_t(0);
 
 struct Seed_bounds {
@@ -65,7 +74,7 @@ struct Seed_bounds {
   std::size_t cell_size; // most points of a cell
 };
 
-// Of the points of a cell. Its middle is the center by which seeds are ordered.
+// The box of the points of a cell. Its middle is the center by which seeds are ordered.
 struct Box_scratch {
   Box box;
 };
@@ -91,8 +100,8 @@ struct Rate_seeds {
   }
 
 private:
-  // From the highest bit: 7 bits for each planarity, as k <= 64; 34 for the squared distance in units of 2^16; 16 for
-  // the place in the cell.
+  // The key of a point. From the highest bit: 7 bits for each planarity, as k <= 64; 34 for the squared distance in
+  // units of 2^16; 16 for the place in the cell.
   CGAL_TANDEM_HD std::uint64_t rate(std::uint32_t i, std::uint32_t at, const Box& box) const
   {
     const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);

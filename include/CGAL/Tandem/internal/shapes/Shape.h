@@ -132,7 +132,7 @@ CGAL_TANDEM_HD inline bool is_before(const Shape* shape, std::uint32_t a, std::u
   return na > nb || (na == nb && a < b);
 }
 
-// A fit costs an eigenvalue problem, and most shapes do not change in late rounds.
+// Fits a shape that has changed. A fit costs an eigenvalue problem, and most shapes do not change in late rounds.
 CGAL_TANDEM_HD inline void fit_if_changed(Shape& shape)
 {
   if(!shape.history.is_fitted())

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// So many shapes are worth a thread: an item is a fit, at most.
+// Shapes that are worth a thread: what is done for one is a fit, at most.
 constexpr std::size_t shapes_per_thread = 32;
 
 // Loops are over all ids; functors skip those out of use.
@@ -35,7 +35,7 @@ struct Shape_table {
   Buffer<Shape>& table() { return shape_; }
   const Buffer<Shape>& table() const { return shape_; }
 
-  // With the moments of the labels, and with fits of these moments as well.
+  // The shapes: counted() with the moments of the labels, fitted() with fits of these moments as well.
   Shape* counted()
   {
     assert(has_moments_);
@@ -57,7 +57,7 @@ struct Shape_table {
     return shape_.data();
   }
 
-  // For a pass that changes moments as it changes labels, or leaves them out of date.
+  // The shapes, for a pass that changes moments as it changes labels, or leaves them out of date.
   Shape* change_moments()
   {
     has_fits_ = false;
@@ -65,7 +65,7 @@ struct Shape_table {
   }
   void lose_moments() { has_moments_ = has_fits_ = false; }
 
-  // For the passes that make them.
+  // Says that moments are those of the labels, for the passes that make them.
   void set_counted() { has_moments_ = true; }
   void set_fitted() { has_fits_ = true; }
   bool has_moments() const { return has_moments_; }
@@ -121,7 +121,7 @@ struct Copy_sizes {
   CGAL_TANDEM_HD void operator()(std::size_t id) const { size[id] = shape[id].moments.count; }
 };
 
-// By id: the number of points. A copy, for what goes on with these sizes while they change.
+// A copy of the numbers of points, by id, for what goes on with these sizes while they change.
 template <class Backend>
 typename Backend::template Buffer<std::int64_t> sizes_of(Backend& backend, const Shape_table<Backend>& shapes)
 {
@@ -154,7 +154,7 @@ Shape_counts count_live(Backend& backend, const Shape_table<Backend>& shapes)
 
 // --- What a pass over the points adds to shapes, or takes from them: sums by shape, zero between two passes.
 
-// Where anything was added the box is not empty, also where as many points came as went.
+// Whether anything was added: then the box is not empty, also where as many points came as went.
 CGAL_TANDEM_HD inline bool is_any(const Shared_moments& delta) { return delta.box.low[0] <= delta.box.high[0]; }
 
 // The sums of all shapes, zero, for the functors of a pass. `ids` exceeds the number of shapes in a pass of growth,
@@ -173,7 +173,7 @@ struct Count_deltas {
   CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const { sum[0] += is_any(delta[id]); }
 };
 
-// How many shapes a pass has changed.
+// The number of shapes that a pass has changed.
 template <class Backend>
 std::size_t count_deltas(Backend& backend, const Shape_table<Backend>& shapes)
 {

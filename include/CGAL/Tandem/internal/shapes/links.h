@@ -87,7 +87,7 @@ struct Collect_links {
   }
 
 private:
-  // The point i, by one lane. Neighbors of one shape often follow each other.
+  // Counts the edges of point i, by one lane. Neighbors of one shape often follow each other.
   template <class Block>
   CGAL_TANDEM_HD void visit(Block& block, Link_scratch& scratch, std::uint32_t i) const
   {

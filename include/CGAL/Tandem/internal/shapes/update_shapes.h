@@ -67,6 +67,16 @@ struct Update_scratch {
   std::uint32_t labels[Cell_shapes::capacity];
 };
 
+// What becomes of the points of a shape
+struct Relabeling {
+  const std::uint32_t* target;    // these two by old label
+  const std::uint8_t* is_checked; // null: none is
+  const Plane* plane;             // by new label
+  Tolerance tolerance;
+
+  CGAL_TANDEM_HD bool checks(std::uint32_t old) const { return is_checked != nullptr && is_checked[old] != 0; }
+};
+
 // Gives each point the label `target` of its shape. Where that is a mark the shape is dissolved, and its points are no
 // seeds any more. Where the shape is checked, points that do not fit are detached; those for the second time are
 // locked. A lane reads and writes label and state of its own point only. So points may come in any order.
@@ -76,18 +86,15 @@ struct Update_points {
   const Range* cells;
   Cell_shapes* lists;
   Labels_view labels;
-  const std::uint32_t* target;    // these two by old label
-  const std::uint8_t* is_checked; // null: none is
-  const Plane* plane;             // these two by new label
-  Shared_moments* loss;           // minus the detached points
-  Tolerance tolerance;
+  Relabeling change;
+  Shared_moments* loss; // by new label: minus the detached points
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Update_scratch& scratch, std::uint32_t c) const
   {
-    if(!lists[c].may_have(block, [&](std::uint32_t s) { return target[s] != s || checks(s); }))
+    if(!lists[c].may_have(block, [&](std::uint32_t s) { return change.target[s] != s || change.checks(s); }))
       return;
-    relabel_list(block, lists[c], target, scratch.labels);
+    relabel_list(block, lists[c], change.target, scratch.labels);
     const Range cell = cells[c];
     const Cell_sums losses = {cloud.point[cell.first], loss};
     Moment_table& table = scratch.table;
@@ -97,11 +104,11 @@ struct Update_points {
       const std::uint32_t old = labels.label[i];
       if(old >= first_mark)
         return;
-      const std::uint32_t s = target[old];
+      const std::uint32_t s = change.target[old];
       if(s >= first_mark) {
         labels.label[i] = s;
         labels.state[i] = std::uint8_t((labels.state[i] | tried_seed_bit) & ~(frontier_bit | interior_bit));
-      } else if(checks(old) && !fits(plane[s], cloud.point[i], tolerance)) {
+      } else if(change.checks(old) && !fits(change.plane[s], cloud.point[i], change.tolerance)) {
         labels.label[i] = labels.state[i] & detached_bit ? locked_label : free_label;
         labels.state[i] = std::uint8_t((labels.state[i] | detached_bit) & ~(frontier_bit | interior_bit));
         table.template add<Backend>(block, s, cloud.point[i], -1, losses);
@@ -111,9 +118,6 @@ struct Update_points {
     });
     table.template flush<Backend>(block, losses);
   }
-
-private:
-  CGAL_TANDEM_HD bool checks(std::uint32_t old) const { return is_checked != nullptr && is_checked[old] != 0; }
 };
 
 // Relabels the points, and detaches those that do not fit the plane of a shape that is checked. Lists follow, and
@@ -127,9 +131,12 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   Shared_moments* const losses = start_deltas(backend, shapes, shapes.size);
   const Labels_view labels = points.change_labels(true);
   backend.template for_each_cell<Update_scratch>(
-    points.number_of_cells(),
-    Update_points<Backend>{points.cloud.view(), points.cells.data(), points.lists(), labels, target.data(), is_checked,
-                           shapes.plane.data(), losses, tolerance});
+    points.number_of_cells(), Update_points<Backend>{points.cloud.view(),
+                                                     points.cells.data(),
+                                                     points.lists(),
+                                                     labels,
+                                                     {target.data(), is_checked, shapes.plane.data(), tolerance},
+                                                     losses});
   points.ranks.update_labels(labels.label);
   if(is_checked != nullptr) {
     points.ranks.sum(losses, shapes.size);

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What directions are found by: angles, the mean shift, and fits of one and of several shapes.
+
+#undef NDEBUG
+
+#include "testing/rectangles.h"
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Tandem::internal;
+
+namespace {
+
+void test_angles()
+{
+  const double pi = 3.14159265358979323846;
+  for(double d = -725; d <= 725; d += 0.37) {
+    check_close(sine_deg(d), std::sin(std::fmod(d, 360) * pi / 180), 2e-15, "sine of " + std::to_string(d));
+    check_close(cosine_deg(d), std::cos(std::fmod(d, 360) * pi / 180), 2e-15, "cosine of " + std::to_string(d));
+  }
+  for(double d = 0; d <= 90; d += 0.01) {
+    const double s = sine_deg(d), c = cosine_deg(d);
+    check_close(s, double(std::sin((long double)d * 3.14159265358979323846264338327950288L / 180)), 4e-16, "sine");
+    check_close(c, double(std::cos((long double)d * 3.14159265358979323846264338327950288L / 180)), 4e-16, "cosine");
+  }
+  check_equal(sine_deg(90), 1, "sine of 90");
+  check_equal(cosine_deg(90), 0, "cosine of 90");
+  for(double t = 0; t < 4.5; t += 0.01)
+    check_close(gaussian(t), std::exp(-t), 0.002, "gaussian at " + std::to_string(t));
+  check_equal(gaussian(4.6), 0, "gaussian beyond the cut");
+}
+
+void test_mean_shift()
+{
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::vector<Vector> normal;
+  std::vector<double> weight;
+  for(int i = 0; i < 300; ++i) {
+    const Vector c = i % 3 == 0 ? Vector{0, 0, 1} : i % 3 == 1 ? Vector{1, 0.05, 0} : Vector{0.5, 0.5, 0.7};
+    normal.push_back(unit({c.x + noise(random), c.y + noise(random), c.z + noise(random)}));
+    if(i % 2)
+      normal.back() = -normal.back();
+    weight.push_back(1 + i % 5);
+  }
+  const double radius = sine_deg(8);
+  const Mean_shift<Direction_index> shift(normal, weight, radius);
+  for(int i = 0; i < 300; i += 10) {
+    double dense = 0;
+    for(int j = 0; j < 300; ++j) {
+      const double t = 2 * (1 - dot(normal[i], normal[j]) * dot(normal[i], normal[j])) / (radius * radius);
+      dense += weight[j] * (t <= 4.5 ? std::exp(-t) : 0);
+    }
+    check_close(shift.density(normal[i]) / dense, 1, 0.01, "density of normal " + std::to_string(i));
+  }
+  check_equal(double(shift.modes(In_order()).size()), 3, "modes");
+  const Shape_fits none;
+  check_equal(double(cluster_directions(normal, weight, radius, Verify{none}).size()), 3, "groups of normals");
+  for(const Vector& m : shift.modes(In_order())) { // no direction around a mode is denser
+    const Plane_basis b(m);
+    for(int k = 0; k < 8; ++k) {
+      const Vector near = unit(add_scaled(m, 0.01, b.lifted(cosine_deg(45 * k), sine_deg(45 * k))));
+      check(shift.density(near) < shift.density(m), "denser than the mode", shift.density(near), shift.density(m));
+    }
+  }
+}
+
+void test_group_fit()
+{
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 0.03);
+  Shape_fits shapes;
+  Symmetric_matrix sum = {0, 0, 0, 0, 0, 0};
+  for(int i = 0; i < 5; ++i) {
+    shapes.push_back(make_shape({{0.3 + noise(random), 0.4 + noise(random), 0.86},
+                                 {1e5 * i, 0, 0},
+                                 4 * epsilon,
+                                 (2 + i) * epsilon,
+                                 100,
+                                 500.0 + 300 * i}));
+    sum = sum + shapes.back().scatter.matrix;
+  }
+  const Vector n = run(shapes).directions[0];
+  const Plane_basis b(n);
+  for(double step : {1e-6, 1e-4, 1e-2})
+    for(int k = 0; k < 360; k += 5) {
+      const Vector other = unit(add_scaled(n, step, b.lifted(cosine_deg(k), sine_deg(k))));
+      check(quadratic_form(sum, other) >= quadratic_form(sum, n) * (1 - 1e-12), "a better direction of the group", k);
+    }
+}
+
+void test_constrained_fits()
+{
+  const Vector x = unit({1, 2, 3});
+  const Plane_basis b(x);
+  const Shape_fit s = make_shape({{3, -1.4, 0}, {0, 0, 0}}),
+                  t = make_shape({{1.0, 2.1, -1.8}, {0, 0, 0}, 9000, 5000, 200, 900});
+  const Vector f = fit_orthogonal(s.scatter.matrix, x, s.fit.normal);
+  const Vector g = fit_frame(s.scatter.matrix, t.scatter.matrix, x, s.fit.normal), h = orthogonal_to_both(x, g);
+  check(are_orthogonal(f, x) && are_orthogonal(g, x) && are_orthogonal(h, x) && are_orthogonal(g, h), "constraints");
+  const double one = quadratic_form(s.scatter.matrix, f);
+  const double two = quadratic_form(s.scatter.matrix, g) + quadratic_form(t.scatter.matrix, h);
+  for(int k = 0; k < 3600; ++k) {
+    const Vector v = b.lifted(cosine_deg(0.1 * k), sine_deg(0.1 * k)), w = cross(x, v);
+    check(quadratic_form(s.scatter.matrix, v) >= one * (1 - 1e-12), "a better normal orthogonal to x", k);
+    check(quadratic_form(s.scatter.matrix, v) + quadratic_form(t.scatter.matrix, w) >= two * (1 - 1e-12),
+          "a better frame", k);
+  }
+  // first-order cost of a right angle against the constrained fit
+  const Eigen_system e = eigen_system(s.scatter.matrix);
+  const Vector near = unit(add_scaled(x, -dot(x, e.vector[0]) + 0.02, e.vector[0]));
+  const double exact = quadratic_form(s.scatter.matrix, fit_orthogonal(s.scatter.matrix, near, f)) - e.value[0];
+  check_close(cost_of_right_angle(e, near) / exact, 1, 0.01, "cost of a right angle");
+}
+
+} // namespace
+
+int main()
+{
+  test_angles();
+  test_mean_shift();
+  test_group_fit();
+  test_constrained_fits();
+  return report();
+}

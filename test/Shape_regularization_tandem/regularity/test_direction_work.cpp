@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Right angles among many directions take far fewer comparisons than all pairs.
+
+#undef NDEBUG
+
+#include "testing/direction_families.h"
+
+#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Tandem::internal;
+
+namespace {
+
+// Counts the cells that are looked at.
+template <class Region>
+struct Counted {
+  const Region& region;
+  std::size_t& count;
+
+  bool meets(const Direction_cell& cell, double largest) const
+  {
+    ++count;
+    return region.meets(cell, largest);
+  }
+
+  int nearest_quarter(const Direction_cell& cell) const { return region.nearest_quarter(cell); }
+};
+
+// Cells and directions that are looked at when each direction looks for right angles.
+std::size_t count_of_pairs(const Directions& directions)
+{
+  Great_circle_index index;
+  std::size_t count = 0;
+  for(const Vector& d : directions) {
+    const Right_angle_region region(d);
+    index.search(Counted<Right_angle_region>{region, count}, [&](int) { ++count; });
+    index.add(d, 0);
+  }
+  return count;
+}
+
+// Comparisons for the stars of directions, of which each one can bear an angle.
+std::size_t count_of_stars(const Directions& directions, double sine, double reach)
+{
+  std::vector<Star_candidate> candidates;
+  for(const Vector& d : directions)
+    candidates.push_back({rounded_normal(canonical(d)), sine, reach, int(candidates.size())});
+  std::size_t count = 0;
+  find_stars(candidates, [&](const Star_candidate& m, const Star_candidate& j) {
+    ++count;
+    return can_follow(m, j);
+  });
+  return count;
+}
+
+// Costs that are evaluated when each group looks for a partner among all of them.
+std::size_t count_of_partners(const Directions& directions)
+{
+  Random random(1);
+  std::vector<Direction_group> groups;
+  Fixed_directions fixed(4);
+  for(const Vector& d : directions) {
+    groups.push_back(make_group(random, d, true));
+    fixed.fix(groups.back(), groups.back().fitted, {0, 0, 0});
+  }
+  fixed.begin_star();
+  std::size_t count = 0;
+  for(const Direction_group& g : groups)
+    fixed.best_partner(g, g.rounded, Partner_region(g, g.rounded, least_cost(g), 4 * g.weight), [&](const Vector& d) {
+      ++count;
+      return score_of_cost(cost_of_right_angle(g.eigen, d), 4 * g.weight);
+    });
+  return count;
+}
+
+// The work for n directions is less than so many times n^1.5, and four times as many take no more than 8 times that,
+// within a tenth.
+void check_growth(const std::string& name, double most, const std::function<std::size_t(const Directions&)>& count)
+{
+  for(const auto& [family, make] : families) {
+    if(family == "lattice") // most are equal: the pairs themselves are quadratic
+      continue;
+    Random random(3);
+    const Directions directions = make(random, 16000);
+    const double n = 16000, large = double(count(directions));
+    const double small = double(count(Directions(directions.begin(), directions.begin() + 4000)));
+    std::cout << name << ", " << family << ": " << large / n << " for each of 16000, " << 4 * small / n << " of 4000\n";
+    check(large <= most * n * std::sqrt(n), name + " of " + family, large / (n * std::sqrt(n)), most);
+    check(large <= 8.8 * (small + n), name + " of " + family + ", growth", large / small, 8);
+  }
+}
+
+void test_work()
+{
+  check_growth("cells and directions", 40, count_of_pairs);
+  for(double sine : {1e-9, 1e-3, .14})
+    check_growth("stars within " + std::to_string(sine), 10,
+                 [&](const Directions& d) { return count_of_stars(d, sine, sine); });
+  check_growth("stars that bear little", 10, [](const Directions& d) { return count_of_stars(d, .14, 1e-3); });
+  check_growth("partners", 10, count_of_partners);
+}
+
+} // namespace
+
+int main()
+{
+  test_work();
+  return report();
+}

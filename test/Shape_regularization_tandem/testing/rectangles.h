@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shapes that are made of rectangles, without points, and the regularity step on them.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RECTANGLES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RECTANGLES_H
+
+#include "checks.h"
+#include "same_bits.h"
+#include "scatters.h"
+
+#include <CGAL/Tandem/internal/regularity/regularize.h>
+
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+const double epsilon = 1024;
+
+inline Vector polar(double azimuth_deg, double elevation_deg)
+{
+  const double c = cosine_deg(elevation_deg);
+  return {c * cosine_deg(azimuth_deg), c * sine_deg(azimuth_deg), sine_deg(elevation_deg)};
+}
+
+struct Rectangle {
+  Vector normal, center;
+  double half_width = 20 * epsilon, half_height = 15 * epsilon, noise = 0.2 * epsilon, count = 2000;
+};
+
+inline Shape_fit make_shape(const Rectangle& r)
+{
+  const Vector n = unit(r.normal);
+  const Plane_basis b(n);
+  Shape_fit s;
+  s.scatter.count = r.count;
+  s.scatter.centroid = r.center;
+  s.scatter.matrix = square(r.count * r.half_width * r.half_width / 3, b.u) +
+                     square(r.count * r.half_height * r.half_height / 3, b.v) + square(r.count * r.noise * r.noise, n);
+  s.fit = fit_plane(s.scatter);
+  return s;
+}
+
+// Rejects a plane that is turned or shifted too much against the local fit.
+struct Verify {
+  const Shape_fits& shapes;
+  double sine = 2, shift = 1e30;
+  int calls = 0;
+  std::function<double(int)> share = [](int) { return 1.0; };
+
+  template <class F>
+  void for_each(std::size_t n, F f, std::size_t = 256) const // in any order
+  {
+    for(std::size_t i = n; i > 0; --i)
+      f(i - 1);
+  }
+
+  void operator()(const std::vector<int>& list, const Regular_planes& planes, std::vector<std::int64_t>& counts)
+  {
+    ++calls;
+    check_equal(double(planes.size()), double(list.size()), "planes handed to verify");
+    check_equal(double(counts.size()), double(list.size()), "counts handed to verify");
+    for(std::size_t k = 0; k < list.size(); ++k) {
+      const Shape_fit& s = shapes[list[k]];
+      const double moved = std::fabs(dot(planes[k].normal, s.scatter.centroid) - planes[k].offset);
+      const bool is_bad = length(cross(planes[k].normal, s.fit.normal)) > sine || moved > shift;
+      counts[k] = is_bad ? std::int64_t(share(list[k]) * s.scatter.count) : 0;
+    }
+  }
+};
+
+inline Regularity_options all_on()
+{
+  Regularity_options o;
+  o.angle_tolerance_deg = 8;
+  o.maximum_offset = o.maximum_distance = epsilon;
+  o.is_last = true;
+  return o;
+}
+
+inline Relations run(const Shape_fits& shapes, double sine = 2, double shift = 1e30,
+                     const Regularity_options& options = all_on())
+{
+  Verify verify{shapes, sine, shift};
+  return regularize(shapes, std::vector<char>(shapes.size(), 0), options, verify);
+}
+
+inline Relations run(const std::vector<Rectangle>& rectangles, double sine = 2, double shift = 1e30,
+                     const Regularity_options& options = all_on())
+{
+  Shape_fits shapes;
+  for(const Rectangle& r : rectangles)
+    shapes.push_back(make_shape(r));
+  return run(shapes, sine, shift, options);
+}
+
+inline Relations run(const std::vector<Rectangle>& rectangles, const Regularity_options& options)
+{
+  return run(rectangles, 2, 1e30, options);
+}
+
+// What every result promises.
+inline void check_tables(const Relations& r, std::size_t n, const std::string& what)
+{
+  check_equal(double(r.direction_of.size()), double(n), what + ": directions of shapes");
+  check_equal(double(r.plane_of.size()), double(n), what + ": planes of shapes");
+  check_equal(double(r.is_rolled_back.size()), double(n), what + ": flags");
+  for(std::size_t i = 0; i < n; ++i) {
+    const Vector& d = r.directions.at(r.direction_of[i]);
+    check(is_same(d, r.planes.at(r.plane_of[i]).normal), what + ": the plane has the bits of the direction, shape",
+          double(i));
+    check_close(dot(d, d), 1, 1e-15, what + ": unit");
+  }
+}
+
+// Pairs of directions within the angle of orthogonal that are not exactly so.
+inline int inexact_pairs(const Relations& r, double angle_deg)
+{
+  int inexact = 0;
+  for(std::size_t i = 0; i < r.directions.size(); ++i)
+    for(std::size_t j = i + 1; j < r.directions.size(); ++j)
+      if(std::fabs(dot(r.directions[i], r.directions[j])) < sine_deg(angle_deg) &&
+         !are_orthogonal(r.directions[i], r.directions[j])) {
+        ++inexact;
+      }
+  return inexact;
+}
+
+// The faces of a box, tilted by about a degree
+inline std::vector<Rectangle> tilted_box(int seed)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss(0, 1);
+  auto any = [&] { return Vector{gauss(random), gauss(random), gauss(random)}; };
+  const Vector z = unit(any()), x = made_orthogonal(any(), z), y = cross(z, x);
+  std::vector<Rectangle> box;
+  const Vector axis[3] = {x, y, z};
+  for(int f = 0; f < 6; ++f) {
+    const Vector n = unit(add_scaled(axis[f / 2], 0.01, any()));
+    box.push_back(
+      {n, (f % 2 ? 1e5 : -1e5) * axis[f / 2], (10.0 + f) * epsilon, (8.0 + f) * epsilon, 200, 1000.0 + 100 * f});
+  }
+  return box;
+}
+
+// Sixteen houses, each turned by 2.9 degrees more, with two wall and two roof
+// directions, and the ground: 65 directions, if the points reject what is not true.
+inline std::vector<Rectangle> village()
+{
+  std::vector<Rectangle> faces = {{{0, 0, 1}, {0, 0, 0}, 1e6, 1e6, 200, 200000}};
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, 0.0005);
+  for(int h = 0; h < 16; ++h)
+    for(int f = 0; f < 12; ++f) {
+      const double azimuth = 2.9 * h + 90 * (f % 4);
+      const Vector n = f < 8 ? polar(azimuth, 0) : polar(2.9 * h + 180 * (f % 2), 50);
+      const Vector tilted = {n.x + noise(random), n.y + noise(random), n.z + noise(random)};
+      faces.push_back({tilted, {1e5 * h, 4e4 * f, 7e4 * (f % 3)}, 20000.0 + 1000 * f, 15000, 200, 800.0 + 10 * f + h});
+    }
+  return faces;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_RECTANGLES_H
