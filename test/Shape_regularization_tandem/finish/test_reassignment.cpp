@@ -19,9 +19,9 @@
 using namespace CGAL::Tandem::internal;
 
 template <class Backend>
-class Reassignment {
+class Reassignment_test {
 public:
-  Reassignment(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+  Reassignment_test(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
 
   void run()
   {
@@ -152,6 +152,6 @@ private:
 
 int main()
 {
-  test_on_all_backends<Reassignment>();
+  test_on_all_backends<Reassignment_test>();
   return report();
 }
