@@ -64,7 +64,7 @@ build_viewer()
 {
   grep -q '^TANDEM_ORBIT_CONTROLS_JS:.*\.js$' "$build/CMakeCache.txt" || return 0
   if cmake --build "$build" -j "$jobs" --target detect_planes >> "$build/build.log" 2>&1; then
-    viewer=$build/examples/Shape_regularization_tandem/detect_planes
+    viewer=$build/examples/detect_planes/detect_planes
   fi
 }
 

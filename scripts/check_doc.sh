@@ -19,8 +19,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 cd "$root/examples"
-for program in Shape_regularization_tandem/*.cpp Shape_regularization_tandem/program/detect_planes.cpp \
-  Shape_regularization_tandem/python/*.py; do
+for program in Shape_regularization_tandem/*.cpp detect_planes/detect_planes.cpp python/*.py; do
   for command in "^\\\\example $program\$" "\\\\ref $program \"[^\"]*\" | ."; do
     grep -q "$command" "$root/doc/Shape_regularization_tandem/examples.txt" || fail "examples.txt does not list $program"
   done

@@ -47,7 +47,7 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release $cuda -DTANDEM_BUILD_TES
 echo "Building detect_planes (some minutes) ..."
 cmake --build "$build" --target detect_planes -j "$jobs" > "$result/build.log" 2>&1 ||
   { cat "$result/build.log" >&2; fail "the build failed"; }
-program=$build/examples/Shape_regularization_tandem/detect_planes
+program=$build/examples/detect_planes/detect_planes
 
 # Those of all figures of this building; the distance is the depth of its facade. What is not given is estimated.
 set -- "$cloud" --maximum-distance 0.15 --maximum-angle 25.842 --minimum-region-size 100 \

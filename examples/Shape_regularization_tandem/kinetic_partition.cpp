@@ -10,9 +10,7 @@
 // longer to the bit. Kinetic_surface_reconstruction_3 detects planes of its own.
 
 #include "convex_polygons.h"
-#include "house_cloud.h"
-
-#include <CGAL/Shape_regularization_tandem.h>
+#include "regular_and_free_shapes.h"
 
 #include <CGAL/Kinetic_space_partition_3.h>
 #include <CGAL/Real_timer.h>
@@ -23,7 +21,6 @@
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 using Point_map = CGAL::First_of_pair_property_map<Point_with_normal>;
-using Normal_map = CGAL::Second_of_pair_property_map<Point_with_normal>;
 using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 using Polygons = Convex_polygons<Kernel>;
 
@@ -51,14 +48,7 @@ std::size_t partition(const Polygons& polygons, const char* name)
 
 int main(int argc, char* argv[])
 {
-  const std::vector<Point_with_normal> points = example_cloud(argc, argv);
-  const auto np = CGAL::Tandem::parameters::point_map(Point_map())
-                    .normal_map(Normal_map())
-                    .maximum_distance(argc > 2 ? std::atof(argv[2]) : .05)
-                    .minimum_region_size(argc > 3 ? std::size_t(std::atol(argv[3])) : 200);
-  const Shapes regular = CGAL::Tandem::detect_planes(points, np);
-  const Shapes free = CGAL::Tandem::detect_planes(
-    points, np.regularize_parallelism(false).regularize_orthogonality(false).regularize_coplanarity(false));
+  const auto [points, regular, free] = detect_regular_and_free_shapes(argc, argv);
   const std::size_t cells = partition(polygons_of(points, regular), "regularized planes");
   const std::size_t cells_without = partition(polygons_of(points, free), "free planes");
   return cells > 0 && cells <= cells_without ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -4,19 +4,12 @@
 // Detects the planes of points of a type of one's own, through maps that convert on
 // the fly: nothing is copied or changed.
 
-#include "house_cloud.h"
+#include "scan_of_house.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>
-
-// As a driver of a scanner may deliver it: millimeters, a normal of bytes, and more.
-struct Scan_point {
-  std::int32_t position_in_mm[3];
-  std::int8_t normal[3];
-  std::uint16_t intensity;
-};
 
 using Kernel = CGAL::Simple_cartesian<double>;
 
@@ -48,15 +41,7 @@ struct Normal_map {
 
 int main()
 {
-  std::vector<Scan_point> scan;
-  for(const auto& [p, n] : house::make_cloud()) {
-    Scan_point s = {};
-    for(int c = 0; c < 3; ++c) {
-      s.position_in_mm[c] = std::int32_t(std::lround(1000 * p[c]));
-      s.normal[c] = std::int8_t(std::lround(100 * n[c]));
-    }
-    scan.push_back(s);
-  }
+  const std::vector<Scan_point> scan = scan_of_house();
 
   const auto shapes = CGAL::Tandem::detect_planes(
     scan, CGAL::Tandem::parameters::point_map(Position_map()).normal_map(Normal_map()).maximum_distance(.05));

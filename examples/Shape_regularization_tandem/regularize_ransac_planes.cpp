@@ -9,6 +9,7 @@
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
+#include <algorithm>
 #include <iostream>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -23,7 +24,6 @@ using Plane_map = CGAL::Shape_detection::Plane_map<Traits>;
 int main(int argc, char* argv[])
 {
   Points points = example_cloud(argc, argv);
-
   Ransac ransac;
   ransac.set_input(points); // will be reordered
   ransac.add_shape_factory<CGAL::Shape_detection::Plane<Traits>>();
@@ -49,14 +49,12 @@ int main(int argc, char* argv[])
   std::cout << planes.size() << " planes: " << relations.number_of_parallel_groups() << " directions, "
             << relations.orthogonal_groups.size() << " pairs of them orthogonal, "
             << relations.number_of_coplanar_groups() << " distinct planes\n";
-
-  // The result also describes what happened to each plane.
-  std::size_t rolled_back = 0;
+  // And what happened to each plane.
   double largest_angle = 0;
-  for(std::size_t p = 0; p < planes.size(); ++p) {
-    rolled_back += relations.is_rolled_back[p];
-    largest_angle = (std::max)(largest_angle, relations.angle[p]);
-  }
-  std::cout << "turned by at most " << largest_angle << " degrees; " << rolled_back << " planes rolled back\n";
+  for(double angle : relations.angle)
+    largest_angle = (std::max)(largest_angle, angle);
+  std::cout << "turned by at most " << largest_angle << " degrees; "
+            << std::count(relations.is_rolled_back.begin(), relations.is_rolled_back.end(), true)
+            << " planes rolled back\n";
   return planes.size() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

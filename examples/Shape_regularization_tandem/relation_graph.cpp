@@ -5,6 +5,7 @@
 // the one that fits its own points best: what regularity has cost.
 //   relation_graph [CLOUD [maximum_distance]]
 
+#include "exact_relations.h"
 #include "house_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
@@ -53,18 +54,7 @@ int main(int argc, char* argv[])
     std::printf(" %d-%d", g, h);
   std::printf("\n");
 
-  // Exact means exact: no tolerance here.
-  bool is_exact = true;
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    for(std::size_t t = 0; t < s; ++t) {
-      if(shapes.are_parallel(s, t))
-        is_exact = is_exact && shapes.plane(s).orthogonal_vector() == shapes.plane(t).orthogonal_vector();
-      if(shapes.are_coplanar(s, t))
-        is_exact = is_exact && shapes.plane(s) == shapes.plane(t);
-      if(shapes.are_orthogonal(s, t))
-        is_exact =
-          is_exact && std::fabs(shapes.plane(s).orthogonal_vector() * shapes.plane(t).orthogonal_vector()) <= 1e-15;
-    }
+  const bool is_exact = are_relations_exact(shapes);
   std::printf("%s\n", is_exact ? "all relations are exact" : "a relation is not exact");
   return is_exact && shapes.number_of_shapes() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

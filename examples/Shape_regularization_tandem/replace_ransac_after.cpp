@@ -4,6 +4,7 @@
 // The program replace_ransac_before.cpp with Tandem in place of Efficient RANSAC and
 // regularize_planes(); compare the two with diff.
 
+#include "far_points.h"
 #include "house_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
@@ -21,7 +22,6 @@ using Plane_map = CGAL::Identity_property_map<Kernel::Plane_3>;
 int main(int argc, char* argv[])
 {
   const Points points = example_cloud(argc, argv);
-
   const auto shapes = CGAL::Tandem::detect_planes(points, CGAL::Tandem::parameters::point_map(Point_map())
                                                             .normal_map(Normal_map())
                                                             .maximum_distance(.05)
@@ -39,13 +39,8 @@ int main(int argc, char* argv[])
                               .plane_map(Plane_map())
                               .plane_index_map(index_map));
 
-  std::size_t far_points = 0;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    if(get(index_map, i) >= 0) {
-      const Kernel::Plane_3 plane = get(Plane_map(), *(planes.begin() + get(index_map, i)));
-      far_points += CGAL::squared_distance(points[i].first, plane) > .05 * .05;
-    }
-  std::cout << planes.size() << " planes, " << structured.size() << " structured points, " << far_points
+  std::cout << planes.size() << " planes, " << structured.size() << " structured points, "
+            << number_of_far_points(points, planes, Plane_map(), index_map)
             << " points farther than 0.05 from their plane\n";
   return planes.size() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

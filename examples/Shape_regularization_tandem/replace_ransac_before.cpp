@@ -4,6 +4,7 @@
 // A program as many have it: planes by Efficient RANSAC, regularized, for structuring.
 // replace_ransac_after.cpp is the same with Tandem; compare the two with diff.
 
+#include "far_points.h"
 #include "house_cloud.h"
 
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
@@ -24,7 +25,6 @@ using Plane_map = CGAL::Shape_detection::Plane_map<Traits>;
 int main(int argc, char* argv[])
 {
   Points points = example_cloud(argc, argv);
-
   Ransac ransac;
   ransac.set_input(points); // will be reordered
   ransac.add_shape_factory<CGAL::Shape_detection::Plane<Traits>>();
@@ -53,13 +53,8 @@ int main(int argc, char* argv[])
                               .plane_map(Plane_map())
                               .plane_index_map(index_map));
 
-  std::size_t far_points = 0;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    if(get(index_map, i) >= 0) {
-      const Kernel::Plane_3 plane = get(Plane_map(), *(planes.begin() + get(index_map, i)));
-      far_points += CGAL::squared_distance(points[i].first, plane) > .05 * .05;
-    }
-  std::cout << planes.size() << " planes, " << structured.size() << " structured points, " << far_points
+  std::cout << planes.size() << " planes, " << structured.size() << " structured points, "
+            << number_of_far_points(points, planes, Plane_map(), index_map)
             << " points farther than 0.05 from their plane\n";
   return planes.size() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -11,64 +11,17 @@
 // its planes exactly: the attraction_factor of the structure sets how close.
 
 #include "house_cloud.h"
+#include "structured_mesh.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 
-#include <CGAL/Advancing_front_surface_reconstruction.h>
-#include <CGAL/structure_point_set.h>
-
-#include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iomanip>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 using Point_map = CGAL::First_of_pair_property_map<Point_with_normal>;
 using Normal_map = CGAL::Second_of_pair_property_map<Point_with_normal>;
-using Structure = CGAL::Point_set_with_structure<Kernel>;
-using Facet = std::array<std::size_t, 3>;
-
-// The size of a triangle counts as usual, but less where the structure supports it. No edge is longer than `bound`.
-struct Structure_aware_priority {
-  const Structure& structure;
-  double bound;
-
-  template <class Front, class Cell_handle>
-  double operator()(const Front& front, Cell_handle cell, int index) const
-  {
-    std::array<typename Front::Vertex_handle, 3> vertex;
-    for(int i = 0; i < 3; ++i)
-      vertex[i] = cell->vertex((index + 1 + i) % 4);
-    for(int i = 0; i < 3; ++i)
-      if(CGAL::squared_distance(vertex[i]->point(), vertex[(i + 1) % 3]->point()) > bound * bound)
-        return front.infinity();
-    const Facet facet = {vertex[0]->info(), vertex[1]->info(), vertex[2]->info()};
-    return (5 - structure.facet_coherence(facet)) * front.smallest_radius_delaunay_sphere(cell, index); // -1 to 3
-  }
-};
-
-// How many points are on one plane, on the line of two, on the corner of more; and how exactly.
-struct Exactness {
-  std::size_t number_of_points[3] = {0, 0, 0};
-  double largest_distance[3] = {0, 0, 0};
-
-  explicit Exactness(const Structure& structure)
-  {
-    for(std::size_t i = 0; i < structure.size(); ++i) {
-      std::vector<Kernel::Plane_3> planes;
-      structure.adjacency(i, std::back_inserter(planes));
-      if(planes.empty())
-        continue;
-      const std::size_t kind = (std::min)(planes.size(), std::size_t(3)) - 1;
-      ++number_of_points[kind];
-      for(const Kernel::Plane_3& plane : planes)
-        largest_distance[kind] =
-          (std::max)(largest_distance[kind], std::sqrt(CGAL::squared_distance(structure.point(i), plane)));
-    }
-  }
-};
 
 int main(int argc, char* argv[])
 {
@@ -85,28 +38,16 @@ int main(int argc, char* argv[])
                               .plane_map(CGAL::Identity_property_map<Kernel::Plane_3>())
                               .plane_index_map(CGAL::Tandem::plane_index_map(shapes)));
 
-  std::vector<Kernel::Point_3> structured;
-  for(std::size_t i = 0; i < structure.size(); ++i)
-    structured.push_back(structure.point(i));
-  std::vector<Facet> facets;
-  CGAL::advancing_front_surface_reconstruction(structured.begin(), structured.end(), std::back_inserter(facets),
-                                               Structure_aware_priority{structure, 4 * spacing});
-
-  std::ofstream out("structured.off");
-  out << std::setprecision(17) << "OFF\n" << structured.size() << ' ' << facets.size() << " 0\n";
-  for(const Kernel::Point_3& p : structured)
-    out << p << '\n';
-  for(const Facet& f : facets)
-    out << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
+  const std::size_t triangles = write_mesh("structured.off", structure, 4 * spacing);
 
   const Exactness e(structure);
-  std::printf("%zu points, structured: %zu\n", points.size(), structured.size());
+  std::printf("%zu points, structured: %zu\n", points.size(), structure.size());
   for(int kind = 0; kind < 3; ++kind)
     std::printf("%zu on %s, at most %.1g away from it\n", e.number_of_points[kind],
                 kind == 0   ? "a plane"
                 : kind == 1 ? "the line of two planes"
                             : "a corner",
                 e.largest_distance[kind]);
-  std::printf("%zu triangles\n", facets.size());
-  return !facets.empty() && e.largest_distance[0] < 1e-9 ? EXIT_SUCCESS : EXIT_FAILURE;
+  std::printf("%zu triangles\n", triangles);
+  return triangles > 0 && e.largest_distance[0] < 1e-9 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -11,7 +11,7 @@
 #include "program/Polygon_checker.h"
 #include "program/check_surface.h"
 
-#include "output/write_polygons.h"
+#include "outlines/write_polygons.h"
 #include "output/write_vg.h"
 #include "view/write_view.h"
 

@@ -8,7 +8,7 @@
 
 #include "testing/checks.h"
 
-#include "output/mesh_methods.h"
+#include "mesh/mesh_methods.h"
 
 #ifdef __unix__
 #include <sys/resource.h>

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MANY_SHAPES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MANY_SHAPES_H
 
-#include "output/straight_borders.h"
+#include "outlines/straight_borders.h"
 
 #include <cmath>
 #include <vector>

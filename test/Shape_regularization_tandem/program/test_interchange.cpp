@@ -9,7 +9,7 @@
 #include "program/vg_file.h"
 #include "testing/box_cloud.h"
 
-#include "output/write_polygons.h"
+#include "outlines/write_polygons.h"
 #include "output/write_results.h"
 #include "output/write_vg.h"
 

@@ -7,7 +7,7 @@
 
 #include "testing/checks.h"
 
-#include "output/Limited_solver.h"
+#include "mesh/Limited_solver.h"
 
 #include <csignal>
 #include <ctime>

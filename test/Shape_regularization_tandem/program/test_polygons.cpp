@@ -10,9 +10,9 @@
 
 #include "program/many_shapes.h"
 
-#include "output/outline_polygons.h"
-#include "output/straight_borders.h"
-#include "output/write_polygons.h"
+#include "outlines/outline_polygons.h"
+#include "outlines/straight_borders.h"
+#include "outlines/write_polygons.h"
 
 #include <sstream>
 

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
 
-#include "output/shape_polygons.h"
+#include "outlines/shape_polygons.h"
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>

@@ -15,7 +15,7 @@ import numpy as np
 from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
 
 ROOT = os.environ.get("TANDEM_SOURCES", os.path.join(os.path.dirname(__file__), "..", "..", ".."))
-EXAMPLE = os.path.join(ROOT, "examples", "Shape_regularization_tandem", "python", "color_cloud.py")
+EXAMPLE = os.path.join(ROOT, "examples", "python", "color_cloud.py")
 PROGRAM = os.environ.get("TANDEM_PROGRAM", "")
 
 

@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Detects the planes of a point cloud file. detect_planes --help explains the options.
+// Exit code 0: success; 1: the data or the machine; 2: the command line.
+
+#include "Built_with.h"
+#include "output/Output_files.h"
+#include "detection.h"
+#include "fail.h"
+#include "output/Made_folders.h"
+#include "output/Write_error.h"
+#include "output/summary.h"
+#include "mesh/write_mesh.h"
+#include "program_options.h"
+#include "progress.h"
+#include "ranks/Ranks.h"
+#include "ranks/check_ranks.h"
+#include "ranks/hash_of_all.h"
+#include "ranks/launch.h"
+#include "ranks/read_inputs.h"
+#include "result_warnings.h"
+#include "signals.h"
+#include "view/write_view.h"
+
+#include <CGAL/Shape_regularization_tandem/cuda.h>
+#include <CGAL/Shape_regularization_tandem/version.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/pca_estimate_normals.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cerrno>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+// What is not built is bad usage, as a device that is not there is none.
+void check_backend(const Options& o)
+{
+  const std::vector<std::string> built = built_with().backends();
+  if(std::find(built.begin(), built.end(), o.backend) == built.end())
+    throw Usage_error("--backend " + o.backend + " needs " + (o.backend == "cuda" ? "CUDA" : "oneTBB") +
+                      ": this program was built without it");
+  if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
+    throw std::runtime_error("the back end cuda cannot be used: " + CGAL::Tandem::cuda_device_report() +
+                             " (--backend auto takes what there is)");
+}
+
+// The plain PCA of K neighbors, for comparisons. Points at infinity have no place in a kd-tree.
+void estimate_normals_by_pca(Point_set& points, unsigned int k)
+{
+  using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+  std::vector<Item> finite;
+  for(Point_set::Index i : points)
+    if(is_finite(points.point(i)))
+      finite.emplace_back(points.point(i), CGAL::NULL_VECTOR);
+  CGAL::pca_estimate_normals<CGAL::Parallel_if_available_tag>(
+    finite, k,
+    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Item>())
+      .normal_map(CGAL::Second_of_pair_property_map<Item>()));
+  points.add_normal_map();
+  auto next = finite.begin();
+  for(Point_set::Index i : points)
+    points.normal(i) = is_finite(points.point(i)) ? (next++)->second : Kernel::Vector_3(CGAL::NULL_VECTOR);
+}
+
+void prepare_normals(Point_set& points, const Options& o, Run& run)
+{
+  run.normals = points.has_normal_map() ? "given" : "estimated";
+  if(!o.estimate_normals)
+    return;
+  points.remove_normal_map();
+  run.normals = "estimated";
+  if(*o.estimate_normals == by_library)
+    return;
+  CGAL::Real_timer timer;
+  timer.start();
+  estimate_normals_by_pca(points, unsigned(*o.estimate_normals));
+  run.normals = "by PCA of " + std::to_string(*o.estimate_normals) + " neighbors";
+  run.normal_seconds = timer.time();
+}
+
+// Only the points tell whether a given distance is too small for them.
+Shapes detect_on_backend(const Point_set& points, const Options& o, Ranks& ranks)
+try {
+  Progress_line progress(!o.is_quiet && ranks.is_first(), "estimating parameters");
+  if(ranks.are_many())
+    return ranks.detect(points, o, progress);
+#ifdef CGAL_TANDEM_USE_CUDA
+  if(o.backend == "cuda")
+    return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
+  if(o.backend == "auto")
+    return detect<CGAL::Tandem::Cuda_if_available_tag>(points, o, progress);
+#endif
+#ifdef CGAL_LINKED_WITH_TBB
+  if(o.backend != "sequential")
+    return detect<CGAL::Parallel_tag>(points, o, progress);
+#endif
+  return detect<CGAL::Sequential_tag>(points, o, progress);
+} catch(const std::range_error& e) {
+  const std::string message = e.what(), parameter = "maximum_distance";
+  throw std::runtime_error(message.compare(0, parameter.size(), parameter) == 0
+                             ? "--maximum-distance" + message.substr(parameter.size())
+                             : message);
+}
+
+// What the back end that was chosen in the end ran on.
+void name_device(const Shapes& shapes, int threads, Run& run)
+{
+  if(shapes.statistics().backend == "cuda")
+    run.device = CGAL::Tandem::cuda_device_report();
+#ifdef CGAL_LINKED_WITH_TBB
+  if(shapes.statistics().backend != "parallel")
+    return;
+  run.threads = tbb::this_task_arena::max_concurrency();
+  if(threads > 0)
+    run.threads = (std::min)(run.threads, threads);
+#else
+  static_cast<void>(threads);
+#endif
+}
+
+// rest: for the message, if that fails.
+void print(const std::string& text, const char* rest)
+{
+  errno = 0;
+  if(!(std::cout << text << std::flush))
+    throw std::runtime_error("standard output cannot be written" + reason_of(errno) + rest);
+}
+
+// Finds what is wrong before any work.
+void check_program(const Options& o, const Ranks& ranks)
+{
+  parameters_of(o);
+  if(ranks.are_many())
+    check_ranks(o, ranks.has_cuda());
+  check_backend(o);
+  if(output_extension(o.output) == ".laz" && !built_with().laszip)
+    throw Usage_error(o.output + ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
+  if(!o.mesh.empty())
+    check_mesh_options(o);
+  if(!o.view.empty() && !has_view())
+    throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
+}
+
+// Whether there is a surface is not known before. If there is none, the others are complete. Returns why there is none.
+std::string make_mesh(Output_files& files, const Shapes& shapes, const Options& o, Run& run)
+try {
+  std::optional<Progress_line> progress;
+  progress.emplace(!o.is_quiet && !o.mesh.empty(), "making the mesh");
+  const std::optional<Mesh_facts> facts = files.write_mesh(shapes);
+  progress.reset();
+  if(!facts)
+    return {};
+  run.mesh = std::to_string(facts->faces) + " faces, of " + std::to_string(facts->planes) + " of " +
+             std::to_string(facts->usable_planes) + " planes";
+  if(!facts->warning.empty())
+    warn(facts->warning);
+  return {};
+} catch(const std::bad_alloc&) {
+  return "--mesh: not enough memory";
+} catch(const Interrupted& e) {
+  return files.is_empty() ? e.what() : "interrupted";
+} catch(const std::exception& e) {
+  return e.what();
+}
+
+// The first rank makes it, so that none has to remove it before another one; the others do where they do not see it.
+void make_directory(const Options& o, Ranks& ranks, Made_folders& folders)
+{
+  for(bool is_turn_of_first : {true, false})
+    ranks.together([&] {
+      if(!o.output_directory.empty() && ranks.is_first() == is_turn_of_first)
+        folders.make(o.output_directory);
+    });
+}
+
+// Those that are known before the report is written.
+std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
+                                      const Ranks& ranks)
+{
+  std::vector<std::string> warnings = result_warnings(points, shapes, o.maximum_distance.has_value(), ranks);
+  const std::string of_planes = warning_of_planes(points, shapes, o);
+  if(!of_planes.empty())
+    warnings.push_back(of_planes);
+  return warnings;
+}
+
+void run(const Options& o, Ranks& ranks, Made_folders& folders)
+{
+  ranks.together([&] { check_program(o, ranks); });
+  const int threads = o.threads ? int(*o.threads) : ranks.threads();
+#ifdef CGAL_LINKED_WITH_TBB
+  std::unique_ptr<tbb::global_control> limit;
+  if(threads > 0)
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+#endif
+  Run run;
+  run.ranks = ranks.size();
+  Input_cloud cloud;
+  const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
+  read_inputs(o, rank_of_input, ranks, cloud, run);
+  std::optional<Output_files> files;
+  make_directory(o, ranks, folders);
+  ranks.together([&] {
+    files.emplace(o, cloud, ranks.is_first());
+    prepare_normals(cloud.points, o, run);
+  });
+
+  std::optional<Shapes> shapes;
+  ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
+  name_device(*shapes, threads, run);
+  run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
+  run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
+  for(const std::string& warning : all_warnings(cloud.points, *shapes, o, ranks)) {
+    if(ranks.is_first())
+      warn(warning);
+    run.warnings.push_back(warning);
+  }
+  ranks.together([&] {
+    const Progress_line progress(!o.is_quiet && ranks.is_first(), "writing");
+    files->write(*shapes, run);
+  });
+  ranks.together([&] {
+    first_signal_removes = 0; // from here on, all files get their names
+    check_signals();
+  });
+  ranks.together([&] {
+    files->commit();
+    folders.keep();
+  });
+  const std::string failure = make_mesh(*files, *shapes, o, run);
+  const char* rest = files->is_empty() ? "" : "; the other files are complete";
+  if(failure.empty() && !(files->is_empty() && o.mesh.empty()))
+    rest = "; the files are complete";
+  ranks.together([&] {
+    if(!o.is_quiet && ranks.is_first())
+      print(summary(*shapes, run), rest);
+    if(!failure.empty())
+      throw std::runtime_error(failure + rest);
+  });
+}
+
+void run_command_line(int argc, const char* const argv[], Ranks& ranks, Made_folders& folders)
+{
+  Command_line command_line;
+  std::string all;
+  for(int i = 1; i < argc; ++i)
+    all += std::string(argv[i]) + '\n';
+  ranks.check_same(all, "command lines");
+  ranks.together([&] { command_line = parse(argc, argv, built_with()); });
+  const Options& o = command_line.options;
+  if(!o.wants_help && !o.wants_version)
+    return run(o, ranks, folders);
+  ranks.together([&] {
+    if(ranks.is_first())
+      print(o.wants_help ? command_line.help : "detect_planes (Tandem) " + std::string(CGAL_TANDEM_VERSION) + "\n", "");
+  });
+}
+
+// If the processes that were started cannot work together, the first one says so.
+int main_of_rank(int argc, char* argv[])
+{
+  Made_folders folders; // they are removed last, after the files of all ranks
+  std::unique_ptr<Ranks> ranks;
+  try {
+    ranks = make_ranks(argc, argv);
+  } catch(const std::exception& e) {
+    return find_launch().rank == 0 ? fail(1, e.what()) : 0;
+  }
+  try {
+    run_command_line(argc, argv, *ranks, folders);
+    return 0;
+  } catch(const Usage_error& e) {
+    return ranks->end(2, e.what(), " (detect_planes --help lists the options)");
+  } catch(const std::bad_alloc&) {
+    return ranks->end(1, "not enough memory");
+  } catch(const std::exception& e) {
+    return ranks->end(1, e.what());
+  }
+}
+
+} // namespace program
+
+int main(int argc, char* argv[])
+{
+  program::catch_signals();
+  return program::main_of_rank(argc, argv);
+}

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The triangulation of the points of a shape in its plane. Triangles whose circumscribed circle is small, compared
+// with the spacing of the points there, are inside of the outline.
+
+#ifndef DETECT_PLANES_OUTLINE_TRIANGULATION_H
+#define DETECT_PLANES_OUTLINE_TRIANGULATION_H
+
+#include "outlines/Straight_border.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace program {
+
+// Lengths are multiples of the spacing of the points, areas of its square.
+struct Outline_limits {
+  double radius = 1.8; // of the largest circle without points; at random, the largest of a million is about that large
+  double piece = 20;   // smallest area of a piece
+  double hole = 16;    // smallest area of a hole
+  double tolerance = .6; // of the straightened outline; corners of a lattice remain
+};
+
+struct Outline_vertex {
+  Kernel::Point_2 point;
+  float spacing;
+  std::vector<int> planes; // coplanar groups of the other shapes whose planes it is on, at most two
+  bool is_fixed;           // the end of a straight border
+  Position position;       // in space, as it is written
+  Kernel::Point_2 written; // its projection, which decides whether lines are simple
+};
+using Outline_loop = std::vector<Outline_vertex>;
+
+class Outline_triangulation {
+public:
+  // Fastest if points that are close in the sequence are close in the plane.
+  explicit Outline_triangulation(const std::vector<Kernel::Point_2>& points);
+
+  // Of each point: the median length of the edges at it, smoothed; 0 if all points are on a line. Edges cross the gaps
+  // between scan lines, too.
+  std::vector<float> spacings() const
+  {
+    std::vector<float> result;
+    for(Vertex_handle v : vertices)
+      result.push_back(v->info().spacing);
+    return result;
+  }
+
+  void insert(const Straight_border& border, const Plane_frame& frame);
+
+  // The points beyond a straight border take no part.
+  void cut(std::size_t point) { vertices[point]->info().is_cut = true; }
+
+  // Simple closed lines without common points, the inside to their left. None if all points are on a line. Vertices
+  // have no positions yet, and are written as they are.
+  std::vector<Outline_loop> outline(const Outline_limits& limits);
+
+private:
+  struct Vertex_info {
+    int border = -1;   // position in border_vertices
+    float spacing = 0; // 0: not of the points
+    float measured = 0;
+    bool is_cut = false;
+  };
+  struct Face_info {
+    bool is_inside = false, is_beyond = false; // beyond a straight border
+    int component = -1;
+  };
+  struct Border_vertex {
+    std::vector<int> planes, borders;
+    float reach;
+  };
+  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel,
+    CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<Vertex_info, Kernel>,
+                                         CGAL::Triangulation_face_base_with_info_2<
+                                           Face_info, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>>,
+    CGAL::Exact_predicates_tag>;
+  using Vertex_handle = Triangulation::Vertex_handle;
+  using Face_handle = Triangulation::Face_handle;
+
+  void measure_spacings();
+  void smooth_spacings();
+  Vertex_handle insert(const Border_vertex_position& position, const Straight_border& border, const Plane_frame& frame);
+  void mark_inside(const Outline_limits& limits);
+  void mark_beyond();
+  bool is_inside(Face_handle f, double radius) const;
+  std::vector<double> find_components();
+  void drop_crumbs(const Outline_limits& limits);
+  bool separate(Vertex_handle v);
+  void separate_pieces();
+  bool share_border(Vertex_handle u, Vertex_handle v, int* border) const;
+  Outline_loop straight_loop(const std::vector<Vertex_handle>& loop) const;
+
+  // f(a vertex that shares an edge with v)
+  template <class Function>
+  void for_each_neighbor(Vertex_handle v, Function f) const
+  {
+    auto u = triangulation.incident_vertices(v);
+    const auto end = u;
+    do
+      if(!triangulation.is_infinite(u))
+        f(Vertex_handle(u));
+    while(++u != end);
+  }
+
+  Triangulation triangulation;
+  std::vector<Vertex_handle> vertices;
+  std::vector<Border_vertex> border_vertices;
+  std::vector<std::pair<Vertex_handle, Vertex_handle>> border_edges; // the shape is to their left
+  int number_of_borders = 0;
+  bool has_area; // the points are not on a line
+};
+
+} // namespace program
+
+#endif // DETECT_PLANES_OUTLINE_TRIANGULATION_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_PLANES_POINT_BLOCKS_H
+#define DETECT_PLANES_POINT_BLOCKS_H
+
+#include "outlines/Plane_frame.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace program {
+
+// Blocks of consecutive points, blocks of these, and so on, so that the points at a place are found without a look at
+// each one.
+class Point_blocks {
+public:
+  struct Block {
+    CGAL::Bbox_3 box;
+    float spacing = 0; // the largest
+  };
+
+  Point_blocks(const std::vector<Kernel::Point_3>& points, const std::vector<float>& spacing) : size(points.size())
+  {
+    std::vector<Block> level;
+    for(std::size_t i = 0; i < size; ++i)
+      add(level, i / points_of_block, {points[i].bbox(), spacing[i]});
+    levels.push_back(level);
+    while(levels.back().size() > fan_out) {
+      level.clear();
+      for(std::size_t i = 0; i < levels.back().size(); ++i)
+        add(level, i / fan_out, levels.back()[i]);
+      levels.push_back(level);
+    }
+  }
+
+  const std::vector<Block>& smallest() const { return levels.front(); }
+
+  // f(position) for the points, in their order, of the blocks that `is_near` accepts, which are inside of others that
+  // it accepts.
+  template <class Is_near, class Function>
+  void for_each(Is_near is_near, Function f) const
+  {
+    visit(levels.size() - 1, 0, levels.back().size(), is_near, f);
+  }
+
+private:
+  static constexpr std::size_t points_of_block = 64, fan_out = 8;
+
+  static void add(std::vector<Block>& level, std::size_t block, const Block& part)
+  {
+    level.resize(block + 1);
+    level.back().box += part.box;
+    level.back().spacing = (std::max)(level.back().spacing, part.spacing);
+  }
+
+  template <class Is_near, class Function>
+  void visit(std::size_t level, std::size_t first, std::size_t last, Is_near& is_near, Function& f) const
+  {
+    for(std::size_t b = first; b < last; ++b) {
+      if(!is_near(levels[level][b]))
+        continue;
+      const std::size_t count = level == 0 ? size : levels[level - 1].size();
+      const std::size_t parts = level == 0 ? points_of_block : fan_out;
+      const std::size_t begin = b * parts, end = (std::min)(begin + parts, count);
+      if(level > 0)
+        visit(level - 1, begin, end, is_near, f);
+      else
+        for(std::size_t i = begin; i < end; ++i)
+          f(i);
+    }
+  }
+
+  std::size_t size;
+  std::vector<std::vector<Block>> levels; // from the smallest blocks to the largest
+};
+
+} // namespace program
+
+#endif // DETECT_PLANES_POINT_BLOCKS_H

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "outlines/shape_polygons.h"
+#include "outlines/outline_polygons.h"
+#include "outlines/straight_borders.h"
+
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <memory>
+
+namespace program {
+
+namespace {
+
+template <class Function>
+void for_each_shape(std::size_t n, Function f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_for(std::size_t(0), n, f);
+#else
+  for(std::size_t s = 0; s < n; ++s)
+    f(s);
+#endif
+}
+
+Shape_points points_of_shape(const Point_set& points, const Shapes& shapes, const Unit& unit, std::size_t s)
+{
+  const auto point = [&](std::size_t i) { return unit.in(points.point(*(points.begin() + std::ptrdiff_t(i)))); };
+  Shape_points result = {Plane_frame(shapes, s, point(shapes.points(s)[0])), {}, {}, {}};
+  using Item = std::pair<Kernel::Point_2, std::uint32_t>;
+  std::vector<Item> items;
+  for(std::uint32_t i : shapes.points(s))
+    items.emplace_back(result.frame.flat(point(i)), i);
+  CGAL::hilbert_sort(items.begin(), items.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Item>>());
+  for(const auto& [flat, i] : items) {
+    result.flat.push_back(flat);
+    result.points.push_back(point(i));
+  }
+  return result;
+}
+
+class Polygon_maker {
+public:
+  Polygon_maker(const Point_set& points, const Shapes& shapes)
+    : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes())
+  {
+    for(std::size_t s : shapes.distinct_planes())
+      planes.push_back(unit.in(shapes.coefficients(s)));
+    triangulations.resize(n);
+    std::vector<std::unique_ptr<Shape_points>> made(n);
+    for_each_shape(n, [&](std::size_t s) {
+      made[s] = std::make_unique<Shape_points>(points_of_shape(points, shapes, unit, s));
+      triangulations[s] = std::make_unique<Outline_triangulation>(made[s]->flat);
+      made[s]->spacing = triangulations[s]->spacings();
+    });
+    for(const auto& shape : made)
+      all.push_back(std::move(*shape));
+  }
+
+  std::vector<Shape_polygons> polygons()
+  {
+    const Border_finder finder(shapes, unit, all);
+    std::vector<Shape_polygons> result(n);
+    for_each_shape(n, [&](std::size_t s) { result[s] = polygons_of_shape(s, finder.borders_of(s)); });
+    return result;
+  }
+
+private:
+  // Without straight borders, if they do not fit together. Where lines touch or cross by the rounding of coordinates,
+  // the points themselves, projected without rounding, have outlines that do not.
+  Shape_polygons polygons_of_shape(std::size_t s, const Straight_borders& straight)
+  {
+    std::vector<Outline_vertex> vertices;
+    Shape_polygons result;
+    const auto make = [&](const std::vector<Outline_loop>& loops, double tolerance) {
+      return make_polygons(loops, tolerance, vertices, result.polygons);
+    };
+    for(const Straight_border& border : straight.borders)
+      triangulations[s]->insert(border, all[s].frame);
+    for(std::uint32_t i : straight.cut)
+      triangulations[s]->cut(i);
+    if(!make(placed(triangulations[s]->outline(limits), s), limits.tolerance) &&
+       !make(placed(Outline_triangulation(all[s].flat).outline(limits), s), limits.tolerance)) {
+      const std::vector<Outline_loop> projected = projected_outline(s);
+      if(!make(projected, limits.tolerance))
+        make(projected, 0);
+    }
+    triangulations[s].reset();
+    for(const Outline_vertex& v : vertices)
+      result.vertices.push_back(unit.out(v.position));
+    double area = 0;
+    for(const Polygon& polygon : result.polygons)
+      for(const auto& t : polygon.triangles)
+        area += CGAL::area(vertices[t[0]].written, vertices[t[1]].written, vertices[t[2]].written);
+    result.area = unit.area_out(area / all[s].frame.shrinkage(plane_of(s)));
+    return result;
+  }
+
+  const Shapes::Coefficients& plane_of(std::size_t s) const { return planes[shapes.coplanar_group(s)]; }
+
+  std::vector<Outline_loop> placed(std::vector<Outline_loop> loops, std::size_t s) const
+  {
+    for(Outline_loop& loop : loops)
+      for(Outline_vertex& v : loop) {
+        v.position = unit.written(position_of(v, s));
+        v.written = all[s].frame.projected(v.position);
+      }
+    return loops;
+  }
+
+  std::vector<Outline_loop> projected_outline(std::size_t s) const
+  {
+    const Plane_frame& frame = all[s].frame;
+    std::vector<Kernel::Point_2> points;
+    for(const Kernel::Point_3& p : all[s].points)
+      points.push_back(frame.projected({p.x(), p.y(), p.z()}));
+    std::vector<Outline_loop> loops = Outline_triangulation(points).outline(limits);
+    for(Outline_loop& loop : loops)
+      for(Outline_vertex& v : loop)
+        v.position = frame.on_plane(v.written, plane_of(s));
+    return loops;
+  }
+
+  Position position_of(const Outline_vertex& vertex, std::size_t s) const
+  {
+    std::vector<int> groups = vertex.planes;
+    groups.push_back(int(shapes.coplanar_group(s)));
+    std::sort(groups.begin(), groups.end()); // the same for all shapes
+    std::vector<Shapes::Coefficients> of_vertex;
+    for(int g : groups)
+      of_vertex.push_back(planes[std::size_t(g)]);
+    return point_on_planes(of_vertex, all[s].frame.lifted(vertex.point));
+  }
+
+  const Shapes& shapes;
+  Unit unit;
+  std::size_t n;
+  Outline_limits limits;
+  std::vector<Shapes::Coefficients> planes; // of the coplanar groups
+  std::vector<Shape_points> all;
+  std::vector<std::unique_ptr<Outline_triangulation>> triangulations;
+};
+
+} // namespace
+
+std::vector<Shape_polygons> polygons_of_shapes(const Point_set& points, const Shapes& shapes)
+{
+  return Polygon_maker(points, shapes).polygons();
+}
+
+} // namespace program

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where shapes end at the planes of others.
+
+#ifndef DETECT_PLANES_STRAIGHT_BORDERS_H
+#define DETECT_PLANES_STRAIGHT_BORDERS_H
+
+#include "outlines/Point_blocks.h"
+#include "outlines/Straight_border.h"
+#include "outlines/Unit.h"
+#include "outlines/intervals.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace program {
+
+// The points of a shape, in an order in which points that are close follow each other.
+struct Shape_points {
+  Plane_frame frame;
+  std::vector<Kernel::Point_3> points;
+  std::vector<Kernel::Point_2> flat;
+  std::vector<float> spacing;
+};
+
+struct Straight_borders {
+  std::vector<Straight_border> borders;
+  std::vector<std::uint32_t> cut; // positions of the points beyond them
+  std::size_t comparisons = 0;    // of shapes, blocks, points and pieces: what it took to find them
+};
+
+// Lengths are in the unit.
+class Border_finder {
+public:
+  Border_finder(const Shapes& shapes, const Unit& unit, const std::vector<Shape_points>& all);
+
+  Straight_borders borders_of(std::size_t s) const;
+
+private:
+  struct Near_plane {
+    int plane;                       // as coplanar group
+    std::vector<std::size_t> shapes; // those of the plane that may have points close to those of a shape
+    CGAL::Bbox_3 box;                // of these, with their reach
+  };
+  struct Line {
+    int plane; // the other one, as coplanar group
+    Kernel::Point_3 origin;
+    Kernel::Vector_3 direction;
+    double sine; // of the angle between the planes
+  };
+  struct Near_point {
+    double along, across;
+    float spacing;
+    std::uint32_t position;
+  };
+  struct Piece { // of a line
+    Line line;
+    Interval interval;
+    bool is_left; // side of the shape
+    float spacing;
+    int third[2] = {-1, -1};  // planes at corners, at both ends
+    double shift[2] = {0, 0}; // by which the ends were moved there
+    std::vector<Border_vertex_position> crossings;
+  };
+
+  double overhang(float spacing, const Line& line) const { return spacing + maximum_distance / line.sine; }
+  double reach(float spacing, const Line& line) const { return 2 * spacing + maximum_distance / line.sine; }
+  const Shapes::Coefficients& plane_of(std::size_t s) const { return planes[shapes.coplanar_group(s)]; }
+  Kernel::Vector_3 normal_of(std::size_t s) const { return shapes.oriented_plane(s).orthogonal_vector(); }
+  std::vector<Near_plane> planes_near(std::size_t s) const;
+  Line line_of(std::size_t s, int plane) const;
+  std::vector<Near_point> points_near(std::size_t s, const Line& line, const CGAL::Bbox_3& box,
+                                      std::size_t& comparisons) const;
+  void find_pieces(std::size_t s, const Near_plane& other, std::vector<Piece>& pieces, Straight_borders& result) const;
+  std::vector<std::vector<std::size_t>> near_pieces(const std::vector<Piece>& pieces) const;
+  void drop_outer(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const;
+  void join_at_corners(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const;
+  void join_at_corner(std::size_t s, Piece& a, Piece& b) const;
+  Kernel::Point_3 on_line(std::size_t s, const Line& line, double along) const;
+  Kernel::Point_3 corner_of(std::size_t s, int plane, int other) const;
+  Straight_border border_of(std::size_t s, const Piece& piece) const;
+
+  const Shapes& shapes;
+  const std::vector<Shape_points>& all;
+  double maximum_distance;
+  std::vector<Shapes::Coefficients> planes;   // of the coplanar groups
+  std::vector<std::size_t> shape_of_plane;    // the first of each coplanar group
+  std::vector<Point_blocks> blocks;           // of each shape
+  std::vector<CGAL::Bbox_3> boxes;            // of each shape, with the reach of its points
+  std::vector<std::vector<std::size_t>> near; // shapes that may have points close to those of each shape
+};
+
+} // namespace program
+
+#endif // DETECT_PLANES_STRAIGHT_BORDERS_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "view/write_view.h"
+#include "outlines/shape_polygons.h"
+#include "view/Page_parts.h"
+#include "view/Thinned_points.h"
+#include "view/shape_facts.h"
+#include "view/write_points.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+constexpr std::size_t largest_number_of_points = 3000000; // that a browser draws well
+
+void write_pieces(std::ostream& out, const char* const* pieces)
+{
+  for(; *pieces != nullptr; ++pieces)
+    out << *pieces;
+}
+
+// What the first look shows: the shapes, as points without one may be far away.
+CGAL::Bbox_3 box_of_shapes(const Point_set& points, const Shapes& shapes)
+{
+  CGAL::Bbox_3 box;
+  std::size_t position = 0;
+  for(Point_set::Index i : points)
+    if((shapes.shape_index(position++) >= 0 || shapes.number_of_shapes() == 0) && is_finite(points.point(i)))
+      box += points.point(i).bbox();
+  return box;
+}
+
+Kernel::Point_3 center_of(const CGAL::Bbox_3& box)
+{
+  const auto middle = [&](int k) { return box.min(k) / 2 + box.max(k) / 2; }; // their sum may be too large
+  return Kernel::Point_3(middle(0), middle(1), middle(2));
+}
+
+// Columns: a number for each shape.
+void write_shapes(Json_writer& json, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned,
+                  const Kernel::Point_3& center)
+{
+  const Unit unit(points, shapes);
+  std::vector<double> size, parallel, coplanar, plane, position, area, distance, turned, shifted;
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+    const Shape_facts facts = facts_of_shape(points, shapes, unit, s);
+    const auto& c = shapes.coefficients(s);
+    size.push_back(double(shapes.points(s).size()));
+    parallel.push_back(double(shapes.parallel_group(s)));
+    coplanar.push_back(double(shapes.coplanar_group(s)));
+    plane.insert(plane.end(), c.begin(), c.end());
+    for(int k = 0; k < 3; ++k)
+      position.push_back(facts.centroid[std::size_t(k)] - center[k]);
+    distance.push_back(facts.mean_distance);
+    turned.push_back(facts.turned_degrees);
+    shifted.push_back(facts.shifted);
+  }
+  for(const Shape_polygons& polygons : polygons_of_shapes(points, shapes))
+    area.push_back(polygons.area);
+  json.begin("shapes");
+  json.numbers("points", size);
+  json.numbers("shown", thinned.shown); // one more: points without a shape
+  json.numbers("direction", parallel);
+  json.numbers("plane", coplanar);
+  json.numbers("coefficients", plane);
+  json.numbers("centroid", position);
+  json.numbers("area", area);
+  json.numbers("mean_distance", distance);
+  json.numbers("turned_degrees", turned);
+  json.numbers("shifted", shifted);
+  json.end();
+}
+
+void write_scene(std::ostream& out, const Point_set& points, const Shapes& shapes, const Run& run,
+                 const Thinned_points& thinned)
+{
+  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
+  const Kernel::Point_3 center = center_of(box);
+  const CGAL::Tandem::Statistics& s = shapes.statistics();
+  Json_writer json(out);
+  json.text("name", std::filesystem::path(run.input).filename().string());
+  json.count("points", s.number_of_points);
+  json.count("assigned", s.number_of_assigned_points);
+  json.count("ignored", s.number_of_ignored_points());
+  json.count("directions", s.number_of_directions);
+  json.count("planes", s.number_of_planes);
+  json.count("shown", thinned.size());
+  json.count("stride", thinned.stride);
+  json.number("coverage", s.coverage);
+  json.number("maximum_distance", shapes.parameters().maximum_distance);
+  json.numbers("center", std::array<double, 3>{center.x(), center.y(), center.z()});
+  json.numbers("extent", std::array<double, 3>{box.x_span(), box.y_span(), box.z_span()});
+  write_shapes(json, points, shapes, thinned, center);
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for(const auto& pair : shapes.orthogonal_groups())
+    pairs.push_back({std::size_t(pair.first), std::size_t(pair.second)});
+  json.rows("orthogonal", pairs);
+  json.end();
+}
+
+// Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
+// from the inside to the outside, with the blocks of each reach apart.
+void write_points(std::ostream& out, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned)
+{
+  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
+  const Kernel::Point_3 center = center_of(box);
+  const Point_block_writer writer(points, shapes, center);
+  std::vector<std::uint32_t> positions = thinned.positions;
+  auto written = positions.begin(), next = positions.end() - std::ptrdiff_t(thinned.shown.back());
+  double reach = 2 * (std::max)({box.x_span(), box.y_span(), box.z_span(), 1e-300});
+  const auto is_near = [&](std::uint32_t position) {
+    const Kernel::Vector_3 v = point_at(points, position) - center;
+    return (std::max)({std::fabs(v.x()), std::fabs(v.y()), std::fabs(v.z())}) <= reach;
+  };
+  for(; written != positions.end(); reach *= 64) {
+    next = std::stable_partition(next, positions.end(), is_near);
+    writer.write(out, written, next);
+    written = next;
+  }
+}
+
+} // namespace
+
+bool has_view() { return *page_parts().before_data != nullptr; }
+
+void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Run& run)
+{
+  const Thinned_points thinned(points, shapes, largest_number_of_points);
+  write_pieces(out, page_parts().before_data);
+  out << "<script type=\"application/json\" id=\"scene\">";
+  write_scene(out, points, shapes, run, thinned);
+  out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
+  write_points(out, points, shapes, thinned);
+  out << "</script>\n";
+  write_pieces(out, page_parts().after_data);
+}
+
+} // namespace program
