@@ -8,7 +8,7 @@
 set -eu
 
 order='base memory backend cloud neighbors regularity shapes growth rounds finish engine
-  cuda/interface cuda/runtime cuda/execution cuda/neighbors cuda/stages cuda mpi'
+  cuda/interface cuda/runtime cuda/execution cuda/neighbors cuda/stages cuda mpi/messages mpi/neighbors mpi'
 longest=14
 
 cd "$(dirname "$0")/../include"

@@ -21,6 +21,7 @@ using namespace CGAL::Tandem::internal;
 
 // All that the engine calls.
 template class CGAL::Tandem::internal::Engine<archetypes::Backend>;
+template class CGAL::Tandem::internal::Engine<archetypes::Rank_backend>;
 
 static_assert(Is_block<archetypes::Block>::value && Is_block<Serial_block>::value, "models of Block");
 static_assert(Is_backend<archetypes::Backend>::value && !Is_host_backend<archetypes::Backend>::value, "the archetype");

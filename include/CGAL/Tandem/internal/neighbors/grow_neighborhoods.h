@@ -37,9 +37,10 @@ struct Workspace {
   Neighborhood* current; // at the present scale, or where its growth ended
   Neighborhood* next;    // at the next scale; undefined where growth has ended
   Candidate* candidate;
-  int k;                  // neighbors in use
-  float flat;             // variance of what is as good as flat
-  float minimum_clutter2; // squared distance from the plane
+  const Grid_point* owner; // by candidate: the point that it comes from
+  int k;                   // neighbors in use
+  float flat;              // variance of what is as good as flat
+  float minimum_clutter2;  // squared distance from the plane
 };
 
 // epsilon_grid: epsilon in grid steps. The tables of neighborhoods are set by the caller.
@@ -53,6 +54,7 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
           nullptr,
           nullptr,
           candidate,
+          cloud.point,
           k,
           to_float(exact_product(flat, flat) + grid),
           to_float(exact_product(clutter, clutter))};

@@ -124,8 +124,17 @@ struct Labeled_cloud {
   void start_labels()
   {
     label_.reset(cloud.size_with_ghosts());
+    sent_label_.release();
     state_.reset(cloud.size_with_ghosts());
     has_lists_ = false;
+  }
+
+  // After a pass: the labels of ghosts become those of their points.
+  void refresh_labels(Rings rings = Rings::inner)
+  {
+    ranks.refresh(label_.data(), sent_label_);
+    if(rings == Rings::all)
+      ranks.refresh(label_.data(), rings);
   }
 
   // The phase of the interior bits; true if it is another one now, so that the bits are to be cleared.
@@ -147,6 +156,7 @@ private:
 
   Buffer<Cell_shapes> cell_shapes_; // by cell
   Buffer<std::uint32_t> label_;
+  Buffer<std::uint32_t> sent_label_; // see Ranks
   Buffer<std::uint8_t> state_;
   bool has_lists_ = false;
   Phase phase_ = Phase::loop;

@@ -131,9 +131,9 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
     points.number_of_cells(),
     Update_points<Backend>{points.cloud.view(), points.cells.data(), points.lists(), labels, target.data(), is_checked,
                            shapes.plane.data(), losses, tolerance});
-  points.ranks.update_labels(labels.label);
+  points.refresh_labels();
   if(is_checked != nullptr) {
-    points.ranks.sum(losses, shapes.size);
+    sum_deltas(backend, points.ranks, shapes);
     add_deltas(backend, shapes);
   }
 }
