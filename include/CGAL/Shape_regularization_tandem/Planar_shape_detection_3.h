@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #ifndef CGAL_TANDEM_USE_ENGINE // which has compiled it
@@ -81,13 +82,13 @@ public:
   template <class NamedParameters>
   Planar_shape_detection_3(const Point_range& points, const NamedParameters& np, const Traits& traits)
     : traits_(traits), backend_(traits_.backend()),
-      parameters_(Ranks::together(backend_, [&] { return internal::read_parameters(np); })),
-      progress_(Ranks::joined(backend_, internal::parameter<internal_np::callback_t>(np, Callback())))
+      parameters_(Ranks(backend_).together([&] { return internal::read_parameters(np); })),
+      progress_(joined(internal::parameter<internal_np::callback_t>(np, Callback())))
   {
     const internal::Round_to_nearest rounding;
     together([&] {
       internal::check_given_parameters(parameters_);
-      Ranks::check_same(backend_, parameters_);
+      internal::check_same_parameters(Ranks(backend_), parameters_);
       internal::Stop_watch watch;
       in_ =
         internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Execution::Upload());
@@ -142,7 +143,7 @@ public:
     const internal::Round_to_nearest rounding;
     check_complete();
     Backend backend = traits_.backend();
-    return Ranks::together(backend, [&] {
+    return Ranks(backend).together([&] {
       internal::Stop_watch watch;
       Shapes_data data =
         internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
@@ -168,12 +169,23 @@ private:
   using Execution = typename Traits::Execution;
   using Ranks = internal::Ranks<Backend>;
 
+  // The callback that calls those of all ranks. Ranks without one agree with the others.
+  Callback joined(const Callback& callback)
+  {
+    if constexpr(!Ranks::are_many)
+      return callback;
+    else
+      return [this, callback](double share) {
+        return Ranks(backend_).total(std::size_t(callback && !callback(share))) == 0;
+      };
+  }
+
   // f() on all ranks. What it throws ends the detection.
   template <class F>
   auto together(F f)
   {
     try {
-      return Ranks::together(backend_, f);
+      return Ranks(backend_).together(f);
     } catch(...) {
       has_thrown_ = true;
       throw;

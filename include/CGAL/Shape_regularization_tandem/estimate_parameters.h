@@ -48,11 +48,11 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
   const internal::Round_to_nearest rounding;
   return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();
-    using Ranks = internal::Ranks<decltype(backend)>;
-    return Ranks::together(backend, [&] {
+    const internal::Ranks<decltype(backend)> ranks(backend);
+    return ranks.together([&] {
       Parameters p = internal::read_parameters(np);
       internal::check_given_parameters(p);
-      Ranks::check_same(backend, p);
+      internal::check_same_parameters(ranks, p);
       const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
       internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
       return p;

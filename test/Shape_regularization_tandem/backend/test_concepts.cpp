@@ -19,12 +19,15 @@
 
 using namespace CGAL::Tandem::internal;
 
-// All that the engine calls.
+// All that the engine calls, in one process and in one of many.
 template class CGAL::Tandem::internal::Engine<archetypes::Backend>;
+template class CGAL::Tandem::internal::Engine<archetypes::Rank_backend>;
 
 static_assert(Is_block<archetypes::Block>::value && Is_block<Serial_block>::value, "models of Block");
 static_assert(Is_backend<archetypes::Backend>::value && !Is_host_backend<archetypes::Backend>::value, "the archetype");
 static_assert(Is_host_backend<Sequential_backend>::value, "the sequential back end");
+static_assert(Is_ranks<Ranks<Sequential_backend>, Sequential_backend>::value, "one process");
+static_assert(Ranks<archetypes::Rank_backend>::are_many, "the archetype of ranks");
 #ifdef CGAL_LINKED_WITH_TBB
 static_assert(Is_host_backend<Tbb_backend>::value, "the parallel back end");
 #endif
@@ -73,6 +76,29 @@ TANDEM_WITHOUT(Is_backend, Backend, atomic_min);
 TANDEM_WITHOUT(Is_backend, Backend, atomic_max);
 TANDEM_WITHOUT(Is_backend, Backend, atomic_load);
 TANDEM_WITHOUT(Is_backend, Backend, atomic_exchange_if);
+
+#define TANDEM_RANKS_WITHOUT(operation)                                                                                \
+  struct Ranks_without_##operation : Ranks<archetypes::Rank_backend> {                                                 \
+    using Ranks<archetypes::Rank_backend>::Ranks;                                                                      \
+    Nothing_callable operation;                                                                                        \
+  };                                                                                                                   \
+  static_assert(!Is_ranks<Ranks_without_##operation, archetypes::Rank_backend>::value, #operation " is not required")
+
+struct All_of_ranks : Ranks<archetypes::Rank_backend> {
+  using Ranks<archetypes::Rank_backend>::Ranks;
+};
+static_assert(Is_ranks<All_of_ranks, archetypes::Rank_backend>::value, "a class that inherits all is a model");
+TANDEM_RANKS_WITHOUT(are_many);
+TANDEM_RANKS_WITHOUT(share);
+TANDEM_RANKS_WITHOUT(together);
+TANDEM_RANKS_WITHOUT(total);
+TANDEM_RANKS_WITHOUT(sum);
+TANDEM_RANKS_WITHOUT(gather);
+TANDEM_RANKS_WITHOUT(connect);
+TANDEM_RANKS_WITHOUT(ghosts);
+TANDEM_RANKS_WITHOUT(number);
+TANDEM_RANKS_WITHOUT(refresh);
+TANDEM_RANKS_WITHOUT(to_owners);
 
 struct Other_buffer : archetypes::Backend {
   template <class T>

@@ -73,7 +73,7 @@ private:
     for(std::uint32_t i = 0; i < n; ++i)
       if(expected[i] < first_mark && size[component[i]] < 3)
         expected[i] = free_label;
-    typename Ranks<Backend>::Seams seams;
+    Seams<Backend> seams(backend_, points.ranks);
     const auto sizes = component_sizes(points, label.data(), component.data(), seams);
     backend_.for_each(n, Clear_interior{state.data()});
     backend_.for_each(n, Free_small_components{component.data(), sizes.data(), 3, label.data()});

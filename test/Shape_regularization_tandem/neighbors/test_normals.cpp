@@ -50,7 +50,7 @@ std::vector<Grid_point> with_normals(std::vector<Grid_point> points, int k = tun
   std::vector<std::uint32_t> neighbors(points.size() * std::size_t(k) + 1);
   find_neighbors(backend, points.data(), std::uint32_t(points.size()), k, neighbors.data());
   const Cloud_view cloud = {points.data(), neighbors.data(), std::uint32_t(points.size()), k};
-  estimate_normals(backend, cloud, points.data(), epsilon);
+  estimate_normals(backend, cloud, points.data(), epsilon, Ranks<Backend>(backend));
   return points;
 }
 

@@ -10,7 +10,7 @@
 #include "body_fixture.h"
 #include "same_bits.h"
 
-#include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
+#include <CGAL/Tandem/internal/rounds/unite_shapes.h>
 
 #include <algorithm>
 #include <functional>
@@ -77,7 +77,8 @@ Shape_unions<Backend> unite(Backend& backend, Shape_table<Backend>& shapes, cons
                             std::uint32_t* rounds = nullptr)
 {
   shapes.set_fitted();
-  Shape_unions<Backend> unions = unite_shapes(backend, Ranks<Backend>(), shapes, criterion, to_buffer(backend, links));
+  Shape_unions<Backend> unions =
+    unite_shapes(backend, Ranks<Backend>(backend), shapes, criterion, to_buffer(backend, links));
   if(rounds != nullptr)
     *rounds = to_vector(backend, unions.total).front();
   CHECK(std::is_sorted(unions.member.begin(), unions.member.end(), std::less_equal<std::uint32_t>()));

@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/engine/first_unconnected.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -38,7 +39,7 @@ public:
   bool check(Backend& backend)
   {
     const Ranks<Backend> ranks(backend);
-    return ranks.all(check_here(), violation_) && check_same(ranks) && ranks.all(check_sums(ranks), violation_) &&
+    return passes_on_all(ranks, check_here()) && check_same(ranks) && passes_on_all(ranks, check_sums(ranks)) &&
            check_connectivity(backend) && passes(listing_violation(data_));
   }
 
@@ -53,6 +54,15 @@ private:
   }
 
   bool passes(const std::string& violation) { return violation.empty() || fail(violation); }
+
+  // Where a check fails on some ranks, the violation is that of the first one.
+  template <class Ranks>
+  bool passes_on_all(const Ranks& ranks, bool passes_here)
+  {
+    const std::string own = passes_here ? "" : violation_ + '\0';
+    const std::vector<char> all = ranks.gather(std::vector<char>(own.begin(), own.end()));
+    return all.empty() || fail(all.data());
+  }
 
   bool check_here()
   {
@@ -192,7 +202,9 @@ private:
     for(const auto& parameter : listed(data_.parameters))
       Shapes::add_to_hash(h, {{parameter.second, 0, 0, 0}});
     add(std::vector<std::size_t>{data_.statistics.number_of_rounds, data_.statistics.is_cancelled});
-    return ranks.are_same(h) || fail("the processes have different shapes or parameters");
+    const std::vector<std::uint64_t> all = ranks.gather(std::vector<std::uint64_t>{h});
+    return std::count(all.begin(), all.end(), h) == std::ptrdiff_t(all.size()) ||
+           fail("the processes have different shapes or parameters");
   }
 
   // What is summed over the points of all ranks.
@@ -203,8 +215,8 @@ private:
     std::vector<std::uint64_t> size;
     for(std::size_t s = 0; s < n; ++s)
       size.push_back(shapes_.points(s).size());
-    ranks.sum(size.data(), n);
-    ranks.sum(sides_.data(), sides_.size());
+    size = ranks.total(std::move(size));
+    sides_ = ranks.total(std::move(sides_));
     sums_.assigned = ranks.total(sums_.assigned);
     sums_.distance = ranks.total(sums_.distance);
     sums_.peak_bytes = ranks.total(data_.statistics.peak_bytes);

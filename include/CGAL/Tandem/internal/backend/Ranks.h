@@ -7,15 +7,15 @@
 // its sums by shape are added up, and labels of ghosts are renewed. Loops over shapes need nothing, but each rank makes
 // a share of the tests and fits.
 //
-// Here there is one process, and nothing to do. mpi/Mpi_ranks.h has the same members for many.
+// Here there is one process, and nothing to do. mpi/Mpi_ranks.h has the same operations for many; concepts.h lists them.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_RANKS_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_RANKS_H
 
-#include <CGAL/Tandem/internal/base/types.h>
+#include <CGAL/Tandem/internal/backend/buffers.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,125 +30,102 @@ struct Own_share {
   CGAL_TANDEM_HD bool has(std::size_t i) const { return i % ranks == rank; }
 };
 
+// The ghosts of one or several steps from neighbor to neighbor. The inner ones, which are in rows of own points, come
+// first in tables of points.
+enum class Rings { inner, all };
+
 template <class Backend>
 class Ranks {
-  template <class T>
-  using Buffer = typename Backend::template Buffer<T>;
-
 public:
   static constexpr bool are_many = false;
-  // Components that lie on several ranks.
-  struct Seams {};
 
-  Ranks() = default;
   explicit Ranks(Backend&) {}
 
-  // Sums over all ranks: of numbers that each has, and of each entry of a table.
-  std::size_t total(std::size_t own) const { return own; }
-  template <class T>
-  void sum(T*, std::size_t) const
-  {}
+  Own_share share() const { return {}; }
 
-  // f() on each rank. Where it throws, all ranks throw the same exception, instead of waiting for each other.
   template <class F>
-  static auto together(Backend&, F f)
+  auto together(F f) const
   {
     return f();
   }
 
-  // Throws on all ranks unless they have the same parameters.
-  template <class Parameters>
-  static void check_same(Backend&, const Parameters&)
-  {}
-
-  // The callback that calls those of all ranks.
-  template <class Callback>
-  static Callback joined(Backend&, Callback callback)
-  {
-    return callback;
-  }
-
-  // Box and counts become those of all ranks. All of them have normals, or none.
-  template <class Import>
-  void join_imports(Import&) const
-  {}
-
-  // Whether all ranks say so. If not, `why` becomes that of the first one that does not.
-  bool all(bool own, std::string&) const { return own; }
-
-  // Whether all ranks have the same number.
-  bool are_same(std::uint64_t) const { return true; }
-
-  // Finds the ghosts. `rings`: how many steps from neighbor to neighbor lead to them; all but those of the last ring
-  // have rows, too.
-  template <class Points>
-  void connect(Points&, int) const
-  {}
-
-  // The entries of the ghosts in a table of points become those of their owners: of the first ring, or of all.
   template <class T>
-  void update(T*) const
-  {}
+  T total(T own) const
+  {
+    return own;
+  }
+
   template <class T>
-  void update_all(T*) const
+  void sum(T*, std::size_t) const
   {}
 
-  // The same for the labels of the loop. Those of the first ring are sent only where they have changed.
-  void update_labels(std::uint32_t*) const {}
-  void update_all_labels(std::uint32_t*) const {}
+  template <class T>
+  std::vector<T> gather(std::vector<T> own, std::vector<std::size_t>* first = nullptr) const
+  {
+    if(first != nullptr)
+      *first = {0, own.size()};
+    return own;
+  }
 
-  // While points adopt candidates of their neighbors: renews what those of ghosts have adopted before the pass.
-  template <class Candidate>
-  void update_adopted(Candidate*, Grid_point*, std::uint32_t*, int) const
+  template <class Cloud>
+  void connect(Cloud&, int) const
   {}
 
-  // Makes the list of the shapes that have started on this rank, by the number of their id among new ids, that of all
-  // ranks. Those of other ranks get ids from `ids` on, with sums. Returns the end of the ids.
-  template <class Shapes>
-  std::size_t share_started(Shapes&, std::size_t ids, Buffer<std::uint32_t>&) const
-  {
-    return ids;
-  }
+  std::size_t ghosts(Rings) const { return 0; }
+  std::uint64_t number(std::uint32_t place) const { return place; }
 
-  // The rounds of a label propagation, of which the first proposals have been made.
-  template <class Propagation>
-  void run_propagation(Backend& backend, std::size_t maximum_rounds, std::size_t n, const Propagation& rounds) const
-  {
-    backend.run_rounds(maximum_rounds, n, rounds);
-  }
-
-  // Before fits that all ranks need: each makes its share, and gets the others. fits.has(i): one is to be made for
-  // fits[i] of the n moments; fits.set_made(i): it has been made.
-  template <class Fits>
-  void share_fits(std::size_t, const Fits&) const
+  template <class T>
+  void refresh(T*, Rings) const
+  {}
+  template <class T, class Sent>
+  void refresh(T*, Sent&) const
   {}
 
-  // The rounds of unions of shapes, see Mutual_unions.h, with the share of the work that is done by this rank.
-  Own_share own_share() const { return {}; }
-  template <class Rounds>
-  void run_unions(Backend& backend, std::size_t maximum_rounds, std::size_t n, const Rounds& rounds) const
+  template <class T>
+  std::vector<T> to_owners(std::vector<T> items) const
   {
-    backend.run_rounds(maximum_rounds, n, rounds);
-  }
-
-  // Joins the components of points of all ranks. Roots become the smallest position on this rank.
-  Seams join_components(const std::uint32_t*, std::uint32_t*) const { return {}; }
-  // Sizes, by root, become those of the whole components.
-  void sum_sizes(Seams&, std::uint32_t*) const {}
-  // The components of the result, of all ranks.
-  template <class Component>
-  std::vector<Component> join_large(const Seams&, std::vector<Component>&& own) const
-  {
-    return std::move(own);
-  }
-
-  // Of all links of this rank, those of all ranks with so many edges.
-  template <class Links>
-  Links join_links(Links&& links, std::uint32_t) const
-  {
-    return std::forward<Links>(links);
+    return items;
   }
 };
+
+// --- What stages make of these operations.
+
+// f.take(i) of the i in [0, n) with f.has(i), of all ranks.
+template <class T, class Backend, class F>
+typename Backend::template Buffer<T> collect_of_all(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, F f)
+{
+  auto own = backend.template collect<T>(n, f);
+  if constexpr(Ranks<Backend>::are_many)
+    return to_buffer(backend, ranks.gather(to_vector(backend, own)));
+  else
+    return own;
+}
+
+// A lane of a step of rounds.
+template <class Rounds>
+struct Run_step {
+  Rounds rounds;
+  int step;
+  std::size_t round, lanes;
+
+  CGAL_TANDEM_HD void operator()(std::size_t lane) const { rounds.run(step, round, lane, lanes); }
+};
+
+// backend.run_rounds() of many ranks, which exchange something after some steps: exchange(step, round), on the host. It
+// returns whether the round is the last one.
+template <class Backend, class Rounds, class Exchange>
+void run_joint_rounds(Backend& backend, std::size_t maximum_rounds, std::size_t n, const Rounds& rounds,
+                      Exchange exchange)
+{
+  const std::size_t lanes = (std::max)((std::min)(n, std::size_t(4096)), std::size_t(1));
+  for(std::size_t round = 0; round < maximum_rounds; ++round)
+    for(int step = 0; step < Rounds::steps; ++step) {
+      backend.for_each(lanes, Run_step<Rounds>{rounds, step, round, lanes},
+                       n < Rounds::few(step) ? lanes : lanes / 64 + 1);
+      if(exchange(step, round))
+        return;
+    }
+}
 
 } // namespace internal
 } // namespace Tandem

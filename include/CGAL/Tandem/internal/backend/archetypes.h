@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The smallest models of Backend and Block, with every operation of concepts.h and nothing else. A test compiles the
+// The smallest models of Backend, Block and Ranks, with every operation of concepts.h and nothing else. A test compiles the
 // engine with them, so no stage uses more than the concepts promise. They compute nothing: `if(false)` compiles what is
 // passed to them, and does not run it.
 
@@ -202,7 +202,55 @@ struct Backend {
   }
 };
 
+// The same in one of many processes.
+struct Rank_backend : Backend {};
+
 } // namespace archetypes
+
+// As if all others had nothing; but the engine is compiled for many.
+template <>
+class Ranks<archetypes::Rank_backend> {
+public:
+  static constexpr bool are_many = true;
+
+  Ranks() = delete;
+  explicit Ranks(archetypes::Rank_backend&) {}
+
+  Own_share share() const { return {}; }
+  template <class F>
+  auto together(F f) const
+  {
+    return f();
+  }
+  std::size_t total(std::size_t own) const { return own; }
+  std::vector<std::uint64_t> total(std::vector<std::uint64_t> own) const { return own; }
+  void sum(std::uint32_t*, std::size_t) const {}
+  void sum(std::int64_t*, std::size_t) const {}
+  void sum(std::uint64_t*, std::size_t) const {}
+  template <class T>
+  std::vector<T> gather(const std::vector<T>& own, std::vector<std::size_t>* = nullptr) const
+  {
+    return own;
+  }
+  template <class Cloud>
+  void connect(Cloud&, int)
+  {}
+  std::size_t ghosts(Rings) const { return 0; }
+  std::uint64_t number(std::uint32_t) const { return 0; }
+  template <class T>
+  void refresh(T*, Rings) const
+  {}
+  template <class T>
+  void refresh(T*, archetypes::Buffer<T>&) const
+  {}
+  template <class T>
+  std::vector<T> to_owners(std::vector<T> items) const
+  {
+    for(T& item : items)
+      item.index = 0;
+    return items;
+  }
+};
 
 // What every back end has to replace whose functors do not write memory of the host.
 template <>
@@ -215,6 +263,9 @@ struct Stage_overrides<archetypes::Backend> : No_stage_overrides {
   static void group_points(archetypes::Backend&, archetypes::Buffer<std::int32_t>&&, std::size_t, Result&)
   {}
 };
+
+template <>
+struct Stage_overrides<archetypes::Rank_backend> : Stage_overrides<archetypes::Backend> {};
 
 } // namespace internal
 } // namespace Tandem

@@ -53,6 +53,32 @@ auto to_vector(Backend& backend, const Buffer& buffer)
   return to_vector(backend, buffer.data(), buffer.size());
 }
 
+template <class T>
+struct Copy_items {
+  const T* source;
+  T* target;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] = source[i]; }
+};
+
+// From the host to a table where the functors run.
+template <class Backend, class T>
+void write_to(Backend& backend, const std::vector<T>& values, T* table)
+{
+  const auto buffer = to_buffer(backend, values);
+  backend.for_each(values.size(), Copy_items<T>{buffer.data(), table});
+}
+
+// The items, and room for more.
+template <class T, class Backend>
+typename Backend::template Buffer<T> extended(Backend& backend, const typename Backend::template Buffer<T>& table,
+                                              std::size_t size)
+{
+  typename Backend::template Buffer<T> larger(size);
+  backend.for_each(table.size(), Copy_items<T>{table.data(), larger.data()});
+  return larger;
+}
+
 // A predicate of compactions.
 struct Is_marked {
   const std::uint8_t* mark;

@@ -1,20 +1,22 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The two concepts that the engine is written on: what a back end supplies, and what a body may use. Everything that
-// the engine calls is listed here, and archetypes.h has it and nothing else.
+// The three concepts that the engine is written on: what a back end supplies, what a body may use, and what connects the
+// processes that share a cloud. Everything that the engine calls is listed here, and archetypes.h has it and nothing else.
 //
 // A *back end* owns memory and runs functors and bodies; it has no notion of planes. A functor is called with an item.
 // A *body* is a function template on a *block*: all lanes that work on one octree cell. Code outside of a call of the
 // block is uniform: all lanes do the same. Only the functors within are per item, and their items may run in any order
 // and at the same time. So no result depends on the number of lanes, threads or devices.
 //
-// Sequential_backend.h and Serial_block.h are the models to read first.
+// Sequential_backend.h, Serial_block.h and Ranks.h are the models to read first.
 
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_CONCEPTS_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_CONCEPTS_H
 
 #include <CGAL/Tandem/internal/backend/Host_memory.h>
+#include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/backend/concept_arguments.h>
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
 
@@ -25,75 +27,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-namespace archetypes {
-
-// Arguments of the operations, for the detectors below.
-struct Item_functor {
-  void operator()(std::size_t) const {}
-};
-
-struct Piece_functor {
-  void operator()(std::size_t, std::size_t) const {}
-};
-
-struct Scratch {};
-
-struct Cell_body {
-  template <class Block>
-  void operator()(Block&, Scratch&, std::uint32_t) const
-  {}
-};
-
-struct Predicate {
-  bool operator()(std::uint32_t) const { return false; }
-};
-
-struct Taker {
-  bool has(std::uint32_t) const { return false; }
-  std::int64_t take(std::uint32_t) const { return 0; }
-};
-
-struct Found {
-  void operator()(std::uint32_t, std::uint32_t) const {}
-};
-
-struct Value {
-  std::uint32_t operator()(std::uint32_t) const { return 0; }
-};
-
-struct Summand {
-  void operator()(std::uint32_t, int&) const {}
-};
-
-struct Sum {
-  void operator()(int&) const {}
-};
-
-struct Summed {
-  void operator()(std::size_t, std::int64_t*) const {}
-};
-
-struct Maker {
-  int operator()(std::size_t) const { return 0; }
-};
-
-struct Rounds {
-  static constexpr int steps = 1;
-  static constexpr std::size_t few(int) { return 1; }
-  void run(int, std::size_t, std::size_t, std::size_t) const {}
-  bool is_last(std::size_t) const { return true; }
-};
-
-struct Neighbor_functor {
-  void operator()(std::uint32_t, std::uint32_t) const {}
-};
-
-struct Row {
-  const std::uint32_t* operator()(std::uint32_t) const { return nullptr; }
-};
-
-} // namespace archetypes
 
 // Block, for lanes that share the scratch of a cell:
 //   lookahead                              items worth trying before it is known whether they are needed, at most 32
@@ -256,6 +189,50 @@ template <class Backend>
 struct Is_host_backend<Backend, std::void_t<decltype(std::declval<Backend&>().for_each_piece(
                                   std::size_t(0), std::size_t(0), archetypes::Piece_functor()))>>
   : std::integral_constant<bool, Is_backend<Backend>::value && std::is_base_of<Host_memory, Backend>::value> {};
+
+// Ranks, the processes that have parts of one cloud; without a word of the method. All ranks call the same operations in
+// the same order, but for share(), ghosts() and number(), which send nothing. Made from a back end:
+//   are_many                   whether there are others: what is for them only is compiled then
+//   share()                    the items that all ranks have and of which this one does the work, an Own_share
+//   together(f)                f(); where it throws, all ranks throw the same exception, instead of waiting for each other
+//   total(n), total(list)      the sum of the numbers of all ranks, or of each of a list, on the host
+//   sum(table, n)              the same for the integers of a table where the functors run
+//   gather(items, first)       the items of all ranks on the host, one rank after the other; `first`, if it is not null,
+//                              gets where those of each rank begin, and the end
+//   connect(cloud, rings)      finds the ghosts: rows of a Sorted_cloud become those among the points of all ranks, and
+//                              so many steps from neighbor to neighbor lead to points of other ranks, which are added. All
+//                              but those of the last step have rows
+//   ghosts(rings)              how many
+//   number(place)              of a point or ghost, the same on all ranks: rank << 32 | its place on its own rank
+//   refresh(table, rings)      entries of ghosts become those of the points
+//   refresh(table, sent)       the same of the inner ghosts and for integers: what has not changed is not sent again.
+//                              `sent` is a buffer for this table, empty at first
+//   to_owners(items)           item.index, a ghost, becomes the place of the point on its own rank, where the item goes
+template <class Ranks, class Backend, class = void>
+struct Is_ranks : std::false_type {};
+
+template <class Ranks, class Backend>
+struct Is_ranks<
+  Ranks, Backend,
+  std::void_t<
+    decltype(Ranks(std::declval<Backend&>())), decltype(bool(Ranks::are_many)),
+    decltype(Own_share(std::declval<const Ranks&>().share())),
+    decltype(int(std::declval<const Ranks&>().together(archetypes::Result()))),
+    decltype(std::size_t(std::declval<const Ranks&>().total(std::size_t(0)))),
+    decltype(std::vector<std::uint64_t>(std::declval<const Ranks&>().total(std::vector<std::uint64_t>()))),
+    decltype(std::declval<const Ranks&>().sum(std::declval<std::uint32_t*>(), std::size_t(0))),
+    decltype(std::declval<const Ranks&>().sum(std::declval<std::int64_t*>(), std::size_t(0))),
+    decltype(std::declval<const Ranks&>().sum(std::declval<std::uint64_t*>(), std::size_t(0))),
+    decltype(std::vector<int>(std::declval<const Ranks&>().gather(std::vector<int>()))),
+    decltype(std::declval<const Ranks&>().gather(std::vector<int>(), std::declval<std::vector<std::size_t>*>())),
+    decltype(std::declval<Ranks&>().connect(std::declval<archetypes::Scratch&>(), 1)),
+    decltype(std::size_t(std::declval<const Ranks&>().ghosts(Rings::inner))),
+    decltype(std::uint64_t(std::declval<const Ranks&>().number(0u))),
+    decltype(std::declval<const Ranks&>().refresh(std::declval<double*>(), Rings::all)),
+    decltype(std::declval<const Ranks&>().refresh(std::declval<std::uint32_t*>(),
+                                                  std::declval<typename Backend::template Buffer<std::uint32_t>&>())),
+    decltype(std::vector<archetypes::Sent>(std::declval<const Ranks&>().to_owners(std::vector<archetypes::Sent>())))>>
+  : std::true_type {};
 
 } // namespace internal
 } // namespace Tandem

@@ -1,13 +1,16 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters as a list of numbers, to compare them.
+// The parameters as a list of numbers, to compare them. Ranks with different ones would wait for each other.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_LISTED_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_BASE_LISTED_PARAMETERS_H
 
 #include <CGAL/Tandem/Parameters.h>
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,6 +42,24 @@ inline std::vector<std::pair<const char*, double>> listed(const Parameters& p)
     for(const double x : direction)
       list.emplace_back("fixed_directions", x);
   return list;
+}
+
+// Throws on all ranks unless they have the same parameters.
+template <class Ranks>
+void check_same_parameters(const Ranks& ranks, const Parameters& parameters)
+{
+  const auto list = listed(parameters);
+  std::vector<double> own;
+  for(const auto& value : list)
+    own.push_back(value.second);
+  std::vector<std::size_t> first;
+  const std::vector<double> all = ranks.gather(own, &first);
+  for(std::size_t r = 1; r + 1 < first.size(); ++r)
+    for(std::size_t i = 0; i < (std::min)(first[1], first[r + 1] - first[r]); ++i)
+      if(all[i] != all[first[r] + i])
+        throw std::invalid_argument(std::string(i < list.size() ? list[i].first : "fixed_directions") +
+                                    " has to be the same on all ranks: there are " + to_text(all[i]) + " and " +
+                                    to_text(all[first[r] + i]));
 }
 
 } // namespace internal

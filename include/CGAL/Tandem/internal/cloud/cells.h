@@ -1,220 +1,22 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order of the cloud along the Hilbert curve, and the octree cells, which are ranges of that order. Only positions
-// are sorted here; engine/sort_points.h moves the points. Neither result depends on the order of the caller's points.
+// The octree cells, which are ranges of the sorted cloud. They do not depend on the order of the caller's points, nor
+// on how many ranks share them.
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CELLS_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
-#include <CGAL/Tandem/internal/backend/buffers.h>
-#include <CGAL/Tandem/internal/base/Box.h>
-#include <CGAL/Tandem/internal/cloud/Cloud.h>
-#include <CGAL/Tandem/internal/cloud/curve.h>
+#include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 
 #include <algorithm>
-#include <functional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// The root of the octree: a cube of 2^21 finest octants a side around the cloud. A finest octant is 2^shift steps wide.
-// Unsigned differences to the low corner cannot overflow: the cloud has at most 2^29 steps.
-struct Code_frame {
-  std::int32_t low[3];
-  int shift;
-
-  CGAL_TANDEM_HD std::uint64_t code(const Grid_point& p) const
-  {
-    return hilbert_code(std::uint32_t(p.x - low[0]) >> shift, std::uint32_t(p.y - low[1]) >> shift,
-                        std::uint32_t(p.z - low[2]) >> shift);
-  }
-
-  // The place of a point in the order within one finest octant, which matters where far outliers make it large. shift
-  // is at most 8, so the code has at most 24 bits.
-  CGAL_TANDEM_HD std::uint64_t code_inside(const Grid_point& p) const
-  {
-    const std::uint32_t mask = (1u << shift) - 1;
-    return hilbert_code(std::uint32_t(p.x - low[0]) & mask, std::uint32_t(p.y - low[1]) & mask,
-                        std::uint32_t(p.z - low[2]) & mask);
-  }
-};
-
-// The smallest frame around all points between two corners.
-inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high)
-{
-  Code_frame frame = {{low.x, low.y, low.z}, 0};
-  const std::uint32_t extent =
-    (std::max)({std::uint32_t(high.x - low.x), std::uint32_t(high.y - low.y), std::uint32_t(high.z - low.z)});
-  while((extent >> frame.shift) >> curve_bits)
-    ++frame.shift;
-  return frame;
-}
-
-// The smallest frame around the given points.
-inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
-{
-  Box box;
-  for(std::size_t i = 0; i < n; ++i)
-    box.add(point[i]);
-  return n > 0 ? make_code_frame({box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0})
-               : Code_frame{{0, 0, 0}, 0};
-}
-
-// Writes the code of each point as its key of the sort.
-template <class Table>
-struct Write_codes {
-  const Grid_point* point;
-  Code_frame frame;
-  Table order;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(i, frame.code(point[i]), std::uint32_t(i)); }
-};
-
-// Whether the key at position i of the sorted table equals one beside it. Sorts of back ends need not be stable, so the
-// order of equal keys is undefined up to here.
-template <class Table>
-struct Is_tied {
-  Table order;
-  std::uint32_t size;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
-  {
-    return (i > 0 && order.key(i - 1) == order.key(i)) || (i + 1 < size && order.key(i + 1) == order.key(i));
-  }
-};
-
-// A point that shares its code with another one.
-struct Tied_point {
-  std::uint64_t code, code_inside;
-  Grid_point point;
-  std::uint32_t index;
-  std::uint32_t gap = 0; // instead of padding: copies between host and device have no undefined bytes
-};
-
-// Copies the point at place[i] of the sorted table to item i, for the sort of ties on the host.
-template <class Table>
-struct Gather_tied {
-  Table order;
-  const Grid_point* point; // in the order before the sort
-  Code_frame frame;
-  const std::uint32_t* place; // positions of the ties, ascending
-  Tied_point* tied;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    const std::uint32_t index = order.index(place[i]);
-    tied[i] = {order.key(place[i]), frame.code_inside(point[index]), point[index], index};
-  }
-};
-
-// Writes item i back to place[i]. Codes at these places are the same as before; only indices change.
-template <class Table>
-struct Scatter_tied {
-  Table order;
-  const std::uint32_t* place;
-  const Tied_point* tied;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(place[i], tied[i].code, tied[i].index); }
-};
-
-// What orders points of equal code: position within the octant, then all that is known of them on the grid.
-inline auto key_within_code(const Tied_point& t)
-{
-  return std::tie(t.code_inside, t.point.x, t.point.y, t.point.z, t.point.normal);
-}
-
-// Whether two points are the same on the grid, with their normals.
-inline bool are_equal_on_grid(const Tied_point& a, const Tied_point& b)
-{
-  return a.code == b.code && key_within_code(a) == key_within_code(b);
-}
-
-// Sorts each maximal stretch of consecutive items that are alike, one stretch on one thread.
-template <class Backend, class Alike, class Less>
-void sort_stretches(Backend& backend, std::vector<Tied_point>& tied, Alike are_alike, Less less)
-{
-  std::vector<std::size_t> start;
-  for(std::size_t i = 0; i < tied.size(); ++i)
-    if(i == 0 || !are_alike(tied[i - 1], tied[i]))
-      start.push_back(i);
-  start.push_back(tied.size());
-  const auto at = [&](std::size_t s) { return tied.begin() + std::ptrdiff_t(start[s]); };
-  backend.for_each_on_host(start.size() - 1, [&](std::size_t s) { std::sort(at(s), at(s + 1), less); });
-}
-
-// Orders points that are the same on the grid. precedes(i, j) is a total order of their indices, which depends on
-// these only for exact duplicates. It is called on the host, and after prepare(), which copies values from a device.
-// Neither is called where no two points are the same.
-template <class Precedes = std::less<std::uint32_t>, class Prepare = Nothing>
-struct Tie_order {
-  Precedes precedes = Precedes();
-  Prepare prepare = Prepare();
-};
-
-template <class Precedes, class Prepare>
-Tie_order<Precedes, Prepare> make_tie_order(Precedes precedes, Prepare prepare)
-{
-  return {precedes, prepare};
-}
-
-// Sorts the points of each code by (code inside, coordinates, normal), then those that are still equal by `ties`.
-template <class Backend, class Ties>
-void sort_tied(Backend& backend, std::vector<Tied_point>& tied, const Ties& ties)
-{
-  const auto have_one_code = [](const Tied_point& a, const Tied_point& b) { return a.code == b.code; };
-  sort_stretches(backend, tied, have_one_code,
-                 [](const Tied_point& a, const Tied_point& b) { return key_within_code(a) < key_within_code(b); });
-  if(std::adjacent_find(tied.begin(), tied.end(), are_equal_on_grid) == tied.end())
-    return;
-  ties.prepare();
-  sort_stretches(backend, tied, are_equal_on_grid,
-                 [&](const Tied_point& a, const Tied_point& b) { return ties.precedes(a.index, b.index); });
-}
-
-// The indices of `point`, sorted by code. The back end sorts by the code only. The few ties go to the host and back.
-// With a total order of ties the result does not depend on the order of the points.
-template <class Backend, class Ties = Tie_order<>>
-typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
-                                              const Code_frame& frame, const Ties& ties = Ties())
-{
-  using Table = typename Backend::Sort_table::View;
-  typename Backend::Sort_table order(n);
-  backend.for_each(n, Write_codes<Table>{point, frame, order.view()});
-  backend.sort(order);
-  const auto place = backend.compact(n, Is_tied<Table>{order.view(), std::uint32_t(n)});
-  if(place.size() == 0)
-    return order;
-  typename Backend::template Buffer<Tied_point> buffer(place.size());
-  backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
-  std::vector<Tied_point> tied = to_vector(backend, buffer);
-  sort_tied(backend, tied, ties);
-  const auto sorted = to_buffer(backend, tied);
-  backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), sorted.data()});
-  return order;
-}
-
-// Writes where the eight octants of range i begin, and the end, to bound[9 i] ... bound[9 i + 8]. Each is found by
-// bisection, since codes ascend; no point is visited.
-template <class Table>
-struct Find_octants {
-  Table order;
-  const Range* range;
-  int bits; // of a code, below the octant
-  std::uint32_t* bound;
-
-  CGAL_TANDEM_HD void operator()(std::size_t at) const
-  {
-    const Range r = range[at / 9];
-    const std::uint64_t octant = (order.key(r.first) >> bits >> 3 << 3) + at % 9;
-    bound[at] = partition_point(r.first, r.last, [&](std::uint32_t i) { return (order.key(i) >> bits) < octant; });
-  }
-};
 
 // Whether an octant of this level, with so many points, is a leaf of the octree. See cell_extent_bits for its width.
 inline bool is_leaf(int level, int shift, std::uint64_t points, std::size_t cell_size)
@@ -229,68 +31,93 @@ inline void append_cells(const Range& leaf, std::size_t cell_size, std::vector<R
     cells.push_back({first, (std::min)(first + std::uint32_t(cell_size), leaf.last)});
 }
 
-// Computes the octree cells, as ascending ranges that cover the sorted cloud. The root octant is split until a cell has
-// at most cell_size points and is at most 2^23 steps wide. See cell_extent_bits for that bound. Points of one finest
-// octant are cut in the order of the sort; such an octant is never too wide.
-template <class Backend>
-class Cell_splitter {
-public:
-  Cell_splitter(Backend& backend, typename Backend::Sort_table::View order, int shift, std::size_t cell_size)
-    : backend_(backend), order_(order), shift_(shift), cell_size_(cell_size)
-  {}
+// A cube of 2^(21 - level) finest octants a side: codes from `code` on.
+struct Octant {
+  std::uint64_t code;
+  std::uint64_t total; // points, of all ranks
+  Range own;           // points of this rank, in the order of codes
+  int level;
 
-  std::vector<Range> operator()(std::uint32_t n)
+  // Where leaves of more points are cut: finest octants.
+  std::size_t number_of_cells(std::size_t cell_size) const
   {
-    std::vector<Range> open;
-    take({0, n}, 0, open);
-    for(int level = 1; !open.empty(); ++level)
-      split(level, open);
-    std::sort(cells_.begin(), cells_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
-    return std::move(cells_);
+    return level < curve_bits ? 1 : std::size_t((total + cell_size - 1) / cell_size);
   }
-
-private:
-  // Splits all open octants of the level above at once, so that a device has one launch a level.
-  void split(int level, std::vector<Range>& open)
-  {
-    using Table = typename Backend::Sort_table::View;
-    const auto ranges = to_buffer(backend_, open);
-    typename Backend::template Buffer<std::uint32_t> bounds(9 * open.size());
-    backend_.for_each(bounds.size(),
-                      Find_octants<Table>{order_, ranges.data(), 3 * (curve_bits - level), bounds.data()});
-    const std::vector<std::uint32_t> bound = to_vector(backend_, bounds);
-    std::vector<Range> next;
-    for(std::size_t i = 0; i < bound.size(); ++i)
-      if(i % 9 < 8)
-        take({bound[i], bound[i + 1]}, level, next);
-    open.swap(next);
-  }
-
-  // An octant of the level becomes a leaf, or is split further.
-  void take(const Range& r, int level, std::vector<Range>& open)
-  {
-    if(is_leaf(level, shift_, r.size(), cell_size_))
-      append_cells(r, cell_size_, cells_);
-    else if(r.size() > 0)
-      open.push_back(r);
-  }
-
-  Backend& backend_;
-  typename Backend::Sort_table::View order_;
-  int shift_;
-  std::size_t cell_size_;
-  std::vector<Range> cells_;
 };
 
-// The cells of a sorted cloud.
+// Writes where the eight octants of octant i begin, and the end, to bound[9 i] ... bound[9 i + 8]. Each is found by
+// bisection, since codes ascend; no point is visited.
+template <class Table>
+struct Find_octants {
+  Table order;
+  const Octant* octant;
+  int bits; // of a code, below the eight
+  std::uint32_t* bound;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
+  {
+    const Octant& o = octant[at / 9];
+    const std::uint64_t first = (o.code >> bits) + at % 9;
+    bound[at] =
+      partition_point(o.own.first, o.own.last, [&](std::uint32_t i) { return (order.key(i) >> bits) < first; });
+  }
+};
+
+// The octants of these, all at once, so that a device has one launch a level.
+template <class Backend>
+std::vector<Octant> children_of(Backend& backend, const typename Backend::Sort_table& order,
+                                const std::vector<Octant>& parents)
+{
+  using Table = typename Backend::Sort_table::View;
+  const int level = parents.front().level + 1, bits = 3 * (curve_bits - level);
+  const auto octants = to_buffer(backend, parents);
+  typename Backend::template Buffer<std::uint32_t> bounds(9 * parents.size());
+  backend.for_each(bounds.size(), Find_octants<Table>{order.view(), octants.data(), bits, bounds.data()});
+  const std::vector<std::uint32_t> bound = to_vector(backend, bounds);
+  std::vector<Octant> children;
+  std::vector<std::uint64_t> sizes;
+  for(std::size_t i = 0; i < bound.size(); ++i)
+    if(i % 9 < 8) {
+      children.push_back({parents[i / 9].code + (std::uint64_t(i % 9) << bits), 0, {bound[i], bound[i + 1]}, level});
+      sizes.push_back(children.back().own.size());
+    }
+  sizes = Ranks<Backend>(backend).total(std::move(sizes));
+  for(std::size_t i = 0; i < sizes.size(); ++i)
+    children[i].total = sizes[i];
+  return children;
+}
+
+// The leaves of the octree of all ranks, by code. The root octant is split until a leaf has at most cell_size points and
+// is at most 2^23 steps wide. See cell_extent_bits for that bound. All ranks have the same list.
+template <class Backend>
+std::vector<Octant> find_leaves(Backend& backend, const typename Backend::Sort_table& order, const Code_frame& frame,
+                                std::size_t cell_size)
+{
+  std::vector<Octant> leaves,
+    level = {{0, Ranks<Backend>(backend).total(order.size()), {0, std::uint32_t(order.size())}, 0}};
+  for(;;) {
+    std::vector<Octant> open;
+    for(const Octant& o : level)
+      if(o.total > 0)
+        (is_leaf(o.level, frame.shift, o.total, cell_size) ? leaves : open).push_back(o);
+    if(open.empty())
+      break;
+    level = children_of(backend, order, open);
+  }
+  std::sort(leaves.begin(), leaves.end(), [](const Octant& a, const Octant& b) { return a.code < b.code; });
+  return leaves;
+}
+
+// The cells of a sorted cloud, as ascending ranges that cover the points of this rank, which has whole leaves. Points of
+// one finest octant are cut in the order of the sort; such an octant is never too wide.
 template <class Backend>
 std::vector<Range> split_cells(Backend& backend, const typename Backend::Sort_table& order, const Code_frame& frame,
                                std::size_t cell_size)
 {
-  if constexpr(Ranks<Backend>::are_many)
-    return Ranks<Backend>(backend).split_cells(order, frame, cell_size);
-  else
-    return Cell_splitter<Backend>(backend, order.view(), frame.shift, cell_size)(std::uint32_t(order.size()));
+  std::vector<Range> cells;
+  for(const Octant& leaf : find_leaves(backend, order, frame, cell_size))
+    append_cells(leaf.own, cell_size, cells);
+  return cells;
 }
 
 } // namespace internal

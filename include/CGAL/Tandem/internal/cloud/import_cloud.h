@@ -209,6 +209,33 @@ void drop_invalid(Import& in)
   in.count = kept;
 }
 
+// The box and the numbers of points become those of all ranks. Ranks without points follow the others: an empty point
+// set may have no normals.
+template <class Ranks>
+void join_imports(const Ranks& ranks, Import& in)
+{
+  struct Part {
+    Coordinate_box box;
+    Import_counts count;
+    std::uint64_t has_normals;
+  };
+  bool are_given = false, are_missing = false;
+  in.total = Import_counts();
+  const Import_counts own = {in.count, in.number_of_items, in.number_of_ignored_coordinates,
+                             in.number_of_ignored_normals};
+  for(const Part& part : ranks.gather(std::vector<Part>{{in.box, own, in.has_normals}})) {
+    in.box.add(part.box);
+    in.total.points += part.count.points;
+    in.total.items += part.count.items;
+    in.total.ignored_coordinates += part.count.ignored_coordinates;
+    in.total.ignored_normals += part.count.ignored_normals;
+    (part.has_normals ? are_given : are_missing) |= part.count.points > 0;
+  }
+  if(are_given && are_missing)
+    throw std::invalid_argument("normal_map is given on some ranks only");
+  in.has_normals = are_given || (in.has_normals && !are_missing);
+}
+
 // The valid points of the caller's range. They are read in parallel, in batches that are inspected while they are in
 // the cache. Each piece goes to the memory that `upload` supplies, else to the tables. Threads write different points
 // and one box a grain. is_complete is shared, but only ever set to false.
@@ -256,8 +283,7 @@ Import read_points(Backend& backend, const typename Traits::Point_range& points,
   in.uploaded = upload.finish();
   if(!is_complete)
     drop_invalid<Value>(in);
-  in.total = {in.count, in.number_of_items, in.number_of_ignored_coordinates, in.number_of_ignored_normals};
-  Ranks<Backend>(backend).join_imports(in);
+  join_imports(Ranks<Backend>(backend), in);
   return in;
 }
 

@@ -31,6 +31,7 @@ namespace internal {
 template <class Backend>
 class Engine : public Detection_engine {
   static_assert(Is_backend<Backend>::value, "the back end is no model of the concept Backend");
+  static_assert(Is_ranks<Ranks<Backend>, Backend>::value, "what connects ranks is no model of the concept Ranks");
 
 public:
   // Prepares the first round: see make_engine(). After an exception the engine can only be destroyed.

@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/engine/engine_api.h>
+#include <CGAL/Tandem/internal/finish/Seams.h>
 
 #include <vector>
 
@@ -42,10 +43,10 @@ public:
   }
 
   // Connects a point with its neighbors, and these with each other, where their labels are the same shape.
-  void unite_around(std::uint32_t i, const std::uint32_t* row, std::size_t k, const std::int32_t* label)
+  void unite_around(std::uint32_t i, const std::uint32_t* row, std::size_t k, const std::uint32_t* label)
   {
     const auto unite_alike = [&](std::uint32_t a, std::uint32_t b) {
-      if(label[a] >= 0 && label[a] == label[b])
+      if(label[a] != free_label && label[a] == label[b])
         unite(a, b);
     };
     for(std::size_t j = 0; j < k && row[j] != no_index; ++j) {
@@ -59,47 +60,70 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-// The imported points in the order of the engine: the sorted table of their codes.
+// The first shape whose points are not one component, or the number of shapes. labels: by imported point of this rank,
+// -1 = none; ranks have whole leaves of the octree.
 template <class Backend>
-typename Backend::Sort_table sort_import(Backend& backend, const Import& in, const Grid_point* point)
+std::size_t first_unconnected_here(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
+                                   std::size_t k, std::size_t shapes)
 {
-  return sort_along_curve(
-    backend, point, in.size(), make_code_frame(in.low, in.high),
-    make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
+  const std::uint32_t n = std::uint32_t(in.size());
+  const auto order =
+    sort_along_curve(backend, in.point.data(), n, make_code_frame(in.low, in.high),
+                     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
+  Sorted_cloud<Backend> cloud;
+  cloud.k = int(k);
+  cloud.point.reset(n);
+  cloud.neighbor.reset(n * k);
+  for(std::uint32_t i = 0; i < n; ++i)
+    cloud.point[i] = in.point[order.view().index(i)];
+  find_neighbors(backend, cloud.point.data(), n, cloud.k, cloud.neighbor.data());
+  Ranks<Backend> ranks(backend);
+  ranks.connect(cloud, 1);
+  std::vector<std::uint32_t> label(cloud.size_with_ghosts()), component;
+  for(std::uint32_t i = 0; i < n; ++i)
+    label[i] = labels[order.view().index(i)] < 0 ? free_label : std::uint32_t(labels[order.view().index(i)]);
+  ranks.refresh(label.data(), Rings::inner);
+  Parents parents(label.size());
+  for(std::uint32_t i = 0; i < n; ++i)
+    parents.unite_around(i, cloud.neighbor.data() + i * k, k, label.data());
+  for(std::uint32_t i = 0; i < label.size(); ++i)
+    component.push_back(parents.root(i));
+  Seams<Backend> seams(backend, ranks);
+  seams.find(cloud.view(), label.data(), component.data());
+
+  // Of each shape on this rank two roots, which differ if any do; then the same of all ranks.
+  struct Roots {
+    std::uint64_t shape, first, last;
+  };
+  std::vector<Roots> own;
+  std::vector<std::size_t> place(shapes, shapes);
+  for(std::uint32_t i = 0; i < n; ++i)
+    if(label[i] != free_label) {
+      const std::uint64_t root = seams.global_root(component[i]);
+      std::size_t& at = place[label[i]];
+      if(at == shapes) {
+        at = own.size();
+        own.push_back({label[i], root, root});
+      } else if(own[at].first != root)
+        own[at].last = root;
+    }
+  std::vector<std::uint64_t> root(shapes, ~std::uint64_t(0));
+  std::size_t unconnected = shapes;
+  for(const Roots& r : ranks.gather(own)) {
+    if(root[r.shape] == ~std::uint64_t(0))
+      root[r.shape] = r.first;
+    if(r.first != root[r.shape] || r.last != root[r.shape])
+      unconnected = (std::min)(unconnected, std::size_t(r.shape));
+  }
+  return unconnected;
 }
 
-// The first shape whose points are not one component, or the number of shapes. labels: by imported point, -1 = none.
 template <class Backend>
 std::size_t first_unconnected(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
                               std::size_t k, std::size_t shapes)
 {
   static_assert(!Ranks<Backend>::are_many, "many ranks need the overload of mpi.h");
-  const std::size_t n = in.size();
-  if(n == 0)
-    return shapes;
-  const auto order = sort_import(backend, in, in.point.data());
-  std::vector<Grid_point> point(n);
-  std::vector<std::int32_t> label(n);
-  for(std::size_t i = 0; i < n; ++i) {
-    point[i] = in.point[order.view().index(i)];
-    label[i] = labels[order.view().index(i)];
-  }
-  std::vector<std::uint32_t> neighbor(n * k);
-  find_neighbors(backend, point.data(), std::uint32_t(n), int(k), neighbor.data());
-  Parents parents(n);
-  for(std::uint32_t i = 0; i < n; ++i)
-    parents.unite_around(i, neighbor.data() + i * k, k, label.data());
-  std::vector<std::uint32_t> component(shapes, no_index);
-  for(std::uint32_t i = 0; i < n; ++i) {
-    if(label[i] < 0)
-      continue;
-    std::uint32_t& first = component[std::size_t(label[i])];
-    if(first == no_index)
-      first = parents.root(i);
-    else if(first != parents.root(i))
-      shapes = (std::min)(shapes, std::size_t(label[i]));
-  }
-  return shapes;
+  return in.total.points == 0 ? shapes : first_unconnected_here(backend, in, labels, k, shapes);
 }
 
 } // namespace internal

@@ -68,7 +68,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   points.cloud.neighbor.reset(n * parameters.k_neighbors);
   find_neighbors(backend, points.cloud.point.data(), std::uint32_t(n), points.cloud.k, points.cloud.neighbor.data());
   in.drop_upload(); // the values come back while a device searches
-  points.ranks.connect(points, in.has_normals ? 1 : 3);
+  points.ranks.connect(points.cloud, in.has_normals ? 1 : 3);
   backend.wait();
   search.stop();
 

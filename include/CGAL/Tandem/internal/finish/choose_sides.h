@@ -251,14 +251,14 @@ void choose_sides(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
-  points.ranks.update_all_labels(points.change_labels(true).label); // of ghosts only
+  points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
   const auto edge = edge_points(backend, view);
   typename Backend::template Buffer<std::uint32_t> chosen(n), normal(edge.size());
   backend.for_each(n, Keep_label{points.label(), chosen.data()});
   backend.for_each(edge.size(), Choose_side{view, edge.data(), chosen.data(), normal.data()}, edge_points_per_thread);
   backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
-  points.ranks.update_all(points.cloud.point.data());
+  points.ranks.refresh(points.cloud.point.data(), Rings::all);
   take_chosen(points, shapes, chosen.data());
 }
 
@@ -268,13 +268,13 @@ void fit_normals_to_shapes(Labeled_cloud<Backend>& points, const Shape_table<Bac
                            const Tolerance& tolerance)
 {
   Backend& backend = points.backend;
-  points.ranks.update_all_labels(points.change_labels(true).label); // of ghosts only
+  points.refresh_labels(Rings::all);
   const Edge_view view = {points.cloud.view(), points.label(), shapes.plane.data(), tolerance};
   const auto edge = edge_points(backend, view);
   typename Backend::template Buffer<std::uint32_t> normal(edge.size());
   backend.for_each(edge.size(), Fit_to_shape{view, edge.data(), normal.data()}, edge_points_per_thread);
   backend.for_each(edge.size(), Take_normals{edge.data(), normal.data(), points.cloud.point.data()});
-  points.ranks.update_all(points.cloud.point.data());
+  points.ranks.refresh(points.cloud.point.data(), Rings::all);
 }
 
 } // namespace internal

@@ -16,11 +16,14 @@ namespace Tandem {
 namespace internal {
 
 // Edges of the neighbor graph that start at the points of one shape. Each point has up to 64, so the sums need 64 bits.
-struct Neighbor_counts {
-  std::uint64_t all = 0;  // ends of the edges, without those in other crisp shapes
-  std::uint64_t near = 0; // ... within epsilon of its plane, whatever their shape
-  std::uint64_t own = 0;  // ... that belong to it
+namespace neighbor_counts {
+enum Count {
+  all,  // ends of the edges, without those in other crisp shapes
+  near, // ... within epsilon of its plane, whatever their shape
+  own,  // ... that belong to it
+  size
 };
+} // namespace neighbor_counts
 
 // The counts of one cell, by id of the shape modulo `slots`. The first shape that claims a slot keeps it for this cell.
 // 32 bits suffice, since a cell has at most 2^16 points of 64 neighbors.
@@ -39,8 +42,8 @@ struct Count_neighbors {
   const std::uint32_t* label;
   const Plane* plane;           // by shape, as are these
   const std::uint8_t* is_crisp; // its rms distance is small, unlike that of planes through clutter
-  Neighbor_counts* counts;
-  std::int64_t distance; // epsilon, in 2^-28 grid steps
+  std::uint64_t* counts;        // neighbor_counts::size each
+  std::int64_t distance;        // epsilon, in 2^-28 grid steps
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Neighbor_scratch& scratch, std::uint32_t c) const
@@ -61,9 +64,10 @@ private:
   // Directly to the sums of all cells: at the end of a cell, and for a shape whose slot another shape has.
   CGAL_TANDEM_HD void add(std::uint32_t s, std::uint32_t all, std::uint32_t near, std::uint32_t own) const
   {
-    Backend::atomic_add(counts[s].all, std::uint64_t(all));
-    Backend::atomic_add(counts[s].near, std::uint64_t(near));
-    Backend::atomic_add(counts[s].own, std::uint64_t(own));
+    std::uint64_t* const c = counts + std::size_t(s) * neighbor_counts::size;
+    Backend::atomic_add(c[neighbor_counts::all], std::uint64_t(all));
+    Backend::atomic_add(c[neighbor_counts::near], std::uint64_t(near));
+    Backend::atomic_add(c[neighbor_counts::own], std::uint64_t(own));
   }
 
   template <class Block>
@@ -94,12 +98,12 @@ private:
 };
 
 // A face has a high share of neighbors near its plane. Noisy shapes, and those with few neighbors of their own, need a
-// higher one. rms: of the distances to the plane, in epsilons.
-inline bool is_clutter(const Neighbor_counts& c, double rms)
+// higher one. counts: of this shape. rms: of the distances to the plane, in epsilons.
+inline bool is_clutter(const std::uint64_t* counts, double rms)
 {
   using namespace tuning::clutter;
-  const double all = c.all > 0 ? double(c.all) : 1;
-  const double near = double(c.near) / all, own = double(c.own) / all;
+  const double all = counts[neighbor_counts::all] > 0 ? double(counts[neighbor_counts::all]) : 1;
+  const double near = double(counts[neighbor_counts::near]) / all, own = double(counts[neighbor_counts::own]) / all;
   return near < near_share || (own < own_share && near < near_share_if_few_own) ||
          (rms > large_rms && near < near_share_if_large_rms);
 }

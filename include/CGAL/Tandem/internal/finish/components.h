@@ -10,6 +10,7 @@
 
 #include <CGAL/Tandem/internal/backend/Union_find.h>
 #include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/finish/Seams.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 
@@ -165,8 +166,8 @@ struct Find_root {
 // their own. Ghosts have entries, too.
 // label: of any kind, by point, with marks for free points. Takes nearly linear time.
 template <class Backend>
-typename Ranks<Backend>::Seams find_components(Labeled_cloud<Backend>& points, std::size_t cell_size,
-                                               const std::uint32_t* label, std::uint32_t* component)
+Seams<Backend> find_components(Labeled_cloud<Backend>& points, std::size_t cell_size, const std::uint32_t* label,
+                               std::uint32_t* component)
 {
   Backend& backend = points.backend;
   const std::size_t cells = points.number_of_cells();
@@ -183,7 +184,9 @@ typename Ranks<Backend>::Seams find_components(Labeled_cloud<Backend>& points, s
   backend.template for_each_cell<Pair_scratch>(
     cells, Unite_at_border<Backend>{adjacency, border.range.data(), border.point.data(), component});
   backend.for_each(points.cloud.size_with_ghosts(), Find_root<Backend>{component});
-  return points.ranks.join_components(label, component);
+  Seams<Backend> seams(backend, points.ranks);
+  seams.find(adjacency.cloud, label, component);
+  return seams;
 }
 
 } // namespace internal

@@ -158,24 +158,24 @@ private:
     const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
     check_exactly(backend_, {points_.cloud.point.data(), order(), label_.data(), points_.cloud.size()}, plane_.data(),
                   options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
-    points_.ranks.update(label_.data());
+    points_.ranks.refresh(label_.data(), Rings::inner);
   }
 
   // Shapes are judged before they are split into components, so a small component counts with all of its shape.
   void drop_clutter()
   {
     const std::size_t n = plane_.size();
-    auto sums = filled_buffer(backend_, n, Neighbor_counts());
+    auto sums = filled_buffer(backend_, neighbor_counts::size * n, std::uint64_t(0));
     const auto is_crisp = backend_.template make_buffer<std::uint8_t>(
       n, [&](std::size_t i) { return std::uint8_t(rms_[i] < tuning::clutter::crisp_rms); });
     backend_.template for_each_cell<Neighbor_scratch>(
       points_.number_of_cells(),
       Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
                                is_crisp.data(), sums.data(), options_.growth.tolerance.distance});
-    points_.ranks.sum(sums.data(), n);
-    const std::vector<Neighbor_counts> counts = to_vector(backend_, sums);
+    points_.ranks.sum(sums.data(), sums.size());
+    const std::vector<std::uint64_t> counts = to_vector(backend_, sums);
     const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
-      n, [&](std::size_t i) { return std::uint8_t(is_clutter(counts[i], rms_[i])); });
+      n, [&](std::size_t i) { return std::uint8_t(is_clutter(counts.data() + neighbor_counts::size * i, rms_[i])); });
     backend_.for_each(label_.size(), Free_dropped{is_dropped.data(), label_.data()});
   }
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 
-#include <CGAL/Tandem/internal/backend/buffers.h>
+#include <CGAL/Tandem/internal/finish/Seams.h>
 #include <CGAL/Tandem/internal/shapes/Count_scratch.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 
@@ -53,12 +53,6 @@ struct Is_large_root {
   }
 };
 
-// A component of the result: position of its root, entry of the relations, number of points.
-struct Component {
-  std::uint32_t root, entry;
-  std::uint64_t size;
-};
-
 // Packs what the host needs of each large component, so that one copy is enough.
 struct Gather_components {
   const std::uint32_t* root;
@@ -71,14 +65,14 @@ struct Gather_components {
 
 // By root: the number of labeled points of its component; 0 for all other entries.
 template <class Backend>
-typename Backend::template Buffer<std::uint32_t>
-component_sizes(Labeled_cloud<Backend>& points, const std::uint32_t* label, const std::uint32_t* component,
-                typename Ranks<Backend>::Seams& seams)
+typename Backend::template Buffer<std::uint32_t> component_sizes(Labeled_cloud<Backend>& points,
+                                                                 const std::uint32_t* label,
+                                                                 const std::uint32_t* component, Seams<Backend>& seams)
 {
   auto size = filled_buffer(points.backend, points.cloud.size(), std::uint32_t(0));
   points.backend.template for_each_cell<Count_scratch>(
     points.number_of_cells(), Count_components<Backend>{points.cells.data(), label, component, size.data()});
-  points.ranks.sum_sizes(seams, size.data());
+  seams.sum_sizes(size.size(), size.data());
   return size;
 }
 
@@ -86,7 +80,7 @@ component_sizes(Labeled_cloud<Backend>& points, const std::uint32_t* label, cons
 template <class Backend>
 std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
                                         const std::uint32_t* label, const std::uint32_t* component,
-                                        typename Ranks<Backend>::Seams& seams)
+                                        Seams<Backend>& seams)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
@@ -94,7 +88,7 @@ std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int
   const auto root = backend.compact(n, Is_large_root{label, component, size.data(), std::uint64_t(minimum_size)});
   typename Backend::template Buffer<Component> buffer(root.size());
   backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
-  std::vector<Component> components = points.ranks.join_large(seams, to_vector(backend, buffer));
+  std::vector<Component> components = seams.join_large(to_vector(backend, buffer));
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.size > b.size; });
   return components;

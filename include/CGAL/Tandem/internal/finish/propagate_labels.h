@@ -160,6 +160,93 @@ struct Label_propagation {
   }
 };
 
+// A proposal to a point of another rank.
+struct Sent_proposal {
+  std::uint64_t value;
+  std::uint64_t index; // of a ghost, then of the point there; wide, so that all bytes are defined
+};
+
+// The ghosts of a list of points with proposals. Their proposals are taken.
+struct Take_sent {
+  const std::uint32_t* point;
+  std::uint64_t* proposal; // by point
+  std::uint32_t first_ghost;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return point[i] >= first_ghost; }
+
+  CGAL_TANDEM_HD Sent_proposal take(std::uint32_t i) const
+  {
+    const Sent_proposal sent = {proposal[point[i]], point[i]};
+    proposal[point[i]] = no_proposal;
+    return sent;
+  }
+};
+
+// The other points of the list.
+struct Take_kept {
+  const std::uint32_t* point;
+  std::uint32_t first_ghost;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return point[i] < first_ghost; }
+  CGAL_TANDEM_HD std::uint32_t take(std::uint32_t i) const { return point[i]; }
+};
+
+// Makes the proposals that have come, as Propose_label does.
+template <class Backend>
+struct Receive_proposals {
+  const Sent_proposal* received;
+  std::uint64_t* proposal; // by point
+  std::uint32_t* point;    // of all rounds
+  std::uint32_t* end;      // of the list
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t p = std::uint32_t(received[i].index);
+    if(Backend::atomic_min(proposal[p], received[i].value) == no_proposal)
+      point[Backend::atomic_add(*end, 1u)] = p;
+  }
+};
+
+// Takes the ghosts from the list of points with proposals between end[0] and end[1], and adds own points that other
+// ranks have proposed to.
+template <class Backend>
+void send_proposals(Labeled_cloud<Backend>& points, const Label_propagation<Backend>& rounds, std::uint32_t* end)
+{
+  Backend& backend = points.backend;
+  const std::vector<std::uint32_t> ends = to_vector(backend, end, 2);
+  const std::size_t size = ends[1] - ends[0];
+  const std::uint32_t first_ghost = std::uint32_t(points.cloud.size());
+  std::uint32_t* const point = rounds.proposed.point + ends[0];
+  std::uint64_t* const proposal = rounds.proposal.proposal;
+  const auto sent = backend.template collect<Sent_proposal>(size, Take_sent{point, proposal, first_ghost});
+  if(sent.size() > 0) {
+    const auto kept = backend.template collect<std::uint32_t>(size, Take_kept{point, first_ghost});
+    backend.for_each(kept.size(), Copy_items<std::uint32_t>{kept.data(), point});
+    write_to(backend, std::vector<std::uint32_t>{ends[0] + std::uint32_t(kept.size())}, end + 1);
+  }
+  const auto received = to_buffer(backend, points.ranks.to_owners(to_vector(backend, sent)));
+  backend.for_each(received.size(),
+                   Receive_proposals<Backend>{received.data(), proposal, rounds.proposed.point, end + 1});
+}
+
+// The rounds of many ranks. Proposals to ghosts go to the ranks of the points, and labels come back.
+template <class Backend>
+void run_joint_propagation(Labeled_cloud<Backend>& points, std::size_t maximum_rounds,
+                           const Label_propagation<Backend>& rounds)
+{
+  std::uint32_t* const end = rounds.proposed.end;
+  send_proposals(points, rounds, end);
+  run_joint_rounds(points.backend, maximum_rounds, points.cloud.size(), rounds, [&](int step, std::size_t round) {
+    if(step == Label_propagation<Backend>::propose) {
+      send_proposals(points, rounds, end + round + 1);
+      return false;
+    }
+    points.refresh_labels();
+    const std::vector<std::uint32_t> of_round = to_vector(points.backend, end + round, 2);
+    return points.ranks.total(std::size_t(of_round[1] - of_round[0])) <= rounds.few_points;
+  });
+}
+
 // Labels free points until a round labels hardly any, or after a number of rounds. Proposals that are still open then
 // are dropped. Moments do not follow.
 template <class Backend>
@@ -181,7 +268,10 @@ void propagate_labels(Labeled_cloud<Backend>& points, Shape_table<Backend>& shap
                                         proposal.data(),     tolerance,    proposed.data(), end.data() + 1};
   backend.for_each(n, first);
   const Label_propagation<Backend> rounds = {first, labels, {proposed.data(), end.data()}, few};
-  points.ranks.run_propagation(backend, maximum_rounds, n, rounds);
+  if constexpr(Ranks<Backend>::are_many)
+    run_joint_propagation(points, maximum_rounds, rounds);
+  else
+    backend.run_rounds(maximum_rounds, n, rounds);
 }
 
 } // namespace internal

@@ -161,8 +161,8 @@ bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   backend.template for_each_cell<Moment_table>(
     points.number_of_cells(), Apply_chosen<Backend>{points.cloud.view(), points.cells.data(), chosen, labels,
                                                     start_deltas(backend, shapes, shapes.size)});
-  points.ranks.update_labels(labels.label);
-  points.ranks.sum(shapes.delta.data(), shapes.size);
+  points.refresh_labels();
+  sum_deltas(points.backend, points.ranks, shapes);
   const bool is_any = count_deltas(backend, shapes) > 0;
   add_deltas(backend, shapes);
   return is_any;

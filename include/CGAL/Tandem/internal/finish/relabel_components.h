@@ -46,7 +46,7 @@ void relabel_small_components(Labeled_cloud<Backend>& points, Shape_table<Backen
     shapes.lose_moments();
     points.backend.for_each(n, Free_small_components{component.data(), size.data(),
                                                      std::uint64_t(options.minimum_region_size), labels.label});
-    points.ranks.update_labels(labels.label);
+    points.refresh_labels();
   }
   propagate_labels(points, shapes, options.growth.tolerance, Phase::components);
 }

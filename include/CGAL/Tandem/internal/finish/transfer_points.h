@@ -72,7 +72,7 @@ void carry_out(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, con
   shapes.lose_moments();
   points.backend.for_each(points.cloud.size(), Transfer_point{points.cloud.view(), labels, plan.target.data(),
                                                               plan.is_changed.data(), shapes.plane.data(), tolerance});
-  points.ranks.update_labels(labels.label);
+  points.refresh_labels();
 }
 
 struct Mark_changed {

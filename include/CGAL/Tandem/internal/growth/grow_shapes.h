@@ -101,6 +101,48 @@ struct Count_grown {
   }
 };
 
+// The sums of shapes that have started.
+struct Get_started {
+  const std::uint32_t* started;
+  const Shared_moments* delta; // from the first new id on
+  Shared_moments* sum;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { sum[i] = delta[started[i]]; }
+};
+
+// Makes the list of the shapes that have started on this rank that of all ranks. The others get ids from `ids` on, with
+// their sums. Returns the end of the ids.
+template <class Backend>
+std::size_t join_started(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes, std::size_t ids,
+                         typename Backend::template Buffer<std::uint32_t>& started)
+{
+  const std::vector<std::uint32_t> own = to_vector(backend, started);
+  typename Backend::template Buffer<Shared_moments> sums(own.size());
+  backend.for_each(own.size(), Get_started{started.data(), shapes.delta.data() + shapes.size, sums.data()});
+  std::vector<std::size_t> first;
+  const std::vector<Shared_moments> all = ranks.gather(to_vector(backend, sums), &first);
+  const std::size_t end = ids + all.size() - own.size(), own_first = first[ranks.share().rank];
+  if(end >= first_mark)
+    throw std::length_error("there are more than 2^31 shapes while they grow: minimum_region_size is too small");
+  std::vector<Shared_moments> others;
+  std::vector<std::uint32_t> joined;
+  for(std::size_t i = 0; i < all.size(); ++i)
+    if(i >= own_first && i < own_first + own.size())
+      joined.push_back(own[i - own_first]);
+    else {
+      joined.push_back(std::uint32_t(ids - shapes.size + others.size()));
+      others.push_back(all[i]);
+    }
+  started = to_buffer(backend, joined);
+  const std::size_t old = shapes.delta.size();
+  if(old < end) {
+    shapes.delta = extended<Shared_moments>(backend, shapes.delta, end + end / 2);
+    backend.for_each(shapes.delta.size() - old, Fill<Shared_moments>{shapes.delta.data() + old, Shared_moments()});
+  }
+  write_to(backend, others, shapes.delta.data() + ids);
+  return end;
+}
+
 // Makes the table of shapes after a pass, of which `ids` is the end of the ids. New shapes get consecutive ids behind
 // the others. Where most ids are out of use, all shapes get new ones, in the same order: ties are broken by id, so that
 // keeps all results. So the tables stay proportional to the live shapes. Labels are rewritten only if some id is new.
@@ -111,9 +153,10 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   using Ids = typename Backend::template Buffer<std::uint32_t>;
   Backend& backend = points.backend;
   const std::size_t first_new = shapes.size;
-  points.ranks.sum(shapes.delta.data(), first_new);
+  sum_deltas(backend, points.ranks, shapes);
   Ids started = backend.compact(ids - first_new, Has_started{shapes.delta.data() + first_new});
-  ids = points.ranks.share_started(shapes, ids, started);
+  if constexpr(Ranks<Backend>::are_many)
+    ids = join_started(backend, points.ranks, shapes, ids, started);
   Shared_moments* const delta = shapes.delta.data();
   const auto sums = backend.template sum<2>(ids, Count_grown{shapes.counted(), delta, first_new});
   const std::size_t live = std::size_t(sums[1]);
@@ -153,7 +196,7 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   const Labels_view labels = points.change_labels(false);
   if(is_sparse || started.size() > 0)
     backend.for_each(points.cloud.size(), Replace_ids{new_id.data(), labels.label});
-  points.ranks.update_labels(labels.label);
+  points.refresh_labels();
   return std::size_t(sums[0]);
 }
 
@@ -165,23 +208,16 @@ std::size_t grow_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
   return take_growth(points, shapes, grow_cells(points, shapes, seeds, options));
 }
 
-// The fits of shapes that started in the last pass.
-struct Started_shapes : Dirty_shapes {
-  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].age == 1 && Dirty_shapes::has(id); }
-};
-
-struct Take_local_plane {
-  Shape* shape;
+// The fits of shapes that started in the last pass, as their planes.
+struct Started_shapes : Changed_shapes {
   Plane* plane;
 
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].age == 1 && Changed_shapes::has(id); }
+  CGAL_TANDEM_HD void set_made(std::size_t id) const
   {
-    Shape& s = shape[id];
-    if(!s.is_live() || s.age != 1)
-      return;
-    fit_if_changed(s);
-    plane[id] = rounded(s.local);
-    s.history.set_restarted(s.local);
+    Changed_shapes::set_made(id);
+    plane[id] = rounded(shape[id].local);
+    shape[id].history.set_restarted(shape[id].local);
   }
 };
 
@@ -190,8 +226,7 @@ struct Take_local_plane {
 template <class Backend>
 void take_local_planes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
-  points.ranks.share_fits(shapes.size, Started_shapes{{shapes.counted()}});
-  for_each_shape(points.backend, shapes, Take_local_plane{shapes.counted(), shapes.plane.data()});
+  make_fits(points.backend, points.ranks, shapes.size, Started_shapes{{shapes.counted()}, shapes.plane.data()});
 }
 
 } // namespace internal

@@ -71,12 +71,12 @@ public:
     return own;
   }
 
-  // Sends a value of each imported point to where distribute() sends the point.
-  template <class T>
-  std::vector<T> distribute(const T* values)
+  // Sends value(i) of each imported point to where distribute() sends the point.
+  template <class F>
+  auto distribute_values(F value)
   {
-    std::vector<T> send(sent_.size());
-    backend_.for_each(send.size(), [&](std::size_t i) { send[i] = values[sent_[i]]; });
+    std::vector<decltype(value(std::size_t(0)))> send(sent_.size());
+    backend_.for_each(send.size(), [&](std::size_t i) { send[i] = value(sent_[i]); });
     return communicator_.exchange(send, sizes_, &received_);
   }
 
@@ -94,16 +94,17 @@ private:
   // A rank without points does not know the type.
   std::size_t send_values(const Vector_table& from, Vector_table& to)
   {
-    int is_double = sent_.size() > 0 && !from.view().is_float;
-    communicator_.maximize(&is_double, 1);
-    return is_double ? send_as<double>(from, to) : send_as<float>(from, to);
+    const std::uint32_t is_double = sent_.size() > 0 && !from.view().is_float;
+    return communicator_.sum(is_double) > 0 ? send_as<double>(from, to) : send_as<float>(from, to);
   }
 
   template <class T>
   std::size_t send_as(const Vector_table& from, Vector_table& to)
   {
-    using Value = std::array<T, 3>;
-    const std::vector<Value> received = distribute(reinterpret_cast<const Value*>(from.view().data));
+    const auto received = distribute_values([&](std::size_t i) {
+      const Vector v = from[i];
+      return std::array<T, 3>{T(v.x), T(v.y), T(v.z)};
+    });
     const std::size_t total = received.size();
     if(total > maximum_number_of_points)
       throw std::length_error("a rank would get " + to_text(total) + " points, at most " +

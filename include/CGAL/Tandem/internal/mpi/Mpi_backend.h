@@ -9,7 +9,7 @@
 
 #include <CGAL/Tandem/internal/backend/Parallel_host.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
-#include <CGAL/Tandem/internal/mpi/Communicator.h>
+#include <CGAL/Tandem/internal/mpi/messages/Communicator.h>
 
 #include <memory>
 #include <type_traits>

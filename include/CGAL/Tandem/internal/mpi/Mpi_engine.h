@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/mpi/mpi_api.h>
 
 #include <CGAL/Tandem/internal/engine/Engine.h>
+#include <CGAL/Tandem/internal/engine/first_unconnected.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -66,6 +67,21 @@ std::unique_ptr<Detection_engine> make_engine(Mpi_backend<Local>& backend, Impor
                                               Progress& progress)
 {
   return std::make_unique<Mpi_engine<Local>>(backend, in, parameters, progress);
+}
+
+// Connectivity is checked on the points of each rank and their ghosts.
+template <class Local>
+std::size_t first_unconnected(Mpi_backend<Local>& backend, const Import& in, const std::vector<std::int32_t>& labels,
+                              std::size_t k, std::size_t shapes)
+{
+  if(in.total.points == 0)
+    return shapes;
+  Distribution<Local> distribution(backend, in, Parameters().cell_size);
+  Import own = distribution.distribute(in);
+  own.point.reset(own.size());
+  backend.for_each(own.size(), place_on_grid(own, own.point.data()));
+  const auto own_labels = distribution.distribute_values([&](std::size_t i) { return labels[i]; });
+  return first_unconnected_here(backend, own, own_labels, k, shapes);
 }
 
 } // namespace internal

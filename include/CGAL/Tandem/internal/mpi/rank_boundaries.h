@@ -8,7 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_MPI_RANK_BOUNDARIES_H
 
 #include <CGAL/Tandem/internal/cloud/cells.h>
-#include <CGAL/Tandem/internal/mpi/Communicator.h>
+#include <CGAL/Tandem/internal/mpi/messages/Communicator.h>
 
 #include <algorithm>
 #include <iterator>

@@ -5,7 +5,6 @@
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
 #include <CGAL/Tandem/internal/finish/export_shapes.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_engine.h>
-#include <CGAL/Tandem/internal/mpi/first_unconnected.h>
 
 namespace CGAL {
 namespace Tandem {

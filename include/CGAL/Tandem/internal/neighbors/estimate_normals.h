@@ -30,7 +30,7 @@ struct Own {
 // The vector from the center of the plane of candidate s to p.
 CGAL_TANDEM_HD inline Float_vector from_center(const Workspace& w, std::uint32_t s, const Grid_point& p)
 {
-  return difference(p, w.cloud.point[s]) - w.candidate[s].mean;
+  return difference(p, w.owner[s]) - w.candidate[s].mean;
 }
 
 // The squared distance to the plane (steps^2) of a point at d from its center.
@@ -120,6 +120,82 @@ struct Finish {
   }
 };
 
+// A candidate of another rank that a point has adopted there, with the point that it comes from.
+struct Adopted {
+  Candidate candidate;
+  Grid_point owner;
+};
+
+struct Get_adopted {
+  Workspace w;
+  const std::uint32_t* source;
+  Adopted* adopted;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { adopted[i] = {w.candidate[source[i]], w.owner[source[i]]}; }
+};
+
+// Writes what a ghost has adopted to its place among the candidates.
+struct Put_adopted {
+  const Adopted* adopted; // these two from the first ghost on
+  std::uint32_t* source;
+  Candidate* candidate; // these two by candidate
+  Grid_point* owner;
+  std::uint32_t first; // candidate
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    source[i] = first + std::uint32_t(i);
+    candidate[source[i]] = adopted[i].candidate;
+    owner[source[i]] = adopted[i].owner;
+  }
+};
+
+// What ghosts have adopted before each pass. Points adopt it from them, so it stays until the end: there are candidates
+// for each ghost and pass, after those of the points.
+template <class Backend>
+class Ghost_candidates {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+public:
+  Ghost_candidates(Backend& backend, const Ranks<Backend>& ranks, const Cloud_view& cloud)
+    : backend_(backend), ranks_(ranks), ghosts_(ranks.ghosts(Rings::inner)), next_(cloud.size + cloud.ghosts)
+  {
+    if constexpr(Ranks<Backend>::are_many) {
+      owner_.reset(size());
+      backend.for_each(next_, Copy_items<Grid_point>{cloud.point, owner_.data()});
+    }
+  }
+
+  // Of candidates.
+  std::size_t size() const { return next_ + (adoption_passes + 1) * ghosts_; }
+
+  // By candidate: the point that it comes from.
+  const Grid_point* owner(const Cloud_view& cloud) const
+  {
+    return Ranks<Backend>::are_many ? owner_.data() : cloud.point;
+  }
+
+  // Before a pass. source: by point.
+  void renew(const Workspace& w, std::uint32_t* source)
+  {
+    if constexpr(Ranks<Backend>::are_many) {
+      Buffer<Adopted> adopted(w.cloud.size + w.cloud.ghosts);
+      backend_.for_each(w.cloud.size, Get_adopted{w, source, adopted.data()});
+      ranks_.refresh(adopted.data(), Rings::inner);
+      backend_.for_each(ghosts_, Put_adopted{adopted.data() + w.cloud.size, source + w.cloud.size, w.candidate,
+                                             owner_.data(), std::uint32_t(next_)});
+      next_ += ghosts_;
+    }
+  }
+
+private:
+  Backend& backend_;
+  const Ranks<Backend>& ranks_;
+  std::size_t ghosts_, next_;
+  Buffer<Grid_point> owner_;
+};
+
 } // namespace normals
 
 // Fills point[i].normal, unoriented; no_normal where all neighbors are equal or collinear. `cloud` needs points and
@@ -128,34 +204,36 @@ struct Finish {
 // bytes a point.
 template <class Backend>
 void estimate_normals(Backend& backend, const Cloud_view& cloud, Grid_point* point, double epsilon_grid,
-                      const Ranks<Backend>& ranks = Ranks<Backend>())
+                      const Ranks<Backend>& ranks)
 {
   using namespace normals;
   const std::size_t n = cloud.size, with_ghosts = n + cloud.ghosts;
-  typename Backend::template Buffer<Candidate> candidate(with_ghosts);
+  Ghost_candidates<Backend> ghosts(backend, ranks, cloud);
+  typename Backend::template Buffer<Candidate> candidate(ghosts.size());
   Workspace w = make_workspace(cloud, candidate.data(), epsilon_grid);
+  w.owner = ghosts.owner(cloud);
   {
     typename Backend::template Buffer<Neighborhood> current(with_ghosts), next(n);
     w.current = current.data();
     w.next = next.data();
     backend.for_each(n, Start{w});
-    ranks.update(w.current);
+    ranks.refresh(w.current, Rings::inner);
     for(int scale = 2; scale <= last_scale; ++scale) {
       backend.for_each(n, Grow{w});
       backend.for_each(n, Commit{w, scale});
-      ranks.update(w.current);
+      ranks.refresh(w.current, Rings::inner);
     }
   }
   typename Backend::template Buffer<std::uint32_t> source(with_ghosts), next_source(with_ghosts);
   backend.for_each(n, Own{source.data()});
-  ranks.update_adopted(candidate.data(), point, source.data(), 0);
+  ghosts.renew(w, source.data());
   for(int pass = 0; pass < adoption_passes; ++pass) {
     backend.for_each(n, Take_neighbor_plane{w, source.data(), next_source.data()});
     std::swap(source, next_source);
-    ranks.update_adopted(candidate.data(), point, source.data(), pass + 1);
+    ghosts.renew(w, source.data());
   }
   backend.for_each(n, Finish{w, source.data(), point});
-  ranks.update_all(point);
+  ranks.refresh(point, Rings::all);
 }
 
 } // namespace internal

@@ -37,9 +37,10 @@ struct Workspace {
   Neighborhood* current; // at the present scale, or where its growth ended
   Neighborhood* next;    // at the next scale; undefined where growth has ended
   Candidate* candidate;
-  int k;                  // neighbors in use
-  float flat;             // variance of what is as good as flat
-  float minimum_clutter2; // squared distance from the plane
+  const Grid_point* owner; // by candidate: the point that it comes from
+  int k;                   // neighbors in use
+  float flat;              // variance of what is as good as flat
+  float minimum_clutter2;  // squared distance from the plane
 };
 
 // The workspace of an estimation, for epsilon in grid steps. The tables of neighborhoods are set by the caller.
@@ -50,6 +51,7 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
   Workspace w = {};
   w.cloud = cloud;
   w.candidate = candidate;
+  w.owner = cloud.point;
   w.k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
   w.flat = to_float(exact_product(flat, flat) + rounding_variance);
   w.minimum_clutter2 = to_float(exact_product(clutter, clutter));

@@ -20,22 +20,51 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A sample of about tuning::estimation::sampled_points points, in the order of the curve. Whole cells are taken at a
-// constant stride, since neighbors of a point must be in the sample as well.
+// A leaf of the octree of which a cell is in a sample.
+struct Sampled_leaf {
+  std::uint64_t first_cell, points;
+};
+
+// A sample of about tuning::estimation::sampled_points points of all ranks, in the order of the curve. Whole cells are
+// taken at a constant stride, since neighbors of a point must be in the sample as well.
 template <class Backend>
 std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
 {
+  using namespace tuning::estimation;
+  const Ranks<Backend> ranks(backend);
+  Box box;
+  for(const Grid_point& p : point)
+    box.add(p);
+  for(const Box& part : ranks.gather(std::vector<Box>{box}))
+    box.add(part);
+  const Code_frame frame = make_code_frame(box);
+  auto order = sort_along_curve(backend, point.data(), point.size(), frame);
+  const std::vector<Octant> leaves = find_leaves(backend, order, frame, sampled_cell_size);
+  const std::uint64_t stride = (ranks.total(point.size()) + sampled_points - 1) / sampled_points;
+  std::vector<Sampled_leaf> chosen;
+  std::vector<Grid_point> own;
+  std::uint64_t cell = 0;
+  for(const Octant& leaf : leaves) {
+    const std::uint64_t end = cell + leaf.number_of_cells(sampled_cell_size);
+    if((cell + stride - 1) / stride * stride < end) {
+      chosen.push_back({cell, leaf.total});
+      for(std::uint32_t i = leaf.own.first; i < leaf.own.last; ++i)
+        own.push_back(point[order.view().index(i)]);
+    }
+    cell = end;
+  }
+  // A leaf of several cells is cut when all of its points are here.
+  const std::vector<Grid_point> all = ranks.gather(std::move(own));
   if constexpr(Ranks<Backend>::are_many)
-    return Ranks<Backend>(backend).sample_cells(point);
-  const Code_frame frame = make_code_frame(point.data(), point.size());
-  const auto order = sort_along_curve(backend, point.data(), point.size(), frame);
-  const std::vector<Range> cells = split_cells(backend, order, frame, tuning::estimation::sampled_cell_size);
-  const std::size_t stride =
-    (point.size() + tuning::estimation::sampled_points - 1) / tuning::estimation::sampled_points;
+    order = sort_along_curve(backend, all.data(), all.size(), frame);
   std::vector<Grid_point> sample;
-  for(std::size_t l = 0; l < cells.size(); l += stride)
-    for(std::uint32_t i = cells[l].first; i < cells[l].last; ++i)
-      sample.push_back(point[order.view().index(i)]);
+  std::size_t first = 0;
+  for(const Sampled_leaf& leaf : chosen) {
+    for(std::uint64_t i = 0; i < leaf.points; ++i)
+      if((leaf.first_cell + i / sampled_cell_size) % stride == 0)
+        sample.push_back(all[Ranks<Backend>::are_many ? order.view().index(first + i) : first + i]);
+    first += leaf.points;
+  }
   return sample;
 }
 

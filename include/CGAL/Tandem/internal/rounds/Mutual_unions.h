@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unions of touching shapes where Joint_fit_criterion.h accepts one plane for both, in rounds of mutual choice. Changes
-// nothing but tables of its own, where the functors run; merge_by_joint_fit.h tests the points and merges. See the
-// manual, "Merging by Joint Fit".
+// Unions of touching shapes where Joint_fit_criterion.h accepts one plane for both, in rounds of mutual choice. unite_shapes.h
+// runs them, merge_by_joint_fit.h tests the points and merges. See the manual, "Merging by Joint Fit".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
@@ -12,7 +11,6 @@
 #include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
-#include <CGAL/Tandem/internal/shapes/links.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -71,8 +69,7 @@ struct Union_root {
 // unions of a round are independent, then they are fitted and their pairs tested anew, until no two shapes join. The
 // pair of the smallest key is chosen by both of its shapes, so each round has a union as long as a pair is accepted.
 // Only minima, integer sums and values that are the same for all writers are shared, so no order matters. Tests and fits
-// take most of the time: a rank makes its share of them, and gets the others from the other ranks, see
-// Ranks::run_unions().
+// take most of the time: a rank makes its share of them, and gets the others from the other ranks, see run_unions().
 template <class Backend>
 struct Union_rounds {
   // One after the other: each needs all of the one before.
@@ -213,77 +210,6 @@ private:
       set_fit(m, fit_plane(m.scatter));
   }
 };
-
-// Whether a shape is in a union with others.
-struct Is_member {
-  const Union_root* root;
-  const std::uint32_t* target;
-
-  CGAL_TANDEM_HD bool operator()(std::uint32_t s) const { return target[s] != s || root[s].changed > 0; }
-};
-
-struct Start_root {
-  Union_root* root;
-  std::uint32_t* target;
-
-  CGAL_TANDEM_HD void operator()(std::size_t s) const
-  {
-    root[s] = Union_root();
-    target[s] = std::uint32_t(s);
-  }
-};
-
-struct Start_pair {
-  const Link* link;
-  Union_pair* pair;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    pair[i] = {link[i].first(), link[i].second(), Union_key(), 0, 0};
-  }
-};
-
-// The unions along the links. `member`: the shapes that are in a union with others, ascending. By id: what a shape has
-// joined, in one or more steps up to the root of its union, and the root, with the place of the union in `whole`. `total`:
-// the number of rounds, and that of the unions.
-template <class Backend>
-struct Shape_unions {
-  template <class T>
-  using Buffer = typename Backend::template Buffer<T>;
-
-  Buffer<std::uint32_t> member;
-  Buffer<std::uint32_t> target;
-  Buffer<Union_root> root;
-  Buffer<Fitted_moments> whole;
-  Buffer<std::uint32_t> total;
-};
-
-// All live shapes have to be fitted. A pair may have several links. The sums of the shapes are zero before and
-// afterwards.
-template <class Backend>
-Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
-                                   const Joint_fit_criterion& criterion,
-                                   const typename Backend::template Buffer<Link>& links)
-{
-  Shape_unions<Backend> unions;
-  if(links.size() == 0)
-    return unions;
-  const std::size_t n = shapes.size;
-  unions.target.reset(n);
-  unions.root.reset(n);
-  unions.whole.reset((std::min)(n, links.size())); // a union needs a link of its own
-  typename Backend::template Buffer<Union_pair> pair(links.size());
-  auto joins = filled_buffer(backend, 2, std::uint32_t(0));
-  unions.total = filled_buffer(backend, 2, std::uint32_t(0));
-  backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
-  backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
-  ranks.run_unions(backend, n, (std::max)(n, links.size()),
-                   Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.fitted(), unions.root.data(),
-                                         unions.target.data(), start_deltas(backend, shapes, n), unions.whole.data(),
-                                         joins.data(), unions.total.data(), ranks.own_share()});
-  unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
-  return unions;
-}
 
 } // namespace internal
 } // namespace Tandem

@@ -10,7 +10,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_BY_JOINT_FIT_H
 
-#include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
+#include <CGAL/Tandem/internal/rounds/unite_shapes.h>
 #include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
 #include <CGAL/Tandem/internal/rounds/join_members.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>

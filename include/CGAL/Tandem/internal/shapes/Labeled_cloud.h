@@ -134,8 +134,17 @@ struct Labeled_cloud {
   void start_labels()
   {
     label_.reset(cloud.size_with_ghosts());
+    sent_label_.release();
     state_.reset(cloud.size_with_ghosts());
     has_lists_ = false;
+  }
+
+  // Gives ghosts the labels of their points, after a pass.
+  void refresh_labels(Rings rings = Rings::inner)
+  {
+    ranks.refresh(label_.data(), sent_label_);
+    if(rings == Rings::all)
+      ranks.refresh(label_.data(), rings);
   }
 
   // Begins a phase of the interior bits. Returns whether it is another one than before, so that the bits are to be
@@ -158,6 +167,7 @@ private:
 
   Buffer<Cell_shapes> cell_shapes_; // by cell
   Buffer<std::uint32_t> label_;
+  Buffer<std::uint32_t> sent_label_; // see Ranks
   Buffer<std::uint8_t> state_;
   bool has_lists_ = false;
   Phase phase_ = Phase::loop;

@@ -13,11 +13,15 @@
 #include <CGAL/Tandem/internal/base/tuning/regularity.h>
 #include <CGAL/Tandem/internal/base/planes.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// Shapes that are worth a thread: what is done for one is a fit, at most.
+constexpr std::size_t shapes_per_thread = 32;
 
 // Points, with the plane that fits them best. The moments are exact, so the fit is the same for any order of the
 // points.
@@ -130,14 +134,6 @@ CGAL_TANDEM_HD inline bool is_before(const Shape* shape, std::uint32_t a, std::u
 {
   const std::int64_t na = shape[a].moments.count, nb = shape[b].moments.count;
   return na > nb || (na == nb && a < b);
-}
-
-// Fits a shape that has changed. A fit costs an eigenvalue problem, and most shapes do not change in late rounds.
-CGAL_TANDEM_HD inline void fit_if_changed(Shape& shape)
-{
-  if(!shape.history.is_fitted())
-    refit(shape);
-  shape.history.set_fitted(true);
 }
 
 } // namespace internal

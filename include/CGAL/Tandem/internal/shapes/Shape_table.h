@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_SHAPE_TABLE_H
 
-#include <CGAL/Tandem/internal/backend/buffers.h>
+#include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Moment_table.h>
 #include <CGAL/Tandem/internal/shapes/Shape.h>
@@ -17,9 +17,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Shapes that are worth a thread: what is done for one is a fit, at most.
-constexpr std::size_t shapes_per_thread = 32;
 
 // Loops are over all ids; functors skip those out of use.
 //
@@ -165,6 +162,49 @@ Shared_moments* start_deltas(Backend& backend, Shape_table<Backend>& shapes, std
   if(shapes.delta.size() < ids)
     shapes.delta = filled_buffer(backend, ids + ids / 2, Shared_moments());
   return shapes.delta.data();
+}
+
+// What a rank has added to a shape.
+struct Shape_delta {
+  std::uint64_t id; // wide, so that all bytes are defined
+  Shared_moments moments;
+};
+
+// The sums that are not zero; they are zero afterwards.
+struct Take_deltas {
+  Shared_moments* delta;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t id) const { return is_any(delta[id]); }
+
+  CGAL_TANDEM_HD Shape_delta take(std::uint32_t id) const
+  {
+    const Shape_delta taken = {id, delta[id]};
+    delta[id] = Shared_moments();
+    return taken;
+  }
+};
+
+template <class Backend>
+struct Put_deltas {
+  const Shape_delta* added;
+  Shared_moments* delta;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const Shared_moments& m = added[i].moments;
+    atomic_add<Backend>(delta[added[i].id], m.moments(), m.box);
+  }
+};
+
+// After a pass over the points of this rank: the sums become those of all ranks. Each has changed few shapes.
+template <class Backend>
+void sum_deltas(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes)
+{
+  if constexpr(Ranks<Backend>::are_many) {
+    Shared_moments* const delta = shapes.delta.data();
+    const auto all = collect_of_all<Shape_delta>(backend, ranks, shapes.size, Take_deltas{delta});
+    backend.for_each(all.size(), Put_deltas<Backend>{all.data(), delta});
+  }
 }
 
 struct Count_deltas {

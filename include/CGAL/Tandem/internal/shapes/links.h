@@ -153,6 +153,28 @@ struct Take_links {
   CGAL_TANDEM_HD Link take(std::uint32_t i) const { return link[i]; }
 };
 
+inline void append(std::vector<Link>& links, const Link& link)
+{
+  if(links.empty() || links.back().pair != link.pair)
+    return links.push_back(link);
+  const std::uint64_t count = std::uint64_t(links.back().count) + link.count;
+  links.back().count = std::uint32_t((std::min)(count, std::uint64_t(0xffffffffu)));
+}
+
+// Of all links of the ranks, those with enough edges, by pair.
+template <class Backend>
+typename Backend::template Buffer<Link> join_links(Backend& backend, const Ranks<Backend>& ranks,
+                                                   const typename Backend::template Buffer<Link>& own)
+{
+  std::vector<Link> all = ranks.gather(to_vector(backend, own)), joined;
+  std::sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
+  for(const Link& link : all)
+    append(joined, link);
+  const auto is_weak = [](const Link& link) { return link.count < tuning::merging::minimum_edges; };
+  joined.erase(std::remove_if(joined.begin(), joined.end(), is_weak), joined.end());
+  return to_buffer(backend, joined);
+}
+
 // The links between live shapes with enough edges to touch, in any order. If the table is too small the cells are
 // counted again with a larger one. Interior points found by then have no links, so none is lost.
 template <class Backend>
@@ -180,10 +202,15 @@ typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& po
                                                        is_selected.data(),
                                                        {table.data(), std::uint32_t(size), lost.data()}});
     points.ranks.sum(lost.data(), 1);
-    constexpr std::uint32_t minimum = Ranks<Backend>::are_many ? 1 : tuning::merging::minimum_edges;
+    constexpr bool are_many = Ranks<Backend>::are_many;
+    constexpr std::uint32_t minimum = are_many ? 1 : tuning::merging::minimum_edges;
     auto links = backend.template collect<Link>(size, Take_links{table.data(), lost.data(), minimum});
-    if(links.size() < size)
-      return points.ranks.join_links(std::move(links), tuning::merging::minimum_edges);
+    if(links.size() == size)
+      continue;
+    if constexpr(are_many)
+      return join_links(backend, points.ranks, links);
+    else
+      return links;
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
+#include <CGAL/Tandem/internal/shapes/make_fits.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -158,23 +159,13 @@ void count_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   Shared_moments* const sums = start_deltas(backend, shapes, shapes.size);
   backend.template for_each_cell<Moment_table>(
     points.number_of_parts(), Sum_moments<Backend>{points.cloud.view(), points.parts(), points.label(), sums});
-  points.ranks.sum(sums, shapes.size);
+  sum_deltas(backend, points.ranks, shapes);
   for_each_shape(backend, shapes, Set_sums{shapes.change_moments(), sums});
   shapes.set_counted();
 }
 
-struct Refit_shape {
-  Shape* shape;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
-  {
-    if(shape[id].is_live())
-      fit_if_changed(shape[id]);
-  }
-};
-
-// The fits of shapes, as ranks share them.
-struct Dirty_shapes {
+// The fits of shapes whose points have changed.
+struct Changed_shapes {
   Shape* shape;
 
   CGAL_TANDEM_HD bool has(std::size_t id) const { return shape[id].is_live() && !shape[id].history.is_fitted(); }
@@ -182,12 +173,10 @@ struct Dirty_shapes {
   CGAL_TANDEM_HD void set_made(std::size_t id) const { shape[id].history.set_fitted(true); }
 };
 
-// Fits the shapes whose points have changed.
 template <class Backend>
 void fit_shapes(const Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
-  points.ranks.share_fits(shapes.size, Dirty_shapes{shapes.counted()});
-  for_each_shape(points.backend, shapes, Refit_shape{shapes.counted()});
+  make_fits(points.backend, points.ranks, shapes.size, Changed_shapes{shapes.counted()});
   shapes.set_fitted();
 }
 

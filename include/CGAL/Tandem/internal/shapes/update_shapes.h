@@ -137,9 +137,9 @@ void update_points(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                                                      labels,
                                                      {target.data(), is_checked, shapes.plane.data(), tolerance},
                                                      losses});
-  points.ranks.update_labels(labels.label);
+  points.refresh_labels();
   if(is_checked != nullptr) {
-    points.ranks.sum(losses, shapes.size);
+    sum_deltas(backend, points.ranks, shapes);
     add_deltas(backend, shapes);
   }
 }

@@ -5,70 +5,64 @@
 // first the neighbors of own points, then those of the first ring, and so on. Within a ring they ascend by rank and
 // position.
 
-#ifndef CGAL_TANDEM_INTERNAL_MPI_GHOSTS_H
-#define CGAL_TANDEM_INTERNAL_MPI_GHOSTS_H
+#ifndef CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_GHOSTS_H
+#define CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_GHOSTS_H
 
 #include <CGAL/Tandem/internal/backend/buffers.h>
-#include <CGAL/Tandem/internal/mpi/Border_search.h>
-#include <CGAL/Tandem/internal/shapes/Labels.h>
+#include <CGAL/Tandem/internal/mpi/neighbors/Border_search.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// What a table of points sends to ghosts, and how it takes what comes: the value of a point itself.
+// The entries of the listed points.
 template <class T>
-struct Point_values {
-  using Value = T;
-  T* table;
-
-  CGAL_TANDEM_HD T value(std::uint32_t i) const { return table[i]; }
-  CGAL_TANDEM_HD void take(std::uint32_t place, const T& v) const { table[place] = v; }
-};
-
-template <class Values>
-struct Pack_values {
-  Values values;
+struct Pack_entries {
+  const T* table;
   const std::uint32_t* index;
-  typename Values::Value* packed;
+  T* packed;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { packed[i] = values.value(index[i]); }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { packed[i] = table[index[i]]; }
 };
 
-template <class Values>
-struct Unpack_values {
-  Values values;
-  std::uint32_t first; // place of the first ghost
-  const typename Values::Value* packed;
+// Something else than each of them.
+template <class T>
+struct Pack_other {
+  const T* table;
+  const std::uint32_t* index;
+  T* packed;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { values.take(first + std::uint32_t(i), packed[i]); }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { packed[i] = T(~table[index[i]]); }
 };
 
-struct Sent_label {
+template <class T>
+struct Sent_entry {
   std::uint32_t place; // in the list of own points that are ghosts elsewhere, then among the ghosts from one rank
-  std::uint32_t label;
+  T value;
 };
 
-// The labels that have changed since they were sent.
+// The entries that have changed since they were sent.
+template <class T>
 struct Take_changed {
   const std::uint32_t* index;
-  const std::uint32_t* label;
-  std::uint32_t* sent;
+  const T* table;
+  T* sent;
 
-  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return label[index[i]] != sent[i]; }
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const { return table[index[i]] != sent[i]; }
 
-  CGAL_TANDEM_HD Sent_label take(std::uint32_t i) const
+  CGAL_TANDEM_HD Sent_entry<T> take(std::uint32_t i) const
   {
-    sent[i] = label[index[i]];
+    sent[i] = table[index[i]];
     return {i, sent[i]};
   }
 };
 
-struct Put_labels {
-  const Sent_label* received;
-  std::uint32_t* label; // of the first ghost
+template <class T>
+struct Put_entries {
+  const Sent_entry<T>* received;
+  T* table; // from the first ghost on
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { label[received[i].place] = received[i].label; }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { table[received[i].place] = received[i].value; }
 };
 
 inline std::vector<Rank_point> points_of(const std::vector<Remote_entry>& entries)
@@ -89,10 +83,6 @@ public:
   std::size_t rings() const { return ring_.size(); }
   std::size_t size() const { return size_; }
   std::size_t ring_size(std::size_t r) const { return ring_[r].point.size(); }
-  std::uint32_t own_size() const { return n_; }
-
-  // The place of the first ghost of a ring in tables of points.
-  std::uint32_t ring_begin(std::size_t r) const { return n_ + std::uint32_t(ring_[r].offset); }
 
   // Adds a ring of so far unknown points, and tells their owners.
   void add_ring(std::vector<Rank_point> points)
@@ -161,41 +151,43 @@ public:
     return {no_index, no_index};
   }
 
-  // The ghosts of a ring take the values of their owners.
-  template <class Values>
-  void exchange(std::size_t r, const Values& values) const
+  // The ghosts of a ring take the entries of their owners.
+  template <class T>
+  void update(std::size_t r, T* table) const
   {
-    using T = typename Values::Value;
     const Ring& ring = ring_[r];
     typename Backend::template Buffer<T> packed(ring.exported.size());
-    backend_.for_each(packed.size(), Pack_values<Values>{values, ring.exported.data(), packed.data()});
+    backend_.for_each(packed.size(), Pack_entries<T>{table, ring.exported.data(), packed.data()});
     // Ranks ascend, as the ghosts of a ring do.
-    const auto received =
-      to_buffer(backend_, communicator_.exchange(to_vector(backend_, packed), ring.exported_to, ring.imported_from));
-    backend_.for_each(received.size(), Unpack_values<Values>{values, ring_begin(r), received.data()});
+    write_to(backend_, communicator_.exchange(to_vector(backend_, packed), ring.exported_to, ring.imported_from),
+             table + n_ + ring.offset);
   }
 
-  // The labels of the first ring, which are free at first. Nobody else changes labels of ghosts.
-  void update_labels(std::uint32_t* label)
+  // The same for the first ring and a table of integers. What has been sent before is not sent again: `sent` is empty at
+  // first, and nobody else changes entries of ghosts.
+  template <class T>
+  void update_changed(T* table, typename Backend::template Buffer<T>& sent) const
   {
+    using Entries = std::vector<Sent_entry<T>>;
     const Ring& ring = ring_[0];
-    if(sent_.size() < ring.exported.size())
-      sent_ = filled_buffer(backend_, ring.exported.size(), std::uint32_t(free_label));
-    std::vector<Sent_label> sent = to_vector(
-      backend_,
-      backend_.template collect<Sent_label>(sent_.size(), Take_changed{ring.exported.data(), label, sent_.data()}));
-    std::vector<std::size_t> sizes;
+    const std::uint32_t* const index = ring.exported.data();
+    if(sent.size() != ring.exported.size()) {
+      sent.reset(ring.exported.size());
+      backend_.for_each(sent.size(), Pack_other<T>{table, index, sent.data()});
+    }
+    Entries changed = to_vector(
+      backend_, backend_.template collect<Sent_entry<T>>(sent.size(), Take_changed<T>{index, table, sent.data()}));
+    std::vector<std::size_t> sizes, from;
     std::size_t first = 0;
-    auto at = sent.begin();
+    auto at = changed.begin();
     for(const std::size_t n : ring.exported_to) {
       const auto begin = at;
-      for(; at != sent.end() && at->place < first + n; ++at)
+      for(; at != changed.end() && at->place < first + n; ++at)
         at->place -= std::uint32_t(first);
       sizes.push_back(std::size_t(at - begin));
       first += n;
     }
-    std::vector<std::size_t> from;
-    std::vector<Sent_label> received = communicator_.exchange(sent, sizes, &from);
+    Entries received = communicator_.exchange(changed, sizes, &from);
     first = 0;
     at = received.begin();
     for(std::size_t r = 0; r < from.size(); ++r) {
@@ -203,8 +195,8 @@ public:
         at->place += std::uint32_t(first);
       first += ring.imported_from[r];
     }
-    const auto labels = to_buffer(backend_, received);
-    backend_.for_each(labels.size(), Put_labels{labels.data(), label + ring_begin(0)});
+    const auto entries = to_buffer(backend_, received);
+    backend_.for_each(entries.size(), Put_entries<T>{entries.data(), table + n_});
   }
 
   // value(i) of their owners on the host, for the ghosts of a ring.
@@ -215,12 +207,6 @@ public:
     for(const std::uint32_t i : to_vector(backend_, ring_[r].exported))
       send.push_back(value(i));
     return communicator_.exchange(send, ring_[r].exported_to, ring_[r].imported_from);
-  }
-
-  template <class T>
-  void update(std::size_t r, T* table) const
-  {
-    exchange(r, Point_values<T>{table});
   }
 
 private:
@@ -237,11 +223,10 @@ private:
   std::uint32_t n_;
   std::size_t size_ = 0;
   std::vector<Ring> ring_;
-  typename Backend::template Buffer<std::uint32_t> sent_; // the labels of the own points in the first ring elsewhere
 };
 
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_MPI_GHOSTS_H
+#endif // CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_GHOSTS_H

@@ -3,8 +3,8 @@
 //
 // How tables of items become messages of MPI.
 
-#ifndef CGAL_TANDEM_INTERNAL_MPI_MPI_TYPES_H
-#define CGAL_TANDEM_INTERNAL_MPI_MPI_TYPES_H
+#ifndef CGAL_TANDEM_INTERNAL_MPI_MESSAGES_MPI_TYPES_H
+#define CGAL_TANDEM_INTERNAL_MPI_MESSAGES_MPI_TYPES_H
 
 #include <mpi.h>
 
@@ -54,7 +54,6 @@ private:
 };
 
 // By width: some versions of Open MPI compare MPI_UNSIGNED_LONG as if it had a sign.
-inline MPI_Datatype mpi_type_of(const double*) { return MPI_DOUBLE; }
 inline MPI_Datatype mpi_type_of(const std::int32_t*) { return MPI_INT32_T; }
 inline MPI_Datatype mpi_type_of(const std::uint32_t*) { return MPI_UINT32_T; }
 inline MPI_Datatype mpi_type_of(const std::int64_t*) { return MPI_INT64_T; }
@@ -73,4 +72,4 @@ void for_each_message(std::size_t n, F f)
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_MPI_MPI_TYPES_H
+#endif // CGAL_TANDEM_INTERNAL_MPI_MESSAGES_MPI_TYPES_H

@@ -3,10 +3,10 @@
 //
 // Where the points of each rank are: some boxes of each, which all ranks know, with a tree over all of them.
 
-#ifndef CGAL_TANDEM_INTERNAL_MPI_RANK_BOXES_H
-#define CGAL_TANDEM_INTERNAL_MPI_RANK_BOXES_H
+#ifndef CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_RANK_BOXES_H
+#define CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_RANK_BOXES_H
 
-#include <CGAL/Tandem/internal/mpi/Communicator.h>
+#include <CGAL/Tandem/internal/mpi/messages/Communicator.h>
 #include <CGAL/Tandem/internal/neighbors/Box_tree.h>
 
 #include <algorithm>
@@ -125,4 +125,4 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_MPI_RANK_BOXES_H
+#endif // CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_RANK_BOXES_H

@@ -4,8 +4,8 @@
 // Exceptions as text, so that the one of one rank can be thrown by all. Types of the standard library are kept; others
 // become std::runtime_error.
 
-#ifndef CGAL_TANDEM_INTERNAL_MPI_FAILURE_H
-#define CGAL_TANDEM_INTERNAL_MPI_FAILURE_H
+#ifndef CGAL_TANDEM_INTERNAL_MPI_MESSAGES_FAILURE_H
+#define CGAL_TANDEM_INTERNAL_MPI_MESSAGES_FAILURE_H
 
 #include <exception>
 #include <new>
@@ -71,4 +71,4 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_MPI_FAILURE_H
+#endif // CGAL_TANDEM_INTERNAL_MPI_MESSAGES_FAILURE_H

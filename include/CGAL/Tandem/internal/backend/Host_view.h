@@ -3,25 +3,17 @@
 //
 // Tables of the back end as MPI needs them: on the host.
 
-#ifndef CGAL_TANDEM_INTERNAL_MPI_HOST_VIEW_H
-#define CGAL_TANDEM_INTERNAL_MPI_HOST_VIEW_H
+#ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_VIEW_H
+#define CGAL_TANDEM_INTERNAL_BACKEND_HOST_VIEW_H
 
+#include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/buffers.h>
-#include <CGAL/Tandem/internal/mpi/rank_functors.h>
 
 #include <type_traits>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// From the host to a table where the functors run.
-template <class Backend, class T>
-void write_to(Backend& backend, const std::vector<T>& values, T* table)
-{
-  const auto buffer = to_buffer(backend, values);
-  backend.for_each(values.size(), Copy_items<T>{buffer.data(), table});
-}
 
 // The first n items of a table: itself where it is memory of the host, otherwise a copy.
 template <class Backend, class T>
@@ -55,4 +47,4 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_MPI_HOST_VIEW_H
+#endif // CGAL_TANDEM_INTERNAL_BACKEND_HOST_VIEW_H

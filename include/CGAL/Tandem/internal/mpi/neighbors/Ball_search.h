@@ -3,8 +3,8 @@
 //
 // The nearest points of this rank within balls around points of other ranks.
 
-#ifndef CGAL_TANDEM_INTERNAL_MPI_BALL_SEARCH_H
-#define CGAL_TANDEM_INTERNAL_MPI_BALL_SEARCH_H
+#ifndef CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BALL_SEARCH_H
+#define CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BALL_SEARCH_H
 
 #include <CGAL/Tandem/internal/neighbors/Box_tree.h>
 
@@ -111,4 +111,4 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_MPI_BALL_SEARCH_H
+#endif // CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BALL_SEARCH_H

@@ -6,12 +6,11 @@
 // all are its neighbors. A key is (squared distance, rank, position): the order of one process, as ranks have
 // consecutive points.
 
-#ifndef CGAL_TANDEM_INTERNAL_MPI_BORDER_SEARCH_H
-#define CGAL_TANDEM_INTERNAL_MPI_BORDER_SEARCH_H
+#ifndef CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BORDER_SEARCH_H
+#define CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BORDER_SEARCH_H
 
-#include <CGAL/Tandem/internal/mpi/Ball_search.h>
-#include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
-#include <CGAL/Tandem/internal/mpi/Rank_boxes.h>
+#include <CGAL/Tandem/internal/mpi/neighbors/Ball_search.h>
+#include <CGAL/Tandem/internal/mpi/neighbors/Rank_boxes.h>
 
 #include <algorithm>
 #include <iterator>
@@ -207,4 +206,4 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_MPI_BORDER_SEARCH_H
+#endif // CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BORDER_SEARCH_H

@@ -7,11 +7,11 @@
 // meanwhile. A rank that has takes part in the next agreement with its exception; then all ranks throw the same one. So
 // no rank waits for another one for ever.
 
-#ifndef CGAL_TANDEM_INTERNAL_MPI_COMMUNICATOR_H
-#define CGAL_TANDEM_INTERNAL_MPI_COMMUNICATOR_H
+#ifndef CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H
+#define CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H
 
-#include <CGAL/Tandem/internal/mpi/Failure.h>
-#include <CGAL/Tandem/internal/mpi/mpi_types.h>
+#include <CGAL/Tandem/internal/mpi/messages/Failure.h>
+#include <CGAL/Tandem/internal/mpi/messages/mpi_types.h>
 
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
@@ -67,7 +67,11 @@ public:
   template <class T>
   void sum(T* table, std::size_t n)
   {
-    reduce(table, n, MPI_SUM);
+    agree();
+    for_each_message(n, [&](std::size_t first, int size) {
+      MPI_Allreduce(MPI_IN_PLACE, table + first, size, mpi_type_of(table), MPI_SUM, comm_);
+    });
+    sent_ += size() > 1 ? n * sizeof(T) : 0;
   }
 
   template <class T>
@@ -75,18 +79,6 @@ public:
   {
     sum(&value, 1);
     return value;
-  }
-
-  template <class T>
-  void minimize(T* table, std::size_t n)
-  {
-    reduce(table, n, MPI_MIN);
-  }
-
-  template <class T>
-  void maximize(T* table, std::size_t n)
-  {
-    reduce(table, n, MPI_MAX);
   }
 
   // The items of all ranks, one rank after the other. first: where those of each rank begin, and the end.
@@ -151,16 +143,6 @@ public:
     return received;
   }
 
-  // Whether it is true on all ranks; if not, `why` becomes that of the first rank where it is not.
-  bool all(bool own, std::string& why)
-  {
-    agree();
-    const int first = first_failed(own ? INT_MAX : rank());
-    if(first < INT_MAX)
-      why = broadcast(first, why);
-    return first == INT_MAX;
-  }
-
 private:
   static boost::mpi::communicator duplicate(const boost::mpi::communicator& caller)
   {
@@ -217,16 +199,6 @@ private:
     MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   }
 
-  template <class T>
-  void reduce(T* table, std::size_t n, MPI_Op operation)
-  {
-    agree();
-    for_each_message(n, [&](std::size_t first, int size) {
-      MPI_Allreduce(MPI_IN_PLACE, table + first, size, mpi_type_of(table), operation, comm_);
-    });
-    sent_ += size() > 1 ? n * sizeof(T) : 0;
-  }
-
   std::vector<std::uint64_t> gather_one(std::uint64_t value)
   {
     std::vector<std::uint64_t> values(static_cast<std::size_t>(size()));
@@ -276,4 +248,4 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_MPI_COMMUNICATOR_H
+#endif // CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The order of the cloud along the Hilbert curve. Only positions are sorted here; engine/sort_points.h moves the points.
+// The result does not depend on the order of the caller's points.
+
+#ifndef CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H
+#define CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H
+
+#include <CGAL/Tandem/internal/backend/buffers.h>
+#include <CGAL/Tandem/internal/base/Box.h>
+#include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/cloud/curve.h>
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The root of the octree: a cube of 2^21 finest octants a side around the cloud. A finest octant is 2^shift steps wide.
+// Unsigned differences to the low corner cannot overflow: the cloud has at most 2^29 steps.
+struct Code_frame {
+  std::int32_t low[3];
+  int shift;
+
+  CGAL_TANDEM_HD std::uint64_t code(const Grid_point& p) const
+  {
+    return hilbert_code(std::uint32_t(p.x - low[0]) >> shift, std::uint32_t(p.y - low[1]) >> shift,
+                        std::uint32_t(p.z - low[2]) >> shift);
+  }
+
+  // The place of a point in the order within one finest octant, which matters where far outliers make it large. shift
+  // is at most 8, so the code has at most 24 bits.
+  CGAL_TANDEM_HD std::uint64_t code_inside(const Grid_point& p) const
+  {
+    const std::uint32_t mask = (1u << shift) - 1;
+    return hilbert_code(std::uint32_t(p.x - low[0]) & mask, std::uint32_t(p.y - low[1]) & mask,
+                        std::uint32_t(p.z - low[2]) & mask);
+  }
+};
+
+// The smallest frame around all points between two corners.
+inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high)
+{
+  Code_frame frame = {{low.x, low.y, low.z}, 0};
+  const std::uint32_t extent =
+    (std::max)({std::uint32_t(high.x - low.x), std::uint32_t(high.y - low.y), std::uint32_t(high.z - low.z)});
+  while((extent >> frame.shift) >> curve_bits)
+    ++frame.shift;
+  return frame;
+}
+
+// The smallest frame around a box, and that around the given points.
+inline Code_frame make_code_frame(const Box& box)
+{
+  if(box.low[0] > box.high[0])
+    return {{0, 0, 0}, 0};
+  return make_code_frame({box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0});
+}
+
+inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
+{
+  Box box;
+  for(std::size_t i = 0; i < n; ++i)
+    box.add(point[i]);
+  return make_code_frame(box);
+}
+
+// Writes the code of each point as its key of the sort.
+template <class Table>
+struct Write_codes {
+  const Grid_point* point;
+  Code_frame frame;
+  Table order;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(i, frame.code(point[i]), std::uint32_t(i)); }
+};
+
+// Whether the key at position i of the sorted table equals one beside it. Sorts of back ends need not be stable, so the
+// order of equal keys is undefined up to here.
+template <class Table>
+struct Is_tied {
+  Table order;
+  std::uint32_t size;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
+  {
+    return (i > 0 && order.key(i - 1) == order.key(i)) || (i + 1 < size && order.key(i + 1) == order.key(i));
+  }
+};
+
+// A point that shares its code with another one.
+struct Tied_point {
+  std::uint64_t code, code_inside;
+  Grid_point point;
+  std::uint32_t index;
+  std::uint32_t gap = 0; // instead of padding: copies between host and device have no undefined bytes
+};
+
+// Copies the point at place[i] of the sorted table to item i, for the sort of ties on the host.
+template <class Table>
+struct Gather_tied {
+  Table order;
+  const Grid_point* point; // in the order before the sort
+  Code_frame frame;
+  const std::uint32_t* place; // positions of the ties, ascending
+  Tied_point* tied;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t index = order.index(place[i]);
+    tied[i] = {order.key(place[i]), frame.code_inside(point[index]), point[index], index};
+  }
+};
+
+// Writes item i back to place[i]. Codes at these places are the same as before; only indices change.
+template <class Table>
+struct Scatter_tied {
+  Table order;
+  const std::uint32_t* place;
+  const Tied_point* tied;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(place[i], tied[i].code, tied[i].index); }
+};
+
+// What orders points of equal code: position within the octant, then all that is known of them on the grid.
+inline auto key_within_code(const Tied_point& t)
+{
+  return std::tie(t.code_inside, t.point.x, t.point.y, t.point.z, t.point.normal);
+}
+
+// Whether two points are the same on the grid, with their normals.
+inline bool are_equal_on_grid(const Tied_point& a, const Tied_point& b)
+{
+  return a.code == b.code && key_within_code(a) == key_within_code(b);
+}
+
+// Sorts each maximal stretch of consecutive items that are alike, one stretch on one thread.
+template <class Backend, class Alike, class Less>
+void sort_stretches(Backend& backend, std::vector<Tied_point>& tied, Alike are_alike, Less less)
+{
+  std::vector<std::size_t> start;
+  for(std::size_t i = 0; i < tied.size(); ++i)
+    if(i == 0 || !are_alike(tied[i - 1], tied[i]))
+      start.push_back(i);
+  start.push_back(tied.size());
+  const auto at = [&](std::size_t s) { return tied.begin() + std::ptrdiff_t(start[s]); };
+  backend.for_each_on_host(start.size() - 1, [&](std::size_t s) { std::sort(at(s), at(s + 1), less); });
+}
+
+// Orders points that are the same on the grid. precedes(i, j) is a total order of their indices, which depends on
+// these only for exact duplicates. It is called on the host, and after prepare(), which copies values from a device.
+// Neither is called where no two points are the same.
+template <class Precedes = std::less<std::uint32_t>, class Prepare = Nothing>
+struct Tie_order {
+  Precedes precedes = Precedes();
+  Prepare prepare = Prepare();
+};
+
+template <class Precedes, class Prepare>
+Tie_order<Precedes, Prepare> make_tie_order(Precedes precedes, Prepare prepare)
+{
+  return {precedes, prepare};
+}
+
+// Sorts the points of each code by (code inside, coordinates, normal), then those that are still equal by `ties`.
+template <class Backend, class Ties>
+void sort_tied(Backend& backend, std::vector<Tied_point>& tied, const Ties& ties)
+{
+  const auto have_one_code = [](const Tied_point& a, const Tied_point& b) { return a.code == b.code; };
+  sort_stretches(backend, tied, have_one_code,
+                 [](const Tied_point& a, const Tied_point& b) { return key_within_code(a) < key_within_code(b); });
+  if(std::adjacent_find(tied.begin(), tied.end(), are_equal_on_grid) == tied.end())
+    return;
+  ties.prepare();
+  sort_stretches(backend, tied, are_equal_on_grid,
+                 [&](const Tied_point& a, const Tied_point& b) { return ties.precedes(a.index, b.index); });
+}
+
+// The indices of `point`, sorted by code. The back end sorts by the code only. The few ties go to the host and back.
+// With a total order of ties the result does not depend on the order of the points.
+template <class Backend, class Ties = Tie_order<>>
+typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
+                                              const Code_frame& frame, const Ties& ties = Ties())
+{
+  using Table = typename Backend::Sort_table::View;
+  typename Backend::Sort_table order(n);
+  backend.for_each(n, Write_codes<Table>{point, frame, order.view()});
+  backend.sort(order);
+  const auto place = backend.compact(n, Is_tied<Table>{order.view(), std::uint32_t(n)});
+  if(place.size() == 0)
+    return order;
+  typename Backend::template Buffer<Tied_point> buffer(place.size());
+  backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
+  std::vector<Tied_point> tied = to_vector(backend, buffer);
+  sort_tied(backend, tied, ties);
+  const auto sorted = to_buffer(backend, tied);
+  backend.for_each(place.size(), Scatter_tied<Table>{order.view(), place.data(), sorted.data()});
+  return order;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_CLOUD_SORT_ALONG_CURVE_H
