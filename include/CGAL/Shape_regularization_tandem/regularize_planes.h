@@ -30,9 +30,7 @@ inline Regularity_options check_plane_options(const Parameters& p, bool has_dist
   if(has_distance)
     check_length("maximum_distance", p.maximum_distance, smallest_length);
   check_directions(p);
-  Regularity_options options = make_regularity_options(p, p.maximum_angle, 1);
-  options.is_last = true;
-  return options;
+  return make_regularity_options(p, p.maximum_angle, 1, 1);
 }
 
 // The plane of each imported point.

@@ -11,12 +11,11 @@
 #include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/finish/end_game.h>
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
-#include <CGAL/Tandem/internal/finish/transfer_points.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/engine/Detection_engine.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
-#include <CGAL/Tandem/internal/rounds/merge_by_joint_fit.h>
+#include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 
 #include <algorithm>
@@ -156,9 +155,8 @@ void Engine<Backend>::drop_fragments()
 template <class Backend>
 Shape_relations Engine<Backend>::relate_shapes(typename Backend::template Buffer<Link>& links)
 {
-  Sample_memory<Backend> memory;
-  merge_by_joint_fit(state_.points, state_.shapes, state_.options, links, {tuning::merging::misfit_share, memory});
-  return regularize_shapes(state_.points, state_.shapes, state_.options, {state_.round, false, memory}, relations_);
+  merge_by_gain(state_.points, state_.shapes, state_.options, links);
+  return regularize_shapes(state_.points, state_.shapes, state_.options, {state_.round, false});
 }
 
 struct Count_cells_with_seeds {
@@ -218,9 +216,6 @@ bool Engine<Backend>::iterate()
   relations_ = relate_shapes(links);
   progress_.show_rounds(state_.round + .7);
   apply_planes(points, shapes, options, coplanar_targets(points.backend, shapes, links));
-  if(state_.round >= tuning::loop::young_rounds)
-    transfer_points(points, shapes, options,
-                    {Planes::may_change, tuning::transfer::maximum_rounds_in_loop, 1, Phase::loop});
   ++state_.round;
   return progress_.show_rounds(state_.round) && is_going_on(new_points);
 }

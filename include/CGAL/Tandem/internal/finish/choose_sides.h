@@ -11,7 +11,8 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_CHOOSE_SIDES_H
 
 #include <CGAL/Tandem/internal/backend/buffers.h>
-#include <CGAL/Tandem/internal/finish/reassign.h>
+#include <CGAL/Tandem/internal/base/tuning/normals.h>
+#include <CGAL/Tandem/internal/rounds/assign.h>
 #include <CGAL/Tandem/internal/neighbors/grow_neighborhoods.h>
 
 namespace CGAL {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From labels and relations to the result: exact check, clutter filter, connected components, and the final order of
+// From labels and relations to the result: exact check, slabs of clutter, connected components, and the final order of
 // the shapes. Works on labels of its own, so it may run between two rounds: labels, states and shapes of the loop stay.
 // Labels are entries of the relations here: entry i is the shape relations.id[i].
 
@@ -9,13 +9,12 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_EXTRACT_SHAPES_H
 
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
-#include <CGAL/Tandem/internal/finish/clutter.h>
+#include <CGAL/Tandem/internal/finish/own_neighbors.h>
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/finish/exact_check.h>
 #include <CGAL/Tandem/internal/finish/group_points.h>
 #include <CGAL/Tandem/internal/finish/large_components.h>
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
-#include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
 #include <CGAL/Tandem/internal/rounds/Shape_relations.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
@@ -31,22 +30,6 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
     planes.push_back(to_caller(p, grid));
   return planes;
 }
-
-// Of the distances of the points to the regular plane of an entry, in epsilons. From the last fit of the shape, and
-// what its regular plane adds to it: few points have come or gone since.
-struct Measure_rms {
-  const Shape* shape;
-  const std::uint32_t* id;
-  double maximum_distance;
-  double* rms;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    const Shape& s = shape[id[i]];
-    const double squares = excess(s.scatter, s.fit, s.plane) + s.fit.smallest;
-    rms[i] = std::sqrt((std::max)(squares, 0.) / (std::max)(s.scatter.count, 1.)) / maximum_distance;
-  }
-};
 
 // From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their points are
 // free.
@@ -123,7 +106,7 @@ public:
   {
     take_entries();
     check_points();
-    drop_clutter();
+    drop_slabs();
     Engine_result result;
     name_shapes(result);
     if(!in_.has_normals)
@@ -138,10 +121,6 @@ private:
     const auto id = to_buffer(backend_, relations_.id);
     const auto entry_of = places_of(backend_, shapes_.size, id);
     backend_.for_each(label_.size(), Map_to_entries{points_.label(), entry_of.data(), label_.data()});
-    Buffer<double> rms(id.size());
-    backend_.for_each(id.size(), Measure_rms{shapes_.table().data(), id.data(), options_.maximum_distance, rms.data()},
-                      shapes_per_thread);
-    rms_ = to_vector(backend_, rms);
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
@@ -162,20 +141,17 @@ private:
   }
 
   // Shapes are judged before they are split into components, so a small component counts with all of its shape.
-  void drop_clutter()
+  void drop_slabs()
   {
     const std::size_t n = plane_.size();
     auto sums = filled_buffer(backend_, neighbor_counts::size * n, std::uint64_t(0));
-    const auto is_crisp = backend_.template make_buffer<std::uint8_t>(
-      n, [&](std::size_t i) { return std::uint8_t(rms_[i] < tuning::clutter::crisp_rms); });
     backend_.template for_each_cell<Neighbor_scratch>(
       points_.number_of_cells(),
-      Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
-                               is_crisp.data(), sums.data(), options_.growth.tolerance.distance});
+      Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), sums.data()});
     points_.ranks.sum(sums.data(), sums.size());
     const std::vector<std::uint64_t> counts = to_vector(backend_, sums);
     const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
-      n, [&](std::size_t i) { return std::uint8_t(is_clutter(counts.data() + neighbor_counts::size * i, rms_[i])); });
+      n, [&](std::size_t i) { return std::uint8_t(has_few_own_neighbors(counts.data() + neighbor_counts::size * i)); });
     backend_.for_each(label_.size(), Free_dropped{is_dropped.data(), label_.data()});
   }
 
@@ -271,7 +247,6 @@ private:
   const Import& in_;
   Buffer<std::uint32_t> label_; // entry of the relations; the others are by entry
   Buffer<Plane> plane_;
-  std::vector<double> rms_;
   std::vector<Coefficients> coefficients_;
 };
 

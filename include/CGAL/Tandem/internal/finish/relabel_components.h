@@ -10,7 +10,7 @@
 
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/finish/large_components.h>
-#include <CGAL/Tandem/internal/finish/propagate_labels.h>
+#include <CGAL/Tandem/internal/rounds/assign.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
@@ -48,7 +48,7 @@ void relabel_small_components(Labeled_cloud<Backend>& points, Shape_table<Backen
                                                      std::uint64_t(options.minimum_region_size), labels.label});
     points.refresh_labels();
   }
-  propagate_labels(points, shapes, options.growth.tolerance, Phase::components);
+  assign(points, shapes, options);
 }
 
 } // namespace internal

@@ -32,9 +32,9 @@ struct Axis_angle {
 // Greedy, as the stars of Frames: the heaviest group that is left takes all those within the angle.
 class Axis_symmetry {
 public:
-  // axis: a unit vector; maximum_distance bounds what a group may be turned, as a right angle does.
-  Axis_symmetry(std::vector<Direction_group>& groups, const Vector& axis, double maximum_distance)
-    : groups(groups), axis(axis), rms(tuning::verification::rms_share * maximum_distance)
+  // axis: a unit vector. A group may be turned at the price of a degree of freedom.
+  Axis_symmetry(std::vector<Direction_group>& groups, const Vector& axis, const Regularity_options& options)
+    : groups(groups), axis(axis), options(options)
   {
     for(const Direction_group& g : groups)
       circles.add(g.direction, 0);
@@ -65,7 +65,7 @@ private:
   {
     std::vector<int> result;
     for(std::size_t g = 0; g < groups.size(); ++g)
-      if(!groups[g].is_given && !groups[g].is_frozen && groups[g].sine > 0 &&
+      if(!groups[g].is_given && groups[g].sine > 0 &&
          !are_exactly_orthogonal(groups[g].direction, axis) &&
          Axis_angle(groups[g].direction, axis).sine > groups[g].sine)
         result.push_back(int(g));
@@ -98,7 +98,7 @@ private:
       turned = turned_directions(turnable);
       std::vector<Turnable> kept;
       for(std::size_t k = 0; k < before; ++k)
-        if(groups[turnable[k].group].cost(turned[k]) <= rms * rms * groups[turnable[k].group].weight)
+        if(groups[turnable[k].group].cost(turned[k]) <= options.price(groups[turnable[k].group].weight))
           kept.push_back(turnable[k]);
       turnable.swap(kept);
     }
@@ -151,7 +151,7 @@ private:
 
   std::vector<Direction_group>& groups;
   Vector axis;
-  double rms;
+  const Regularity_options& options;
   Great_circle_index circles; // of the directions of all groups, before any turns
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/regularity/constrained_fit.h>
 
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace Tandem {
 namespace internal {
 
 // Shapes that share one direction, and the moments that decide on it. Right angles to other groups are considered
-// within the angle whose sine is given. It is smaller for shapes that were rejected before.
+// within the angle whose sine is given.
 struct Direction_group {
   std::vector<int> members; // shapes, ascending; never empty between steps, but for given directions
   double sine = 0;
@@ -29,7 +30,6 @@ struct Direction_group {
   Vector rounded = {};          // the same on the grid of the Gauss map
   double minimum = 0;           // sum of squared distances of the fit
   Vector direction = {};        // the result
-  bool is_frozen = false;       // keeps its direction, others may be made orthogonal to it
   bool is_given = false;        // its direction is given: it stays, and other groups are made orthogonal to it first
   bool has_changed = true;      // its members, since the last fit
 
@@ -141,6 +141,15 @@ inline Least_cost least_cost_beside(const Direction_group& g, const Vector& p)
   smallest_eigenvector(m, c, s);
   const double delta = (m.p - m.r) * 0.5, root = std::sqrt(std::fma(delta, delta, m.q * m.q));
   return {unit(basis.lifted(c, s)), p, (m.p + m.r) * 0.5 - root - g.minimum, 2 * root};
+}
+
+// The numbers of the groups in this order.
+inline std::vector<int> by_weight(const std::vector<Direction_group>& groups)
+{
+  std::vector<int> order(groups.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return is_heavier(groups, a, b); });
+  return order;
 }
 
 } // namespace internal

@@ -99,8 +99,8 @@ public:
   // To look at so few directions takes less time than a search.
   static constexpr std::size_t few_directions = 128;
 
-  // squared_rms: what a chain may add to the mean squared distance of the points (steps^2).
-  explicit Fixed_directions(double squared_rms, std::size_t few = few_directions) : squared_rms(squared_rms), few(few)
+  explicit Fixed_directions(const Regularity_options& options, std::size_t few = few_directions)
+    : options(options), few(few)
   {}
 
   // Begins a star. Directions that are fixed until the next call are those of one star, and are not used for its chain.
@@ -109,7 +109,7 @@ public:
   // The direction of a star. It is its own fit, or a fit orthogonal to one or two fixed directions if that is cheap.
   Vector chained(const Direction_group& star) const
   {
-    const double allowed = squared_rms * star.weight;
+    const double allowed = options.price(star.weight);
     const Partner_region region(star, star.rounded, least_cost(star), allowed);
     const std::size_t p = best_partner(star, star.rounded, region, [&](const Vector& d) {
       return score_of_cost(cost_of_right_angle(star.eigen, d), allowed);
@@ -127,7 +127,7 @@ public:
   // Two that are nearly parallel determine no third one.
   bool chain(const Direction_group& group, const Vector& p, const Vector& rounded_fit, Vector& result) const
   {
-    const double allowed = squared_rms * group.weight;
+    const double allowed = options.price(group.weight);
     const Partner_region region(group, rounded_fit, least_cost_beside(group, p), allowed);
     const std::size_t q = best_partner(group, rounded_fit, region, [&](const Vector& d) {
       const Vector c = cross(p, d);
@@ -207,7 +207,7 @@ private:
     return std::get<2>(first);
   }
 
-  double squared_rms;
+  const Regularity_options& options;
   std::size_t few;
   std::size_t known = 0; // directions of earlier stars
   std::vector<Fixed_direction> fixed;

@@ -65,50 +65,35 @@ private:
 // Decisions follow the order of the groups by weight, so they do not depend on threads.
 class Frames {
 public:
-  // squared_rms: what a right angle may add to the mean squared distance of the points (steps^2). Chains may use a
-  // quarter of it, since the star has been fitted already.
-  Frames(std::vector<Direction_group>& groups, double squared_rms)
-    : groups(groups), squared_rms(squared_rms), fixed(tuning::directions::chain_share * squared_rms)
+  // A right angle may cost the points of a group as much as the degree of freedom is worth that it saves.
+  Frames(std::vector<Direction_group>& groups, const Regularity_options& options)
+    : groups(groups), options(options), fixed(options)
   {}
 
-  // Sets the directions of all groups. Given and frozen ones keep theirs, and stars may be chained to them. Given
-  // directions are the first masters. For the executor see Mean_shift.
-  template <class Executor>
-  void tie(const Executor& executor)
+  // Sets the directions of all groups. Given ones stay, and are the first masters.
+  void tie()
   {
     const double all = std::accumulate(groups.begin(), groups.end(), 1.,
                                        [](double sum, const Direction_group& g) { return sum + g.weight; });
     std::vector<Star_candidate> pool;
-    for(int g : by_weight())
+    for(int g : by_weight(groups))
       if(groups[g].is_given) {
         fixed.add(groups[g], all);
         pool.push_back({groups[g].rounded, groups[g].sine, 0, g});
-      } else if(groups[g].is_frozen)
-        fixed.add(groups[g], groups[g].weight);
-      else
+      } else {
         pool.push_back({groups[g].rounded, groups[g].sine, reach(groups[g]), g});
+      }
     const auto can_follow = [&](const Star_candidate& m, const Star_candidate& j) { return is_follower(m, j); };
     for(const Star& star : find_stars(pool, can_follow))
-      place(star, executor);
+      place(star);
   }
 
 private:
-  // Loops over fewer followers run on one thread.
-  static constexpr std::size_t few_followers = 64;
-
-  std::vector<int> by_weight() const
-  {
-    std::vector<int> order(groups.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return is_heavier(groups, a, b); });
-    return order;
-  }
-
   // A bound on the dot product with what a group can be made orthogonal to: its cost is at least the gap times the
   // squared dot product of its own normal.
   double reach(const Direction_group& g) const
   {
-    const double bearable = std::sqrt(squared_rms * g.weight / smallest_gap(g.eigen));
+    const double bearable = std::sqrt(options.price(g.weight) / smallest_gap(g.eigen));
     const double margin = tuning::exactness::rounded_dot_margin + length(cross(g.eigen.vector[0], g.fitted));
     return (std::min)(g.sine, bearable + margin);
   }
@@ -121,9 +106,9 @@ private:
       return false;
     const Direction_group &m = groups[master.group], &j = groups[follower.group];
     if(m.is_given || j.is_given)
-      return !j.is_given && cost_of_right_angle(j.eigen, m.fitted) <= squared_rms * j.weight;
-    return cost_of_right_angle(j.eigen, m.fitted) <= squared_rms * j.weight ||
-           cost_of_right_angle(m.eigen, j.fitted) <= squared_rms * m.weight;
+      return !j.is_given && cost_of_right_angle(j.eigen, m.fitted) <= options.price(j.weight);
+    return cost_of_right_angle(j.eigen, m.fitted) <= options.price(j.weight) ||
+           cost_of_right_angle(m.eigen, j.fitted) <= options.price(j.weight);
   }
 
   // The direction of a star: the master and its followers, turned by 90 degrees onto it, fitted as one (equation 1 of
@@ -147,23 +132,19 @@ private:
 
   // Fixes the directions of a star: master, followers orthogonal to it, pairs of followers. Followers that are chained
   // to an earlier star are determined already: is_fixed.
-  template <class Executor>
-  void place(const Star& star, const Executor& executor)
+  void place(const Star& star)
   {
     fixed.begin_star();
     const Vector n = groups[star.master].is_given ? groups[star.master].direction
                                                   : fixed.fix(groups[star.master], joint_direction(star), {0, 0, 0});
     std::vector<Vector> follower(star.followers.size());
     std::vector<char> is_fixed(star.followers.size());
-    executor.for_each(
-      follower.size(),
-      [&](std::size_t k) {
-        const Direction_group& group = groups[star.followers[k]];
-        is_fixed[k] = fixed.chain(group, n, group.rounded, follower[k]);
-        if(!is_fixed[k])
-          follower[k] = fit_orthogonal(group.matrix, n, group.fitted);
-      },
-      few_followers);
+    for(std::size_t k = 0; k < follower.size(); ++k) {
+      const Direction_group& group = groups[star.followers[k]];
+      is_fixed[k] = fixed.chain(group, n, group.rounded, follower[k]);
+      if(!is_fixed[k])
+        follower[k] = fit_orthogonal(group.matrix, n, group.fitted);
+    }
     pair_followers(star, n, follower, is_fixed);
     for(std::size_t k = 0; k < follower.size(); ++k)
       fixed.fix(groups[star.followers[k]], follower[k], n);
@@ -206,7 +187,8 @@ private:
     const Direction_group &a = groups[star.followers[i]], &b = groups[star.followers[j]];
     const Vector va = is_fixed[i] ? follower[i] : fit_frame(a.matrix, b.matrix, n, follower[i]);
     const Vector vb = orthogonal_to_both(n, va);
-    const bool is_cheap = a.cost(va) <= squared_rms * a.weight && b.cost(vb) <= squared_rms * b.weight;
+    const double price = options.price((std::min)(a.weight, b.weight));
+    const bool is_cheap = a.cost(va) <= price && b.cost(vb) <= price;
     if(is_cheap) {
       follower[i] = va;
       follower[j] = vb;
@@ -215,7 +197,7 @@ private:
   }
 
   std::vector<Direction_group>& groups;
-  double squared_rms;
+  const Regularity_options& options;
   Fixed_directions fixed;
 };
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/regularity/Direction_index.h>
+#include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
@@ -55,13 +56,16 @@ inline Vector symmetry_axis(const Parameters& p)
   return add_direction(directions, given_direction(p.symmetry_direction));
 }
 
-// step: the unit of lengths. The axis of symmetry is a fixed direction, too.
-inline Regularity_options make_regularity_options(const Parameters& p, double angle_tolerance_deg, double step)
+// step: the unit of lengths. minimum_size: of a shape, in points. The axis of symmetry is a fixed direction, too.
+inline Regularity_options make_regularity_options(const Parameters& p, double angle_tolerance_deg, double step,
+                                                  double minimum_size)
 {
   Regularity_options options;
   options.angle_tolerance_deg = angle_tolerance_deg;
   options.maximum_offset = p.maximum_offset / step;
   options.maximum_distance = p.maximum_distance / step;
+  options.freedom = double(tuning::score::freedom.numerator) / double(tuning::score::freedom.denominator) * minimum_size;
+  options.freedom_per_point = 1. / double(tuning::score::points_per_freedom);
   options.parallelism = p.regularize_parallelism;
   options.orthogonality = p.regularize_orthogonality;
   options.coplanarity = p.regularize_coplanarity;

@@ -101,8 +101,9 @@ Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<in
   put_on_grid(backend, in, options.maximum_distance);
   options.maximum_distance /= in.grid.step;
   options.maximum_offset /= in.grid.step;
-  const Input_planes given(in, plane_of, planes, result.maximum_distance);
-  const Relations r = regularize(given.fits(), given.is_excluded(), options, given);
+  const Input_planes given(in, plane_of, planes);
+  options.freedom *= given.smallest_size();
+  const Relations r = regularize(given.fits(), given.is_excluded(), options);
   const std::vector<char> is_unrelated = find_unrelated(r, given.fits());
   const std::vector<Coefficients> old = planes;
   planes = related_planes(r, old, is_unrelated, in.grid);

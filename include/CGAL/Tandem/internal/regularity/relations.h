@@ -28,20 +28,15 @@ struct Regularity_options {
   double maximum_offset = 0;      // sigma, the radius of coplanar classes
   double maximum_distance = 0;    // epsilon
   bool parallelism = true, orthogonality = true, coplanarity = true;
-  bool is_last = false; // growth has ended: everything that is rejected is tried again, and leftovers join directions
-  // The most misfits by which a shape accepts a relation, whatever their share: in the loop they would grow again as
-  // strips beside it. But never less than strip_share of its points.
-  double points_of_strips = std::numeric_limits<double>::infinity();
-  double strip_share = 0;
-  double minimum_size = 0;                   // misfits may not leave less of a shape that has as many points
+  // What a degree of freedom is worth, in points: this, and so much for each point of the smaller shape.
+  double freedom = 0, freedom_per_point = 0;
   std::vector<Vector> fixed_directions = {}; // given beforehand: unit, canonical in sign, all different
   std::vector<Vector> symmetry_axis = {};    // at most one, which is a fixed direction, too
 
-  // Whether `pending` of n shapes, rejected `tries` times, are tried again. That costs as much as for all shapes. So in
-  // the loop few of them keep their local planes. Those rejected by points wait as after a rollback.
-  bool try_again(std::size_t pending, std::size_t n, int tries) const
+  // The same for a shape of so many points, as a sum of squared distances (steps^2) that its points may lose.
+  double price(double points) const
   {
-    return pending > (is_last || tries == 0 ? 0 : n / tuning::relations::shapes_per_retry);
+    return maximum_distance * maximum_distance * std::fma(freedom_per_point, points, freedom);
   }
 };
 
@@ -53,7 +48,7 @@ struct Relations {
   std::vector<int> plane_of;         // of each shape; coplanar shapes share one
   std::vector<Vector> directions;    // unit, canonical in sign
   std::vector<Regular_plane> planes; // their normals are the same bits as the directions
-  std::vector<char> is_rolled_back;  // by shape: its points rejected a plane, and it keeps its local fit
+  std::vector<char> is_rolled_back;  // by shape: a direction is near, but costs its points too much
 };
 
 } // namespace internal

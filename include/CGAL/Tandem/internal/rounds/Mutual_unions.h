@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unions of touching shapes where Joint_fit_criterion.h accepts one plane for both, in rounds of mutual choice. unite_shapes.h
+// Unions of touching shapes that gain (Union_gain.h), in rounds of mutual choice. unite_shapes.h
 // runs them, merge_by_joint_fit.h tests the points and merges. See the manual, "Merging by Joint Fit".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
@@ -9,7 +9,7 @@
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
-#include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
+#include <CGAL/Tandem/internal/rounds/Union_gain.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)
   return bits & sign ? ~bits : bits | sign;
 }
 
-// By what a shape chooses one of its pairs: the smallest cost of the joint fit, then the largest union, then the mixed
+// By what a shape chooses one of its pairs: the largest gain, then the largest union, then the mixed
 // ids. Two pairs have the same key only if they are of the same shapes.
 struct Union_key {
   std::uint64_t cost = ~std::uint64_t(0), size = ~std::uint64_t(0), ids = ~std::uint64_t(0);
@@ -50,7 +50,8 @@ struct Union_pair {
   std::uint32_t first, second; // equal if the pair has been joined
   Union_key key;               // the cost is that of `rejected` if the test rejects the pair
   std::int32_t tested;         // the last round in which it was tested
-  std::int32_t is_taken;       // the second one tolerates the plane of the first one as it is
+  std::int32_t is_taken;       // the second one joins the plane of the first one as it is
+  std::uint32_t links;         // between both
 
   static constexpr std::uint64_t rejected = ~std::uint64_t(0);
   CGAL_TANDEM_HD bool is_accepted() const { return first != second && key.cost != rejected; }
@@ -62,6 +63,8 @@ struct Union_root {
   std::int32_t takes = 0;         // the last round in which it had chosen a pair that it takes
   std::int32_t changed = 0;       // the last round in which others joined it
   std::uint32_t place = no_index; // in the table of unions; none as long as it is the shape alone
+  std::uint32_t joined = no_index; // the last one that joined it in this round, and ...
+  std::uint32_t next = no_index;   // ... the one that joined the same root before it
 };
 
 // Each shape chooses its pair of the smallest key. Two shapes that choose each other become one. A shape that tolerates
@@ -76,10 +79,11 @@ struct Union_rounds {
   enum Step { test, choose_cost, choose_size, choose_ids, take, join, fit, number_of_steps };
   static constexpr int steps = number_of_steps;
 
-  Joint_fit_criterion criterion;
+  Union_gain criterion;
   Union_pair* pair;
   std::size_t pairs, shapes;
-  const Shape* shape; // these by id
+  const Shape* shape;   // these by id
+  Shape_sample* sample; // of a root, that of its union
   Union_root* root;
   std::uint32_t* target;  // what it has joined, or itself
   Shared_moments* joined; // the sums of those that joined in this round, zero between two
@@ -173,10 +177,10 @@ private:
     p.key = {Union_pair::rejected, ~std::uint64_t(na + nb), mixed_ids(a, b)};
     if(a == b || !own.has(i))
       return;
-    const Verdict verdict = criterion.verdict(united(a), united(b));
+    const Verdict verdict = criterion.verdict({united(a), sample[a]}, {united(b), sample[b]}, p.links);
     p.is_taken = verdict.is_taken;
     if(verdict.is_accepted)
-      p.key.cost = ordered_bits(verdict.cost);
+      p.key.cost = ordered_bits(-verdict.gain);
   }
 
   // The second shape joins the first one, if it has chosen the pair, and the first one has chosen it, too, or takes
@@ -188,6 +192,10 @@ private:
        Backend::atomic_exchange_if(target[p.second], p.second, p.first) != p.second)
       return;
     atomic_add<Backend>(joined[p.first], united(p.second).moments, Box());
+    std::uint32_t& next = root[p.second].next;
+    do
+      next = Backend::atomic_load(stays.joined);
+    while(Backend::atomic_exchange_if(stays.joined, +next, p.second) != next);
     Backend::atomic_max(stays.changed, round);
     Backend::atomic_add(joins[(round - 1) % 2], 1u);
   }
@@ -205,6 +213,9 @@ private:
     Fitted_moments& m = whole[r.place];
     m.moments += joined[s].moments();
     joined[s] = Shared_moments();
+    for(std::uint32_t t = r.joined; t != no_index; t = root[t].next)
+      merge_sample(sample[s], sample[t]);
+    r.joined = no_index;
     m.scatter = make_scatter(m.moments);
     if(own.has(s))
       set_fit(m, fit_plane(m.scatter));

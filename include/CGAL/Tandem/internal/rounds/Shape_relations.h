@@ -1,13 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The relations of the shapes, as they are kept from round to round.
+// The relations of the shapes, and what the regularity step reads and writes.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_RELATIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_RELATIONS_H
 
 #include <CGAL/Tandem/internal/regularity/relations.h>
-#include <CGAL/Tandem/internal/shapes/Tested_shape.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -15,31 +14,23 @@ namespace internal {
 
 // What the regularity step reads of a shape, on the host.
 struct Shape_summary {
-  std::uint32_t id;
-  int entry;                // in the relations of before
-  std::uint64_t is_waiting; // after a rollback; wide, so that all bytes are defined where summaries are copied
-  std::int64_t related_points, examined_points; // when its relations were found, and when it was examined for layers
+  std::uint64_t id; // wide, so that all bytes are defined where summaries are copied
+  std::int64_t points, examined_points; // now, and when it was examined for layers
   Shape_fit fit;
-  Tested_shape tested;
-
-  std::int64_t points() const { return tested.points; }
 };
 
 // What it writes.
 struct Regular_shape {
   Regular_plane plane;
-  std::int64_t related_points, examined_points; // when its relations were found, and when it was examined for layers
-  Misfit_record last_misfits;
-  int plane_number;
-  bool is_rolled_back;
+  std::int64_t examined_points;
+  std::int64_t plane_number;
 };
 
 // The relations of some shapes: those of shape id[i] are the entries i. The ids are valid until the next pass of
-// growth, which may renumber the shapes. Shape::entry stays valid after it.
+// growth, which may renumber the shapes.
 struct Shape_relations {
   std::vector<std::uint32_t> id;
   Relations relations;
-  std::int64_t points = 0; // of the shapes when the relations were found
 };
 
 // Afterwards the entry has a plane, and a direction, that no other one has. The former ones stay for the others.

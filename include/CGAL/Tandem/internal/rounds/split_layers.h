@@ -9,13 +9,25 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_LAYERS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SPLIT_LAYERS_H
 
-#include <CGAL/Tandem/internal/rounds/Joint_fit_criterion.h>
-#include <CGAL/Tandem/internal/rounds/Misfit_counter.h>
+#include <CGAL/Tandem/internal/base/tuning/merging.h>
 #include <CGAL/Tandem/internal/rounds/Shape_relations.h>
+#include <CGAL/Tandem/internal/rounds/Union_gain.h>
+#include <CGAL/Tandem/internal/shapes/Count_scratch.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// Which points of a shape are counted: those whose position has no bit of this mask, so all, every second one, every
+// fourth one ... Positions follow the curve, so a sample is spread over the shape. The largest mask that still selects
+// about sample_size points; 0, which selects all, below twice as many.
+CGAL_TANDEM_HD inline std::uint32_t sample_mask(std::int64_t points)
+{
+  std::uint32_t mask = 0;
+  while(points / (2 * (std::int64_t(mask) + 1)) >= tuning::layers::sample_size)
+    mask = 2 * mask + 1;
+  return mask;
+}
 
 // Shapes of which the points are examined, each with a plane. All tables are by place.
 struct Examined_shapes {
@@ -213,11 +225,11 @@ std::vector<Suspect> suspicious_shapes(Labeled_cloud<Backend>& points, std::size
   Examined_shapes examined;
   const auto plane_of = [&](std::size_t entry) { return relations.planes[std::size_t(relations.plane_of[entry])]; };
   for(std::size_t i = 0; i < shapes.size(); ++i)
-    if(shapes[i].points() >= tuning::merging::reliable_normal_size &&
-       tuning::layers::examined_growth.is_reached(shapes[i].points(), shapes[i].examined_points)) {
+    if(shapes[i].points >= tuning::layers::reliable_normal_size &&
+       tuning::layers::examined_growth.is_reached(shapes[i].points, shapes[i].examined_points)) {
       entries.push_back(i);
-      examined.add(shapes[i].id, {sample_mask(shapes[i].points()), rounded(plane_of(i))});
-      shapes[i].examined_points = shapes[i].points();
+      examined.add(std::uint32_t(shapes[i].id), {sample_mask(shapes[i].points), rounded(plane_of(i))});
+      shapes[i].examined_points = shapes[i].points;
     }
   std::vector<Suspect> suspects;
   if(entries.empty())
@@ -246,8 +258,8 @@ void split_layers(Labeled_cloud<Backend>& points, const Shape_table<Backend>& sh
   std::vector<std::uint8_t> is_crooked;
   for(const Suspect& s : suspects) {
     const Shape_summary& shape = summaries[s.entry];
-    examined.add(shape.id, {0, rounded(s.plane)});
-    is_crooked.push_back(shape.points() >= tuning::layers::minimum_size &&
+    examined.add(std::uint32_t(shape.id), {0, rounded(s.plane)});
+    is_crooked.push_back(shape.points >= tuning::layers::minimum_size &&
                          length(cross(s.plane.normal, shape.fit.fit.normal)) > tuning::layers::certain_lean);
   }
   const std::vector<double> layer =

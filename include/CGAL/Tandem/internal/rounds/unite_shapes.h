@@ -39,7 +39,7 @@ struct Start_pair {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    pair[i] = {link[i].first(), link[i].second(), Union_key(), 0, 0};
+    pair[i] = {link[i].first(), link[i].second(), Union_key(), 0, 0, link[i].count};
   }
 };
 
@@ -120,11 +120,11 @@ struct Shape_unions {
   Buffer<std::uint32_t> total;
 };
 
-// All live shapes have to be fitted. A pair may have several links. The sums of the shapes are zero before and
+// All live shapes have to be fitted. samples: of all of them; those of unions change. A pair may have several links. The sums of the shapes are zero before and
 // afterwards.
 template <class Backend>
 Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
-                                   const Joint_fit_criterion& criterion,
+                                   const Union_gain& criterion, Shape_samples<Backend>& samples,
                                    const typename Backend::template Buffer<Link>& links)
 {
   Shape_unions<Backend> unions;
@@ -140,8 +140,8 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
   run_unions(backend, ranks, (std::max)(n, links.size()),
-             Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.fitted(), unions.root.data(),
-                                   unions.target.data(), start_deltas(backend, shapes, n), unions.whole.data(),
+             Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.fitted(), samples.data(),
+                                   unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n), unions.whole.data(),
                                    joins.data(), unions.total.data(), ranks.share()});
   unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
   return unions;

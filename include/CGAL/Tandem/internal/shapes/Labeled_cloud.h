@@ -77,7 +77,7 @@ struct Border {
 };
 
 // When the bits of interior points were made. Points may have lost their labels since, but within one phase only.
-enum class Phase { loop, end, reassignment, components };
+enum class Phase { none, loop, end };
 
 // Tables of the size of the cloud, or of its cells, in the memory of the back end. Labels and states take 5 bytes a
 // point. The passes change lists, proposals, labels and states only.
@@ -150,6 +150,9 @@ struct Labeled_cloud {
   // Begins a phase of the interior bits. Returns whether it is another one than before, so that the bits are to be
   // cleared.
   bool begin_phase(Phase phase) { return std::exchange(phase_, phase) != phase; }
+
+  // For a pass after which the interior bits are no longer right.
+  void lose_interior() { phase_ = Phase::none; }
 
   Backend& backend;
   Ranks<Backend> ranks;

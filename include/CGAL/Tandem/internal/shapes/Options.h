@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
+#include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Growth_options.h>
 
 namespace CGAL {
@@ -41,6 +42,7 @@ struct Exact_bounds {
 // Parameters", and base/tuning.
 struct Options {
   Growth_options growth;
+  Score score = Score(1, 1);
   Regularity_options regularity;
   double maximum_distance; // epsilon
   double squared_cosine;   // of alpha

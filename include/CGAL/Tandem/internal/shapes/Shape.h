@@ -46,14 +46,6 @@ CGAL_TANDEM_HD inline void refit(Fitted_moments& m)
   set_fit(m, fit_plane(m.scatter));
 }
 
-// The last count of misfits of a shape: the share of its points that fits the local plane, but not the candidate. Kept,
-// so that nearly the same planes are not counted again.
-struct Misfit_record {
-  Regular_plane local = {}, candidate = {};
-  std::int64_t points = 0;
-  double misfit_share = 0;
-};
-
 // What the stages have noted of a shape, to tell later whether it has moved or grown since.
 class Shape_history {
 public:
@@ -84,33 +76,13 @@ public:
   }
   CGAL_TANDEM_HD void set_restarted(const Regular_plane& plane) { restarted_ = plane; }
 
-  // The points that it had when its relations were found, 0 if it has none; and when it was examined for layers.
-  CGAL_TANDEM_HD std::int64_t points_when_related() const { return related_; }
-  CGAL_TANDEM_HD void set_related(std::int64_t points) { related_ = points; }
+  // The points that it had when it was examined for layers.
   CGAL_TANDEM_HD std::int64_t points_when_examined() const { return examined_; }
   CGAL_TANDEM_HD void set_examined(std::int64_t points) { examined_ = points; }
 
-  // A shape that was rolled back takes part in relations again when it has grown, or after 2, 4, 8 ... rounds.
-  // Otherwise each round would test it in vain.
-  CGAL_TANDEM_HD void roll_back(std::int64_t points, int round)
-  {
-    if(rollbacks_ < tuning::verification::maximum_rollbacks)
-      ++rollbacks_;
-    retry_round_ = round + (1 << rollbacks_);
-    retry_points_ = points + points / tuning::verification::retry_growth_divisor;
-  }
-  CGAL_TANDEM_HD bool is_waiting(std::int64_t points, int round) const
-  {
-    return round < retry_round_ && points < retry_points_;
-  }
-  CGAL_TANDEM_HD int rollbacks() const { return rollbacks_; }
-
-  Misfit_record last_misfits;
-
 private:
   Regular_plane checked_ = {}, restarted_ = {};
-  std::int64_t related_ = 0, examined_ = 0, retry_points_ = 0;
-  std::int32_t retry_round_ = 0, rollbacks_ = 0;
+  std::int64_t examined_ = 0;
   std::int32_t is_fitted_ = 0, is_linked_ = 0; // wide, so that all bytes are defined where shapes are copied
 };
 
@@ -121,7 +93,6 @@ struct Shape : Fitted_moments {
   Regular_plane plane = {}; // local or regular
   Shape_history history;
   std::int32_t age = 0;           // passes of growth since it began
-  std::int32_t entry = 0;         // its place in the relations when it last had some
   std::int32_t plane_number = -1; // of `plane` in the relations; -1 if it has none
   std::int32_t is_active = 0;     // the last pass of growth has added points
 

@@ -15,24 +15,10 @@ namespace Tandem {
 namespace internal {
 namespace tuning {
 
-// Which neighboring fragments become one shape by a joint fit. Without it slanted surfaces are cut into terraces.
 namespace merging {
 
 // Fewest neighbor relations between two shapes that touch. More: thin contacts are missed.
 constexpr std::uint32_t minimum_edges = 2;
-// Up to this many points the normal of a shape is too uncertain for alpha to separate it from others. Shapes with
-// fewer are not examined for layers either.
-constexpr std::int64_t reliable_normal_size = 30;
-// How much worse, in epsilons (rms), the joint plane may be than the local one. Larger: bends are bridged.
-constexpr double tolerated_rms = 0.5;
-// It may also not be worse by more than the shape's own distances and this, in epsilons (rms): a plane that bridges
-// two narrow strips is close to both, but not as close as their own planes. Larger: fewer fragments, more bridges.
-constexpr double negligible_rms = 0.2;
-// Share of the points of a shape that may newly misfit the joint plane, in the loop and at the end.
-constexpr double misfit_share = 0.05;
-constexpr double final_misfit_share = 0.15;
-// A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
-constexpr std::int64_t much_larger = 4;
 
 } // namespace merging
 
@@ -52,6 +38,8 @@ struct Kernel {
 constexpr Kernel kernel = {{1000, 932, 755, 531, 325, 172, 80, 32}};
 // A peak counts when it is so much higher than the middle.
 constexpr Share peak_height = {3, 2};
+// Shapes with fewer points are not examined: their normals are too uncertain.
+constexpr std::int64_t reliable_normal_size = 30;
 // A shape is suspicious when its points' normals lean to one side of its plane by more than about 4 degrees (sine), or
 // their distances are spread (rms, in epsilons).
 constexpr double suspicious_lean = 0.07;
@@ -60,6 +48,8 @@ constexpr double suspicious_rms = 0.45;
 // edges, may lean by themselves.
 constexpr double certain_lean = 0.1;
 constexpr std::int64_t minimum_size = 100;
+// Of a shape with twice as many points or more only the normals of a sample are summed, of this to twice as many.
+constexpr std::int64_t sample_size = 512;
 // A shape is examined again when it has this share of its former points.
 constexpr Share examined_growth = {11, 10};
 

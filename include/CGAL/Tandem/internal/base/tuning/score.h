@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a result is worth, in points: see score/Score.h and Share.h. Labels of rooms and roofs, scenes and layers are
+// truest with these; the price of a shape and the bonus for its size may be half or twice as large.
+
+#ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_SCORE_H
+#define CGAL_TANDEM_INTERNAL_BASE_TUNING_SCORE_H
+
+#include <CGAL/Tandem/internal/base/tuning/Share.h>
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace tuning {
+
+namespace score {
+
+// A point, in units of the sums.
+constexpr std::int64_t unit = 4096;
+// What the links of a point to other shapes cost, if all are. Without it noisy faces split into planes that interleave.
+constexpr Share link = {1, 2};
+// A link to a free point counts so often. Fewer: planes through clutter stay.
+constexpr std::int64_t free_link = 3;
+// Of a point, by the logarithm of the size of its shape in minimum sizes. Larger: few, large shapes; from .1 on layers
+// 1.1 epsilon apart are lost. Smaller: surfaces that bend are cut.
+constexpr Share size_bonus = {7, 100};
+// Of a shape, in minimum sizes. From 1 on small faces are lost.
+constexpr Share price = {3, 10};
+// Of a degree of freedom, in minimum sizes, and one more point for so many of the shape. Larger: fewer directions; from
+// half a minimum size on, parallels that are none.
+constexpr Share freedom = {1, 10};
+constexpr std::int64_t points_per_freedom = 100;
+
+} // namespace score
+
+// The moves that raise the score.
+namespace moves {
+
+// Rounds of assignment and unions after the loop. A third one changes next to nothing.
+constexpr int rounds = 2;
+// Passes of an assignment; each considers half of the points that have a shape. More: slower, hardly better.
+constexpr int assignment_passes = 4;
+constexpr int assignment_passes_after_sides = 2;
+// Share of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points are lost
+// that the score of the union outweighs, though they fit their own plane.
+constexpr Share misfits_of_union = {1, 10};
+// A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
+constexpr std::int64_t much_larger = 4;
+// A shape needs at least this share of the neighbors of its points; slabs of clutter have .26 to .44, faces .65 and
+// more. Larger: faces with few points are lost.
+constexpr Share own_neighbors = {2, 5};
+
+} // namespace moves
+
+} // namespace tuning
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BASE_TUNING_SCORE_H

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the union of two shapes gains, see score/Score.h, by their moments and samples. Changes nothing, and reads no
+// other point. See the manual, "Unions".
+
+#ifndef CGAL_TANDEM_INTERNAL_ROUNDS_UNION_GAIN_H
+#define CGAL_TANDEM_INTERNAL_ROUNDS_UNION_GAIN_H
+
+#include <CGAL/Tandem/internal/base/tuning/exactness.h>
+#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
+#include <CGAL/Tandem/internal/score/Score.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// How much the sum of squared distances of a shape grows if this plane replaces its local one.
+CGAL_TANDEM_HD inline double excess(const Scatter& scatter, const Fit& fit, const Regular_plane& plane)
+{
+  const double e = dot(plane.normal, scatter.centroid) - plane.offset;
+  return std::fma(scatter.count * e, e, quadratic_form(scatter.matrix, plane.normal)) - fit.smallest;
+}
+
+// What is known of a shape, or of a union of shapes. The sample is one of its points.
+struct Sampled_shape {
+  const Fitted_moments& fitted;
+  const Shape_sample& sample;
+
+  CGAL_TANDEM_HD std::int64_t size() const { return fitted.moments.count; }
+};
+
+struct Verdict {
+  bool is_accepted = false;
+  bool is_taken = false; // the smaller one joins the plane of the larger one as it is
+  double gain = 0;       // in units of the score
+};
+
+// Within moments, the worth of a shape is 1 - d^2 / epsilon^2, also of points that do not fit and are worth nothing.
+// How much that counts wrong is estimated from the sample, as a difference of both planes for the same points, so that
+// most of the error of a sample cancels out. A union has to gain more than the standard deviation of the rest.
+class Union_gain {
+public:
+  explicit Union_gain(const Options& options)
+    : score_(options.score), tolerance_(options.growth.tolerance),
+      per_square_(double(Score::unit) / (options.maximum_distance * options.maximum_distance))
+  {
+    const double twice = std::fma(2., options.squared_cosine, -1.);
+    squared_cosine_of_twice_ = twice > 0 ? twice * twice : 0;
+  }
+
+  // The first shape is the larger one. links: between both.
+  CGAL_TANDEM_HD Verdict verdict(const Sampled_shape& a, const Sampled_shape& b, std::uint32_t links) const
+  {
+    const double cosine = dot(a.fitted.fit.normal, b.fitted.fit.normal);
+    if(cosine * cosine < squared_cosine_of_twice_)
+      return {};
+    const double saved = -double(score_.price() + score_.links(links));
+    if(tuning::moves::much_larger * b.size() < a.size()) {
+      const Part part = compare(b, a.fitted.local);
+      const double squares = excess(b.fitted.scatter, b.fitted.fit, a.fitted.local);
+      const double gain = std::fma(-per_square_, squares, saved) + part.change +
+                          bonus(a.size(), b.size() - part.misfits, b.size() - part.misfits_before);
+      if(is_accepted(gain, part.variance, b) && !part.has_misfits)
+        return {true, true, gain};
+    }
+    return are_apart(a, b, saved) ? Verdict() : joint_verdict(a, b, saved);
+  }
+
+private:
+  // How the worth of a part changes with its plane, beside the squares, and which of its points do not fit.
+  struct Part {
+    double change, variance;
+    std::int64_t misfits, misfits_before;
+    bool has_misfits; // more than a union may have
+  };
+
+  CGAL_TANDEM_HD Verdict joint_verdict(const Sampled_shape& a, const Sampled_shape& b, double saved) const
+  {
+    Fitted_moments joint;
+    joint.moments = a.fitted.moments;
+    joint.moments += b.fitted.moments;
+    refit(joint);
+    const Part of_a = compare(a, joint.local), of_b = compare(b, joint.local);
+    const double squares = joint.fit.smallest - a.fitted.fit.smallest - b.fitted.fit.smallest;
+    const std::int64_t na = a.size() - of_a.misfits, nb = b.size() - of_b.misfits;
+    const double size = double(score_.size_bonus(na + nb) - score_.size_bonus(a.size() - of_a.misfits_before) -
+                               score_.size_bonus(b.size() - of_b.misfits_before));
+    const double gain = std::fma(-per_square_, squares, saved) + of_a.change + of_b.change + size;
+    if(of_a.has_misfits || of_b.has_misfits || !is_accepted(gain, of_a.variance + of_b.variance, b))
+      return {};
+    return {true, false, gain};
+  }
+
+  // Of the size: na points stay, nb points join, and were n of a shape of their own.
+  CGAL_TANDEM_HD double bonus(std::int64_t na, std::int64_t nb, std::int64_t n) const
+  {
+    return double(score_.size_bonus(na + nb) - score_.size_bonus(na) - score_.size_bonus(n));
+  }
+
+  CGAL_TANDEM_HD Part compare(const Sampled_shape& s, const Regular_plane& candidate) const
+  {
+    const Plane before = rounded(s.fitted.local), after = rounded(candidate);
+    const double bonus = s.size() > 0 ? double(score_.point_bonus(s.size())) : 0;
+    double sum = 0, squares = 0;
+    std::int64_t misfits = 0, misfits_before = 0;
+    for(std::uint32_t i = 0; i < s.sample.size; ++i) {
+      const Grid_point& p = s.sample.item[i].point;
+      const bool is_misfit = !fits(after, p, tolerance_), was_misfit = !fits(before, p, tolerance_);
+      misfits += is_misfit;
+      misfits_before += was_misfit;
+      const double change = (is_misfit ? surplus(after, p) : 0) - (was_misfit ? surplus(before, p) : 0);
+      const double of_size = is_misfit == was_misfit ? 0 : is_misfit ? -bonus : bonus;
+      const double both = change + of_size;
+      sum += change;
+      squares = std::fma(both, both, squares);
+    }
+    const bool is_whole = std::int64_t(s.sample.size) >= s.size();
+    const double scale = s.sample.size > 0 ? double(s.size()) / double(s.sample.size) : 1;
+    return {scale * sum, is_whole ? 0 : scale * scale * squares, std::int64_t(scale * double(misfits)),
+            std::int64_t(scale * double(misfits_before)),
+            tuning::moves::misfits_of_union.is_exceeded(misfits, std::int64_t(s.sample.size))};
+  }
+
+  // By how much the squares count a point too low that is worth nothing.
+  CGAL_TANDEM_HD double surplus(const Plane& plane, const Grid_point& p) const
+  {
+    const double e = double(signed_distance(plane, p)) / normal_scale;
+    return std::fma(e * e, per_square_, -double(Score::unit));
+  }
+
+  // Whether the gain is certain, and the larger one gains as well: otherwise the smaller one would only be dissolved.
+  CGAL_TANDEM_HD bool is_accepted(double gain, double variance, const Sampled_shape& b) const
+  {
+    return gain > 0 && gain * gain > variance && gain + worth(b) + double(score_.price()) > 0;
+  }
+
+  // Without its price and links.
+  CGAL_TANDEM_HD double worth(const Sampled_shape& s) const
+  {
+    return std::fma(-per_square_, s.fitted.fit.smallest, double(Score::unit) * double(s.size())) +
+           double(score_.size_bonus(s.size()));
+  }
+
+  // Whether it is certain, at less cost, that a union gains nothing: its sum of squares exceeds what both could save.
+  // Not where both together are worth less than that.
+  CGAL_TANDEM_HD bool are_apart(const Sampled_shape& a, const Sampled_shape& b, double saved) const
+  {
+    const double squares = a.fitted.fit.smallest + b.fitted.fit.smallest;
+    const double most = saved - double(score_.price()) + bonus(a.size(), b.size(), b.size());
+    if(std::fma(-per_square_, squares, double(Score::unit) * double(a.size() + b.size())) < most)
+      return false;
+    const Symmetric_matrix joint = joint_matrix(a.fitted.scatter, b.fitted.scatter);
+    const double rounding = tuning::exactness::eigenvalue_margin * (joint.xx + joint.yy + joint.zz);
+    return has_eigenvalues_above(joint,
+                                 std::fma(tuning::exactness::bound_factor, squares + most / per_square_, rounding));
+  }
+
+  Score score_;
+  Tolerance tolerance_;
+  double per_square_; // units of the score for a squared grid step
+  double squared_cosine_of_twice_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_ROUNDS_UNION_GAIN_H
