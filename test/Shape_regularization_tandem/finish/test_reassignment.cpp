@@ -19,9 +19,10 @@
 using namespace CGAL::Tandem::internal;
 
 template <class Backend>
-class Reassignment {
+class Reassigned_points {
 public:
-  Reassignment(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+  Reassigned_points(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f)
+  {}
 
   void run()
   {
@@ -152,6 +153,6 @@ private:
 
 int main()
 {
-  test_on_all_backends<Reassignment>();
+  test_on_all_backends<Reassigned_points>();
   return report();
 }
