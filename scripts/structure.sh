@@ -53,7 +53,7 @@ row "members of Ranks that the engine calls" \
     grep -oE '[a-z_]+$' | sort -u | wc -l)"
 row "lines with internal:: in public headers" \
   "$(find $public -maxdepth 1 -name '*.h' -exec cat {} + | grep -vE '^ *//' | grep -c 'internal::')"
-for folder in $program examples/*/python test/*/api test/*/program test/*/python; do
+for folder in $program examples/python examples/*/python test/*/api test/*/program test/*/python; do
   [ ! -d "$folder" ] || row "lines with internal:: in $folder" "$(code 'internal::' "$folder" | wc -l)"
 done
 row "conditions of the preprocessor in include, no include guards" \

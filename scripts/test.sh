@@ -21,8 +21,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 build=${TANDEM_BUILD_DIR:-$root/build}
 jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 
-# The tests that the other configurations build as well: they reach every part of the
-# engine and are small, and compiling is what takes the time.
+# The tests that the other configurations build as well: small ones, which reach every part of the engine.
 examples='^detect_planes(_of_vector)?$'
 sanitized='test_(bad_input|regularize_planes|output_file|outputs|polygons|python|mpi_)'
 
@@ -277,8 +276,7 @@ if [ "${TANDEM_SKIP_INSTALL:-0}" != 1 ]; then
   done
 fi
 start=$(now)
-# Parts of one thread run beside the next one.
-beside=
+beside= # the part of one thread that runs beside the next one
 wait_for_beside()
 {
   [ -n "$beside" ] || return 0

@@ -18,18 +18,15 @@ namespace Tandem {
 
 \brief estimates the parameters of a detection from the points.
 
-- `maximum_distance` is the larger of 7/3 of the noise and 0.74 of the spacing of the points, and at least 2^-22 of the
-  extent of the cloud. The noise is the upper quartile, over the points, of the root mean square distance of a point
-  and its 20 nearest neighbors to their plane; the spacing is the median of the mean distance of a point to its 6
-  nearest neighbors. In large clouds, octree cells which hold about 130,000 points together are measured. Where the
-  noise exceeds the spacing, so that three quarters of the neighborhoods are more than 0.4 as thick as wide, the noise
-  is measured with every fourth, 16th or 64th of these points. The estimate is between 1e-270 and 1e270, as
-  `maximum_distance` has to be.
+- `maximum_distance` is the larger of a multiple of the noise and one of the spacing of the points. It is between 1e-270
+  and 1e270, as it has to be.
 - `maximum_offset` is `maximum_distance`.
-- `minimum_region_size` is 0.3 times the square root of the number of points, and at least 20.
+- `minimum_region_size` grows with the square root of the number of points.
 
-A stray point far from all others raises the estimate, to at least 2^-22 of its distance: remove such points before, or
-give `maximum_distance`. The estimate is computed on the host, whatever the tag.
+The manual has the numbers, and how noise and spacing are measured: \ref Tandem_parameters_estimated.
+
+A stray point far from all others raises the estimate, which is at least a small share of the extent: remove such points
+before, or give `maximum_distance`. The estimate is computed on the host, whatever the tag.
 
 Points with coordinates that are not finite, and points whose given normal is null or not finite, do not count. The
 estimate does not depend on the order of the points. All lengths are in the units of the points.

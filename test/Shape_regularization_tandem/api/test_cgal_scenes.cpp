@@ -19,11 +19,6 @@
 using scenes::Random;
 using scenes::Vec;
 
-void add(Cloud& cloud, const Vec& p, const Vec& n)
-{
-  cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
-}
-
 Vec in_box(Random& random, double half)
 {
   const double x = half * (2 * random.uniform() - 1), y = half * (2 * random.uniform() - 1);

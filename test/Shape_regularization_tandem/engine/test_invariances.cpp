@@ -160,7 +160,7 @@ void test_additions()
   Random random(4);
   for(int i = 0; i < 60; ++i) {
     const Vec p = 500 * random.direction(), n = random.direction();
-    stray.cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
+    add(stray.cloud, p, n);
   }
   const Shapes shapes = detect_valid("staircase and far points", stray.cloud, s.parameters);
   check_counts("staircase and far points", shapes, 16, 2, 16);

@@ -20,11 +20,6 @@
 using scenes::Random;
 using scenes::Vec;
 
-void add(Cloud& cloud, const Vec& p, const Vec& n)
-{
-  cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
-}
-
 double between(Random& random, double low, double high) { return low + (high - low) * random.uniform(); }
 
 // Thousands of faces, of which a cell holds hundreds: none of them may wait for ever.

@@ -19,9 +19,10 @@
 using namespace CGAL::Tandem::internal;
 
 template <class Backend>
-class Reassignment_test {
+class Reassigned_points {
 public:
-  Reassignment_test(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+  Reassigned_points(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f)
+  {}
 
   void run()
   {
@@ -75,8 +76,8 @@ private:
         nearest.emplace(f_.distance(t, i), t);
       const std::int64_t epsilon = f_.tolerance.distance, least = nearest.begin()->first;
       for(std::uint32_t t : shapes)
-        if(std::int64_t(f_.distance(t, i)) <= least + epsilon / tuning::end_game::distance_per_farther_plane ||
-           !tuning::end_game::layer_distance.is_exceeded(distance_of_planes(nearest.begin()->second, t, i), epsilon))
+        if(std::int64_t(f_.distance(t, i)) <= least + epsilon / 4 ||
+           10 * distance_of_planes(nearest.begin()->second, t, i) <= 9 * epsilon)
           choice.emplace(-shape[t].moments.count, t);
       expected[i] = choice.begin()->second;
     }
@@ -152,6 +153,6 @@ private:
 
 int main()
 {
-  test_on_all_backends<Reassignment_test>();
+  test_on_all_backends<Reassigned_points>();
   return report();
 }

@@ -126,7 +126,9 @@ private:
     check_equal(int(shapes.is_restarted[id]), 0, at + ": restart");
     const bool is_out_of_use = !is_new && !all.is_live(old);
     check_equal(s.age, before.age + !is_out_of_use, at + ": age");
-    check_equal(int(shapes.steps[id]), is_out_of_use ? 0 : (std::min)(1 << (std::min)(s.age, 30), tuning::growth::maximum_steps), at + ": steps");
+    check_equal(int(shapes.steps[id]),
+                is_out_of_use ? 0 : (std::min)(1 << (std::min)(s.age, 30), tuning::growth::maximum_steps),
+                at + ": steps");
     if(!is_out_of_use)
       CHECK_AT((s.is_active != 0) == is_active && s.history.is_fitted() == !is_active &&
                  s.history.is_linked() == !is_active,

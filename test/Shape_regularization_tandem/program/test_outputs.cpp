@@ -136,7 +136,7 @@ void check_far()
       for(int i = 0; i < 200; ++i) {
         const double a = width * (x + dx * random.uniform()), b = width * (y + dy * random.uniform());
         const scenes::Vec p = add_scaled(add_scaled({5e6, 5e6, 5e6}, a, u), b, v);
-        cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
+        add(cloud, p, n);
       }
     }
     check_outputs(case_of_plane("far, run " + std::to_string(run), cloud, {n.x, n.y, n.z, offset}), totals);

@@ -39,7 +39,7 @@ void add_face(Cloud& cloud, const Vec& corner, const Vec& u, const Vec& v, doubl
       const double noise = .1 * epsilon * ((i * 7 + j * 5) % 3 - 1);
       const Vec in_face = add_scaled(add_scaled(corner, double(i) / columns, u), double(j) / rows, v);
       const Vec p = add_scaled(leaning(in_face, lean), noise, n);
-      cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
+      add(cloud, p, n);
     }
 }
 

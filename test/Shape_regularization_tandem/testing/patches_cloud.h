@@ -29,7 +29,7 @@ inline void add_squares(scenes::Random& random, Cloud& cloud, const Squares& squ
       const Vec in_plane = add_scaled(add_scaled(Vec{x, y, z}, a, u), b, v);
       const Vec p = add_scaled(in_plane, squares.distance_noise * random.gaussian(), n);
       const Vec m = unit(add_scaled(n, squares.angle_noise, random.gaussian_vector()));
-      cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(m.x, m.y, m.z));
+      add(cloud, p, m);
     }
   }
 }

@@ -26,14 +26,17 @@ using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 
 enum class Given { normals, nothing };
 
+inline void add(Cloud& cloud, const scenes::Vec& p, const scenes::Vec& n)
+{
+  cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
+}
+
 inline Cloud to_cloud(const scenes::Scene& scene)
 {
   Cloud cloud;
   cloud.reserve(scene.points.size());
-  for(std::size_t i = 0; i < scene.points.size(); ++i) {
-    const scenes::Vec p = scene.points[i], n = scene.normals.empty() ? scenes::Vec{0, 0, 0} : scene.normals[i];
-    cloud.emplace_back(Kernel::Point_3(p.x, p.y, p.z), Kernel::Vector_3(n.x, n.y, n.z));
-  }
+  for(std::size_t i = 0; i < scene.points.size(); ++i)
+    add(cloud, scene.points[i], scene.normals.empty() ? scenes::Vec{0, 0, 0} : scene.normals[i]);
   return cloud;
 }
 
