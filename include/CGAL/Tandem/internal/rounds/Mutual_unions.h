@@ -40,8 +40,8 @@ CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)
   return bits & sign ? ~bits : bits | sign;
 }
 
-// By what a shape chooses one of its pairs: the largest gain, then the largest union, then the mixed ids. Two pairs have
-// the same key only if they are of the same shapes.
+// By what a shape chooses one of its pairs: the largest gain, then the largest union, then the mixed ids. Two pairs
+// have the same key only if they are of the same shapes.
 struct Union_key {
   std::uint64_t cost = ~std::uint64_t(0), size = ~std::uint64_t(0), ids = ~std::uint64_t(0);
 };
