@@ -115,7 +115,7 @@ or that has a fixed direction, gets a unit normal, also where it had that relati
 are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither turned
 nor moved. Where `regularize_parallelism` is `false`, there are no coplanar groups either. Unlike in the function of
 `CGAL::Shape_regularization`, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The result
-is independent of the order of the points. Groups and joint fits are those of section 4 of \cgalCite{OLA16}. Time is
+is independent of the order of the points. Groups are fitted as in section 4 of \cgalCite{OLA16}. Time is
 linear in the number of points.
 
 \tparam PlaneRange a range with random access iterators
@@ -151,7 +151,7 @@ linear in the number of points.
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
-    \cgalParamDescription{the distance that losses are measured by: the larger, the more relations}
+    \cgalParamDescription{the unit of losses; twice as much permits relations that cost four times as much}
     \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least
     `maximum_offset`}
   \cgalParamNEnd
