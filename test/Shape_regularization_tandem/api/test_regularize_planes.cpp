@@ -78,7 +78,7 @@ void test_switches()
     check(!changed, "nothing changes with all switches off");
 }
 
-// Two walls at five degrees with little noise: their points reject one direction.
+// Two walls at five degrees with little noise: one direction would cost their points too much.
 void test_refusal()
 {
   Scene<Kernel> s;

@@ -87,7 +87,7 @@ std::pair<int, int> count_related(const Shapes& shapes, int k)
 
 void check_fixed_direction()
 {
-  for(double lean : {0., .3}) {
+  for(double lean : {0., .2}) {
     const Cloud cloud = make_house(lean, 0);
     const Shapes shapes = detect_valid("leaning house", cloud, make_house_parameters());
     check_equal(shapes.number_of_shapes(), std::size_t(7), "shapes");
@@ -126,7 +126,7 @@ std::vector<std::size_t> roof_groups(const Shapes& shapes)
 
 void check_symmetry()
 {
-  const Cloud cloud = make_house(.2, 1);
+  const Cloud cloud = make_house(.2, .5);
   Parameters p = make_house_parameters();
   p.regularize_axis_symmetry = true;
   const Shapes shapes = detect_valid("symmetric roof", cloud, p);
@@ -176,7 +176,7 @@ void check_equal_directions_of_groups()
   Parameters p = make_house_parameters();
   p.fixed_directions = {{0, 1e-10, 1}, vertical, {0, 0, -1}};
   p.regularize_axis_symmetry = true;
-  const Shapes shapes = detect_valid("equal directions", make_house(.2, 1), p);
+  const Shapes shapes = detect_valid("equal directions", make_house(.2, .5), p);
   check_equal(count_related(shapes, 0).first, 1, "the floor has the first one");
   check_equal(count_related(shapes, 1).first + count_related(shapes, 2).first, 0, "groups of the others");
   const std::vector<std::size_t> roof = roof_groups(shapes);
@@ -187,7 +187,7 @@ void check_equal_directions_of_groups()
 // Named parameters of both spellings, with vectors of the kernel.
 void check_named_parameters()
 {
-  const Cloud cloud = make_house(.2, 1);
+  const Cloud cloud = make_house(.2, .5);
   const auto list =
     np::maximum_distance(epsilon).minimum_region_size(100).point_map(First<Kernel>()).normal_map(Second<Kernel>());
   const std::vector<Kernel::Vector_3> directions = {Kernel::Vector_3(1, 0, 0)};
