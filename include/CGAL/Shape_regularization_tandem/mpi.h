@@ -77,6 +77,21 @@ private:
   std::shared_ptr<internal::Communicator> communicator_;
 };
 
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+calls `f()` on all processes of a communicator, for what may fail on some of them only, as the reading of files does.
+Then all processes go on, or all throw what the first one of those that failed has thrown. On the others, exceptions of the
+standard library keep their type, and other ones become `std::runtime_error`. So does `detect_planes()` with `Mpi_tag`.
+
+\return what `f` returns
+*/
+template <class Function>
+auto together(const boost::mpi::communicator& communicator, Function f)
+{
+  return internal::Communicator(communicator).together(f);
+}
+
 } // namespace Tandem
 } // namespace CGAL
 
