@@ -60,7 +60,8 @@ inline Ring ring_of(const Json& json)
 inline Written_shapes read_geojson(const std::string& text)
 {
   Written_shapes result;
-  for(const Json& feature : Json::parse(text).at("features")) {
+  const Json json = Json::parse(text);
+  for(const Json& feature : json.at("features")) {
     result.emplace_back();
     result.back().area = area_of(feature.at("properties").at("area"));
     for(const Json& polygon : feature.at("geometry").at("coordinates")) {
