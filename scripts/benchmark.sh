@@ -42,8 +42,8 @@ install()
     libtbb-dev gnuplot-nox xz-utils
   [ -n "$quick" ] || [ "${TANDEM_WITHOUT_PCL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libpcl-dev ||
     echo "PCL cannot be installed: the comparison goes on without it"
-  "$root/scripts/install_dependencies.sh" libjs-three ||
-    echo "three.js cannot be installed: the page has no views in 3D"
+  "$root/scripts/install_dependencies.sh" libjs-three nlohmann-json3-dev ||
+    echo "three.js or nlohmann's JSON cannot be installed: the page has no views in 3D"
 }
 
 build_program()

@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
+#include <CGAL/Tandem/internal/base/pairs.h>
 #include <CGAL/Tandem/internal/rounds/Union_gain.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 

@@ -1,15 +1,18 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether mpirun, or what does the same, has started several processes of the program: it tells them by variables of the
-// environment.
+// How many processes there are, and which of them reads which file.
 
-#ifndef DETECT_PLANES_LAUNCH_H
-#define DETECT_PLANES_LAUNCH_H
+#ifndef DETECT_PLANES_PROCESSES_H
+#define DETECT_PLANES_PROCESSES_H
 
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace program {
 
@@ -37,6 +40,22 @@ inline Launch find_launch()
   return Launch();
 }
 
+// The rank of each file: consecutive files, with about as many bytes on each rank; the middle of a file decides. So the
+// points have the order of the files, as in one process.
+inline std::vector<int> share_files(const std::vector<std::uint64_t>& bytes, int ranks)
+{
+  const double files = double(bytes.size()); // each counts, so that files that are not there are spread, too
+  const double total = std::accumulate(bytes.begin(), bytes.end(), files);
+  std::vector<int> rank_of;
+  double before = 0;
+  for(const std::uint64_t n : bytes) {
+    const double size = double(n) + 1;
+    rank_of.push_back(int((before + size / 2) * ranks / total));
+    before += size;
+  }
+  return rank_of;
+}
+
 } // namespace program
 
-#endif // DETECT_PLANES_LAUNCH_H
+#endif // DETECT_PLANES_PROCESSES_H

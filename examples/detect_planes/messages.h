@@ -1,13 +1,17 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names of files and other pieces of input, in messages and in JSON. They may have any bytes.
+// What the program says about a run on standard error, one line each, and texts that may have any bytes: names of files
+// and other pieces of input, in messages and in JSON.
 
-#ifndef DETECT_PLANES_VISIBLE_TEXT_H
-#define DETECT_PLANES_VISIBLE_TEXT_H
+#ifndef DETECT_PLANES_MESSAGES_H
+#define DETECT_PLANES_MESSAGES_H
 
 #include <cstddef>
+#include <iostream>
 #include <ostream>
+#include <sstream>
+#include <string>
 #include <string_view>
 
 namespace program {
@@ -74,6 +78,46 @@ inline void write_visible(std::ostream& out, std::string_view text)
   }
 }
 
+// One line, whatever a library or the name of a file put into the message. Works without memory, too.
+inline void print_message(const char* before, std::string_view message, const char* after = "")
+{
+  std::cerr << before;
+  write_visible(std::cerr, message);
+  std::cerr << after << std::endl;
+}
+
+// Returns the exit code.
+inline int fail(int code, const char* message, const char* advice = "")
+{
+  print_message("detect_planes: ", message, advice);
+  return code;
+}
+
+inline void warn(std::string_view message) { print_message("detect_planes: warning: ", message); }
+
+// CGAL reports on std::cerr; its message becomes part of our one line. Some of it reports on std::cout.
+class Captured_messages {
+public:
+  explicit Captured_messages(std::ostream& stream = std::cerr)
+    : stream(stream), precision(stream.precision()), previous(stream.rdbuf(text.rdbuf()))
+  {}
+  ~Captured_messages()
+  {
+    stream.rdbuf(previous);
+    stream.precision(precision);
+  }
+  Captured_messages(const Captured_messages&) = delete;
+  Captured_messages& operator=(const Captured_messages&) = delete;
+
+  std::string first_line() const { return text.str().substr(0, text.str().find('\n')); }
+
+private:
+  std::ostream& stream;
+  std::ostringstream text;
+  std::streamsize precision;
+  std::streambuf* previous;
+};
+
 } // namespace program
 
-#endif // DETECT_PLANES_VISIBLE_TEXT_H
+#endif // DETECT_PLANES_MESSAGES_H

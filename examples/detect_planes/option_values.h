@@ -1,21 +1,46 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The options of the command line that are about the reading of clouds, checked.
+// Values of options that are lists: directions, and how clouds are read.
 
-#ifndef DETECT_PLANES_INPUT_OPTIONS_H
-#define DETECT_PLANES_INPUT_OPTIONS_H
+#ifndef DETECT_PLANES_OPTION_VALUES_H
+#define DETECT_PLANES_OPTION_VALUES_H
 
-#include "formats.h"
+#include "Options.h"
+#include "file_names.h"
 #include "input/input_settings.h"
 
 #include <algorithm>
+#include <array>
+#include <istream>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace program {
+
+// Whether the text is a direction, and nothing else.
+inline bool read_direction(const std::string& text, std::array<double, 3>& d)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  char first = 0, second = 0;
+  if(!(in >> d[0] >> first >> d[1] >> second >> d[2]) || first != ',' || second != ',')
+    return false;
+  in >> std::ws;
+  return in.eof() && (d[0] != 0 || d[1] != 0 || d[2] != 0);
+}
+
+inline std::array<double, 3> parse_direction(const std::string& option, const std::string& text)
+{
+  std::array<double, 3> direction = {};
+  if(!read_direction(text, direction))
+    throw Usage_error("--" + option + " is '" + text +
+                      "', must be three numbers with commas between them, not all 0, as in 0,0,1");
+  return direction;
+}
 
 constexpr int no_class = -1;
 
@@ -60,4 +85,4 @@ inline Input_settings input_settings(const std::vector<std::string>& inputs, con
 
 } // namespace program
 
-#endif // DETECT_PLANES_INPUT_OPTIONS_H
+#endif // DETECT_PLANES_OPTION_VALUES_H

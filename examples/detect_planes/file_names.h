@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The formats of clouds, by the extension of the file.
+// What names of files tell: the file itself, and its format.
 
-#ifndef DETECT_PLANES_FORMATS_H
-#define DETECT_PLANES_FORMATS_H
+#ifndef DETECT_PLANES_FILE_NAMES_H
+#define DETECT_PLANES_FILE_NAMES_H
 
 #include <algorithm>
 #include <array>
@@ -14,6 +14,28 @@
 #include <system_error>
 
 namespace program {
+
+// The file that a chain of links leads to, whether that exists or not.
+inline std::filesystem::path follow_links(std::filesystem::path path)
+{
+  namespace fs = std::filesystem;
+  constexpr int largest_length = 40; // as in Linux; more are a loop
+  std::error_code error;
+  for(int i = 0; i < largest_length && fs::is_symlink(fs::symlink_status(path, error)); ++i)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  return path;
+}
+
+// The same for all names of a file, or of a folder, whether that exists or not.
+inline std::filesystem::path unique_name(const std::filesystem::path& path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path name = fs::absolute(follow_links(path), error);
+  const fs::path resolved = fs::weakly_canonical(name, error);
+  const fs::path unique = error ? name.lexically_normal() : resolved; // a loop of links, for example
+  return unique.has_filename() ? unique : unique.parent_path();       // without the slash that new/.. leaves
+}
 
 inline std::string lower_case_extension(const std::filesystem::path& path)
 {
@@ -84,4 +106,4 @@ inline std::string output_of_input(const std::string& directory, const std::stri
 
 } // namespace program
 
-#endif // DETECT_PLANES_FORMATS_H
+#endif // DETECT_PLANES_FILE_NAMES_H
