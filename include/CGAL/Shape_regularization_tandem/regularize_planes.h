@@ -103,10 +103,10 @@ Takes the named parameters of `CGAL::Shape_regularization::Planes::regularize_pl
 region growing or any other detector. Unlike that function, this one
 - ties all orthogonal groups exactly: for groups that are reported as orthogonal, the dot product of the unit normals is
   at most 1e-15 in absolute value;
-- fits the planes of a group jointly to their points, and verifies the result against the points: a plane is rolled back
-  where more than a fifth of its points within `maximum_distance` would leave it, or where their root mean square
-  distance would grow by more than 0.6 `maximum_distance` (in quadrature). For small groups that join a larger direction
-  these bounds are two fifths and `maximum_distance`;
+- fits the planes of a group jointly to their points, and relates planes only where that pays. A loss is what the squares
+  of the distances of the points grow by in sum, in units of `maximum_distance` squared. For each degree of freedom that
+  is saved it may be at most a tenth of the number of points of the smallest plane, and 1 % of those of the group that is
+  turned or moved;
 - reports the relations, and how far each plane moved.
 
 Planes keep their orientation. Each plane that the result calls parallel, orthogonal, coplanar or symmetric to another,
@@ -114,7 +114,7 @@ or that has a fixed direction, gets a unit normal, also where it had that relati
 are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither turned
 nor moved. Where `regularize_parallelism` is `false`, there are no coplanar groups either. Unlike in the function of
 `CGAL::Shape_regularization`, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The result
-is independent of the order of the points. Groups and joint fits are those of section 4 of \cgalCite{OLA16}. Time is
+is independent of the order of the points. Groups are fitted as in section 4 of \cgalCite{OLA16}. Time is
 linear in the number of points.
 
 \tparam PlaneRange a range with random access iterators
@@ -148,7 +148,7 @@ linear in the number of points.
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
-    \cgalParamDescription{the distance to its plane within which a point counts in the verification}
+    \cgalParamDescription{the unit of losses; twice as much permits relations that cost four times as much}
     \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least
     `maximum_offset`}
   \cgalParamNEnd

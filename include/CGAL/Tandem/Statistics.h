@@ -20,7 +20,7 @@ struct Stage_times {
   double sort = 0;       ///< import of the points, and their order along the space-filling curve
   double neighbors = 0;  ///< nearest neighbors
   double growth = 0;     ///< growth of the shapes
-  double regularity = 0; ///< links, clustering, constrained fits, verification, merging
+  double regularity = 0; ///< links, unions, relations, planes that are applied to points
   double finish = 0;     ///< end game, exact check, export
   double total = 0;      ///< all stages, from the caller's range to the result
 };

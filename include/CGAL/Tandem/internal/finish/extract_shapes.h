@@ -124,7 +124,7 @@ private:
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
-  // coplanar class get the same bits in both.
+  // coplanar group get the same bits in both.
   void check_points()
   {
     const Relations& relations = relations_.relations;
