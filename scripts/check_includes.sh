@@ -7,7 +7,7 @@
 
 set -eu
 
-order='base memory backend cloud neighbors regularity shapes growth rounds finish engine
+order='base score memory backend cloud neighbors regularity shapes growth rounds finish engine
   cuda/interface cuda/runtime cuda/execution cuda/neighbors cuda/stages cuda mpi'
 longest=14
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SEGMENTATION_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SEGMENTATION_H
 
-#include "testing/evaluate_truth.h"
+#include "testing/evaluate_columns.h"
 
 namespace CGAL {
 namespace Tandem {
@@ -171,6 +171,24 @@ inline Segmentation evaluate_segmentation(const Truth& truth, const Detection& d
 {
   const Overlap overlap(truth, detection);
   return Segmentation_judge(overlap, smallest_face)();
+}
+
+// Empty where the truth is not known, so that all rows have the same columns.
+inline void append_segmentation(Row& row, bool is_known, const Segmentation& s)
+{
+  append_cell_if(row, is_known, "segmentation_precision", s.precision);
+  append_cell_if(row, is_known, "segmentation_recall", s.recall);
+  append_cell_if(row, is_known, "segmentation_f", s.f);
+  append_cell_if(row, is_known, "mean_iou", s.mean_iou);
+  append_cell_if(row, is_known, "over_segmented", s.over_segmented);
+  append_cell_if(row, is_known, "under_segmented", s.under_segmented);
+  append_cell_if(row, is_known, "missed", s.missed);
+  append_cell_if(row, is_known, "noise", s.noise);
+  append_cell_if(row, is_known, "segcomp_correct", s.correct);
+  append_cell_if(row, is_known, "segcomp_over_segmented", s.over_segmented_faces);
+  append_cell_if(row, is_known, "segcomp_under_segmented", s.under_segmented_faces);
+  append_cell_if(row, is_known, "segcomp_missed", s.missed_faces);
+  append_cell_if(row, is_known, "segcomp_noise", s.noise_shapes);
 }
 
 } // namespace benchmark

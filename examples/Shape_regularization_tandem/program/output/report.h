@@ -196,6 +196,14 @@ inline void write_numbers(Json_writer& json, const CGAL::Tandem::Statistics& s, 
   json.count("degrees_of_freedom", s.degrees_of_freedom);
   json.number("complexity", s.complexity);
   json.end();
+  json.begin("score");
+  json.number("fit", s.score.fit);
+  json.number("links", s.score.links);
+  json.number("size", s.score.size);
+  json.number("price", s.score.price);
+  json.number("freedom", s.score.freedom);
+  json.number("total", s.score.total());
+  json.end();
   json.begin("seconds");
   json.number("read", run.read_seconds);
   json.number("normals", s.times.normals + run.normal_seconds);

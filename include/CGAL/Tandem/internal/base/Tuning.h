@@ -431,6 +431,28 @@ constexpr double near_share_if_large_rms = .77;
 
 } // namespace clutter
 
+// What a result is worth (score/Score.h), in points. Measured: labels of rooms and roofs, scenes and layers are truest
+// with these; price and size bonus may be half or twice as large.
+namespace score {
+
+// A point, in units of the sums.
+constexpr std::int64_t unit = 4096;
+// What the links of a point to other shapes cost, if all are. Without it noisy faces split into planes that interleave.
+constexpr Share link = {1, 2};
+// A link to a free point counts so often. Fewer: planes through clutter stay.
+constexpr std::int64_t free_link = 3;
+// Of a point, by the logarithm of the size of its shape in minimum sizes. Larger: few, large shapes; from .1 on layers
+// 1.1 epsilon apart are lost. Smaller: surfaces that bend are cut.
+constexpr Share size_bonus = {7, 100};
+// Of a shape, in minimum sizes. From 1 on small faces are lost.
+constexpr Share price = {3, 10};
+// Of a degree of freedom, in minimum sizes, and one more point for so many of the shape. Larger: fewer directions; from
+// half a minimum size on, parallels that are none.
+constexpr Share freedom = {1, 10};
+constexpr std::int64_t points_per_freedom = 100;
+
+} // namespace score
+
 // Margins of the exact check, and of searches. They follow from the formats. Smaller ones would break the guarantee;
 // larger ones only let more points be evaluated in double, or more directions be visited.
 namespace exactness {

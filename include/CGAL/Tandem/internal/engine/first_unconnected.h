@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connected components for the check of a result. Neighbors are searched again, on points that are sorted as in the
+// Connected components and links for the check of a result. Neighbors are searched again, on points that are sorted as in the
 // engine, since positions break ties between neighbors at equal distance.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/engine/engine_api.h>
+#include <CGAL/Tandem/internal/score/Score.h>
 
 #include <vector>
 
@@ -59,6 +60,20 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
+// The neighbors of the point i that have another shape, or one where it has none.
+inline void count_links(std::uint32_t i, const std::uint32_t* row, std::size_t k, const std::int32_t* label,
+                        Score_counts& counts)
+{
+  for(std::size_t j = 0; j < k && row[j] != no_index; ++j)
+    if(label[row[j]] != label[i])
+      ++(label[i] < 0 || label[row[j]] < 0 ? counts.free_links : counts.links);
+}
+
+// Of a result: neighbors of a point, and shapes.
+struct Label_graph {
+  std::size_t k, shapes;
+};
+
 // The imported points in the order of the engine: the sorted table of their codes.
 template <class Backend>
 typename Backend::Sort_table sort_import(Backend& backend, const Import& in, const Grid_point* point)
@@ -68,27 +83,59 @@ typename Backend::Sort_table sort_import(Backend& backend, const Import& in, con
     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
 }
 
-// The first shape whose points are not one component, or the number of shapes. labels: by imported point, -1 = none.
+// The k nearest neighbors of each point, as positions in that order.
+template <class Backend>
+std::vector<std::uint32_t> sorted_neighbors(Backend& backend, const Import& in,
+                                            const typename Backend::Sort_table& order, std::size_t k)
+{
+  const std::uint32_t n = std::uint32_t(in.size());
+  std::vector<Grid_point> point(n);
+  for(std::uint32_t i = 0; i < n; ++i)
+    point[i] = in.point[order.view().index(i)];
+  std::vector<std::uint32_t> neighbor(n * k);
+  find_neighbors(backend, point.data(), n, int(k), neighbor.data());
+  return neighbor;
+}
+
+// The same of each imported point, as imported points.
+template <class Backend>
+std::vector<std::uint32_t> import_neighbors(Backend& backend, const Import& in, std::size_t k)
+{
+  const std::uint32_t n = std::uint32_t(in.size());
+  std::vector<std::uint32_t> result(n * k);
+  if(n == 0)
+    return result;
+  const auto order = sort_import(backend, in, in.point.data());
+  const std::vector<std::uint32_t> neighbor = sorted_neighbors(backend, in, order, k);
+  for(std::uint32_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < k; ++j) {
+      const std::uint32_t q = neighbor[i * k + j];
+      result[order.view().index(i) * k + j] = q == no_index ? no_index : std::uint32_t(order.view().index(q));
+    }
+  return result;
+}
+
+// The first shape whose points are not one component, or the number of shapes; and the links of the score. labels: by
+// imported point, -1 = none.
 template <class Backend>
 std::size_t first_unconnected(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
-                              std::size_t k, std::size_t shapes)
+                              const Label_graph& graph, Score_counts& counts)
 {
   static_assert(!Ranks<Backend>::are_many, "many ranks need the overload of mpi.h");
-  const std::size_t n = in.size();
+  const std::size_t n = in.size(), k = graph.k;
+  std::size_t shapes = graph.shapes;
   if(n == 0)
     return shapes;
   const auto order = sort_import(backend, in, in.point.data());
-  std::vector<Grid_point> point(n);
+  const std::vector<std::uint32_t> neighbor = sorted_neighbors(backend, in, order, k);
   std::vector<std::int32_t> label(n);
-  for(std::size_t i = 0; i < n; ++i) {
-    point[i] = in.point[order.view().index(i)];
+  for(std::size_t i = 0; i < n; ++i)
     label[i] = labels[order.view().index(i)];
-  }
-  std::vector<std::uint32_t> neighbor(n * k);
-  find_neighbors(backend, point.data(), std::uint32_t(n), int(k), neighbor.data());
   Parents parents(n);
-  for(std::uint32_t i = 0; i < n; ++i)
+  for(std::uint32_t i = 0; i < n; ++i) {
     parents.unite_around(i, neighbor.data() + i * k, k, label.data());
+    count_links(i, neighbor.data() + i * k, k, label.data(), counts);
+  }
   std::vector<std::uint32_t> component(shapes, no_index);
   for(std::uint32_t i = 0; i < n; ++i) {
     if(label[i] < 0)

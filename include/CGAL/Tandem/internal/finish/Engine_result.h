@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/Statistics.h>
 #include <CGAL/Tandem/internal/base/planes.h>
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
+#include <CGAL/Tandem/internal/score/Score.h>
 
 #include <array>
 #include <cstdint>
@@ -44,6 +45,7 @@ struct Engine_result {
   Point_groups points;                 // imported points of each shape
   Shared_table<std::uint32_t> normal;  // per imported point, the packed normal, if normals were estimated
   double mean_distance = 0;            // of the points to their planes, in epsilons
+  Score_counts counts;
   std::size_t rounds = 0;
   bool is_cancelled = false;
   bool is_coarse = false;

@@ -17,9 +17,10 @@ namespace internal {
 
 template <class Local>
 std::size_t first_unconnected(Mpi_backend<Local>& backend, const Import& in, const std::vector<std::int32_t>& labels,
-                              std::size_t k, std::size_t shapes)
+                              const Label_graph& graph, Score_counts& counts)
 {
   Communicator& communicator = backend.communicator();
+  const std::size_t k = graph.k, shapes = graph.shapes;
   if(in.total.points == 0)
     return shapes;
   Distribution<Local> distribution(backend, in, Parameters().cell_size);
@@ -45,8 +46,12 @@ std::size_t first_unconnected(Mpi_backend<Local>& backend, const Import& in, con
     label[i] = own_labels[order.view().index(i)];
   ghosts.update(0, label.data());
   Parents parents(label.size());
-  for(std::uint32_t i = 0; i < n; ++i)
+  for(std::uint32_t i = 0; i < n; ++i) {
     parents.unite_around(i, neighbor.data() + i * k, k, label.data());
+    count_links(i, neighbor.data() + i * k, k, label.data(), counts);
+  }
+  counts.links = std::int64_t(communicator.sum(std::uint64_t(counts.links)));
+  counts.free_links = std::int64_t(communicator.sum(std::uint64_t(counts.free_links)));
   std::vector<std::uint32_t> mark, component;
   for(std::uint32_t i = 0; i < label.size(); ++i) {
     mark.push_back(label[i] < 0 ? free_label : std::uint32_t(label[i]));

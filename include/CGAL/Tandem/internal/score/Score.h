@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a result is worth, in points: one measure for all decisions, and for all detectors.
+//
+//   S = sum over the points of shapes of 1 - d^2 / epsilon^2           d: distance to the plane; free points count 0
+//     - beta / k (links between two shapes + 3 links between a shape and a free point)
+//     + mu * sum over shapes of N log2(N / m)                          N points, m: minimum size of a shape
+//     - c m * (number of shapes)
+//     - sum over degrees of freedom of .1 m + 1 % of the largest shape that it belongs to
+//
+// A link is an entry of the neighbor graph, k a point. All sums are integers, in units of a 4096th of a point, so they
+// do not depend on the order of the points. tuning::score has the constants.
+
+#ifndef CGAL_TANDEM_INTERNAL_SCORE_SCORE_H
+#define CGAL_TANDEM_INTERNAL_SCORE_SCORE_H
+
+#include <CGAL/Tandem/internal/base/Tuning.h>
+#include <CGAL/Tandem/internal/base/types.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+constexpr int log2_bits = 16;
+
+// The logarithm in units of 2^-16, for n > 0, to within 6e-5: a table with linear interpolation.
+CGAL_TANDEM_HD inline std::int64_t fixed_log2(std::uint64_t n)
+{
+  constexpr std::uint32_t table[65] = {0,     1466,  2909,  4331,  5732,  7112,  8473,  9814,  11136, 12440, 13727,
+                                       14996, 16248, 17484, 18704, 19909, 21098, 22272, 23433, 24579, 25711, 26830,
+                                       27936, 29029, 30109, 31178, 32234, 33279, 34312, 35334, 36346, 37346, 38336,
+                                       39316, 40286, 41246, 42196, 43137, 44068, 44990, 45904, 46809, 47705, 48593,
+                                       49472, 50344, 51207, 52063, 52911, 53751, 54584, 55410, 56229, 57040, 57845,
+                                       58643, 59434, 60219, 60997, 61769, 62534, 63294, 64047, 64794, 65536};
+  int exponent = 0;
+  for(int step = 32; step > 0; step /= 2)
+    if(n >> exponent >> step != 0)
+      exponent += step;
+  // The bits after the leading one: 6 choose the entry, 26 interpolate.
+  const std::uint64_t mantissa = exponent > 32 ? n >> (exponent - 32) : n << (32 - exponent);
+  const std::uint32_t entry = std::uint32_t(mantissa >> 26) & 63, rest = std::uint32_t(mantissa) & ((1u << 26) - 1);
+  const std::uint64_t between = std::uint64_t(table[entry + 1] - table[entry]) * rest;
+  return (std::int64_t(exponent) << log2_bits) + table[entry] + std::int64_t((between + (1u << 25)) >> 26);
+}
+
+// What a point of the cloud counts: now 1 and epsilon. The tolerance is in 2^-28 grid steps, as signed distances.
+struct Score_item {
+  static constexpr std::uint64_t tolerance_units = std::uint64_t(1) << 15;
+
+  std::int64_t weight, tolerance;
+
+  // A distance in units of a 2^15th of the tolerance, rounded. A point that only the exact check accepted may be a
+  // little farther than the tolerance on the grid, and counts as that.
+  CGAL_TANDEM_HD std::uint64_t share_of(std::int64_t distance) const
+  {
+    const std::uint64_t size = std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^39 times 2^15
+    const std::uint64_t share = (size + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
+    return share < tolerance_units ? share : tolerance_units;
+  }
+};
+
+// What is counted of labels: the rest of the score follows from the sizes of shapes and from their relations.
+struct Score_counts {
+  std::int64_t fit = 0;                   // sum of the weights of points
+  std::int64_t links = 0, free_links = 0; // between two shapes; between a shape and a free point
+};
+
+// In units of tuning::score::unit.
+struct Score_terms {
+  std::int64_t fit = 0, links = 0, size = 0, price = 0, freedom = 0;
+
+  CGAL_TANDEM_HD std::int64_t total() const { return fit + links + size + price + freedom; }
+};
+
+// Made on the host; functors have it by value.
+class Score {
+public:
+  static constexpr std::int64_t unit = tuning::score::unit;
+
+  Score(std::int64_t minimum_size, int k)
+    : log2_of_minimum_(fixed_log2(std::uint64_t(minimum_size))), k_(k), link_(tuning::score::link.of(unit)),
+      bonus_(tuning::score::size_bonus.of(unit * bonus_unit)), price_(tuning::score::price.of(minimum_size * unit)),
+      freedom_(tuning::score::freedom.of(minimum_size * unit)), points_per_freedom_(tuning::score::points_per_freedom)
+  {}
+
+  // Of a point at a distance in units of its tolerance.
+  CGAL_TANDEM_HD static std::int64_t weight_at(const Score_item& item, std::uint64_t share)
+  {
+    constexpr std::uint64_t divisor = Score_item::tolerance_units * Score_item::tolerance_units / std::uint64_t(unit);
+    return item.weight * (unit - std::int64_t((share * share + divisor / 2) / divisor));
+  }
+  CGAL_TANDEM_HD static std::int64_t weight(const Score_item& item, std::int64_t distance)
+  {
+    return weight_at(item, item.share_of(distance));
+  }
+
+  // Of so many links between two shapes, and between a shape and free points.
+  CGAL_TANDEM_HD std::int64_t links(std::int64_t between_shapes, std::int64_t to_free = 0) const
+  {
+    const std::int64_t free_link = tuning::score::free_link;
+    return -(between_shapes + free_link * to_free) * link_ / k_;
+  }
+
+  // B(N) = mu N log2(N / m).
+  CGAL_TANDEM_HD std::int64_t size_bonus(std::int64_t points) const
+  {
+    return points > 0 ? points * bonus(fixed_log2(std::uint64_t(points)) - log2_of_minimum_) / bonus_unit : 0;
+  }
+
+  // Its derivative, for one point more or less.
+  CGAL_TANDEM_HD std::int64_t point_bonus(std::int64_t points) const
+  {
+    constexpr std::int64_t log2_of_e = 94548; // in units of 2^-16
+    return bonus(fixed_log2(std::uint64_t(points)) - log2_of_minimum_ + log2_of_e) / bonus_unit;
+  }
+
+  // Of a shape.
+  CGAL_TANDEM_HD std::int64_t price() const { return -price_; }
+
+  // Of a degree of freedom of a direction, or of a plane, by the points of the largest of its shapes. If two become
+  // one, that of the smaller is saved.
+  CGAL_TANDEM_HD std::int64_t freedom(std::int64_t points) const
+  {
+    return -(freedom_ + points * unit / points_per_freedom_);
+  }
+
+private:
+  static constexpr std::int64_t bonus_unit = 256;
+
+  // mu log2(..) of a point, in 1 / bonus_unit of a unit, rounded down.
+  CGAL_TANDEM_HD std::int64_t bonus(std::int64_t log2) const { return (bonus_ * log2) >> log2_bits; }
+
+  std::int64_t log2_of_minimum_, k_, link_, bonus_, price_, freedom_, points_per_freedom_;
+};
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_SCORE_SCORE_H
