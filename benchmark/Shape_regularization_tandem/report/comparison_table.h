@@ -81,6 +81,11 @@ inline const std::vector<Criterion>& further_criteria()
     {"false parallel pairs", "parallel_false_relaxed", 1, 0, Better::lower},
     {"orthogonal pairs", "orthogonal_kept_exact", 1, 3, Better::higher},
     {"false orthogonal pairs", "orthogonal_false_relaxed", 1, 0, Better::lower},
+    {"S fit", "score_fit", 1, 0, Better::neither},
+    {"S links", "score_links", 1, 0, Better::neither},
+    {"S size", "score_size", 1, 0, Better::neither},
+    {"S price", "score_price", 1, 0, Better::neither},
+    {"S freedom", "score_freedom", 1, 0, Better::neither},
     {"coplanar pairs", "coplanar_kept_exact", 1, 3, Better::higher},
     {"false coplanar pairs", "coplanar_false_relaxed", 1, 0, Better::lower}};
   return criteria;
