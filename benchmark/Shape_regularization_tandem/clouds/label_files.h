@@ -48,8 +48,8 @@ inline Ply_cloud read_cloud(const std::string& path)
   return is_ply ? read_ply(path) : read_text_cloud(path);
 }
 
-// Numbered from 0 in the order of their first points; -1 for none. A negative label is none. Where no label is negative,
-// 0 is none.
+// Numbered from 0 in the order of their first points; -1 for none. A negative label is none. Where no label is
+// negative, 0 is none.
 inline std::vector<std::int32_t> read_text_labels(const std::string& path)
 {
   std::ifstream in(path);

@@ -26,8 +26,8 @@ std::vector<Labeled_frame> labeled_frames();
 // House, part, indoor and village, and a noisy house with five seeds.
 std::vector<Labeled_frame> labeled_scenes(std::size_t points = 100000);
 
-// Strips side by side, and boards before a wall, 1.1 and 1.3 epsilon apart, with noise of a third of epsilon, with three
-// seeds.
+// Strips side by side, and boards before a wall, 1.1 and 1.3 epsilon apart, with noise of a third of epsilon, with
+// three seeds.
 std::vector<Labeled_frame> labeled_layers();
 
 // With normals by PCA of 20 neighbors.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connected components and links for the check of a result. Neighbors are searched again, on points that are sorted as in the
-// engine, since positions break ties between neighbors at equal distance.
+// Connected components and links for the check of a result. Neighbors are searched again, on points that are sorted as
+// in the engine, since positions break ties between neighbors at equal distance.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H

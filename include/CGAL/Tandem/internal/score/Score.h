@@ -54,7 +54,7 @@ struct Score_item {
   // little farther than the tolerance on the grid, and counts as that.
   CGAL_TANDEM_HD std::uint64_t share_of(std::int64_t distance) const
   {
-    const std::uint64_t size = std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^39 times 2^15
+    const std::uint64_t size = std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^(39 + 15)
     const std::uint64_t share = (size + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
     return share < tolerance_units ? share : tolerance_units;
   }
