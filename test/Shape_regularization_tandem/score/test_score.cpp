@@ -40,6 +40,7 @@ void test_parts()
              std::to_string(n));
   }
   CHECK(score.size_bonus(0) == 0);
+  CHECK(Score(~std::uint64_t(0), 12).price() < 0);
   CHECK(are_near(double(score.price()) / unit, -30, 1 / unit));
   CHECK(are_near(double(score.freedom(700)) / unit, -17, 1 / unit));
   CHECK(are_near(double(score.links(24, 4)) / unit, -1.5, 1 / unit));
