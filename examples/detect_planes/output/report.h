@@ -134,6 +134,8 @@ inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json&
                       {"mean_distance", s.mean_distance},
                       {"degrees_of_freedom", s.degrees_of_freedom},
                       {"complexity", s.complexity}};
+  json["score"] = {{"fit", s.score.fit},     {"links", s.score.links},     {"size", s.score.size},
+                   {"price", s.score.price}, {"freedom", s.score.freedom}, {"total", s.score.total()}};
   json["seconds"] = {{"read", run.read_seconds}, {"normals", s.times.normals + run.normal_seconds},
                      {"sort", s.times.sort},     {"neighbors", s.times.neighbors},
                      {"growth", s.times.growth}, {"regularity", s.times.regularity},
