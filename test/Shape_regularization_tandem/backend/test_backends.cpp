@@ -1,10 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The operations of back ends, and what the steps before and after the loop are made of,
-// against naive versions, on several back ends: loops, compaction, collection, sums, buffers;
-// the order along the curve, cells, the border, sums of shapes, sizes of components, the exact
-// check, what is measured and handed over.
+// The steps before and after the loop, and the searches of blocks, against naive versions on several back ends.
 
 #undef NDEBUG
 

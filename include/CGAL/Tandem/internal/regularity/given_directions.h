@@ -64,7 +64,8 @@ inline Regularity_options make_regularity_options(const Parameters& p, double an
   options.angle_tolerance_deg = angle_tolerance_deg;
   options.maximum_offset = p.maximum_offset / step;
   options.maximum_distance = p.maximum_distance / step;
-  options.freedom = double(tuning::score::freedom.numerator) / double(tuning::score::freedom.denominator) * minimum_size;
+  options.freedom =
+    double(tuning::score::freedom.numerator) / double(tuning::score::freedom.denominator) * minimum_size;
   options.freedom_per_point = 1. / double(tuning::score::points_per_freedom);
   options.parallelism = p.regularize_parallelism;
   options.orthogonality = p.regularize_orthogonality;
