@@ -103,10 +103,11 @@ Takes the named parameters of `CGAL::Shape_regularization::Planes::regularize_pl
 region growing or any other detector. Unlike that function, this one
 - ties all orthogonal groups exactly: for groups that are reported as orthogonal, the dot product of the unit normals is
   at most 1e-15 in absolute value;
-- fits the planes of a group jointly to their points, and relates planes only where that pays. A loss is what the squares
-  of the distances of the points grow by in sum, in units of `maximum_distance` squared. For each degree of freedom that
-  is saved it may be at most a tenth of the number of points of the smallest plane, and 1 % of those of the group that is
-  turned or moved;
+- fits the planes of a group jointly to their points, and makes a relation only where the degrees of freedom that it
+  saves are worth more than what the points lose. The loss is the growth of the sum of their squared distances, divided
+  by the square of `maximum_distance`. A degree of freedom is worth a tenth of the number of points of the smallest
+  plane, and a hundredth of that of the smaller one of the two that are related. So no plane loses more than twice this
+  by its direction, or this by its offset;
 - reports the relations, and how far each plane moved.
 
 Planes keep their orientation. Each plane that the result calls parallel, orthogonal, coplanar or symmetric to another,
@@ -139,16 +140,18 @@ linear in the number of points.
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_angle}
-    \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45)}
+    \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45). No
+    plane is turned farther from the fit of its points.}
     \cgalParamDefault{25}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_offset}
-    \cgalParamDescription{the largest distance between parallel planes that are made coplanar. `maximum_offset` and
+    \cgalParamDescription{the largest distance between parallel planes that are made coplanar, and by which a plane is
+    moved from the centroid of its points. `maximum_offset` and
     `maximum_distance` count as four times the extent of the points where they are larger.}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
-    \cgalParamDescription{the unit of losses; twice as much permits relations that cost four times as much}
+    \cgalParamDescription{the distance that losses are measured by: the larger, the more relations}
     \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least
     `maximum_offset`}
   \cgalParamNEnd

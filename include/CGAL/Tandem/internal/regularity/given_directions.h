@@ -8,8 +8,8 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
+#include <CGAL/Tandem/internal/regularity/directions.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline Vector add_direction(std::vector<Vector>& directions, const Vector& d)
 {
   constexpr double reach = tuning::relations::same_direction;
   for(const Vector& other : directions)
-    if(Direction_index::squared_distance(other, d) < reach * reach)
+    if(squared_sine(other, d) < reach * reach)
       return other;
   directions.push_back(d);
   return d;
