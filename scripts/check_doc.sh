@@ -2,9 +2,10 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Checks the manual: all examples are listed with a description; it builds without a warning; its search knows the names
-# of the package; names of CGAL are links where there is a tag file, and plain text where there is none; the outputs of
-# examples are those of a run; and the figures of the building are the same everywhere.
+# Checks the manual: all examples are listed with a description; it has the sections to which comments of the headers
+# refer; it builds without a warning; its search knows the names of the package; names of CGAL are links where there is a
+# tag file, and plain text where there is none; the outputs of examples are those of a run; and the figures of the
+# building are the same everywhere.
 #   TANDEM_DOC_DIR    where the manual is built (default: build/doc of this repository)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
@@ -30,8 +31,14 @@ expected=examples/Shape_regularization_tandem/expected
 patterns=$(grep -l '[*]' $expected/example_*.txt || true)
 [ -z "$patterns" ] || fail "patterns in place of the output of a run: $patterns"
 
-# The parameters of the building, and its figures as they are printed by the program.
 manual=doc/Shape_regularization_tandem
+find include \( -name '*.h' -o -name '*.cu*' \) -exec sed 's|^ *// *||' {} + | tr '\n' ' ' |
+  grep -o 'the manual, "[^"]*"' | sed 's/.*, "//; s/"$//' | sort -u | while read -r title; do
+  grep -q "^[\\]\(page\|section\|subsection\) [^ ]* $title\$" $manual/*.txt ||
+    fail "no section \"$title\", to which a comment refers"
+done
+
+# The parameters of the building, and its figures as they are printed by the program.
 clouds=benchmark/Shape_regularization_tandem/clouds.csv
 parameters=$(awk -F, '$1 == "building" {
   printf "--maximum-distance %s --maximum-angle %s --minimum-region-size %s", $11, $12, $13 }' $clouds)

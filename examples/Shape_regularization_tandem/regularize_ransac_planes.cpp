@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Keeps Efficient RANSAC, or any detector, and regularizes its planes with Tandem: a change
-// of namespace. Planes are verified against their points, and orthogonal ones are exactly so.
+// of namespace. Planes are related where their points lose little by it, and orthogonal ones are exactly so.
 
 #include "house_cloud.h"
 

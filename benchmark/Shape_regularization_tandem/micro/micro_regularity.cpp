@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The regularity step without its points: shapes of sixteen turned houses whose
-// normals lean by about a degree, and that accept all that their moments do.
+// The regularity step: shapes of sixteen turned houses whose normals lean by
+// about a degree.
 
 #include "testing/scenes.h"
 
@@ -57,58 +57,52 @@ Regularity_options options()
   Regularity_options o;
   o.angle_tolerance_deg = angle_tolerance_deg;
   o.maximum_offset = o.maximum_distance = maximum_distance;
+  o.freedom = 10; // for shapes of at least 100 points
+  o.freedom_per_point = .01;
   return o;
 }
 
-// No point misfits.
-struct Accept_all : In_order {
-  void operator()(const std::vector<int>&, const Regular_planes&, std::vector<std::int64_t>&) const {}
-};
-
-// The Gauss map.
-void cluster_normals(benchmark::State& state)
+std::vector<int> all_of(const Shape_fits& shapes)
 {
-  std::vector<Vector> normals;
-  std::vector<double> weights;
-  for(const Shape_fit& s : make_shapes(std::size_t(state.range(0)))) {
-    normals.push_back(s.fit.normal);
-    weights.push_back(s.scatter.count);
-  }
+  std::vector<int> all(shapes.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void unite_directions(benchmark::State& state)
+{
+  const Shape_fits shapes = make_shapes(std::size_t(state.range(0)));
+  const Regularity_options o = options();
   std::size_t groups = 0;
   for(auto _ : state)
-    groups = cluster_directions(normals, weights, sine_deg(angle_tolerance_deg), Accept_all()).size();
+    groups = Parallel_groups(shapes, o)(all_of(shapes)).size();
   state.counters["groups"] = double(groups);
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-// Clusters, frames and constrained fits.
+// Frames and constrained fits of the groups.
 void fit_directions(benchmark::State& state)
 {
   const Shape_fits shapes = make_shapes(std::size_t(state.range(0)));
-  std::vector<int> all(shapes.size());
-  std::iota(all.begin(), all.end(), 0);
-  Accept_all accept;
-  std::size_t groups = 0;
+  const Regularity_options o = options();
+  const std::vector<Direction_group> united = Parallel_groups(shapes, o)(all_of(shapes));
   for(auto _ : state) {
-    const Regularity_options o = options();
-    Verified_planes<Accept_all> verified(shapes, o, accept);
-    Direction_fitter<Accept_all> fitter(shapes, o, verified);
-    fitter.fit(all);
-    groups = fitter.result().size();
+    std::vector<Direction_group> groups = united;
+    set_directions(groups, o);
+    benchmark::DoNotOptimize(groups.data());
   }
-  state.counters["groups"] = double(groups);
+  state.counters["groups"] = double(united.size());
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-// All of it, with the coplanar classes.
+// All of it, with the coplanar groups.
 void regularize_all(benchmark::State& state)
 {
   const Shape_fits shapes = make_shapes(std::size_t(state.range(0)));
   const std::vector<char> is_excluded(shapes.size(), 0);
-  Accept_all accept;
   std::size_t directions = 0;
   for(auto _ : state)
-    directions = regularize(shapes, is_excluded, options(), accept).directions.size();
+    directions = regularize(shapes, is_excluded, options()).directions.size();
   state.counters["directions"] = double(directions);
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
@@ -117,7 +111,7 @@ void on_shapes(benchmark::internal::Benchmark* b)
 {
   b->RangeMultiplier(10)->Range(100, 10000)->Unit(benchmark::kMicrosecond);
 }
-BENCHMARK(cluster_normals)->Apply(on_shapes);
+BENCHMARK(unite_directions)->Apply(on_shapes);
 BENCHMARK(fit_directions)->Apply(on_shapes);
 BENCHMARK(regularize_all)->Apply(on_shapes);
 

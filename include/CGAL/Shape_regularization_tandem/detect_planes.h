@@ -53,7 +53,8 @@ the defaults then
     \cgalParamDefault{25}
   \cgalParamNEnd
   \cgalParamNBegin{angle_tolerance}
-    \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45)}
+    \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45). No
+    plane is turned farther from the fit of its points.}
     \cgalParamDefault{8}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_offset}

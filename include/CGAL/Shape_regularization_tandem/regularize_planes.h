@@ -103,10 +103,11 @@ Takes the named parameters of `CGAL::Shape_regularization::Planes::regularize_pl
 region growing or any other detector. Unlike that function, this one
 - ties all orthogonal groups exactly: for groups that are reported as orthogonal, the dot product of the unit normals is
   at most 1e-15 in absolute value;
-- fits the planes of a group jointly to their points, and verifies the result against the points: a plane is rolled back
-  where more than a fifth of its points within `maximum_distance` would leave it, or where their root mean square
-  distance would grow by more than 0.6 `maximum_distance` (in quadrature). For small groups that join a larger direction
-  these bounds are two fifths and `maximum_distance`;
+- fits the planes of a group jointly to their points, and makes a relation only where the degrees of freedom that it
+  saves are worth more than what the points lose. The loss is the growth of the sum of their squared distances, divided
+  by the square of `maximum_distance`. A degree of freedom is worth a tenth of the number of points of the smallest
+  plane, and a hundredth of that of the smaller one of the two that are related. So no plane loses more than twice this
+  by its direction, or this by its offset;
 - reports the relations, and how far each plane moved.
 
 Planes keep their orientation. Each plane that the result calls parallel, orthogonal, coplanar or symmetric to another,
@@ -114,7 +115,7 @@ or that has a fixed direction, gets a unit normal, also where it had that relati
 are, with normals of any length. A plane that has no normal, or whose points do not determine a plane, is neither turned
 nor moved. Where `regularize_parallelism` is `false`, there are no coplanar groups either. Unlike in the function of
 `CGAL::Shape_regularization`, `regularize_axis_symmetry` is off unless it or `symmetry_direction` is given. The result
-is independent of the order of the points. Groups and joint fits are those of section 4 of \cgalCite{OLA16}. Time is
+is independent of the order of the points. Groups are fitted as in section 4 of \cgalCite{OLA16}. Time is
 linear in the number of points.
 
 \tparam PlaneRange a range with random access iterators
@@ -139,16 +140,18 @@ linear in the number of points.
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_angle}
-    \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45)}
+    \cgalParamDescription{the angle within which planes are made parallel or orthogonal, in degrees, in [0, 45). No
+    plane is turned farther from the fit of its points.}
     \cgalParamDefault{25}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_offset}
-    \cgalParamDescription{the largest distance between parallel planes that are made coplanar. `maximum_offset` and
+    \cgalParamDescription{the largest distance between parallel planes that are made coplanar, and by which a plane is
+    moved from the centroid of its points. `maximum_offset` and
     `maximum_distance` count as four times the extent of the points where they are larger.}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_distance}
-    \cgalParamDescription{the distance to its plane within which a point counts in the verification}
+    \cgalParamDescription{the distance that losses are measured by: the larger, the more relations}
     \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least
     `maximum_offset`}
   \cgalParamNEnd

@@ -6,6 +6,6 @@
 
 /// \ingroup PkgShapeRegularizationTandemRef
 /// the version of this package; CMake reads it from here
-#define CGAL_TANDEM_VERSION "0.2.0"
+#define CGAL_TANDEM_VERSION "0.3.0"
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_VERSION_H

@@ -23,9 +23,10 @@ struct Parameters {
   double maximum_distance = 0;
   /// largest angle between the normal of a point and that of its shape (alpha), in [0.05, 90)
   double maximum_angle = 25;
-  /// angle within which shapes are made parallel or orthogonal (beta), in [0, 45)
+  /// angle within which shapes are made parallel or orthogonal where that pays (beta), in [0, 45); none is turned by
+  /// more
   double angle_tolerance = 8;
-  /// largest offset between parallel planes that are made coplanar (sigma)
+  /// largest offset between parallel planes that are made coplanar where that pays (sigma); none is moved by more
   double maximum_offset = 0;
   /// smallest number of points of a shape
   std::size_t minimum_region_size = 0;

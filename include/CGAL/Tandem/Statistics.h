@@ -20,9 +20,27 @@ struct Stage_times {
   double sort = 0;       ///< import of the points, and their order along the space-filling curve
   double neighbors = 0;  ///< nearest neighbors
   double growth = 0;     ///< growth of the shapes
-  double regularity = 0; ///< links, clustering, constrained fits, verification, merging
+  double regularity = 0; ///< links, unions, relations, planes that are applied to points
   double finish = 0;     ///< end game, exact check, export
   double total = 0;      ///< all stages, from the caller's range to the result
+};
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+What a result is worth, in points: more is better, and what has another unit is priced. It compares results of the same
+points with the same `maximum_distance`, `minimum_region_size` \f$m\f$ and `k_neighbors`.
+*/
+struct Result_score {
+  double fit = 0; ///< sum over the assigned points of 1 - (distance / `maximum_distance`)^2
+  double links =
+    0; ///< not positive: neighbors in other shapes, and three times as much for those between shape and none
+  double size = 0;    ///< sum over the shapes of .07 \f$N \log_2(N / m)\f$, where \f$N\f$ is the number of points
+  double price = 0;   ///< not positive: .3 \f$m\f$ for a shape
+  double freedom = 0; ///< not positive: .1 \f$m\f$ for a degree of freedom, and 1 % of the largest of its shapes
+
+  /// the sum of all terms
+  double total() const { return fit + links + size + price + freedom; }
 };
 
 /*!
@@ -50,6 +68,7 @@ struct Statistics {
   std::size_t degrees_of_freedom = 0;
   /// the complexity of the paper: `degrees_of_freedom` / (3 `number_of_shapes`), or 0 if there are no shapes
   double complexity = 0;
+  Result_score score; ///< what the result is worth, in points; distances are measured on the grid
 
   std::size_t number_of_rounds = 0;   ///< rounds of growth and regularization
   Stage_times times;                  ///< seconds spent in each stage

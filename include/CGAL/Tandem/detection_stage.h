@@ -18,7 +18,7 @@ enum class Detection_stage {
   normals,   ///< normals are estimated where none are given
   seeds,     ///< seeds of growth are chosen
   rounds,    ///< shapes grow, merge and are regularized, round after round
-  end_game,  ///< shapes are completed, regularized once more and verified
+  end_game,  ///< points and shapes move by the score, relations are final, points are verified
   done       ///< the result is complete
 };
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What directions are found by: angles, the mean shift, and fits of one and of several shapes.
+// What directions are found by: angles, and fits of one and of several shapes.
 
 #undef NDEBUG
 
@@ -30,44 +30,6 @@ void test_angles()
   }
   check_equal(sine_deg(90), 1, "sine of 90");
   check_equal(cosine_deg(90), 0, "cosine of 90");
-  for(double t = 0; t < 4.5; t += 0.01)
-    check_close(gaussian(t), std::exp(-t), 0.002, "gaussian at " + std::to_string(t));
-  check_equal(gaussian(4.6), 0, "gaussian beyond the cut");
-}
-
-void test_mean_shift()
-{
-  std::mt19937 random(7);
-  std::normal_distribution<double> noise(0, 0.02);
-  std::vector<Vector> normal;
-  std::vector<double> weight;
-  for(int i = 0; i < 300; ++i) {
-    const Vector c = i % 3 == 0 ? Vector{0, 0, 1} : i % 3 == 1 ? Vector{1, 0.05, 0} : Vector{0.5, 0.5, 0.7};
-    normal.push_back(unit({c.x + noise(random), c.y + noise(random), c.z + noise(random)}));
-    if(i % 2)
-      normal.back() = -normal.back();
-    weight.push_back(1 + i % 5);
-  }
-  const double radius = sine_deg(8);
-  const Mean_shift<Direction_index> shift(normal, weight, radius);
-  for(int i = 0; i < 300; i += 10) {
-    double dense = 0;
-    for(int j = 0; j < 300; ++j) {
-      const double t = 2 * (1 - dot(normal[i], normal[j]) * dot(normal[i], normal[j])) / (radius * radius);
-      dense += weight[j] * (t <= 4.5 ? std::exp(-t) : 0);
-    }
-    check_close(shift.density(normal[i]) / dense, 1, 0.01, "density of normal " + std::to_string(i));
-  }
-  check_equal(double(shift.modes(In_order()).size()), 3, "modes");
-  const Shape_fits none;
-  check_equal(double(cluster_directions(normal, weight, radius, Verify{none}).size()), 3, "groups of normals");
-  for(const Vector& m : shift.modes(In_order())) { // no direction around a mode is denser
-    const Plane_basis b(m);
-    for(int k = 0; k < 8; ++k) {
-      const Vector near = unit(add_scaled(m, 0.01, b.lifted(cosine_deg(45 * k), sine_deg(45 * k))));
-      check(shift.density(near) < shift.density(m), "denser than the mode", shift.density(near), shift.density(m));
-    }
-  }
 }
 
 void test_group_fit()
@@ -85,7 +47,9 @@ void test_group_fit()
                                  500.0 + 300 * i}));
     sum = sum + shapes.back().scatter.matrix;
   }
-  const Vector n = run(shapes).directions[0];
+  const Relations r = run(shapes, all_on(1e6));
+  check_equal(double(r.directions.size()), 1, "directions of the group");
+  const Vector n = r.directions[0];
   const Plane_basis b(n);
   for(double step : {1e-6, 1e-4, 1e-2})
     for(int k = 0; k < 360; k += 5) {
@@ -123,7 +87,6 @@ void test_constrained_fits()
 int main()
 {
   test_angles();
-  test_mean_shift();
   test_group_fit();
   test_constrained_fits();
   return report();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Right angles among many directions take far fewer comparisons than all pairs.
+// Unions and right angles of many directions take far fewer comparisons than all pairs.
 
 #undef NDEBUG
 
@@ -66,7 +66,10 @@ std::size_t count_of_partners(const Directions& directions)
 {
   Random random(1);
   std::vector<Direction_group> groups;
-  Fixed_directions fixed(4);
+  Regularity_options options;
+  options.maximum_distance = 1;
+  options.freedom_per_point = 4;
+  Fixed_directions fixed(options);
   for(const Vector& d : directions) {
     groups.push_back(make_group(random, d, true));
     fixed.fix(groups.back(), groups.back().fitted, {0, 0, 0});
@@ -78,6 +81,31 @@ std::size_t count_of_partners(const Directions& directions)
       ++count;
       return score_of_cost(cost_of_right_angle(g.eigen, d), 4 * g.weight);
     });
+  return count;
+}
+
+// Cells and directions that are looked at when groups, in their order, look for one that they can join: those that find
+// none may be joined.
+std::size_t count_of_unions(const Directions& directions)
+{
+  Random random(1);
+  Directions leaders;
+  Great_circle_index index;
+  std::size_t count = 0;
+  for(const Vector& d : directions) {
+    const Direction_group g = make_group(random, d, false);
+    const double price = 40 + .02 * g.weight;
+    const Near_direction_region region(g.fitted, (std::min)(g.sine, g.bearable_sine(price)));
+    bool joins = false;
+    index.search(Counted<Near_direction_region>{region, count}, [&](int k) {
+      ++count;
+      joins = joins || g.cost(leaders[std::size_t(k)]) <= price;
+    });
+    if(joins)
+      continue;
+    leaders.push_back(g.fitted);
+    index.add(g.fitted, 0);
+  }
   return count;
 }
 
@@ -106,6 +134,7 @@ void test_work()
                  [&](const Directions& d) { return count_of_stars(d, sine, sine); });
   check_growth("stars that bear little", 10, [](const Directions& d) { return count_of_stars(d, .14, 1e-3); });
   check_growth("partners", 10, count_of_partners);
+  check_growth("unions", 10, count_of_unions);
 }
 
 } // namespace

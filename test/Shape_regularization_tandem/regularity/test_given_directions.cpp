@@ -105,7 +105,7 @@ void check_fixed_direction()
   }
 }
 
-// A direction that is too far from the shapes, or that their points reject, has no effect.
+// A direction that is too far from the shapes, or that costs their points too much, has no effect.
 void check_rejected_direction()
 {
   const Cloud cloud = make_house(7, 0); // a face of 6 x 4 turned by 7 degrees is far outside of epsilon
@@ -159,7 +159,7 @@ void check_equal_directions()
   p.fixed_directions = {{1, 2, 3}, {-.1, -.2, -.3}, {1, 2, 3 + 1e-12}, {1, 0, 1e-10}, {-1, 0, 1e-10}, {1, 2, 3 + 1e-7}};
   p.regularize_axis_symmetry = true;
   p.symmetry_direction = {.3, .6, .9 + 1e-10};
-  const auto options = CGAL::Tandem::internal::make_regularity_options(p, 0, 1);
+  const auto options = CGAL::Tandem::internal::make_regularity_options(p, 0, 1, 100);
   const std::vector<Vector>& fixed = options.fixed_directions;
   check_equal(fixed.size(), std::size_t(3), "different directions");
   for(std::size_t kept : {0, 3, 5})

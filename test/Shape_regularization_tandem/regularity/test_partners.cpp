@@ -81,8 +81,8 @@ struct All_fixed {
     for(double side : {group.direction.x, -group.direction.x})
       for(std::size_t i : order) {
         const Vector& d = fixed[i].direction;
-        if(d.x >= side - 1e-9 && d.x <= side + 1e-9 &&
-           Direction_index::squared_distance(d, group.direction) < 1e-9 * 1e-9 && are_orthogonal(d, master)) {
+        if(d.x >= side - 1e-9 && d.x <= side + 1e-9 && squared_sine(d, group.direction) < 1e-9 * 1e-9 &&
+           are_orthogonal(d, master)) {
           fixed[i].weight += group.weight;
           return group.direction = d;
         }
@@ -98,7 +98,10 @@ void test_partners(std::size_t few)
   std::size_t chained = 0, merged = 0;
   for_each_family(300, 12, [&](const std::string& name, Random& random, const Directions& d) {
     const double squared_rms = 1 + 100 * random.uniform();
-    Fixed_directions fixed(squared_rms, few);
+    Regularity_options options;
+    options.maximum_distance = 1;
+    options.freedom_per_point = squared_rms;
+    Fixed_directions fixed(options, few);
     All_fixed all = {squared_rms, 0, {}};
     const bool is_small = random.below(2) == 0;
     for(std::size_t i = 0; i < d.size();) {

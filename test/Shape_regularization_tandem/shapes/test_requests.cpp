@@ -88,10 +88,10 @@ void test_rounds()
   });
   test("links",
        [](State& t, Link_buffer& links) { links = collect_links(t.points, t.shapes, Links::changed, Phase::loop); });
-  test("unions",
-       [](State& t, Link_buffer& links) { merge_by_gain(t.points, t.shapes, t.options, links); });
-  test("regularization",
-       [](State& t, Link_buffer&) { regularize_shapes(t.points, t.shapes, t.options, {t.round, false}); });
+  test("unions", [](State& t, Link_buffer& links) { merge_by_gain(t.points, t.shapes, t.options, links); });
+  test("regularization", [](State& t, Link_buffer&) {
+    regularize_shapes(t.points, t.shapes, t.options, {t.round, false});
+  });
 }
 
 void test_end_game()

@@ -12,7 +12,6 @@
 
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -47,62 +46,38 @@ inline Shape_fit make_shape(const Rectangle& r)
   return s;
 }
 
-// Rejects a plane that is turned or shifted too much against the local fit.
-struct Verify {
-  const Shape_fits& shapes;
-  double sine = 2, shift = 1e30;
-  int calls = 0;
-  std::function<double(int)> share = [](int) { return 1.0; };
-
-  template <class F>
-  void for_each(std::size_t n, F f, std::size_t = 256) const // in any order
-  {
-    for(std::size_t i = n; i > 0; --i)
-      f(i - 1);
-  }
-
-  void operator()(const std::vector<int>& list, const Regular_planes& planes, std::vector<std::int64_t>& counts)
-  {
-    ++calls;
-    check_equal(double(planes.size()), double(list.size()), "planes handed to verify");
-    check_equal(double(counts.size()), double(list.size()), "counts handed to verify");
-    for(std::size_t k = 0; k < list.size(); ++k) {
-      const Shape_fit& s = shapes[list[k]];
-      const double moved = std::fabs(dot(planes[k].normal, s.scatter.centroid) - planes[k].offset);
-      const bool is_bad = length(cross(planes[k].normal, s.fit.normal)) > sine || moved > shift;
-      counts[k] = is_bad ? std::int64_t(share(list[k]) * s.scatter.count) : 0;
-    }
-  }
-};
-
-inline Regularity_options all_on()
+// price: of a degree of freedom, in points, whatever the size of the shape.
+inline Regularity_options all_on(double price = 20)
 {
   Regularity_options o;
   o.angle_tolerance_deg = 8;
   o.maximum_offset = o.maximum_distance = epsilon;
-  o.is_last = true;
+  o.freedom = price;
   return o;
 }
 
-inline Relations run(const Shape_fits& shapes, double sine = 2, double shift = 1e30,
-                     const Regularity_options& options = all_on())
+inline Relations run(const Shape_fits& shapes, const Regularity_options& options = all_on())
 {
-  Verify verify{shapes, sine, shift};
-  return regularize(shapes, std::vector<char>(shapes.size(), 0), options, verify);
+  return regularize(shapes, std::vector<char>(shapes.size(), 0), options);
 }
 
-inline Relations run(const std::vector<Rectangle>& rectangles, double sine = 2, double shift = 1e30,
-                     const Regularity_options& options = all_on())
+inline Shape_fits make_shapes(const std::vector<Rectangle>& rectangles)
 {
   Shape_fits shapes;
   for(const Rectangle& r : rectangles)
     shapes.push_back(make_shape(r));
-  return run(shapes, sine, shift, options);
+  return shapes;
 }
 
-inline Relations run(const std::vector<Rectangle>& rectangles, const Regularity_options& options)
+inline Relations run(const std::vector<Rectangle>& rectangles, const Regularity_options& options = all_on())
 {
-  return run(rectangles, 2, 1e30, options);
+  return run(make_shapes(rectangles), options);
+}
+
+// What a normal adds to the sum of squared distances of a shape (steps^2).
+inline double loss(const Shape_fit& s, const Vector& n)
+{
+  return quadratic_form(s.scatter.matrix, n) - quadratic_form(s.scatter.matrix, canonical(s.fit.normal));
 }
 
 // What every result promises.
@@ -150,7 +125,7 @@ inline std::vector<Rectangle> tilted_box(int seed)
 }
 
 // Sixteen houses, each turned by 2.9 degrees more, with two wall and two roof
-// directions, and the ground: 65 directions, if the points reject what is not true.
+// directions, and the ground: 65 directions, as the faces are too large to be turned to another house.
 inline std::vector<Rectangle> village()
 {
   std::vector<Rectangle> faces = {{{0, 0, 1}, {0, 0, 0}, 1e6, 1e6, 200, 200000}};

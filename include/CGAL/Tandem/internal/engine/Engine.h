@@ -151,7 +151,7 @@ void Engine<Backend>::drop_fragments()
   drop_shapes(state_.points, state_.shapes, Is_fragment{state_.options.minimum_fragment_size});
 }
 
-// Merges touching shapes of one plane, and finds relations. The links get the new ids.
+// Unites touching shapes where that gains, and finds relations. The links get the new ids.
 template <class Backend>
 Shape_relations Engine<Backend>::relate_shapes(typename Backend::template Buffer<Link>& links)
 {
@@ -193,10 +193,9 @@ bool Engine<Backend>::is_going_on(std::size_t new_points) const
          count(shapes.size, Count_restarted{shapes.counted(), shapes.is_restarted.data()}) > 0;
 }
 
-// One round. The order matters: small fragments go first, so that they need no links. Fragments merge before relations
-// are found, so that their unions have relations. Labels follow at once for merged fragments, and in apply_planes() for
-// coplanar shapes. Large planes take what they explain when shapes are no longer young, so that the relations of the
-// next round see whole surfaces.
+// One round. The order matters: small fragments go first, so that they need no links. Shapes unite before relations are
+// found, so that the unions have relations. Labels follow at once for unions, and in apply_planes() for shapes that have
+// become coplanar.
 template <class Backend>
 bool Engine<Backend>::iterate()
 {

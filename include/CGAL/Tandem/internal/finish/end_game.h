@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The stages between the last round and the extraction of the result. Moves of points and shapes raise the score, and
-// relations are found once more. Changes labels, states, shapes, planes, and
-// estimated normals near edges. Planes are final at its end. See the manual, "End Game".
+// relations are found once more. Changes labels, states, shapes, planes, and estimated normals near edges. Planes are
+// final at its end. See the manual, "End Game".
 
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H
 #define CGAL_TANDEM_INTERNAL_FINISH_END_GAME_H

@@ -38,7 +38,7 @@ template <class Backend>
 void relabel_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
 {
   const std::size_t n = points.cloud.size();
-  { // these buffers are released before the labels are propagated, which needs memory itself
+  { // these buffers are released before points are assigned, which needs memory itself
     typename Backend::template Buffer<std::uint32_t> component(points.cloud.size_with_ghosts());
     auto seams = find_components(points, options.growth.cell_size, points.label(), component.data());
     const auto size = component_sizes(points, points.label(), component.data(), seams);

@@ -65,8 +65,7 @@ private:
   {
     std::vector<int> result;
     for(std::size_t g = 0; g < groups.size(); ++g)
-      if(!groups[g].is_given && groups[g].sine > 0 &&
-         !are_exactly_orthogonal(groups[g].direction, axis) &&
+      if(!groups[g].is_given && groups[g].sine > 0 && !are_exactly_orthogonal(groups[g].direction, axis) &&
          Axis_angle(groups[g].direction, axis).sine > groups[g].sine)
         result.push_back(int(g));
     std::sort(result.begin(), result.end(), [&](int a, int b) { return is_heavier(groups, a, b); });

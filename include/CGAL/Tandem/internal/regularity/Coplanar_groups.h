@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -33,12 +34,16 @@ public:
     std::vector<Group> groups = single_shapes(plane);
     while(unite(groups))
       ;
-    for(std::size_t g = 0; g < groups.size(); ++g)
-      if(groups[g].members.size() > 1)
-        for(int i : groups[g].members) {
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<int> members = groups[g].members;
+      const auto is_far = [&](int i) { return !can_move(i, groups[g].offset - plane[std::size_t(i)].offset); };
+      members.erase(std::remove_if(members.begin(), members.end(), is_far), members.end());
+      if(members.size() > 1)
+        for(int i : members) {
           group_of[std::size_t(i)] = int(g);
           plane[std::size_t(i)].offset = groups[g].offset;
         }
+    }
   }
 
 private:
@@ -60,6 +65,13 @@ private:
     for(const auto& [direction, offset, i] : order)
       groups.push_back({{i}, direction, offset, shapes_[std::size_t(i)].scatter.count});
     return groups;
+  }
+
+  // Unions of unions may move a shape by more than sigma, or at more than its plane is worth. It leaves its group then.
+  bool can_move(int shape, double distance) const
+  {
+    const double points = shapes_[std::size_t(shape)].scatter.count;
+    return std::fabs(distance) <= options_.maximum_offset && points * (distance * distance) <= options_.price(points);
   }
 
   // What two neighbors gain as one; nothing beyond sigma.

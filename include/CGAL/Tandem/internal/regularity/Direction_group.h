@@ -7,9 +7,11 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_DIRECTION_GROUP_H
 
 #include <CGAL/Tandem/internal/base/Moments.h>
-#include <CGAL/Tandem/internal/regularity/Direction_index.h>
+#include <CGAL/Tandem/internal/base/tuning/exactness.h>
+#include <CGAL/Tandem/internal/regularity/directions.h>
 #include <CGAL/Tandem/internal/regularity/constrained_fit.h>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -27,7 +29,7 @@ struct Direction_group {
   double weight = 0;            // points
   Eigen_system eigen = {};      // of the matrix
   Vector fitted = {};           // least squares, unconstrained
-  Vector rounded = {};          // the same on the grid of the Gauss map
+  Vector rounded = {};          // the same on the grid: see rounded_normal()
   double minimum = 0;           // sum of squared distances of the fit
   Vector direction = {};        // the result
   bool is_given = false;        // its direction is given: it stays, and other groups are made orthogonal to it first
@@ -67,6 +69,15 @@ struct Direction_group {
 
   // By how much a direction exceeds the sum of squared distances of the fit (steps^2).
   double cost(const Vector& n) const { return quadratic_form(matrix, n) - minimum; }
+
+  // A bound on the sine of the angle by which the group can turn at this cost.
+  double bearable_sine(double allowed) const
+  {
+    const double gap = (std::max)(eigen.value[1] - eigen.value[0], 1e-300);
+    const double rounding = tuning::exactness::squared_distance_margin * eigen.value[2];
+    const double most = allowed + rounding + (std::max)(minimum - eigen.value[0], 0.);
+    return std::sqrt(most / gap) + length(cross(eigen.vector[0], fitted)) + tuning::exactness::rounded_dot_margin;
+  }
 };
 
 // Given directions in their order, then groups by falling number of points; ties are broken by the first member, which is
@@ -96,6 +107,13 @@ inline Direction_group given_direction_group(const Vector& direction, double sin
   g.rounded = rounded_normal(direction);
   g.is_given = true;
   return g;
+}
+
+// Removes groups without members, but for given directions.
+inline void drop_empty(std::vector<Direction_group>& groups)
+{
+  const auto is_empty = [](const Direction_group& g) { return g.members.empty() && !g.is_given; };
+  groups.erase(std::remove_if(groups.begin(), groups.end(), is_empty), groups.end());
 }
 
 // What a rotation of the normal costs at least, in steps^2 by the squared angle.

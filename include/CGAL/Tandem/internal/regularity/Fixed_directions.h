@@ -8,10 +8,11 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_FIXED_DIRECTIONS_H
 
 #include <CGAL/Tandem/internal/regularity/Direction_group.h>
-#include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/regularity/Great_circle_index.h>
 #include <CGAL/Tandem/internal/regularity/constrained_fit.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
 
+#include <limits>
 #include <tuple>
 
 namespace CGAL {
@@ -21,7 +22,7 @@ namespace internal {
 // The fixed directions that may be the best partner of a group. Values of the index are roots of weights.
 class Partner_region {
 public:
-  // rounded_fit: what the angle to a partner is measured from, on the grid of the Gauss map.
+  // rounded_fit: what the angle to a partner is measured from, on the grid.
   Partner_region(const Direction_group& group, const Vector& rounded_fit, const Least_cost& least, double allowed)
     : right_angles(great_circle(rounded_fit)), cheap(great_circle(least.axis)), other(great_circle(least.other)),
       allowed(allowed), gap(least.gap),
@@ -64,10 +65,11 @@ private:
   std::size_t best = 0;
 };
 
-// The directions within a distance of a unit direction.
+// The directions within an angle of a unit direction.
 class Near_direction_region {
 public:
-  Near_direction_region(const Vector& direction, double distance) : width(faces_per_distance * distance)
+  Near_direction_region(const Vector& direction, double sine)
+    : width(sine <= largest_sine ? stretch * sine : std::numeric_limits<double>::infinity())
   {
     const double c[5] = {direction.x, direction.y, direction.z, direction.x, direction.y};
     for(int face = 0; face < 3; ++face) {
@@ -78,15 +80,16 @@ public:
 
   int nearest_quarter(const Direction_cell&) const { return 0; }
 
-  // Faces on which the direction does not lie are not met, also those that are infinitely far.
+  // Of faces on which the direction does not lie, one coordinate may be infinite, and the other one undefined.
   bool meets(const Direction_cell& cell, double) const
   {
-    return std::fabs(u[cell.face] - cell.u) <= cell.half_width + width &&
-           std::fabs(v[cell.face] - cell.v) <= cell.half_width + width;
+    return !(std::fabs(u[cell.face] - cell.u) > cell.half_width + width) &&
+           !(std::fabs(v[cell.face] - cell.v) > cell.half_width + width);
   }
 
 private:
-  static constexpr double faces_per_distance = 4; // of the projection, which stretches by at most 3
+  // Up to this sine the projection stretches by less than 4. Beyond it, all cells are met.
+  static constexpr double largest_sine = .2, stretch = 4;
 
   double width;
   double u[3], v[3];
@@ -201,7 +204,7 @@ private:
     index.search(Near_direction_region(direction, reach), [&](int i) {
       const Vector& d = fixed[i].direction;
       const int side = is_near(x, d) ? 0 : is_near(-x, d) ? 1 : 2;
-      if(side < 2 && Direction_index::squared_distance(d, direction) < reach * reach && are_orthogonal(d, master))
+      if(side < 2 && squared_sine(d, direction) < reach * reach && are_orthogonal(d, master))
         first = (std::min)(first, {side, d.x, std::size_t(i)});
     });
     return std::get<2>(first);

@@ -89,17 +89,12 @@ public:
   }
 
 private:
-  // A bound on the dot product with what a group can be made orthogonal to: its cost is at least the gap times the
-  // squared dot product of its own normal.
-  double reach(const Direction_group& g) const
-  {
-    const double bearable = std::sqrt(options.price(g.weight) / smallest_gap(g.eigen));
-    const double margin = tuning::exactness::rounded_dot_margin + length(cross(g.eigen.vector[0], g.fitted));
-    return (std::min)(g.sine, bearable + margin);
-  }
+  // A bound on the dot product with what a group can be made orthogonal to.
+  double reach(const Direction_group& g) const { return (std::min)(g.sine, g.bearable_sine(options.price(g.weight))); }
 
-  // Whether a group is nearly orthogonal to the master, and at least one of them can bear the right angle. If it costs
-  // both too much, verification would reject it later.
+  bool is_cheap(const Direction_group& g, const Vector& n) const { return g.cost(n) <= options.price(g.weight); }
+
+  // Whether a group is nearly orthogonal to the master, and at least one of them can bear the right angle.
   bool is_follower(const Star_candidate& master, const Star_candidate& follower) const
   {
     if(!(std::fabs(rounded_dot(master.rounded, follower.rounded)) < (std::min)(master.sine, follower.sine)))
@@ -112,7 +107,7 @@ private:
   }
 
   // The direction of a star: the master and its followers, turned by 90 degrees onto it, fitted as one (equation 1 of
-  // the paper).
+  // the paper). If that costs the master too much, it is its own fit.
   Vector joint_direction(const Star& star) const
   {
     const Direction_group& master = groups[star.master];
@@ -127,11 +122,12 @@ private:
       joint.weight += groups[l].weight;
     }
     joint.fit();
-    return fixed.chained(joint);
+    const Vector n = fixed.chained(joint);
+    return is_cheap(master, n) ? n : fixed.chained(master);
   }
 
   // Fixes the directions of a star: master, followers orthogonal to it, pairs of followers. Followers that are chained
-  // to an earlier star are determined already: is_fixed.
+  // to an earlier star are determined already: is_fixed. One that the right angle costs too much stays as it is.
   void place(const Star& star)
   {
     fixed.begin_star();
@@ -147,7 +143,15 @@ private:
     }
     pair_followers(star, n, follower, is_fixed);
     for(std::size_t k = 0; k < follower.size(); ++k)
-      fixed.fix(groups[star.followers[k]], follower[k], n);
+      fix_follower(groups[star.followers[k]], follower[k], n);
+  }
+
+  void fix_follower(Direction_group& group, const Vector& direction, const Vector& master)
+  {
+    if(is_cheap(group, direction))
+      fixed.fix(group, direction, master);
+    else
+      fixed.fix(group, group.fitted, {0, 0, 0});
   }
 
   // Each follower takes the free follower closest to a right angle as partner, in the order of weight. Both must be
@@ -188,12 +192,12 @@ private:
     const Vector va = is_fixed[i] ? follower[i] : fit_frame(a.matrix, b.matrix, n, follower[i]);
     const Vector vb = orthogonal_to_both(n, va);
     const double price = options.price((std::min)(a.weight, b.weight));
-    const bool is_cheap = a.cost(va) <= price && b.cost(vb) <= price;
-    if(is_cheap) {
+    const bool are_cheap = a.cost(va) <= price && b.cost(vb) <= price;
+    if(are_cheap) {
       follower[i] = va;
       follower[j] = vb;
     }
-    return is_cheap;
+    return are_cheap;
   }
 
   std::vector<Direction_group>& groups;

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Planes that another method has found, with their points on the grid, as input of the regularity step. Computes fits,
-// counts of misfits, and an estimate of epsilon. It is for relate_planes() only; the detection has fits and counts of
-// its own. Nothing is changed here.
+// Planes that another method has found, with their points on the grid, as input of the regularity step. Computes fits
+// and an estimate of epsilon. It is for relate_planes() only; the detection has fits of its own. Nothing is changed here.
 
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_INPUT_PLANES_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_INPUT_PLANES_H

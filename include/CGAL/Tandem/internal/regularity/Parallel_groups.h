@@ -31,22 +31,12 @@ public:
   std::vector<Direction_group> operator()(const std::vector<int>& active) const
   {
     std::vector<Direction_group> groups;
-    for(const Vector& d : options_.fixed_directions) {
-      Direction_group given;
-      given.fitted = given.direction = d;
-      given.rounded = rounded_normal(d);
-      given.is_given = true;
-      groups.push_back(given);
-    }
-    for(int i : active) {
-      Direction_group alone;
-      alone.members = {i};
-      groups.push_back(alone);
-    }
-    for(Direction_group& g : groups) {
-      g.sine = sine_;
+    for(const Vector& d : options_.fixed_directions)
+      groups.push_back(given_direction_group(d, sine_));
+    for(int i : active)
+      groups.push_back(direction_group({i}, sine_));
+    for(Direction_group& g : groups)
       g.fit(shapes_);
-    }
     while(options_.parallelism && sine_ > tuning::directions::minimum_sine && unite(groups))
       ;
     return groups;
@@ -74,9 +64,7 @@ private:
         groups[std::size_t(target[g])].has_changed = true;
       }
     const std::size_t before = groups.size();
-    groups.erase(std::remove_if(groups.begin(), groups.end(),
-                                [](const Direction_group& g) { return g.members.empty() && !g.is_given; }),
-                 groups.end());
+    drop_empty(groups);
     for(Direction_group& g : groups)
       if(g.has_changed) {
         std::sort(g.members.begin(), g.members.end());
@@ -89,11 +77,13 @@ private:
   int best_leader(const std::vector<Direction_group>& groups, std::size_t g, const Great_circle_index& index,
                   const std::vector<int>& leader) const
   {
+    const double price = options_.direction_price(groups[g].weight);
+    const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, groups[g].bearable_sine(price));
     std::pair<double, int> best(0, 1); // the gain, then -number in the index
-    index.search(Near_direction_region(groups[g].fitted, Direction_index::reach_of(sine_)), [&](int k) {
+    index.search(Near_direction_region(groups[g].fitted, reach), [&](int k) {
       const Direction_group& other = groups[std::size_t(leader[std::size_t(k)])];
-      if(Direction_index::squared_distance(other.fitted, groups[g].fitted) <= sine_ * sine_)
-        best = (std::max)(best, {2 * options_.price(groups[g].weight) - groups[g].cost(other.fitted), -k});
+      if(squared_sine(other.fitted, groups[g].fitted) <= sine_ * sine_)
+        best = (std::max)(best, {price - groups[g].cost(other.fitted), -k});
     });
     return best.second > 0 ? -1 : leader[std::size_t(-best.second)];
   }

@@ -8,8 +8,8 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/internal/regularity/Direction_index.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
+#include <CGAL/Tandem/internal/regularity/directions.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline Vector add_direction(std::vector<Vector>& directions, const Vector& d)
 {
   constexpr double reach = tuning::relations::same_direction;
   for(const Vector& other : directions)
-    if(Direction_index::squared_distance(other, d) < reach * reach)
+    if(squared_sine(other, d) < reach * reach)
       return other;
   directions.push_back(d);
   return d;
@@ -64,7 +64,8 @@ inline Regularity_options make_regularity_options(const Parameters& p, double an
   options.angle_tolerance_deg = angle_tolerance_deg;
   options.maximum_offset = p.maximum_offset / step;
   options.maximum_distance = p.maximum_distance / step;
-  options.freedom = double(tuning::score::freedom.numerator) / double(tuning::score::freedom.denominator) * minimum_size;
+  options.freedom =
+    double(tuning::score::freedom.numerator) / double(tuning::score::freedom.denominator) * minimum_size;
   options.freedom_per_point = 1. / double(tuning::score::points_per_freedom);
   options.parallelism = p.regularize_parallelism;
   options.orthogonality = p.regularize_orthogonality;

@@ -79,6 +79,43 @@ inline void set_directions(std::vector<Direction_group>& groups, const Regularit
     Axis_symmetry(groups, axis, options).tie();
 }
 
+// Shapes that their group turns by more than the tolerance, or at more than a direction is worth, get groups of their
+// own, of their own fits. Unions of unions may turn a shape so far, and right angles of their direction.
+inline void release_shapes(const Shape_fits& shapes, const Regularity_options& options,
+                           std::vector<Direction_group>& groups)
+{
+  const double sine = sine_deg(options.angle_tolerance_deg);
+  std::vector<Direction_group> released;
+  for(Direction_group& g : groups) {
+    const auto is_kept = [&](int i) {
+      const Scatter& s = shapes[std::size_t(i)].scatter;
+      const Vector own = canonical(shapes[std::size_t(i)].fit.normal);
+      const double cost = quadratic_form(s.matrix, g.direction) - quadratic_form(s.matrix, own);
+      return g.direction == own ||
+             (squared_sine(g.direction, own) <= sine * sine && cost <= options.direction_price(s.count));
+    };
+    const auto end = std::stable_partition(g.members.begin(), g.members.end(), is_kept);
+    for(auto i = end; i != g.members.end(); ++i) {
+      released.push_back(direction_group({*i}, sine));
+      released.back().fit(shapes);
+      released.back().direction = released.back().fitted;
+    }
+    g.members.erase(end, g.members.end());
+  }
+  drop_empty(groups);
+  groups.insert(groups.end(), released.begin(), released.end());
+}
+
+// A search that ends when something is found.
+template <class Region>
+struct Until {
+  Region region;
+  const char& is_found;
+
+  bool meets(const Direction_cell& cell, double largest) const { return !is_found && region.meets(cell, largest); }
+  int nearest_quarter(const Direction_cell& cell) const { return region.nearest_quarter(cell); }
+};
+
 // By shape: whether it keeps its own direction although another one is within the angle.
 inline std::vector<char> find_rejected(const Shape_fits& shapes, const std::vector<Direction_group>& groups,
                                        const Regularity_options& options)
@@ -87,16 +124,18 @@ inline std::vector<char> find_rejected(const Shape_fits& shapes, const std::vect
   const double sine = sine_deg(options.angle_tolerance_deg);
   if(!options.parallelism || !(sine > tuning::directions::minimum_sine))
     return is_rejected;
-  std::vector<Vector> directions;
+  Great_circle_index index;
   for(const Direction_group& g : groups)
-    directions.push_back(g.direction);
-  const Direction_index index(directions, sine);
-  for(std::size_t g = 0; g < groups.size(); ++g)
-    if(groups[g].members.size() == 1 && groups[g].direction == groups[g].fitted)
-      index.near(groups[g].direction, [&](std::size_t other, double) {
-        if(other != g)
-          is_rejected[std::size_t(groups[g].members.front())] = 1;
-      });
+    index.add(g.direction, 0);
+  for(const Direction_group& g : groups) {
+    if(g.members.size() != 1 || !(g.direction == g.fitted))
+      continue;
+    char& is_found = is_rejected[std::size_t(g.members.front())];
+    index.search(Until<Near_direction_region>{{g.direction, sine}, is_found}, [&](int other) {
+      const Vector& d = groups[std::size_t(other)].direction;
+      is_found = is_found || (!(d == g.direction) && squared_sine(d, g.direction) <= sine * sine);
+    });
+  }
   return is_rejected;
 }
 
@@ -112,6 +151,7 @@ inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& i
       active.push_back(int(i));
   std::vector<Direction_group> groups = Parallel_groups(shapes, options)(active);
   set_directions(groups, options);
+  release_shapes(shapes, options, groups);
   std::vector<Vector> normal(shapes.size());
   for(std::size_t i = 0; i < shapes.size(); ++i)
     normal[i] = canonical(shapes[i].fit.normal);

@@ -25,7 +25,7 @@ inline Regular_plane through_centroid(const Shape_fit& s, const Vector& n) { ret
 
 struct Regularity_options {
   double angle_tolerance_deg = 0; // beta, in [0, 45)
-  double maximum_offset = 0;      // sigma, the radius of coplanar classes
+  double maximum_offset = 0;      // sigma, the largest offset of planes that become one
   double maximum_distance = 0;    // epsilon
   bool parallelism = true, orthogonality = true, coplanarity = true;
   // What a degree of freedom is worth, in points: this, and so much for each point of the smaller shape.
@@ -38,6 +38,9 @@ struct Regularity_options {
   {
     return maximum_distance * maximum_distance * std::fma(freedom_per_point, points, freedom);
   }
+
+  // That of the two degrees of freedom of a direction.
+  double direction_price(double points) const { return 2 * price(points); }
 };
 
 using Regular_planes = std::vector<Regular_plane>;

@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unions of touching shapes that gain (Union_gain.h), in rounds of mutual choice. unite_shapes.h
-// runs them, merge_by_joint_fit.h tests the points and merges. See the manual, "Merging by Joint Fit".
+// Unions of touching shapes that gain (Union_gain.h), in rounds of mutual choice. unite_shapes.h runs them,
+// merge_shapes.h merges the shapes and their points. See the manual, "Unions".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MUTUAL_UNIONS_H
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
+#include <CGAL/Tandem/internal/base/pairs.h>
 #include <CGAL/Tandem/internal/rounds/Union_gain.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
@@ -39,8 +40,8 @@ CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)
   return bits & sign ? ~bits : bits | sign;
 }
 
-// By what a shape chooses one of its pairs: the largest gain, then the largest union, then the mixed
-// ids. Two pairs have the same key only if they are of the same shapes.
+// By what a shape chooses one of its pairs: the largest gain, then the largest union, then the mixed ids. Two pairs
+// have the same key only if they are of the same shapes.
 struct Union_key {
   std::uint64_t cost = ~std::uint64_t(0), size = ~std::uint64_t(0), ids = ~std::uint64_t(0);
 };
@@ -59,10 +60,10 @@ struct Union_pair {
 
 // A root between two rounds. Rounds are counted from 1 here; 0 means none.
 struct Union_root {
-  Union_key chosen;               // the smallest of its pairs
-  std::int32_t takes = 0;         // the last round in which it had chosen a pair that it takes
-  std::int32_t changed = 0;       // the last round in which others joined it
-  std::uint32_t place = no_index; // in the table of unions; none as long as it is the shape alone
+  Union_key chosen;                // the smallest of its pairs
+  std::int32_t takes = 0;          // the last round in which it had chosen a pair that it takes
+  std::int32_t changed = 0;        // the last round in which others joined it
+  std::uint32_t place = no_index;  // in the table of unions; none as long as it is the shape alone
   std::uint32_t joined = no_index; // the last one that joined it in this round, and ...
   std::uint32_t next = no_index;   // ... the one that joined the same root before it
 };

@@ -14,7 +14,7 @@ namespace internal {
 
 // What the regularity step reads of a shape, on the host.
 struct Shape_summary {
-  std::uint64_t id; // wide, so that all bytes are defined where summaries are copied
+  std::uint64_t id;                     // wide, so that all bytes are defined where summaries are copied
   std::int64_t points, examined_points; // now, and when it was examined for layers
   Shape_fit fit;
 };

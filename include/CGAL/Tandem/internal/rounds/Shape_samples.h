@@ -1,52 +1,20 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A sample of the points of each shape: those of the least hash of their position. That of a union of shapes is a merge
-// of theirs, so that shapes can unite without a pass over the points. Nothing else changes.
+// The samples of all shapes, in one pass over the points. Nothing else changes.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_SAMPLES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_SAMPLES_H
 
-#include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/rounds/Shape_sample.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-struct Sampled_point {
-  std::uint32_t hash;
-  Grid_point point;
-};
-
-// By rising hash.
-struct Shape_sample {
-  static constexpr std::uint32_t capacity = 64;
-  std::uint32_t size;
-  Sampled_point item[capacity];
-};
-
 // A number of its own for each position in the cloud of all ranks.
 CGAL_TANDEM_HD inline std::uint32_t hash_of_position(std::uint32_t position) { return position * 0x9e3779b1u; }
-
-// The least hashes of both.
-CGAL_TANDEM_HD inline void merge_sample(Shape_sample& target, const Shape_sample& other)
-{
-  const std::uint32_t both = target.size + other.size;
-  const std::uint32_t n = both < Shape_sample::capacity ? both : Shape_sample::capacity;
-  std::uint32_t a = 0, b = 0; // how many of each are among the least n
-  while(a + b < n)
-    if(b == other.size || (a < target.size && target.item[a].hash < other.item[b].hash))
-      ++a;
-    else
-      ++b;
-  for(std::uint32_t i = n; b > 0;) // from the end, so that nothing is overwritten before it has been moved
-    if(a > 0 && target.item[a - 1].hash > other.item[b - 1].hash)
-      target.item[--i] = target.item[--a];
-    else
-      target.item[--i] = other.item[--b];
-  target.size = n;
-}
 
 // Of a shape, hashes up to this bound belong to about one and a half times as many points as its sample has.
 struct Sample_bound {
@@ -121,10 +89,6 @@ struct Fill_sample {
   }
 };
 
-// By id.
-template <class Backend>
-using Shape_samples = typename Backend::template Buffer<Shape_sample>;
-
 template <class Backend>
 Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
@@ -132,9 +96,8 @@ Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table
   require(points, shapes, tables::moments);
   typename Backend::template Buffer<std::uint32_t> bound(shapes.size);
   for_each_shape(backend, shapes, Sample_bound{shapes.counted(), bound.data()});
-  const auto keyed =
-    collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.size(),
-                                Take_sampled{points.cloud.view(), points.label(), bound.data()});
+  const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.size(),
+                                                 Take_sampled{points.cloud.view(), points.label(), bound.data()});
   typename Backend::Sort_table table(keyed.size());
   using View = typename Backend::Sort_table::View;
   backend.for_each(keyed.size(), Set_sample_key<View>{keyed.data(), table.view()});

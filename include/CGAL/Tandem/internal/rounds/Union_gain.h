@@ -8,9 +8,10 @@
 #define CGAL_TANDEM_INTERNAL_ROUNDS_UNION_GAIN_H
 
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
-#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
+#include <CGAL/Tandem/internal/rounds/Shape_sample.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Shape.h>
 
 #include <cmath>
 

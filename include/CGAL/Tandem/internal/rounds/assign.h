@@ -182,9 +182,8 @@ void assign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const 
     require(points, shapes, tables::moments);
     for_each_shape(backend, shapes,
                    Set_assigned{shapes.counted(), shapes.plane.data(), options.score, assigned.data()});
-    backend.for_each(chosen.size(),
-                     Assign_point{points.cloud.view(), points.label(), assigned.data(), chosen.data(), options.score,
-                                  options.growth.tolerance, std::uint32_t(pass)});
+    backend.for_each(chosen.size(), Assign_point{points.cloud.view(), points.label(), assigned.data(), chosen.data(),
+                                                 options.score, options.growth.tolerance, std::uint32_t(pass)});
     is_any = take_chosen(points, shapes, chosen.data());
   }
 }

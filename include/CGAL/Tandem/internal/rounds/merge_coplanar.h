@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Decides which shapes merge because they touch and have the same plane. Changes nothing: the caller merges shapes and
-// points. See the manual, "Merging by Joint Fit", last paragraph.
+// points. See the manual, "Unions", last paragraph.
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_COPLANAR_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_COPLANAR_H

@@ -8,6 +8,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
 
+#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
 #include <CGAL/Tandem/internal/rounds/join_members.h>
 #include <CGAL/Tandem/internal/rounds/unite_shapes.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
@@ -43,12 +44,11 @@ void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   Backend& backend = points.backend;
   require(points, shapes, tables::fits | tables::lists);
   auto samples = sample_shapes(points, shapes);
-  const Shape_unions<Backend> unions =
-    unite_shapes(backend, points.ranks, shapes, Union_gain(options), samples, links);
+  const Shape_unions<Backend> unions = unite_shapes(backend, points.ranks, shapes, Union_gain(options), samples, links);
   if(unions.member.size() == 0)
     return;
-  const Targets<Backend> target = join_members(backend, shapes, unions.member.size(),
-                                               Members_of_unions{unions.member.data()}, unions.target.data());
+  const Targets<Backend> target =
+    join_members(backend, shapes, unions.member.size(), Members_of_unions{unions.member.data()}, unions.target.data());
   merge_points(points, shapes, target);
   backend.for_each(links.size(), Relabel_link{target.data(), links.data()});
 }

@@ -106,8 +106,8 @@ void run_unions(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, co
 }
 
 // The unions along the links. `member`: the shapes that are in a union with others, ascending. By id: what a shape has
-// joined, in one or more steps up to the root of its union, and the root, with the place of the union in `whole`. `total`:
-// the number of rounds, and that of the unions.
+// joined, in one or more steps up to the root of its union, and the root, with the place of the union in `whole`.
+// `total`: the number of rounds, and that of the unions.
 template <class Backend>
 struct Shape_unions {
   template <class T>
@@ -120,8 +120,8 @@ struct Shape_unions {
   Buffer<std::uint32_t> total;
 };
 
-// All live shapes have to be fitted. samples: of all of them; those of unions change. A pair may have several links. The sums of the shapes are zero before and
-// afterwards.
+// All live shapes have to be fitted. samples: of all of them; those of unions change. A pair may have several links.
+// The sums of the shapes are zero before and afterwards.
 template <class Backend>
 Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
                                    const Union_gain& criterion, Shape_samples<Backend>& samples,
@@ -141,8 +141,8 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
   run_unions(backend, ranks, (std::max)(n, links.size()),
              Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.fitted(), samples.data(),
-                                   unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n), unions.whole.data(),
-                                   joins.data(), unions.total.data(), ranks.share()});
+                                   unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
+                                   unions.whole.data(), joins.data(), unions.total.data(), ranks.share()});
   unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
   return unions;
 }

@@ -17,7 +17,7 @@ namespace internal {
 // the smallest id.
 constexpr std::uint32_t first_mark = 0x80000000u;
 constexpr std::uint32_t free_label = 0xffffffffu;
-constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot take it; label propagation can
+constexpr std::uint32_t locked_label = 0xfffffffeu; // free, but growth cannot take it; an assignment can
 
 // Bits of the state of a point. At any time at most one lane changes those of a point, so there are no races.
 constexpr std::uint8_t frontier_bit = 1;   // its neighbors are still to be visited

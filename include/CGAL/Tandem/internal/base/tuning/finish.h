@@ -18,8 +18,8 @@ namespace tuning {
 
 namespace end_game {
 
-// Share of the minimum size that a shape needs to last until relations are final: it may still get points. Larger: faces
-// near the minimum size are lost under noise. Smaller: strips beside faces that a relation has turned last, too.
+// Share of the minimum size that a shape needs to last until relations are final: it may still get points. Larger:
+// faces near the minimum size are lost under noise. Smaller: strips beside faces that a relation has turned last, too.
 constexpr Share lasting_size = {2, 3};
 // ... and points that it needs, whatever the minimum size: fewer determine no plane.
 constexpr std::int64_t minimum_lasting_size = 3;

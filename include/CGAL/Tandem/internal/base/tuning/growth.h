@@ -72,7 +72,7 @@ constexpr std::int64_t minimum_regular_size = 10;
 // Motion of planes, in epsilons over the bounding box of the shape.
 namespace motion {
 
-// Planes that move by less need no new check of the points, no new count of misfits, and no new links. Larger: faster,
+// Planes that move by less need no new check of the points and no new links. Larger: faster,
 // points are checked late.
 constexpr double negligible = 0.02;
 // Planes that move by more let the shape grow again from all of its points. Smaller: more rounds.

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parallel and coplanar groups are the same as by a look at all pairs, in the definition.
+
+#undef NDEBUG
+
+#include "testing/plates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Tandem::internal;
+
+namespace {
+
+using Members = std::vector<std::vector<int>>;
+
+// The groups of the definition. In each step all groups look at all that are heavier, in the order of weight.
+struct Naive_groups {
+  const Shape_fits& shapes;
+  const Regularity_options& options;
+  std::vector<Direction_group> groups;
+
+  Naive_groups(const Shape_fits& s, const Regularity_options& o) : shapes(s), options(o)
+  {
+    const double sine = sine_deg(o.angle_tolerance_deg);
+    for(const Vector& d : o.fixed_directions)
+      groups.push_back(given_direction_group(d, sine));
+    for(int i : all_of(s)) {
+      groups.push_back(direction_group({i}, sine));
+      groups.back().fit(s);
+    }
+    while(unite(sine))
+      ;
+  }
+
+  bool unite(double sine)
+  {
+    const std::vector<int> order = by_weight(groups);
+    std::vector<int> target(groups.size(), -1);
+    for(std::size_t k = 0; k < order.size(); ++k) {
+      const Direction_group& g = groups[std::size_t(order[k])];
+      double best = 0;
+      for(std::size_t l = 0; l < k && !g.is_given; ++l) {
+        const Direction_group& leader = groups[std::size_t(order[l])];
+        const double gain = 2 * options.price(g.weight) - g.cost(leader.fitted);
+        if(target[std::size_t(order[l])] < 0 && squared_sine(g.fitted, leader.fitted) <= sine * sine && gain > best) {
+          best = gain;
+          target[std::size_t(order[k])] = order[l];
+        }
+      }
+    }
+    std::vector<Direction_group> united;
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      if(target[g] >= 0)
+        continue;
+      Direction_group all = groups[g];
+      for(std::size_t j = 0; j < groups.size(); ++j)
+        if(target[j] == int(g))
+          all.members.insert(all.members.end(), groups[j].members.begin(), groups[j].members.end());
+      std::sort(all.members.begin(), all.members.end());
+      all.fit(shapes);
+      united.push_back(all);
+    }
+    const bool is_any = united.size() < groups.size();
+    groups.swap(united);
+    return is_any;
+  }
+};
+
+Members members_of(const std::vector<Direction_group>& groups)
+{
+  Members members;
+  for(const Direction_group& g : groups)
+    members.push_back(g.members);
+  return members;
+}
+
+// Also that all shapes together do not lose more than what the directions that they save are worth.
+void test_parallel_groups()
+{
+  std::size_t united = 0, joined_given = 0;
+  for(int seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    const Shape_fits shapes = random_plates(random, 150, 1 + random.below(12), 4 * random.uniform());
+    Regularity_options o = all_on(std::exp(8 * random.uniform()));
+    o.freedom_per_point = .01;
+    o.angle_tolerance_deg = std::vector<double>{8, 3, 20, 44}[std::size_t(seed % 4)];
+    for(int i = seed % 3; i > 0; --i)
+      o.fixed_directions.push_back(canonical(shapes[std::size_t(i)].fit.normal));
+    const std::vector<Direction_group> groups = Parallel_groups(shapes, o)(all_of(shapes));
+    CHECK_AT(members_of(groups) == members_of(Naive_groups(shapes, o).groups), "groups " + std::to_string(seed));
+    double loss_of_all = 0, worth = 0;
+    for(const Direction_group& g : groups) {
+      double largest = 0;
+      for(int i : g.members) {
+        const Shape_fit& s = shapes[std::size_t(i)];
+        loss_of_all += loss(s, g.fitted);
+        worth += o.direction_price(s.scatter.count);
+        largest = (std::max)(largest, s.scatter.count);
+      }
+      if(!g.members.empty() && !g.is_given)
+        worth -= o.direction_price(largest);
+      united += g.members.size() > 1;
+      joined_given += g.is_given ? g.members.size() : 0;
+    }
+    check(loss_of_all <= worth * (1 + 1e-9), "the loss of all shapes, seed " + std::to_string(seed), loss_of_all,
+          worth);
+  }
+  check(united > 1000 && joined_given > 300, "groups, and shapes of given directions", double(united),
+        double(joined_given));
+}
+
+// The same of planes with normal z.
+Members naive_planes(const Shape_fits& shapes, const Regular_planes& plane, const Regularity_options& o)
+{
+  struct Group {
+    std::vector<int> members;
+    double offset, weight;
+  };
+  std::vector<Group> groups;
+  for(int i : all_of(shapes))
+    groups.push_back({{i}, plane[std::size_t(i)].offset, shapes[std::size_t(i)].scatter.count});
+  std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.offset < b.offset; });
+  const auto gain = [&](std::size_t g) { // of g and the one after
+    if(g + 1 >= groups.size() || !(groups[g + 1].offset - groups[g].offset <= o.maximum_offset))
+      return 0.;
+    const double a = groups[g].weight, b = groups[g + 1].weight, d = groups[g + 1].offset - groups[g].offset;
+    return o.price((std::min)(a, b)) - a * b / (a + b) * d * d;
+  };
+  for(bool is_any = true; is_any;) {
+    is_any = false;
+    std::vector<std::size_t> chosen; // all pairs of a step are independent
+    for(std::size_t g = 0; g + 1 < groups.size(); ++g)
+      if(gain(g) > 0 && (g == 0 || gain(g) > gain(g - 1)) && gain(g) >= gain(g + 1))
+        chosen.push_back(g);
+    for(std::size_t k = chosen.size(); k > 0; --k) {
+      Group &a = groups[chosen[k - 1]], &b = groups[chosen[k - 1] + 1];
+      a.offset = (a.offset * a.weight + b.offset * b.weight) / (a.weight + b.weight);
+      a.weight += b.weight;
+      a.members.insert(a.members.end(), b.members.begin(), b.members.end());
+      groups.erase(groups.begin() + std::ptrdiff_t(chosen[k - 1]) + 1);
+      is_any = true;
+    }
+  }
+  Members result;
+  for(Group& g : groups) {
+    std::sort(g.members.begin(), g.members.end());
+    result.push_back(g.members);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void test_coplanar_groups()
+{
+  std::size_t united = 0, released = 0;
+  for(int seed = 0; seed < 300; ++seed) {
+    Random random(seed);
+    Shape_fits shapes;
+    const double range = (1 + random.below(60)) * epsilon;
+    for(int i = 0; i < 100; ++i)
+      shapes.push_back(make_shape({{0, 0, 1},
+                                   {0, 0, range * random.uniform()},
+                                   9 * epsilon,
+                                   9 * epsilon,
+                                   .2 * epsilon,
+                                   double(100 + random.below(20) * random.below(100))}));
+    Regularity_options o = all_on(std::exp(8 * random.uniform()));
+    o.freedom_per_point = .01;
+    const std::vector<int> direction(shapes.size(), 0);
+    Regular_planes plane;
+    for(const Shape_fit& s : shapes)
+      plane.push_back(through_centroid(s, {0, 0, 1}));
+    const Members expected = naive_planes(shapes, plane, o);
+    std::vector<int> group_of(shapes.size(), -1);
+    Regular_planes moved = plane;
+    Coplanar_groups(shapes, direction, o).fit(moved, group_of);
+    for(const std::vector<int>& members : expected) {
+      int kept = 0;
+      for(int i : members) {
+        const double d = moved[std::size_t(i)].offset - plane[std::size_t(i)].offset;
+        CHECK_AT(std::fabs(d) <= o.maximum_offset, "offset");
+        CHECK_AT(shapes[std::size_t(i)].scatter.count * d * d <= o.price(shapes[std::size_t(i)].scatter.count), "loss");
+        kept += group_of[std::size_t(i)] >= 0;
+        for(int j : members)
+          if(group_of[std::size_t(i)] >= 0 && group_of[std::size_t(j)] >= 0)
+            CHECK_AT(group_of[std::size_t(i)] == group_of[std::size_t(j)] &&
+                       moved[std::size_t(i)].offset == moved[std::size_t(j)].offset,
+                     "one plane");
+      }
+      CHECK_AT(kept != 1 && (kept > 1 || members.size() < 3), "members");
+      united += kept > 1;
+      released += std::size_t(members.size() > 1 ? int(members.size()) - kept : 0);
+    }
+    for(int i : all_of(shapes))
+      for(int j : all_of(shapes))
+        if(i < j && group_of[std::size_t(i)] >= 0 && group_of[std::size_t(i)] == group_of[std::size_t(j)])
+          CHECK_AT(std::any_of(expected.begin(), expected.end(),
+                               [&](const std::vector<int>& m) {
+                                 return std::count(m.begin(), m.end(), i) + std::count(m.begin(), m.end(), j) == 2;
+                               }),
+                   "no others, seed " + std::to_string(seed));
+  }
+  std::printf("%zu planes of several shapes, %zu shapes released\n", united, released);
+  check(united > 1000 && released < united / 10, "planes, and shapes released", double(united), double(released));
+}
+
+} // namespace
+
+int main()
+{
+  test_parallel_groups();
+  test_coplanar_groups();
+  return report();
+}
