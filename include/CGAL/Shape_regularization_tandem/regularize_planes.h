@@ -106,8 +106,8 @@ region growing or any other detector. Unlike that function, this one
 - fits the planes of a group jointly to their points, and makes a relation only where the degrees of freedom that it
   saves are worth more than what the points lose. The loss is the growth of the sum of their squared distances, divided
   by the square of `maximum_distance`. A degree of freedom is worth a tenth of the number of points of the smallest
-  plane, and a hundredth of that of the smaller one of the two that are related. So no plane loses more than twice this
-  by its direction, or this by its offset;
+  plane, and a hundredth of that of the largest plane that has it. No plane loses more than two of its own are worth by
+  its direction, or one by its offset;
 - reports the relations, and how far each plane moved.
 
 Planes keep their orientation. Each plane that the result calls parallel, orthogonal, coplanar or symmetric to another,

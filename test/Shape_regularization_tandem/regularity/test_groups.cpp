@@ -47,7 +47,8 @@ struct Naive_groups {
       double best = 0;
       for(std::size_t l = 0; l < k && !g.is_given; ++l) {
         const Direction_group& leader = groups[std::size_t(order[l])];
-        const double gain = 2 * options.price(g.weight) - g.cost(leader.fitted);
+        const double largest = leader.is_given ? g.largest : (std::min)(g.largest, leader.largest);
+        const double gain = 2 * options.price(largest) - g.cost(leader.fitted);
         if(target[std::size_t(order[l])] < 0 && squared_sine(g.fitted, leader.fitted) <= sine * sine && gain > best) {
           best = gain;
           target[std::size_t(order[k])] = order[l];
@@ -120,17 +121,18 @@ Members naive_planes(const Shape_fits& shapes, const Regular_planes& plane, cons
 {
   struct Group {
     std::vector<int> members;
-    double offset, weight;
+    double offset, weight, largest;
   };
   std::vector<Group> groups;
   for(int i : all_of(shapes))
-    groups.push_back({{i}, plane[std::size_t(i)].offset, shapes[std::size_t(i)].scatter.count});
+    groups.push_back(
+      {{i}, plane[std::size_t(i)].offset, shapes[std::size_t(i)].scatter.count, shapes[std::size_t(i)].scatter.count});
   std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.offset < b.offset; });
   const auto gain = [&](std::size_t g) { // of g and the one after
     if(g + 1 >= groups.size() || !(groups[g + 1].offset - groups[g].offset <= o.maximum_offset))
       return 0.;
     const double a = groups[g].weight, b = groups[g + 1].weight, d = groups[g + 1].offset - groups[g].offset;
-    return o.price((std::min)(a, b)) - a * b / (a + b) * d * d;
+    return o.price((std::min)(groups[g].largest, groups[g + 1].largest)) - a * b / (a + b) * d * d;
   };
   for(bool is_any = true; is_any;) {
     is_any = false;
@@ -142,6 +144,7 @@ Members naive_planes(const Shape_fits& shapes, const Regular_planes& plane, cons
       Group &a = groups[chosen[k - 1]], &b = groups[chosen[k - 1] + 1];
       a.offset = (a.offset * a.weight + b.offset * b.weight) / (a.weight + b.weight);
       a.weight += b.weight;
+      a.largest = (std::max)(a.largest, b.largest);
       a.members.insert(a.members.end(), b.members.begin(), b.members.end());
       groups.erase(groups.begin() + std::ptrdiff_t(chosen[k - 1]) + 1);
       is_any = true;

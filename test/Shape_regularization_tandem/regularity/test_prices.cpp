@@ -76,7 +76,7 @@ void test_losses()
     std::vector<Direction_group> groups = Parallel_groups(shapes, o)(all_of(shapes));
     set_directions(groups, o);
     for(const Direction_group& g : groups)
-      CHECK_AT(g.is_given || g.cost(g.direction) <= o.price(g.weight) * (1 + 1e-6), "loss of a group");
+      CHECK_AT(g.is_given || g.cost(g.direction) <= o.price(g.largest) * (1 + 1e-6), "loss of a group");
     const std::size_t before = groups.size();
     release_shapes(shapes, o, groups);
     released += groups.size() - before;

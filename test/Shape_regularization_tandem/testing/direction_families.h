@@ -121,7 +121,7 @@ inline Direction_group make_group(Random& random, const Vector& normal, bool is_
   const Vector n = unit(normal), u = made_orthogonal(random.direction(), n), v = cross(n, u);
   const double width = is_small ? 10 : 10 + 1e4 * random.uniform() * random.uniform();
   Direction_group g = direction_group({0}, .14);
-  g.weight = double(100 + random.below(3));
+  g.weight = g.largest = double(100 + random.below(3));
   g.matrix = square(g.weight * width * width, u) + square(g.weight * width * width * random.uniform(), v) +
              square(g.weight * random.uniform(), n);
   if(random.below(4) == 0)

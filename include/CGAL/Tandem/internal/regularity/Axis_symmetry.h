@@ -97,7 +97,7 @@ private:
       turned = turned_directions(turnable);
       std::vector<Turnable> kept;
       for(std::size_t k = 0; k < before; ++k)
-        if(groups[turnable[k].group].cost(turned[k]) <= options.price(groups[turnable[k].group].weight))
+        if(groups[turnable[k].group].cost(turned[k]) <= options.price(groups[turnable[k].group].largest))
           kept.push_back(turnable[k]);
       turnable.swap(kept);
     }

@@ -50,7 +50,7 @@ private:
   struct Group {
     std::vector<int> members;
     int direction;
-    double offset, weight; // the mean offset of the members, and their points
+    double offset, weight, largest; // the mean offset of the members, their points, and those of the largest one
   };
 
   // Groups of one shape each, by direction, then by offset.
@@ -63,7 +63,8 @@ private:
     std::sort(order.begin(), order.end());
     std::vector<Group> groups;
     for(const auto& [direction, offset, i] : order)
-      groups.push_back({{i}, direction, offset, shapes_[std::size_t(i)].scatter.count});
+      groups.push_back(
+        {{i}, direction, offset, shapes_[std::size_t(i)].scatter.count, shapes_[std::size_t(i)].scatter.count});
     return groups;
   }
 
@@ -81,7 +82,7 @@ private:
     if(a.direction != b.direction || !(d <= options_.maximum_offset))
       return 0;
     const double weight = a.weight * b.weight / (a.weight + b.weight);
-    return std::fma(-weight, d * d, options_.price((std::min)(a.weight, b.weight)));
+    return std::fma(-weight, d * d, options_.price((std::min)(a.largest, b.largest)));
   }
 
   // Unites the neighbors that gain more as one than either does with its other neighbor; of equal ones the first.
@@ -100,6 +101,7 @@ private:
       Group& a = united.back();
       a.offset = std::fma(groups[g].offset - a.offset, groups[g].weight / (a.weight + groups[g].weight), a.offset);
       a.weight += groups[g].weight;
+      a.largest = (std::max)(a.largest, groups[g].largest);
       a.members.insert(a.members.end(), groups[g].members.begin(), groups[g].members.end());
     }
     const bool is_any = united.size() < groups.size();

@@ -27,6 +27,7 @@ struct Direction_group {
   double sine = 0;
   Symmetric_matrix matrix = {}; // sum of the members' scatter
   double weight = 0;            // points
+  double largest = 0;           // points of the largest member, which set the price of a degree of freedom
   Eigen_system eigen = {};      // of the matrix
   Vector fitted = {};           // least squares, unconstrained
   Vector rounded = {};          // the same on the grid: see rounded_normal()
@@ -40,10 +41,11 @@ struct Direction_group {
   {
     has_changed = false;
     matrix = {};
-    weight = 0;
+    weight = largest = 0;
     for(int i : members) {
       matrix = matrix + shapes[i].scatter.matrix;
       weight += shapes[i].scatter.count;
+      largest = (std::max)(largest, shapes[i].scatter.count);
     }
     if(is_given)
       return;

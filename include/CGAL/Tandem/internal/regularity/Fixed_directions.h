@@ -112,7 +112,7 @@ public:
   // The direction of a star. It is its own fit, or a fit orthogonal to one or two fixed directions if that is cheap.
   Vector chained(const Direction_group& star) const
   {
-    const double allowed = options.price(star.weight);
+    const double allowed = options.price(star.largest);
     const Partner_region region(star, star.rounded, least_cost(star), allowed);
     const std::size_t p = best_partner(star, star.rounded, region, [&](const Vector& d) {
       return score_of_cost(cost_of_right_angle(star.eigen, d), allowed);
@@ -130,7 +130,7 @@ public:
   // Two that are nearly parallel determine no third one.
   bool chain(const Direction_group& group, const Vector& p, const Vector& rounded_fit, Vector& result) const
   {
-    const double allowed = options.price(group.weight);
+    const double allowed = options.price(group.largest);
     const Partner_region region(group, rounded_fit, least_cost_beside(group, p), allowed);
     const std::size_t q = best_partner(group, rounded_fit, region, [&](const Vector& d) {
       const Vector c = cross(p, d);

@@ -90,9 +90,9 @@ public:
 
 private:
   // A bound on the dot product with what a group can be made orthogonal to.
-  double reach(const Direction_group& g) const { return (std::min)(g.sine, g.bearable_sine(options.price(g.weight))); }
+  double reach(const Direction_group& g) const { return (std::min)(g.sine, g.bearable_sine(options.price(g.largest))); }
 
-  bool is_cheap(const Direction_group& g, const Vector& n) const { return g.cost(n) <= options.price(g.weight); }
+  bool is_cheap(const Direction_group& g, const Vector& n) const { return g.cost(n) <= options.price(g.largest); }
 
   // Whether a group is nearly orthogonal to the master, and at least one of them can bear the right angle.
   bool is_follower(const Star_candidate& master, const Star_candidate& follower) const
@@ -101,9 +101,9 @@ private:
       return false;
     const Direction_group &m = groups[master.group], &j = groups[follower.group];
     if(m.is_given || j.is_given)
-      return !j.is_given && cost_of_right_angle(j.eigen, m.fitted) <= options.price(j.weight);
-    return cost_of_right_angle(j.eigen, m.fitted) <= options.price(j.weight) ||
-           cost_of_right_angle(m.eigen, j.fitted) <= options.price(j.weight);
+      return !j.is_given && cost_of_right_angle(j.eigen, m.fitted) <= options.price(j.largest);
+    return cost_of_right_angle(j.eigen, m.fitted) <= options.price(j.largest) ||
+           cost_of_right_angle(m.eigen, j.fitted) <= options.price(j.largest);
   }
 
   // The direction of a star: the master and its followers, turned by 90 degrees onto it, fitted as one (equation 1 of
@@ -117,9 +117,11 @@ private:
     joint.sine = master.sine;
     joint.matrix = master.matrix;
     joint.weight = master.weight;
+    joint.largest = master.largest;
     for(int l : star.followers) {
       joint.matrix = joint.matrix + turned(groups[l].matrix, groups[l].fitted, master.fitted);
       joint.weight += groups[l].weight;
+      joint.largest = (std::max)(joint.largest, groups[l].largest);
     }
     joint.fit();
     const Vector n = fixed.chained(joint);
@@ -191,7 +193,7 @@ private:
     const Direction_group &a = groups[star.followers[i]], &b = groups[star.followers[j]];
     const Vector va = is_fixed[i] ? follower[i] : fit_frame(a.matrix, b.matrix, n, follower[i]);
     const Vector vb = orthogonal_to_both(n, va);
-    const double price = options.price((std::min)(a.weight, b.weight));
+    const double price = options.price((std::min)(a.largest, b.largest));
     const bool are_cheap = a.cost(va) <= price && b.cost(vb) <= price;
     if(are_cheap) {
       follower[i] = va;

@@ -77,15 +77,21 @@ private:
   int best_leader(const std::vector<Direction_group>& groups, std::size_t g, const Great_circle_index& index,
                   const std::vector<int>& leader) const
   {
-    const double price = options_.direction_price(groups[g].weight);
-    const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, groups[g].bearable_sine(price));
+    const double largest = groups[g].largest, most = options_.direction_price(largest);
+    const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, groups[g].bearable_sine(most));
     std::pair<double, int> best(0, 1); // the gain, then -number in the index
     index.search(Near_direction_region(groups[g].fitted, reach), [&](int k) {
       const Direction_group& other = groups[std::size_t(leader[std::size_t(k)])];
       if(squared_sine(other.fitted, groups[g].fitted) <= sine_ * sine_)
-        best = (std::max)(best, {price - groups[g].cost(other.fitted), -k});
+        best = (std::max)(best, {saved(largest, other) - groups[g].cost(other.fitted), -k});
     });
     return best.second > 0 ? -1 : leader[std::size_t(-best.second)];
+  }
+
+  // What it is worth to have the direction of another group. That of a given one is there anyway.
+  double saved(double largest, const Direction_group& other) const
+  {
+    return options_.direction_price(other.is_given ? largest : (std::min)(largest, other.largest));
   }
 
   const Shape_fits& shapes_;

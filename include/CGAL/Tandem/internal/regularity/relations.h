@@ -28,12 +28,13 @@ struct Regularity_options {
   double maximum_offset = 0;      // sigma, the largest offset of planes that become one
   double maximum_distance = 0;    // epsilon
   bool parallelism = true, orthogonality = true, coplanarity = true;
-  // What a degree of freedom is worth, in points: this, and so much for each point of the smaller shape.
+  // What a degree of freedom is worth, in points: this, and so much for each point of the largest shape that has it. If
+  // two become one, the lower price is saved.
   double freedom = 0, freedom_per_point = 0;
   std::vector<Vector> fixed_directions = {}; // given beforehand: unit, canonical in sign, all different
   std::vector<Vector> symmetry_axis = {};    // at most one, which is a fixed direction, too
 
-  // The same for a shape of so many points, as a sum of squared distances (steps^2) that its points may lose.
+  // The same, by the points of that shape, as a sum of squared distances (steps^2) that may be lost for it.
   double price(double points) const
   {
     return maximum_distance * maximum_distance * std::fma(freedom_per_point, points, freedom);
