@@ -71,7 +71,7 @@ Grid_points random_points(int n, int low, std::mt19937& random)
 {
   Grid_points points;
   for(int i = 0; i < n; ++i)
-    points.push_back({low + int(random() % 1000), int(random() % 1000), int(random() % 20), no_normal});
+    points.push_back({low + int(random() % 1000), int(random() % 1000), int(random() % 20), upright});
   return points;
 }
 

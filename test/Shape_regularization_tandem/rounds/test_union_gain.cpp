@@ -121,13 +121,13 @@ Points random_shape(int n, int x, std::mt19937& random)
   };
   const double slope_x = uniform(-.1, .1), slope_y = uniform(-.05, .05), height = uniform(-1, 1) * maximum_distance;
   const double noise = uniform(0, .6) * maximum_distance;
-  const bool has_normals = random() % 2 == 0;
+  const bool has_outliers = random() % 2 == 0;
   Points s;
   for(int i = 0; i < n; ++i) {
     const double u = uniform(-500, 500), v = uniform(-500, 500);
-    const double lean = has_normals && random() % 12 == 0 ? .45 : 0; // 24 degrees, and the slope
+    const double lean = has_outliers && random() % 12 == 0 ? .45 : 0; // 24 degrees, and the slope
     s.point.push_back({x + int(u), int(v), int(slope_x * u + slope_y * v + height + uniform(-noise, noise)),
-                       has_normals ? encode_normal({lean - slope_x, -slope_y, 1}) : no_normal});
+                       encode_normal({lean - slope_x, -slope_y, 1})});
   }
   return s;
 }
@@ -186,7 +186,7 @@ std::pair<Points, Points> areas(int n, double noise, F f, bool are_interleaved =
     const int x = int(random() % 10000), y = int(random() % 10000);
     const double height = (is_second ? f(x, y) : 0) + noise * (double(random() % 2001) / 1000 - 1);
     (is_second ? result.second : result.first)
-      .point.push_back({x + (is_second && !are_interleaved ? 10000 : 0), y, int(height * maximum_distance), no_normal});
+      .point.push_back({x + (is_second && !are_interleaved ? 10000 : 0), y, int(height * maximum_distance), upright});
   }
   result.first.finish(0);
   result.second.finish(std::uint32_t(n));
@@ -228,9 +228,9 @@ void test_dissolved()
 {
   Points strip, few;
   for(int i = 0; i < 40; ++i)
-    strip.point.push_back({250 * i, i % 2 * 100, i % 4 < 2 ? 25 : -25, no_normal});
+    strip.point.push_back({250 * i, i % 2 * 100, i % 4 < 2 ? 25 : -25, upright});
   for(int i = 0; i < 12; ++i)
-    few.point.push_back({5000 + 10 * i, 900 + 10 * (i % 4), i % 2 ? 170 : 110, no_normal});
+    few.point.push_back({5000 + 10 * i, 900 + 10 * (i % 4), i % 2 ? 170 : 110, upright});
   strip.finish(0);
   few.finish(40);
   const Options options = union_options(200);

@@ -20,7 +20,7 @@ void add_fragment(Fragments<Sequential_backend>& fragments, int x, int y, int z,
   Grid_points points;
   for(int i = 0; i < size; ++i) {
     const int u = int(random() % width), v = int(random() % width);
-    points.push_back({x + u, y + v, z, no_normal});
+    points.push_back({x + u, y + v, z, upright});
   }
   fragments.add(points);
 }

@@ -25,6 +25,8 @@ namespace internal {
 constexpr int columns = 60, rows = 50, width = 1000; // of square fragments, in grid steps
 constexpr double maximum_distance = 60;
 
+const std::uint32_t upright = encode_normal({0, 0, 1});
+
 inline Options union_options(std::int64_t minimum_size = 100)
 {
   Options o = Options();
@@ -117,7 +119,7 @@ Fragments<Backend> make_fragments(Backend& backend, int unevenness)
     const int size = unevenness == level ? 20 + 30 * int(random() % 3) * int(random() % 3) : 20 + int(random() % 200);
     for(int i = 0; i < size; ++i) {
       const int x = id % columns * width + int(random() % width), y = id / columns * width + int(random() % width);
-      points.push_back({x, y, height(x, y, unevenness, random), no_normal});
+      points.push_back({x, y, height(x, y, unevenness, random), upright});
     }
     fragments.add(points);
   }
