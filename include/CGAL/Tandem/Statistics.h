@@ -29,15 +29,15 @@ struct Stage_times {
 \ingroup PkgShapeRegularizationTandemRef
 
 What a result is worth, in points: more is better, and what has another unit is priced. It compares results of the same
-points with the same `maximum_distance`, `minimum_region_size` \f$m\f$ and `k_neighbors`.
+points with the same `maximum_distance`, `minimum_region_size` m and `k_neighbors`. The manual explains its terms:
+\ref Tandem_method_score.
 */
 struct Result_score {
-  double fit = 0; ///< sum over the assigned points of 1 - (distance / `maximum_distance`)^2
-  double links =
-    0; ///< not positive: neighbors in other shapes, and three times as much for those between shape and none
-  double size = 0;    ///< sum over the shapes of .07 \f$N \log_2(N / m)\f$, where \f$N\f$ is the number of points
-  double price = 0;   ///< not positive: .3 \f$m\f$ for a shape
-  double freedom = 0; ///< not positive: .1 \f$m\f$ for a degree of freedom, and 1 % of the largest of its shapes
+  double fit = 0;     ///< sum over the assigned points of 1 - (distance / `maximum_distance`)^2
+  double links = 0;   ///< not positive: neighbors in other shapes, and in none three times as much
+  double size = 0;    ///< sum over the shapes of .07 N log2(N / m), N being the number of points
+  double price = 0;   ///< not positive: .3 m for a shape
+  double freedom = 0; ///< not positive: .1 m for a degree of freedom, and 1 % of the largest of its shapes
 
   /// the sum of all terms
   double total() const { return fit + links + size + price + freedom; }
