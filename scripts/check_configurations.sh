@@ -10,7 +10,7 @@ set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 folder=${1:?"check_configurations.sh: which folder?"}
-packages='CUDAToolkit TBB MPI boost_mpi Eigen3 GLPK SCIP ZLIB boost_program_options boost_unit_test_framework'
+packages='CUDAToolkit TBB MPI boost_mpi Eigen3 GLPK SCIP ZLIB boost_program_options nlohmann_json boost_unit_test_framework'
 fail() { echo "check_configurations.sh: $*" >&2; exit 1; }
 
 flags_of() { sed -n 's/^CXX_FLAGS = //p' "$1/flags.make" | tr ' ' '\n' | sort -u; }
@@ -71,7 +71,7 @@ mkdir -p "$folder"
 without '' $options
 without '' -DTANDEM_BUILD_ENGINE=OFF
 without TBB -DTANDEM_BUILD_ENGINE=ON
-for package in CUDAToolkit MPI boost_mpi Eigen3 GLPK ZLIB boost_program_options boost_unit_test_framework; do
+for package in CUDAToolkit MPI boost_mpi Eigen3 GLPK ZLIB boost_program_options nlohmann_json boost_unit_test_framework; do
   without "$package"
 done
 without "$(all_but CUDAToolkit)"

@@ -27,7 +27,8 @@ fail() { echo "demo.sh: $*" >&2; exit 1; }
 install_packages()
 {
   [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] && return
-  "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev
+  "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev \
+    nlohmann-json3-dev
   [ "${TANDEM_WITH_TBB:-ON}" = OFF ] || "$root/scripts/install_dependencies.sh" libtbb-dev ||
     echo "demo.sh: going on without oneTBB"
   "$root/scripts/install_dependencies.sh" libjs-three || echo "demo.sh: going on without the page, which needs three.js"

@@ -14,10 +14,8 @@
 
 namespace program {
 
-// Bad usage: exit code 2. Every other exception is exit code 1.
-struct Usage_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+// Bad usage: exit code 2. Every other exception is exit code 1. The library makes them alike on all processes.
+using Usage_error = std::invalid_argument;
 
 constexpr long long by_library = 0; // of estimate_normals: no PCA of a given number of neighbors
 

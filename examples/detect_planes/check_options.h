@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Finds what is wrong with the options before any work: ranges that the library does not know, formats that cannot be
-// written, files that are named twice.
+// written, files that are named twice, and what needs all points in one process.
 
 #ifndef DETECT_PLANES_CHECK_OPTIONS_H
 #define DETECT_PLANES_CHECK_OPTIONS_H
 
 #include "Built_with.h"
 #include "Options.h"
-#include "formats.h"
-#include "input_options.h"
-#include "links.h"
+#include "file_names.h"
+#include "option_values.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -132,11 +131,7 @@ inline void check_formats(const Options& o, const Built_with& built)
     throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
   if(!o.colors.empty() && o.output.empty() && o.output_directory.empty())
     throw Usage_error("--colors needs --output or --output-directory");
-  try {
-    input_settings(o.inputs, o.columns, o.classes);
-  } catch(const std::invalid_argument& e) {
-    throw Usage_error(e.what());
-  }
+  input_settings(o.inputs, o.columns, o.classes);
 }
 
 // Ranges that the library does not know; parameters_of() checks the others.
@@ -164,6 +159,24 @@ inline void check(const Options& o, const Built_with& built)
   check_formats(o, built);
   check_directory(o);
   check_files(o);
+}
+
+// Finds options that need all points in one process, where there are several.
+inline void check_ranks(const Options& o)
+{
+  const std::pair<const char*, std::string> outputs[] = {{"output", o.output}, {"labels", o.labels},
+                                                         {"vg", o.vg},         {"polygons", o.polygons},
+                                                         {"mesh", o.mesh},     {"view", o.view}};
+  for(const auto& [name, path] : outputs)
+    if(!path.empty())
+      throw Usage_error(
+        std::string("--") + name + " needs all points in one process: " +
+        (std::string(name) == "output" ? "several write them with --output-directory" : "run it without mpirun"));
+  if(o.estimate_normals && *o.estimate_normals != by_library)
+    throw Usage_error("--estimate-normals with a number needs all points in one process");
+  if(o.backend == "cuda" && !has_mpi_cuda)
+    throw Usage_error("--backend is 'cuda', which is for one process: this program was built without "
+                      "Tandem::tandem_mpi_cuda");
 }
 
 } // namespace program

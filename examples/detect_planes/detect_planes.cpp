@@ -5,9 +5,10 @@
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
 #include "Built_with.h"
+#include "Thread_limit.h"
 #include "output/Output_files.h"
 #include "detection.h"
-#include "fail.h"
+#include "messages.h"
 #include "output/Made_folders.h"
 #include "output/Write_error.h"
 #include "output/summary.h"
@@ -15,22 +16,19 @@
 #include "program_options.h"
 #include "progress.h"
 #include "ranks/Ranks.h"
-#include "ranks/check_ranks.h"
+#include "check_options.h"
 #include "ranks/hash_of_all.h"
-#include "ranks/launch.h"
+#include "ranks/processes.h"
 #include "ranks/read_inputs.h"
 #include "result_warnings.h"
 #include "signals.h"
-#include "view/write_view.h"
+#include "output/writers.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/pca_estimate_normals.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -96,17 +94,14 @@ try {
   Progress_line progress(!o.is_quiet && ranks.is_first(), "estimating parameters");
   if(ranks.are_many())
     return ranks.detect(points, o, progress);
-#ifdef CGAL_TANDEM_USE_CUDA
-  if(o.backend == "cuda")
-    return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
-  if(o.backend == "auto")
-    return detect<CGAL::Tandem::Cuda_if_available_tag>(points, o, progress);
-#endif
-#ifdef CGAL_LINKED_WITH_TBB
-  if(o.backend != "sequential")
-    return detect<CGAL::Parallel_tag>(points, o, progress);
-#endif
-  return detect<CGAL::Sequential_tag>(points, o, progress);
+  if constexpr(has_cuda) {
+    if(o.backend == "cuda")
+      return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
+    if(o.backend == "auto")
+      return detect<CGAL::Tandem::Cuda_if_available_tag>(points, o, progress);
+  }
+  return o.backend == "sequential" ? detect<CGAL::Sequential_tag>(points, o, progress)
+                                   : detect<CGAL::Parallel_if_available_tag>(points, o, progress);
 } catch(const std::range_error& e) {
   const std::string message = e.what(), parameter = "maximum_distance";
   throw std::runtime_error(message.compare(0, parameter.size(), parameter) == 0
@@ -119,15 +114,8 @@ void name_device(const Shapes& shapes, int threads, Run& run)
 {
   if(shapes.statistics().backend == "cuda")
     run.device = CGAL::Tandem::cuda_device_report();
-#ifdef CGAL_LINKED_WITH_TBB
-  if(shapes.statistics().backend != "parallel")
-    return;
-  run.threads = tbb::this_task_arena::max_concurrency();
-  if(threads > 0)
-    run.threads = (std::min)(run.threads, threads);
-#else
-  static_cast<void>(threads);
-#endif
+  if(shapes.statistics().backend == "parallel")
+    run.threads = threads;
 }
 
 // rest: for the message, if that fails.
@@ -143,13 +131,13 @@ void check_program(const Options& o, const Ranks& ranks)
 {
   parameters_of(o);
   if(ranks.are_many())
-    check_ranks(o, ranks.has_cuda());
+    check_ranks(o);
   check_backend(o);
-  if(output_extension(o.output) == ".laz" && !built_with().laszip)
+  if(output_extension(o.output) == ".laz" && !has_laszip)
     throw Usage_error(o.output + ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
   if(!o.mesh.empty())
     check_mesh_options(o);
-  if(!o.view.empty() && !has_view())
+  if(!o.view.empty() && !has_view)
     throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
 }
 
@@ -199,12 +187,7 @@ std::vector<std::string> all_warnings(const Point_set& points, const Shapes& sha
 void run(const Options& o, Ranks& ranks, Made_folders& folders)
 {
   ranks.together([&] { check_program(o, ranks); });
-  const int threads = o.threads ? int(*o.threads) : ranks.threads();
-#ifdef CGAL_LINKED_WITH_TBB
-  std::unique_ptr<tbb::global_control> limit;
-  if(threads > 0)
-    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-#endif
+  const Thread_limit limit(o.threads ? int(*o.threads) : ranks.threads());
   Run run;
   run.ranks = ranks.size();
   Input_cloud cloud;
@@ -219,7 +202,7 @@ void run(const Options& o, Ranks& ranks, Made_folders& folders)
 
   std::optional<Shapes> shapes;
   ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
-  name_device(*shapes, threads, run);
+  name_device(*shapes, limit.threads(), run);
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
   for(const std::string& warning : all_warnings(cloud.points, *shapes, o, ranks)) {

@@ -79,7 +79,7 @@ inline void add_mesh_options(po::options_description& group, Options& o, const B
       "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. It is made when all "
       "other files are complete");
   add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
-      ("--mesh takes the N planes with most points: " + built.mesh_planes).c_str());
+      ("--mesh takes the N planes with most points: " + built.mesh_planes()).c_str());
   add("mesh-method", po::value<std::string>(&o.mesh_method)->value_name("NAME"),
       ("of --mesh: " + text_of_mesh_methods(built)).c_str());
 }

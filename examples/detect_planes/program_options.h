@@ -7,7 +7,7 @@
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
 #include "check_options.h"
-#include "direction_option.h"
+#include "option_values.h"
 #include "output_options.h"
 
 #include <boost/program_options.hpp>

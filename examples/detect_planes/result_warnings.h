@@ -6,11 +6,10 @@
 #ifndef DETECT_PLANES_RESULT_WARNINGS_H
 #define DETECT_PLANES_RESULT_WARNINGS_H
 
-#include "measured_noise.h"
 #include "output/write_results.h"
 #include "ranks/Ranks.h"
 
-#include <CGAL/Tandem/internal/base/tuning/growth.h>
+#include <CGAL/Shape_regularization_tandem/estimate_noise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,19 +45,26 @@ inline double extent_of(const Point_set& points, const Ranks& ranks)
   return extent;
 }
 
-// The smallest of the ranks. Infinite where planes explain the points, which need not be measured then; where there is
-// no memory for it, since the shapes are worth more; and where all points are one.
+// measure(): the noise of the own points. The smallest of the ranks, infinite where there is no memory to measure it, as
+// the shapes are worth more, and where all points are one.
+template <class Measure>
+double smallest_noise(const Measure& measure, const Ranks& ranks)
+{
+  double own = 0;
+  try {
+    own = measure();
+  } catch(const std::bad_alloc&) {
+  }
+  return -ranks.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
+}
+
+// Infinite where planes explain the points, which need not be measured then.
 inline double noise_of(const Point_set& points, const Shapes& shapes, const Ranks& ranks)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const bool is_thin = s.number_of_shapes > 0 && s.coverage >= poor_coverage &&
                        s.mean_distance < full_share * shapes.parameters().maximum_distance;
-  double own = 0;
-  try {
-    own = is_thin || points.empty() ? 0 : measured_noise(points);
-  } catch(const std::bad_alloc&) {
-  }
-  return -ranks.largest(own > 0 ? -own : -std::numeric_limits<double>::infinity());
+  return smallest_noise([&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); }, ranks);
 }
 
 template <class... Words>
@@ -73,8 +79,7 @@ std::string sentence(const Words&... words)
 // A shape begins with a point and half of its neighbors, and with six points at least, whatever its smallest size.
 inline std::size_t smallest_start(const CGAL::Tandem::Parameters& p)
 {
-  return (std::max)((p.k_neighbors + 1) / 2 + 1,
-                    std::size_t(CGAL::Tandem::internal::tuning::loop::minimum_fragment_size));
+  return (std::max)((p.k_neighbors + 1) / 2 + 1, std::size_t(6));
 }
 
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)

@@ -96,6 +96,13 @@ inline py::dict times(const CGAL::Tandem::Stage_times& t)
                   "regularity"_a = t.regularity, "finish"_a = t.finish, "total"_a = t.total);
 }
 
+inline py::dict score(const CGAL::Tandem::Result_score& s)
+{
+  using namespace py::literals;
+  return py::dict("fit"_a = s.fit, "links"_a = s.links, "size"_a = s.size, "price"_a = s.price, "freedom"_a = s.freedom,
+                  "total"_a = s.total());
+}
+
 inline py::dict statistics(const Result& result)
 {
   using namespace py::literals;
@@ -107,8 +114,8 @@ inline py::dict statistics(const Result& result)
     "number_of_directions"_a = s.number_of_directions, "number_of_planes"_a = s.number_of_planes,
     "number_of_orthogonal_pairs"_a = s.number_of_orthogonal_pairs, "coverage"_a = s.coverage,
     "mean_distance"_a = s.mean_distance, "degrees_of_freedom"_a = s.degrees_of_freedom, "complexity"_a = s.complexity,
-    "number_of_rounds"_a = s.number_of_rounds, "times"_a = times(s.times), "peak_bytes"_a = s.peak_bytes,
-    "grid_step"_a = s.grid_step, "is_grid_coarse"_a = s.is_grid_coarse,
+    "score"_a = score(s.score), "number_of_rounds"_a = s.number_of_rounds, "times"_a = times(s.times),
+    "peak_bytes"_a = s.peak_bytes, "grid_step"_a = s.grid_step, "is_grid_coarse"_a = s.is_grid_coarse,
     "has_estimated_normals"_a = s.has_estimated_normals, "is_cancelled"_a = s.is_cancelled, "backend"_a = s.backend);
 }
 

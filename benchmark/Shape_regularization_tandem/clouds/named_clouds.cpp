@@ -3,7 +3,7 @@
 
 #include "named_clouds.h"
 #include "experiment_clouds.h"
-#include "testing/fit_plane.h"
+#include "label_files.h"
 #include "scene_normals.h"
 
 #include <cstdio>
@@ -74,11 +74,8 @@ void load_file(const Row& row, const Experiment_options& options, Named_cloud& n
     named.cloud = subset(named.cloud, points);
     named.origin += ", a random subset of " + std::to_string(points);
   }
-  if(cell(row, "truth") == "labels") {
-    const std::vector<std::int32_t>& label = named.cloud.label;
-    const std::size_t faces = label.empty() ? 0 : std::size_t(1 + *std::max_element(label.begin(), label.end()));
-    named.truth = {label, fit_planes(named.cloud.points, label, faces)};
-  }
+  if(cell(row, "truth") == "labels")
+    named.truth = make_truth(named.cloud.points, named.cloud.label);
 }
 
 void generate(const Row& row, const Experiment_options& options, Named_cloud& named)
@@ -144,11 +141,15 @@ Named_cloud load_cloud(const Row& row, const Experiment_options& options)
   return named;
 }
 
-Named_cloud load_own_cloud(const std::vector<std::string>& arguments)
+Named_cloud load_own_cloud(std::vector<std::string> arguments)
 {
-  if(arguments.size() < 4 || arguments.size() > 5)
-    throw std::invalid_argument("a cloud of your own needs FILE.ply EPSILON ALPHA MINIMUM [CLUSTER_EPSILON]");
   Named_cloud named;
+  if(arguments.size() > 1 && arguments[1].find_first_not_of("0123456789.eE+-") != std::string::npos) {
+    named.truth.label = read_text_labels(arguments[1]);
+    arguments.erase(arguments.begin() + 1);
+  }
+  if(arguments.size() < 4 || arguments.size() > 5)
+    throw std::invalid_argument("a cloud of your own needs FILE [LABELS] EPSILON ALPHA MINIMUM [CLUSTER_EPSILON]");
   const std::string& path = arguments[0];
   const std::size_t begin = path.find_last_of('/') + 1; // 0 where there is none
   named.name = path.substr(begin, path.find_last_of('.') > begin ? path.find_last_of('.') - begin : std::string::npos);
@@ -158,7 +159,9 @@ Named_cloud load_own_cloud(const std::vector<std::string>& arguments)
   named.task.minimum_region_size = std::size_t(number("MINIMUM", arguments[3], 3));
   if(arguments.size() == 5)
     named.task.cluster_epsilon = number("CLUSTER_EPSILON", arguments[4], -1);
-  named.cloud = read_ply(path);
+  named.cloud = read_cloud(path);
+  if(!named.truth.label.empty())
+    named.truth = make_truth(named.cloud.points, named.truth.label);
   complete_normals(named);
   return named;
 }

@@ -29,8 +29,8 @@ bool is_available(const Row& row, const Experiment_options& options);
 
 Named_cloud load_cloud(const Row& row, const Experiment_options& options);
 
-// A file of the caller: PATH EPSILON ALPHA MINIMUM [CLUSTER_EPSILON].
-Named_cloud load_own_cloud(const std::vector<std::string>& arguments);
+// A file of the caller: PATH [LABELS] EPSILON ALPHA MINIMUM [CLUSTER_EPSILON].
+Named_cloud load_own_cloud(std::vector<std::string> arguments);
 
 } // namespace benchmark
 } // namespace Tandem

@@ -9,6 +9,8 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_COMPARISON_H
 
 #include "criteria/detection_files.h"
+#include "criteria/result_score.h"
+#include "criteria/segmentation.h"
 #include "clouds/named_clouds.h"
 #include "report/Picture_book.h"
 
@@ -19,7 +21,8 @@ namespace benchmark {
 class Comparison {
 public:
   Comparison(const Experiment_options& options, const Named_cloud& named, const std::vector<Contestant>& contestants)
-    : options_(options), named_(named)
+    : options_(options), named_(named),
+      graph_(neighbor_graph(named.cloud.points, named.task.k_neighbors, named.task.maximum_distance))
   {
     for(const Contestant& c : contestants)
       entries_.push_back({c, {}, Run()});
@@ -167,14 +170,25 @@ private:
     const Criteria criteria = evaluate(named_.cloud.points, normals_of(run), run.detection, task.tolerances());
     append_criteria(row, criteria);
     append_curves(row, evaluate_curves(named_.cloud.points, normals_of(run), run.detection, task.tolerances()));
-    if(named_.truth.faces.empty())
-      append_no_truth(row);
-    else
-      append_truth(
-        row, evaluate_truth(named_.truth, run.detection, extent_of(named_.cloud.points), task.minimum_region_size));
+    const Scored_cloud scored = {named_.cloud.points, normals_of(run), graph_, task.tolerances(),
+                                 task.minimum_region_size};
+    append_score(row, evaluate_score(scored, run.detection), named_.cloud.points.size());
+    append_truth_columns(row, run.detection);
     if(!is_cleaned)
       append_spreads(row, entry);
     return row;
+  }
+
+  void append_truth_columns(Row& row, const Detection& detection) const
+  {
+    const std::size_t minimum = named_.task.minimum_region_size;
+    const bool is_known = !named_.truth.faces.empty();
+    if(is_known)
+      append_truth(row, evaluate_truth(named_.truth, detection, extent_of(named_.cloud.points), minimum));
+    else
+      append_no_truth(row);
+    append_segmentation(row, is_known,
+                        is_known ? evaluate_segmentation(named_.truth, detection, minimum) : Segmentation());
   }
 
   // Over the repeats (for random contestants: over the seeds), and against the run on shuffled points.
@@ -195,6 +209,7 @@ private:
 
   const Experiment_options& options_;
   const Named_cloud& named_;
+  Neighbor_graph graph_;
   std::vector<Entry> entries_;
 };
 

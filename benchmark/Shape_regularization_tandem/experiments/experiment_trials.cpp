@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "experiment_trials.h"
+#include "criteria/result_score.h"
+#include "criteria/segmentation.h"
 
 #include <cstdio>
 
@@ -23,8 +25,13 @@ void append_judgement(Row& row, const Named_cloud& c, const Task& task, const Ru
     evaluate(c.cloud.points, normals, cleaned(c.cloud, normals, task, run.detection), task.tolerances());
   append_cell(row, "coverage_percent_cleaned", 100 * strict.coverage());
   append_cell(row, "violating_percent", 100 * double(criteria.beyond_either) / assigned);
-  if(!c.truth.faces.empty())
-    append_truth(row, evaluate_truth(c.truth, run.detection, extent_of(c.cloud.points), task.minimum_region_size));
+  const Neighbor_graph graph = neighbor_graph(c.cloud.points, task.k_neighbors, task.maximum_distance);
+  const Scored_cloud scored = {c.cloud.points, normals, graph, task.tolerances(), task.minimum_region_size};
+  append_score(row, evaluate_score(scored, run.detection), c.cloud.points.size());
+  if(c.truth.faces.empty())
+    return;
+  append_truth(row, evaluate_truth(c.truth, run.detection, extent_of(c.cloud.points), task.minimum_region_size));
+  append_segmentation(row, true, evaluate_segmentation(c.truth, run.detection, task.minimum_region_size));
 }
 
 void print(const Row& row, const Row& columns)

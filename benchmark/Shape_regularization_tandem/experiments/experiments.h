@@ -19,6 +19,7 @@ void run_regularity(const Experiment_options& options); // experiment_parameters
 void run_cell_size(const Experiment_options& options);  // experiment_parameters.cpp
 void run_synergy(const Experiment_options& options);    // experiment_synergy.cpp
 void run_stability(const Experiment_options& options);  // experiment_stability.cpp
+void run_labels(const Experiment_options& options);     // experiment_labels.cpp
 void run_scaling(const Experiment_options& options);    // experiment_scaling.cpp
 
 // For the list of subcommands.
@@ -30,6 +31,7 @@ inline std::vector<Experiment> paper_experiments()
           {"cell-size", "time, coverage and complexity over the size of the cells (figure 11)", run_cell_size},
           {"synergy", "from alternation in every round to detection before regularization (figure 12)", run_synergy},
           {"stability", "shapes and coverage over epsilon, on curved objects (figure 14)", run_stability},
+          {"labels", "labels against true ones: rooms of a scanner and a depth camera, roofs, scenes", run_labels},
           {"scaling", "time and memory over points, neighbors and threads, with exponents", run_scaling}};
 }
 

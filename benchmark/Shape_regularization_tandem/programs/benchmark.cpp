@@ -24,7 +24,7 @@ std::vector<Experiment> experiments()
 {
   std::vector<Experiment> list = {
     {"compare",
-     "all contestants on clouds of clouds.csv (default: all), or on FILE.ply EPSILON ALPHA MINIMUM [CLUSTER]",
+     "all contestants on clouds of clouds.csv (default: all), or on FILE [LABELS] EPSILON ALPHA MINIMUM [CLUSTER]",
      run_compare}};
   for(const Experiment& e : paper_experiments())
     list.push_back(e);

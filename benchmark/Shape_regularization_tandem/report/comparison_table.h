@@ -38,6 +38,7 @@ inline const std::vector<Criterion>& shown_criteria()
                                                   {"planes", "planes_relaxed", 1, 0, Better::neither},
                                                   {"cpx", "complexity_relaxed", 1, 3, Better::lower},
                                                   {"cover.%", "coverage", 100, 1, Better::higher},
+                                                  {"S", "score_of_point", 1, 3, Better::higher},
                                                   {"mean/e", "mean_distance_in_epsilons", 1, 3, Better::lower},
                                                   {"max/e", "max_distance_in_epsilons", 1, 1, Better::lower},
                                                   {">eps", "beyond_epsilon", 1, 0, Better::lower},
@@ -69,6 +70,9 @@ inline const std::vector<Criterion>& further_criteria()
     {"d.o.f. for 90%", "degrees_of_freedom_for_90", 1, 0, Better::lower},
     {"exact complexity", "complexity_exact", 1, 3, Better::lower},
     {"F1 at .75", "face_f1_75", 1, 3, Better::higher},
+    {"mean IoU", "mean_iou", 1, 3, Better::higher},
+    {"over-segmented", "over_segmented", 1, 3, Better::lower},
+    {"under-segmented", "under_segmented", 1, 3, Better::lower},
     {"recall of points", "point_recall", 1, 3, Better::higher},
     {"split faces", "split_faces", 1, 0, Better::lower},
     {"swallowed faces", "swallowed_faces", 1, 0, Better::lower},
@@ -77,6 +81,11 @@ inline const std::vector<Criterion>& further_criteria()
     {"false parallel pairs", "parallel_false_relaxed", 1, 0, Better::lower},
     {"orthogonal pairs", "orthogonal_kept_exact", 1, 3, Better::higher},
     {"false orthogonal pairs", "orthogonal_false_relaxed", 1, 0, Better::lower},
+    {"S fit", "score_fit", 1, 0, Better::neither},
+    {"S links", "score_links", 1, 0, Better::neither},
+    {"S size", "score_size", 1, 0, Better::neither},
+    {"S price", "score_price", 1, 0, Better::neither},
+    {"S freedom", "score_freedom", 1, 0, Better::neither},
     {"coplanar pairs", "coplanar_kept_exact", 1, 3, Better::higher},
     {"false coplanar pairs", "coplanar_false_relaxed", 1, 0, Better::lower}};
   return criteria;
@@ -242,8 +251,8 @@ inline void print_legend()
   std::printf(
     "\n* better than Tandem. Seconds: wall clock without reading, median of the runs; CPU s: of all processors. "
     "B/point:\n"
-    "peak memory beyond the input. cpx: complexity, smaller is more regular, with relations within 1e-6. mean/e, "
-    "max/e:\n"
+    "peak memory beyond the input. cpx: complexity, smaller is more regular, with relations within 1e-6. S: the score\n"
+    "(score/Score.h), per point of the cloud. mean/e, max/e:\n"
     "distance of the points to their planes, in epsilons. >eps, >alpha: points of shapes that violate the tolerances.\n"
     "Cleaned: these points, then shapes that have become too small, are dropped. F1: of true faces found, at an\n"
     "intersection over union of one half; prec.: of points. again%%, shuf.%%: points in another shape when the method\n"

@@ -51,23 +51,23 @@ public:
     if(fields.normal)
       points.normal(i) = Kernel::Vector_3(row.normal[0], row.normal[1], row.normal[2]);
     if(fields.color)
-      (*colors)[i] = row.color;
+      colors[i] = row.color;
     if(fields.intensity)
-      (*intensities)[i] = row.intensity;
+      intensities[i] = row.intensity;
     if(fields.classification)
-      (*classifications)[i] = row.classification;
+      classifications[i] = row.classification;
   }
 
   // Makes 16 bits of colors that use 8.
   void widen_colors()
   {
     const auto is_narrow = [&](Point_set::Index i) {
-      return std::all_of((*colors)[i].begin(), (*colors)[i].end(), [](std::uint16_t c) { return c <= 255; });
+      return std::all_of(colors[i].begin(), colors[i].end(), [](std::uint16_t c) { return c <= 255; });
     };
     if(!fields.color || !std::all_of(points.begin(), points.end(), is_narrow))
       return;
     for(Point_set::Index i : points)
-      for(std::uint16_t& channel : (*colors)[i])
+      for(std::uint16_t& channel : colors[i])
         channel = wide_channel(std::uint8_t(channel));
   }
 
@@ -75,9 +75,9 @@ private:
   Point_set& points;
   Fields fields;
   const std::vector<int>& classes;
-  std::optional<Point_set::Property_map<Input_color>> colors;
-  std::optional<Point_set::Property_map<float>> intensities;
-  std::optional<Point_set::Property_map<std::uint8_t>> classifications;
+  Point_set::Property_map<Input_color> colors;
+  Point_set::Property_map<float> intensities;
+  Point_set::Property_map<std::uint8_t> classifications;
 };
 
 } // namespace program

@@ -1,21 +1,35 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bytes of a file, and how the readers get them.
 
 #ifndef DETECT_PLANES_INPUT_BUFFER_H
 #define DETECT_PLANES_INPUT_BUFFER_H
 
-#include "input/Byte_source.h"
 #include "signals.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <streambuf>
 #include <string>
 #include <string_view>
 
 namespace program {
+
+// The bytes of a file; of one that ends in .gz, those that it had before it was compressed.
+class Byte_source {
+public:
+  virtual ~Byte_source() = default;
+  virtual std::uint64_t size() const = 0;
+  virtual void seek(std::uint64_t position) = 0;
+  virtual std::size_t read(char* bytes, std::size_t count) = 0; // less than `count` at the end
+};
+
+std::unique_ptr<Byte_source> open_bytes(const std::string& path);
+std::unique_ptr<Byte_source> open_gzip(const std::string& path); // by zlib
 
 // Bytes of a file.
 struct Byte_range {

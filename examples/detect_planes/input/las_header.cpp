@@ -77,6 +77,12 @@ std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std
 
 } // namespace
 
+double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis)
+{
+  const volatile double scaled = integer * frame.scale[axis];
+  return scaled + frame.offset[axis];
+}
+
 Las_header read_las_header(Input_buffer& in)
 {
   char bytes[header_1_4] = {};

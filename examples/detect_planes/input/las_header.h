@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The header of LAS 1.0 to 1.4, as the specification of the ASPRS has it.
+// The header of LAS 1.0 to 1.4, as the specification of the ASPRS has it, and the points that LASzip reads.
 
 #ifndef DETECT_PLANES_LAS_HEADER_H
 #define DETECT_PLANES_LAS_HEADER_H
 
+#include "input/Cloud_builder.h"
 #include "input/Input_buffer.h"
 #include "input/input_settings.h"
 
@@ -52,6 +53,12 @@ struct Las_header {
 };
 
 Las_header read_las_header(Input_buffer& in);
+
+// Rounded after each operation, also where the processor could do both at once.
+double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis);
+
+// The points that LASzip reads.
+void read_laz_points(const std::string& path, const Las_header& header, Cloud_builder& builder);
 
 } // namespace program
 

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "input/read_cloud.h"
-#include "Captured_messages.h"
+#include "Built_with.h"
+#include "messages.h"
 
-#include "formats.h"
+#include "file_names.h"
 #include "input/off_points.h"
-#include "input/ply_attributes.h"
+#include "input/readers.h"
 #include "input/ply_points.h"
-#include "input/read_las.h"
-#include "input/read_pcd.h"
-#include "input/read_table.h"
 
 #include <CGAL/Point_set_3/IO.h>
 
@@ -29,15 +27,8 @@ namespace {
 
 std::string known_inputs()
 {
-  std::string text = ".ply, .las, ";
-#ifdef DETECT_PLANES_WITH_LASZIP
-  text += ".laz, ";
-#endif
-  text += ".pcd, .xyz, .txt, .csv, .pts, .pwn, .off";
-#ifdef DETECT_PLANES_WITH_ZLIB
-  text += ", or one of these with .gz";
-#endif
-  return text;
+  return std::string(".ply, .las, ") + (has_laszip ? ".laz, " : "") + ".pcd, .xyz, .txt, .csv, .pts, .pwn, .off" +
+         (has_gzip ? ", or one of these with .gz" : "");
 }
 
 void check_format(const std::string& path)

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/read_las.h"
+#include "Built_with.h"
+#include "input/readers.h"
 
-#include "formats.h"
+#include "file_names.h"
 #include "input/Cloud_builder.h"
 #include "input/las_header.h"
-#include "input/read_laz.h"
 
 #include <stdexcept>
 
@@ -63,8 +63,9 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
   if(h.is_compressed) {
     if(is_gzip(path))
       throw std::runtime_error("is LAZ within gzip; decompress it with gunzip");
-    read_laz_points(path, h, builder);
-    return;
+    if constexpr(has_laszip)
+      return read_laz_points(path, h, builder);
+    throw std::runtime_error("LAZ needs LASzip; decompress with laszip or build Tandem with it");
   }
   check_room(in, h);
   in.skip(h.first_point - in.position());

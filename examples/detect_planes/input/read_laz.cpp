@@ -1,23 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/read_laz.h"
+#include "input/las_header.h"
 
+#include <laszip_api.h>
 #include <stdexcept>
 
-#ifdef DETECT_PLANES_WITH_LASZIP
-#include <laszip_api.h>
-#endif
-
 namespace program {
-
-double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis)
-{
-  const volatile double scaled = integer * frame.scale[axis];
-  return scaled + frame.offset[axis];
-}
-
-#ifdef DETECT_PLANES_WITH_LASZIP
 
 namespace {
 
@@ -87,14 +76,5 @@ void read_laz_points(const std::string& path, const Las_header& header, Cloud_bu
     builder.add(row_of(reader.next(), header));
   }
 }
-
-#else
-
-void read_laz_points(const std::string&, const Las_header&, Cloud_builder&)
-{
-  throw std::runtime_error("LAZ needs LASzip; decompress with laszip or build Tandem with it");
-}
-
-#endif
 
 } // namespace program

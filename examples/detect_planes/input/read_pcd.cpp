@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/read_pcd.h"
+#include "input/readers.h"
 
 #include "input/Cloud_builder.h"
 #include "input/decimal_commas.h"

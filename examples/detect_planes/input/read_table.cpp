@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/read_table.h"
+#include "input/readers.h"
 
-#include "formats.h"
+#include "file_names.h"
 #include "input/Cloud_builder.h"
 #include "input/decimal_commas.h"
-#include "input/recognize_columns.h"
+#include "input/table_columns.h"
 
 #include <filesystem>
 #include <stdexcept>

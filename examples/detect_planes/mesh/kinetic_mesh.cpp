@@ -3,10 +3,7 @@
 
 #include "mesh/mesh_methods.h"
 
-#include <CGAL/version.h>
-
-#if defined(CGAL_EIGEN3_ENABLED) && CGAL_VERSION_NR >= 1060000000
-#include "Captured_messages.h"
+#include "messages.h"
 #include "mesh/kinetic/Boundary.h"
 #include "mesh/kinetic/Volumes.h"
 #include "mesh/kinetic/inside_volumes.h"
@@ -47,8 +44,6 @@ Volumes partition(const Mesh_input& input)
 
 } // namespace
 
-std::string missing_for_kinetic_mesh() { return {}; }
-
 Surface kinetic_mesh(const Mesh_input& input)
 {
   const Volumes volumes = partition(input);
@@ -58,24 +53,3 @@ Surface kinetic_mesh(const Mesh_input& input)
 }
 
 } // namespace program
-
-#else
-
-#include <stdexcept>
-
-namespace program {
-
-std::string missing_for_kinetic_mesh()
-{
-#ifdef CGAL_EIGEN3_ENABLED
-  return "CGAL 6";
-#else
-  return "Eigen 3";
-#endif
-}
-
-Surface kinetic_mesh(const Mesh_input&) { throw std::logic_error("a method that was not built"); }
-
-} // namespace program
-
-#endif

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "mesh/mesh_input.h"
+#include "mesh/mesh_methods.h"
 
 #include "../Shape_regularization_tandem/convex_polygons.h"
 

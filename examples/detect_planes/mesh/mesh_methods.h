@@ -1,24 +1,51 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The methods that make a closed surface of planes. It is empty if they enclose nothing; other failures are exceptions.
+// The methods that make a closed surface of planes, and what they share: the points of the planes, and the surface. It is
+// empty if they enclose nothing; other failures are exceptions.
 
 #ifndef DETECT_PLANES_MESH_METHODS_H
 #define DETECT_PLANES_MESH_METHODS_H
 
-#include "mesh/mesh_input.h"
+#include "Built_with.h"
+#include "outlines/shape_polygons.h"
 
+#include <CGAL/Shape_regularization_tandem/adapters.h>
+
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace program {
 
-// What this program was built without; empty if it has the method.
-std::string missing_for_polygonal_mesh();
-std::string missing_for_kinetic_mesh();
+// Points on their planes, which are numbered from 0 by their number of points.
+struct Mesh_input {
+  using Item = CGAL::Tandem::Point_with_plane<Kernel>;
+  std::vector<Item> items;
+  std::vector<Kernel::Plane_3> planes;
+};
 
-// The polygonal method ends after some seconds: GLPK does, SCIP cannot.
-bool has_time_limit();
+// Planes whose points are on a line are left out.
+Mesh_input mesh_input(const Point_set& points, const Shapes& shapes);
+
+// Those with most points.
+Mesh_input largest_planes(const Mesh_input& all, std::size_t number);
+
+// Its faces are oriented alike.
+struct Surface {
+  using Face = std::vector<std::size_t>; // positions of the corners in the points
+  std::vector<Kernel::Point_3> points;
+  std::vector<Face> faces;
+};
+
+// Six times that between the faces and the first point; positive if they are counterclockwise, seen from outside.
+double signed_volume(const Surface& surface, const std::vector<Surface::Face>& faces);
+
+void reverse(std::vector<Surface::Face>& faces);
+
+// Each edge has as many faces to its left as to its right.
+bool is_closed(const Surface& surface);
 
 // Fewer planes may do.
 struct Too_many_faces : std::runtime_error {

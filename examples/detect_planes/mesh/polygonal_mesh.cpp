@@ -3,8 +3,7 @@
 
 #include "mesh/mesh_methods.h"
 
-#if defined(CGAL_EIGEN3_ENABLED) && (defined(CGAL_USE_GLPK) || defined(CGAL_USE_SCIP))
-#include "Captured_messages.h"
+#include "messages.h"
 #include "signals.h"
 #ifdef CGAL_USE_SCIP
 #include <CGAL/SCIP_mixed_integer_program_traits.h>
@@ -34,6 +33,15 @@ using Reconstruction = CGAL::Polygonal_surface_reconstruction<Kernel>;
 using Item = Mesh_input::Item;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
+#ifdef CGAL_USE_SCIP
+struct Solver : CGAL::SCIP_mixed_integer_program_traits<double> {
+  inline static int seconds = 0; // its limits cannot be reached
+  inline static bool is_out_of_time = false;
+};
+#else
+using Solver = Limited_solver;
+#endif
+
 constexpr std::size_t most_candidates = 10000; // faces; the solver would not end
 
 void check_candidates(const Reconstruction& reconstruction)
@@ -47,31 +55,18 @@ void check_candidates(const Reconstruction& reconstruction)
                          " faces, of which the solver takes at most " + std::to_string(most_candidates));
 }
 
-#ifdef CGAL_USE_SCIP
-constexpr bool is_limited = false;
-
-void solve(Reconstruction& reconstruction, Mesh& model, int /* seconds */, std::size_t /* planes */)
-{
-  using Solver = CGAL::SCIP_mixed_integer_program_traits<double>; // its limits cannot be reached
-  if(!reconstruction.reconstruct<Solver>(model))
-    throw std::runtime_error("--mesh: no closed surface was found (" + reconstruction.error_message() + ")");
-}
-#else
-constexpr bool is_limited = true;
-
 void solve(Reconstruction& reconstruction, Mesh& model, int seconds, std::size_t planes)
 {
-  Limited_solver::seconds = seconds;
-  if(reconstruction.reconstruct<Limited_solver>(model))
+  Solver::seconds = seconds;
+  if(reconstruction.reconstruct<Solver>(model))
     return;
-  if(Limited_solver::is_out_of_time)
+  if(Solver::is_out_of_time)
     throw std::runtime_error("--mesh: no surface of " + std::to_string(planes) + " planes was found within " +
                              std::to_string(seconds) +
                              " seconds of processor time: take fewer planes by --mesh-planes, or more time by "
                              "--mesh-seconds");
   throw std::runtime_error("--mesh: no closed surface was found (" + reconstruction.error_message() + ")");
 }
-#endif
 
 // Each connected part on its own.
 void orient_outward(Surface& surface)
@@ -92,10 +87,6 @@ void orient_outward(Surface& surface)
 }
 
 } // namespace
-
-std::string missing_for_polygonal_mesh() { return {}; }
-
-bool has_time_limit() { return is_limited; }
 
 // CGAL joins what is nearer than 1e-5, in any unit: by this power of two, the points extend over 512 to 1024.
 int exponent_of(const std::vector<Item>& items)
@@ -140,26 +131,3 @@ Surface polygonal_mesh(const Mesh_input& input, int seconds)
 }
 
 } // namespace program
-
-#else
-
-#include <stdexcept>
-
-namespace program {
-
-std::string missing_for_polygonal_mesh()
-{
-#ifdef CGAL_EIGEN3_ENABLED
-  return "the solver GLPK or SCIP";
-#else
-  return "Eigen 3";
-#endif
-}
-
-bool has_time_limit() { return false; }
-
-Surface polygonal_mesh(const Mesh_input&, int) { throw std::logic_error("a method that was not built"); }
-
-} // namespace program
-
-#endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "mesh/write_mesh.h"
-#include "formats.h"
+#include "Built_with.h"
+#include "file_names.h"
 #include "mesh/mesh_methods.h"
 
 #include <algorithm>
@@ -18,28 +19,11 @@ namespace {
 constexpr std::size_t fewest_planes = 4;
 constexpr int longest_seconds = 60;
 
-struct Method {
-  const char* name;
-  std::size_t by_default, on_demand; // planes; more take minutes, and those not even Ctrl-C ends soon
-};
-constexpr Method kinetic = {"kinetic", 100, 1000}, polygonal = {"polygonal", 16, 60};
-
 // The one that takes more planes, if it is there.
-const Method& method_of(const Options& o)
+const Mesh_method& method_of(const Options& o)
 {
-  const bool is_kinetic = o.mesh_method.empty() ? missing_for_kinetic_mesh().empty() : o.mesh_method == kinetic.name;
-  return is_kinetic ? kinetic : polygonal;
-}
-
-std::string missing_for(const Method& method)
-{
-  return &method == &kinetic ? missing_for_kinetic_mesh() : missing_for_polygonal_mesh();
-}
-
-std::string limits_of(const Method& method)
-{
-  return std::string("the method ") + method.name + " takes " + std::to_string(method.by_default) +
-         " by default, and up to " + std::to_string(method.on_demand) + " by --mesh-planes";
+  const bool is_kinetic = o.mesh_method.empty() ? has_kinetic_mesh : o.mesh_method == kinetic_method.name;
+  return is_kinetic ? kinetic_method : polygonal_method;
 }
 
 struct Made_surface {
@@ -56,14 +40,19 @@ std::string number_of(std::size_t planes, std::size_t all)
 // Of as many planes as the method takes.
 Made_surface make_surface(const Mesh_input& all, const Options& o)
 {
-  const Method& method = method_of(o);
+  const Mesh_method& method = method_of(o);
   const int seconds = int(o.mesh_seconds.value_or(longest_seconds));
   Made_surface made;
   made.planes = (std::min)(all.planes.size(), o.mesh_planes ? std::size_t(*o.mesh_planes) : method.by_default);
   while(true) {
     const Mesh_input input = largest_planes(all, made.planes);
     try {
-      made.surface = &method == &kinetic ? kinetic_mesh(input) : polygonal_mesh(input, seconds);
+      if constexpr(has_kinetic_mesh)
+        if(&method == &kinetic_method)
+          made.surface = kinetic_mesh(input);
+      if constexpr(has_polygonal_mesh)
+        if(&method == &polygonal_method)
+          made.surface = polygonal_mesh(input, seconds);
       return made;
     } catch(const Too_many_faces& e) {
       if(made.planes == fewest_planes)
@@ -118,12 +107,11 @@ void write_ply(std::ostream& out, const Surface& surface)
 
 void check_mesh_options(const Options& o)
 {
-  const Method& method = method_of(o);
-  const std::string missing = missing_for(method);
-  if(!missing.empty())
-    throw Usage_error((o.mesh_method.empty() ? "--mesh" : "--mesh-method " + o.mesh_method) + " needs " + missing +
+  const Mesh_method& method = method_of(o);
+  if(!method.is_built)
+    throw Usage_error((o.mesh_method.empty() ? "--mesh" : "--mesh-method " + o.mesh_method) + " needs " + method.needs +
                       ": this program was built without it");
-  if(o.mesh_seconds && (&method == &kinetic || !has_time_limit()))
+  if(o.mesh_seconds && (&method == &kinetic_method || !has_time_limit))
     throw Usage_error("--mesh-seconds is for the solver GLPK of --mesh-method polygonal");
   const long long fewest = fewest_planes, most = (long long)(method.on_demand);
   if(o.mesh_planes && (*o.mesh_planes < fewest || *o.mesh_planes > most))
@@ -131,19 +119,10 @@ void check_mesh_options(const Options& o)
                       ", " + std::to_string(most) + "] for the method " + method.name);
 }
 
-std::string limits_of_planes()
-{
-  std::string text;
-  for(const Method* method : {&kinetic, &polygonal})
-    if(missing_for(*method).empty())
-      text += (text.empty() ? "" : "; ") + limits_of(*method);
-  return text;
-}
-
 // What fails here fails again when the mesh is made, after the other files.
 std::string warning_of_planes(const Point_set& points, const Shapes& shapes, const Options& o)
 try {
-  const Method& method = method_of(o);
+  const Mesh_method& method = method_of(o);
   if(o.mesh.empty() || o.mesh_planes || shapes.statistics().number_of_planes <= method.by_default)
     return {};
   const std::size_t usable = mesh_input(points, shapes).planes.size();

@@ -18,9 +18,6 @@ namespace program {
 // Throws if --mesh-method is not there, or takes neither --mesh-seconds nor as many --mesh-planes.
 void check_mesh_options(const Options& o);
 
-// What --help says about --mesh-planes.
-std::string limits_of_planes();
-
 struct Mesh_facts {
   std::size_t planes = 0, faces = 0; // of the surface
   std::size_t usable_planes = 0;     // those that have an area

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The triangulation of the points of a shape in its plane. Triangles whose circumscribed circle is small, compared
+// The outline of a shape, and the triangulation of its points in its plane that it comes from. Triangles whose circumscribed circle is small, compared
 // with the spacing of the points there, are inside of the outline.
 
 #ifndef DETECT_PLANES_OUTLINE_TRIANGULATION_H
 #define DETECT_PLANES_OUTLINE_TRIANGULATION_H
 
-#include "outlines/Straight_border.h"
+#include "outlines/shape_polygons.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -117,6 +117,11 @@ private:
   int number_of_borders = 0;
   bool has_area; // the points are not on a line
 };
+
+// Straightens lines. What they become are polygons whose lines are simple and have no common points, as they are
+// written. False if the lines, written or straightened, are not like that: then nothing is changed.
+bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
+                   std::vector<Polygon>& polygons);
 
 } // namespace program
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coordinates in the plane of a shape, and points on one to three planes.
+// Coordinates in the plane of a shape, points on one to three planes, and the straight parts of outlines.
 
 #ifndef DETECT_PLANES_PLANE_FRAME_H
 #define DETECT_PLANES_PLANE_FRAME_H
@@ -141,6 +141,18 @@ inline Position point_on_planes(const std::vector<Shapes::Coefficients>& planes,
   x = common_point(rows, x);
   return {double(x[0]), double(x[1]), double(x[2])};
 }
+
+struct Border_vertex_position {
+  Kernel::Point_3 point;
+  int third = -1; // the third plane at a corner, as coplanar group
+};
+
+struct Straight_border {
+  int plane;                                 // the other plane, as coplanar group
+  std::vector<Border_vertex_position> chain; // about as close as points; the shape is to the left
+  float spacing;                             // of the points nearby
+  float reach;                               // points of the shape are within this distance
+};
 
 } // namespace program
 

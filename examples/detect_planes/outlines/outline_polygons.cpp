@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "outlines/outline_polygons.h"
+#include "outlines/Outline_triangulation.h"
 #include "outlines/boundary_loops.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>

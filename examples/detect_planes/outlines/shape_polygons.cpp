@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "outlines/shape_polygons.h"
-#include "outlines/outline_polygons.h"
+#include "outlines/Outline_triangulation.h"
 #include "outlines/straight_borders.h"
 
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/for_each.h>
+#include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -21,12 +20,11 @@ namespace {
 template <class Function>
 void for_each_shape(std::size_t n, Function f)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_for(std::size_t(0), n, f);
-#else
-  for(std::size_t s = 0; s < n; ++s)
+  using Index = boost::counting_iterator<std::size_t>;
+  CGAL::for_each<CGAL::Parallel_if_available_tag>(CGAL::make_range(Index(0), Index(n)), [&](std::size_t s) {
     f(s);
-#endif
+    return true;
+  });
 }
 
 Shape_points points_of_shape(const Point_set& points, const Shapes& shapes, const Unit& unit, std::size_t s)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "outlines/straight_borders.h"
-#include "outlines/near_boxes.h"
+#include "outlines/Point_blocks.h"
 
 #include <algorithm>
 #include <cmath>

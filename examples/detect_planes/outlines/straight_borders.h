@@ -7,7 +7,7 @@
 #define DETECT_PLANES_STRAIGHT_BORDERS_H
 
 #include "outlines/Point_blocks.h"
-#include "outlines/Straight_border.h"
+#include "outlines/Plane_frame.h"
 #include "outlines/Unit.h"
 #include "outlines/intervals.h"
 

@@ -1,11 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "outlines/write_polygons.h"
-#include "formats.h"
-#include "output/Binary_writer.h"
-#include "output/json_number.h"
-#include "output/shape_color.h"
+#include "output/writers.h"
+#include "file_names.h"
+#include "output/write_results.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -27,11 +25,11 @@ Faces triangles_of(const Polygon& polygon)
 }
 
 // Without holes.
-Faces faces_of(const Shape_polygons& shape, bool is_triangulated)
+Faces faces_of(const Shape_polygons& shape, Faces_of_file kind)
 {
   Faces result;
   for(const Polygon& polygon : shape.polygons) {
-    if(!is_triangulated && polygon.holes.empty()) {
+    if(kind == Faces_of_file::polygons && polygon.holes.empty()) {
       result.push_back(polygon.outer);
       continue;
     }
@@ -41,13 +39,13 @@ Faces faces_of(const Shape_polygons& shape, bool is_triangulated)
   return result;
 }
 
-void write_ply(std::ostream& out, const std::vector<Shape_polygons>& all, bool is_triangulated)
+void write_ply(std::ostream& out, const std::vector<Shape_polygons>& all, Faces_of_file kind)
 {
   std::vector<Faces> faces;
   std::size_t number_of_vertices = 0, number_of_faces = 0, largest = 0;
   for(const Shape_polygons& shape : all) {
     number_of_vertices += shape.vertices.size();
-    faces.push_back(faces_of(shape, is_triangulated));
+    faces.push_back(faces_of(shape, kind));
     number_of_faces += faces.back().size();
     for(const Polygon::Loop& face : faces.back())
       largest = (std::max)(largest, face.size());
@@ -80,7 +78,7 @@ void write_ply(std::ostream& out, const std::vector<Shape_polygons>& all, bool i
   }
 }
 
-void write_obj(std::ostream& out, const std::vector<Shape_polygons>& all, bool is_triangulated)
+void write_obj(std::ostream& out, const std::vector<Shape_polygons>& all, Faces_of_file kind)
 {
   out << "# detect_planes of Tandem\n" << std::setprecision(17);
   std::size_t first = 1; // OBJ counts from 1
@@ -88,7 +86,7 @@ void write_obj(std::ostream& out, const std::vector<Shape_polygons>& all, bool i
     out << "g shape_" << s << '\n';
     for(const Position& v : all[s].vertices)
       out << "v " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n';
-    for(const Polygon::Loop& face : faces_of(all[s], is_triangulated)) {
+    for(const Polygon::Loop& face : faces_of(all[s], kind)) {
       out << 'f';
       for(std::uint32_t corner : face)
         out << ' ' << first + corner;
@@ -98,55 +96,49 @@ void write_obj(std::ostream& out, const std::vector<Shape_polygons>& all, bool i
   }
 }
 
-// --- GeoJSON
+// --- GeoJSON, of which no more than a polygon is in memory at once
 
 // The first corner again at the end.
-void write_ring(std::ostream& out, const Shape_polygons& shape, const Polygon::Loop& ring)
+Json json_of_ring(const Shape_polygons& shape, const Polygon::Loop& ring)
 {
-  out << '[';
-  for(std::size_t i = 0; i <= ring.size(); ++i) {
-    const Position& v = shape.vertices[ring[i % ring.size()]];
-    out << (i == 0 ? "[" : ",[") << json_number(v[0]) << ',' << json_number(v[1]) << ',' << json_number(v[2]) << ']';
-  }
-  out << ']';
+  Json json = Json::array();
+  for(std::size_t i = 0; i <= ring.size(); ++i)
+    json.push_back(shape.vertices[ring[i % ring.size()]]);
+  return json;
 }
 
-void write_coordinates(std::ostream& out, const Shape_polygons& shape, bool is_triangulated)
+void write_coordinates(std::ostream& out, const Shape_polygons& shape, Faces_of_file faces)
 {
-  const char* before = "";
+  const char* before = "\n   ";
   const auto write_polygon = [&](const Polygon::Loop& outer, const std::vector<Polygon::Loop>& holes) {
-    out << before << "\n   [";
-    before = ",";
-    write_ring(out, shape, outer);
-    for(const Polygon::Loop& hole : holes) {
-      out << ',';
-      write_ring(out, shape, hole);
-    }
-    out << ']';
+    Json json = Json::array({json_of_ring(shape, outer)});
+    for(const Polygon::Loop& hole : holes)
+      json.push_back(json_of_ring(shape, hole));
+    out << before << json;
+    before = ",\n   ";
   };
-  out << '[';
   for(const Polygon& polygon : shape.polygons)
-    if(is_triangulated)
+    if(faces == Faces_of_file::triangles)
       for(const Polygon::Loop& triangle : triangles_of(polygon))
         write_polygon(triangle, {});
     else
       write_polygon(polygon.outer, polygon.holes);
-  out << ']';
 }
 
-void write_geojson(std::ostream& out, const std::vector<Shape_polygons>& all, const Shapes& shapes,
-                   bool is_triangulated)
+void write_geojson(std::ostream& out, const std::vector<Shape_polygons>& all, const Shapes& shapes, Faces_of_file faces)
 {
-  out << "{\"type\": \"FeatureCollection\", \"features\": [";
+  out << R"({"type": "FeatureCollection", "features": [)";
   for(std::size_t s = 0; s < all.size(); ++s) {
-    const auto& c = shapes.coefficients(s);
-    out << (s == 0 ? "\n" : ",\n") << " {\"type\": \"Feature\", \"properties\": {\"shape\": " << s << ", \"plane\": ["
-        << json_number(c[0]) << ", " << json_number(c[1]) << ", " << json_number(c[2]) << ", " << json_number(c[3])
-        << "], \"parallel_group\": " << shapes.parallel_group(s) << ", \"coplanar_group\": " << shapes.coplanar_group(s)
-        << ", \"points\": " << shapes.points(s).size() << ", \"area\": " << json_number(all[s].area)
-        << "},\n  \"geometry\": {\"type\": \"MultiPolygon\", \"coordinates\": ";
-    write_coordinates(out, all[s], is_triangulated);
-    out << "}}";
+    const Json properties = {{"shape", s},
+                             {"plane", shapes.coefficients(s)},
+                             {"parallel_group", shapes.parallel_group(s)},
+                             {"coplanar_group", shapes.coplanar_group(s)},
+                             {"points", shapes.points(s).size()},
+                             {"area", all[s].area}};
+    out << (s == 0 ? "\n" : ",\n") << R"( {"type": "Feature", "properties": )" << properties
+        << R"(, "geometry": {"type": "MultiPolygon", "coordinates": [)";
+    write_coordinates(out, all[s], faces);
+    out << "]}}";
   }
   out << "\n]}\n";
 }
@@ -154,16 +146,16 @@ void write_geojson(std::ostream& out, const std::vector<Shape_polygons>& all, co
 } // namespace
 
 void write_polygons(std::ostream& out, const Point_set& points, const Shapes& shapes, const std::string& path,
-                    bool is_triangulated)
+                    Faces_of_file kind)
 {
   const std::vector<Shape_polygons> all = polygons_of_shapes(points, shapes);
   const std::string extension = lower_case_extension(path);
   if(extension == ".obj")
-    write_obj(out, all, is_triangulated);
+    write_obj(out, all, kind);
   else if(extension == ".ply")
-    write_ply(out, all, is_triangulated);
+    write_ply(out, all, kind);
   else
-    write_geojson(out, all, shapes, is_triangulated);
+    write_geojson(out, all, shapes, kind);
 }
 
 } // namespace program

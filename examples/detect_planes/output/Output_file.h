@@ -7,7 +7,7 @@
 #include "output/Descriptor_buffer.h"
 #include "output/Partial_file.h"
 #include "output/Write_error.h"
-#include "links.h"
+#include "file_names.h"
 
 #include <cerrno>
 #include <filesystem>

@@ -5,17 +5,15 @@
 #define DETECT_PLANES_OUTPUT_FILES_H
 
 #include "Options.h"
-#include "formats.h"
+#include "file_names.h"
 #include "signals.h"
 #include "input/read_cloud.h"
 #include "output/Output_file.h"
 #include "output/report.h"
-#include "output/write_cloud.h"
+#include "output/writers.h"
 #include "mesh/write_mesh.h"
-#include "outlines/write_polygons.h"
 #include "output/write_results.h"
 #include "output/write_vg.h"
-#include "view/write_view.h"
 
 #include <deque>
 #include <optional>
@@ -89,10 +87,12 @@ private:
     open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
     open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
     open(o.vg, [](std::ostream& out, const Results& r) {
-      write_vg(out, r.cloud.points, r.shapes, r.o.has_group_for_each_plane);
+      write_vg(out, r.cloud.points, r.shapes,
+               r.o.has_group_for_each_plane ? Vg_groups::of_planes : Vg_groups::of_shapes);
     });
     open(o.polygons, [](std::ostream& out, const Results& r) {
-      write_polygons(out, r.cloud.points, r.shapes, r.o.polygons, r.o.has_triangles_only);
+      write_polygons(out, r.cloud.points, r.shapes, r.o.polygons,
+                     r.o.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons);
     });
     open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.cloud.points, r.shapes, r.run); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });

@@ -62,6 +62,13 @@ private:
   bool has_narrow_colors = false;                             // 8 bits in the lower half of 16
 };
 
+// LAS 1.4 with the shape as extra bytes. Coordinates are rounded to the grid of the input, or to one that is fine for
+// the distances within shapes. Points that are not finite are left out.
+void write_las(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input);
+
+// The same, compressed by LASzip.
+void write_laz(std::ostream& out, const Output_points& cloud, const std::optional<Las_frame>& frame_of_input);
+
 } // namespace program
 
 #endif // DETECT_PLANES_OUTPUT_POINTS_H

@@ -6,18 +6,18 @@
 #ifndef DETECT_PLANES_REPORT_H
 #define DETECT_PLANES_REPORT_H
 
-#include "output/json_number.h"
 #include "output/write_results.h"
-#include "visible_text.h"
+#include "messages.h"
 
 #ifdef __unix__
 #include <sys/resource.h>
 #endif
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
+#include <iomanip>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -50,166 +50,98 @@ inline std::size_t peak_process_bytes()
   return 0;
 }
 
-// Writes the members of JSON objects in the order of the calls.
-class Json_writer {
-public:
-  explicit Json_writer(std::ostream& out) : out(out) { out << '{'; }
+using Json = nlohmann::ordered_json; // doubles are written so that they are read as they were, or as null if not finite
 
-  void begin(const char* name)
-  {
-    key(name);
-    out << '{';
-    is_first = true;
-    ++depth;
-  }
-  void end()
-  {
-    --depth;
-    out << '\n' << std::string(2 * depth, ' ') << '}';
-    is_first = false;
-    if(depth == 0)
-      out << '\n';
-  }
-  void number(const char* name, double value)
-  {
-    key(name);
-    out << json_number(value);
-  }
-  void count(const char* name, std::size_t value) { key(name), out << value; }
-  void boolean(const char* name, bool value) { key(name), out << (value ? "true" : "false"); }
-  void text(const char* name, const std::string& value) { key(name), out << quoted(value); }
-
-  void texts(const char* name, const std::vector<std::string>& values)
-  {
-    key(name);
-    write(values, [&](const std::string& value) { out << quoted(value); });
-  }
-
-  template <class Numbers>
-  void numbers(const char* name, const Numbers& numbers)
-  {
-    key(name);
-    write_numbers(numbers);
-  }
-
-  template <class Rows>
-  void rows(const char* name, const Rows& rows)
-  {
-    key(name);
-    write(rows, [&](const auto& row) { write_numbers(row); });
-  }
-
-private:
-  template <class Numbers>
-  void write_numbers(const Numbers& numbers)
-  {
-    write(numbers, [&](auto x) { out << json_number(double(x)); });
-  }
-
-  template <class List, class Write_item>
-  void write(const List& list, Write_item write_item)
-  {
-    out << '[';
-    const char* before = "";
-    for(const auto& item : list) {
-      out << before;
-      write_item(item);
-      before = ", ";
-    }
-    out << ']';
-  }
-
-  void key(const char* name)
-  {
-    out << (is_first ? "\n" : ",\n") << std::string(2 * depth, ' ') << '"' << name << "\": ";
-    is_first = false;
-  }
-
-  // The name of a file need not be UTF-8: other bytes are escaped one by one. So is '<': it may be on a page.
-  static std::string quoted(const std::string& s)
-  {
-    std::string result = "\"";
-    for(std::string_view rest = s; !rest.empty();) {
-      const std::size_t n = (std::max)(utf8_length(rest), std::size_t(1));
-      const unsigned char last = (unsigned char)(rest[n - 1]); // of a control character, it is the code
-      char code[8];
-      if(utf8_length(rest) == 0 || begins_with_control(rest) || last == '<')
-        std::snprintf(code, sizeof code, "\\u%04x", unsigned(last)), result += code;
-      else
-        (result += last == '"' || last == '\\' ? "\\" : "") += rest.substr(0, n);
-      rest.remove_prefix(n);
-    }
-    return result + '"';
-  }
-
-  std::ostream& out;
-  std::size_t depth = 1;
-  bool is_first = true;
-};
-
-inline std::vector<std::vector<std::size_t>> members_of_groups(const Shapes& shapes, bool is_parallel)
+// Names of files need not be UTF-8, as the texts of JSON are: other bytes become the characters of their codes.
+inline std::string utf8(const std::string& text)
 {
-  std::vector<std::vector<std::size_t>> groups(is_parallel ? shapes.number_of_parallel_groups()
-                                                           : shapes.number_of_coplanar_groups());
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    groups[is_parallel ? shapes.parallel_group(s) : shapes.coplanar_group(s)].push_back(s);
+  std::string result;
+  for(std::string_view rest = text; !rest.empty();) {
+    const std::size_t n = utf8_length(rest);
+    const unsigned char byte = (unsigned char)(rest[0]);
+    if(n > 0)
+      result += rest.substr(0, n);
+    else
+      (result += char(0xc0 | byte >> 6)) += char(0x80 | (byte & 0x3f));
+    rest.remove_prefix((std::max)(n, std::size_t(1)));
+  }
+  return result;
+}
+
+// In ASCII, so that no text controls a terminal.
+inline std::string ascii(const Json& json) { return json.dump(-1, ' ', true); }
+
+// A line for each member.
+inline void write_json(std::ostream& out, const Json& object, const std::string& indent = "")
+{
+  const char* before = "{\n";
+  for(const auto& [name, value] : object.items()) {
+    out << before << indent << "  \"" << name << "\": ";
+    if(value.is_object())
+      write_json(out, value, indent + "  ");
+    else
+      out << ascii(value);
+    before = ",\n";
+  }
+  out << '\n' << indent << '}';
+}
+
+using Group_of_shape = std::size_t (Shapes::*)(std::size_t) const;
+
+inline std::vector<std::vector<std::size_t>> members_of_groups(const Shapes& shapes, Group_of_shape group)
+{
+  std::vector<std::vector<std::size_t>> groups;
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+    const std::size_t g = (shapes.*group)(s);
+    groups.resize((std::max)(groups.size(), g + 1));
+    groups[g].push_back(s);
+  }
   return groups;
 }
 
-inline void write_parameters(Json_writer& json, const CGAL::Tandem::Parameters& p)
+inline Json json_of(const CGAL::Tandem::Parameters& p)
 {
-  json.begin("parameters");
-  json.number("maximum_distance", p.maximum_distance);
-  json.number("maximum_angle", p.maximum_angle);
-  json.number("angle_tolerance", p.angle_tolerance);
-  json.number("maximum_offset", p.maximum_offset);
-  json.count("minimum_region_size", p.minimum_region_size);
-  json.count("k_neighbors", p.k_neighbors);
-  json.count("cell_size", p.cell_size);
-  json.boolean("regularize_parallelism", p.regularize_parallelism);
-  json.boolean("regularize_orthogonality", p.regularize_orthogonality);
-  json.boolean("regularize_coplanarity", p.regularize_coplanarity);
-  json.rows("fixed_directions", p.fixed_directions);
-  json.boolean("regularize_axis_symmetry", p.regularize_axis_symmetry);
+  Json json = {{"maximum_distance", p.maximum_distance},
+               {"maximum_angle", p.maximum_angle},
+               {"angle_tolerance", p.angle_tolerance},
+               {"maximum_offset", p.maximum_offset},
+               {"minimum_region_size", p.minimum_region_size},
+               {"k_neighbors", p.k_neighbors},
+               {"cell_size", p.cell_size},
+               {"regularize_parallelism", p.regularize_parallelism},
+               {"regularize_orthogonality", p.regularize_orthogonality},
+               {"regularize_coplanarity", p.regularize_coplanarity},
+               {"fixed_directions", p.fixed_directions},
+               {"regularize_axis_symmetry", p.regularize_axis_symmetry}};
   if(p.regularize_axis_symmetry)
-    json.numbers("symmetry_direction", p.symmetry_direction);
-  json.end();
+    json["symmetry_direction"] = p.symmetry_direction;
+  return json;
 }
 
-inline void write_numbers(Json_writer& json, const CGAL::Tandem::Statistics& s, const Run& run)
+inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json& json)
 {
-  json.begin("counts");
-  json.count("points", s.number_of_points);
-  json.count("ignored", s.number_of_ignored_points());
-  json.count("ignored_coordinates", s.number_of_ignored_coordinates);
-  json.count("ignored_normals", s.number_of_ignored_normals);
-  json.count("assigned", s.number_of_assigned_points);
-  json.count("shapes", s.number_of_shapes);
-  json.count("directions", s.number_of_directions);
-  json.count("planes", s.number_of_planes);
-  json.count("orthogonal_pairs", s.number_of_orthogonal_pairs);
-  json.count("rounds", s.number_of_rounds);
-  json.end();
-  json.begin("criteria");
-  json.number("coverage", s.coverage);
-  json.number("mean_distance", s.mean_distance);
-  json.count("degrees_of_freedom", s.degrees_of_freedom);
-  json.number("complexity", s.complexity);
-  json.end();
-  json.begin("seconds");
-  json.number("read", run.read_seconds);
-  json.number("normals", s.times.normals + run.normal_seconds);
-  json.number("sort", s.times.sort);
-  json.number("neighbors", s.times.neighbors);
-  json.number("growth", s.times.growth);
-  json.number("regularity", s.times.regularity);
-  json.number("final", s.times.finish);
-  json.number("total", s.times.total + run.normal_seconds);
-  json.end();
-  json.begin("memory");
-  json.count("engine_peak_bytes", s.peak_bytes);
-  json.count("process_peak_bytes", (std::max)(run.peak_bytes, peak_process_bytes()));
-  json.end();
+  json["counts"] = {{"points", s.number_of_points},
+                    {"ignored", s.number_of_ignored_points()},
+                    {"ignored_coordinates", s.number_of_ignored_coordinates},
+                    {"ignored_normals", s.number_of_ignored_normals},
+                    {"assigned", s.number_of_assigned_points},
+                    {"shapes", s.number_of_shapes},
+                    {"directions", s.number_of_directions},
+                    {"planes", s.number_of_planes},
+                    {"orthogonal_pairs", s.number_of_orthogonal_pairs},
+                    {"rounds", s.number_of_rounds}};
+  json["criteria"] = {{"coverage", s.coverage},
+                      {"mean_distance", s.mean_distance},
+                      {"degrees_of_freedom", s.degrees_of_freedom},
+                      {"complexity", s.complexity}};
+  json["score"] = {{"fit", s.score.fit},     {"links", s.score.links},     {"size", s.score.size},
+                   {"price", s.score.price}, {"freedom", s.score.freedom}, {"total", s.score.total()}};
+  json["seconds"] = {{"read", run.read_seconds}, {"normals", s.times.normals + run.normal_seconds},
+                     {"sort", s.times.sort},     {"neighbors", s.times.neighbors},
+                     {"growth", s.times.growth}, {"regularity", s.times.regularity},
+                     {"final", s.times.finish},  {"total", s.times.total + run.normal_seconds}};
+  json["memory"] = {{"engine_peak_bytes", s.peak_bytes},
+                    {"process_peak_bytes", (std::max)(run.peak_bytes, peak_process_bytes())}};
 }
 
 inline std::string hash_text(const Run& run)
@@ -222,30 +154,21 @@ inline std::string hash_text(const Run& run)
 inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
-  Json_writer json(out);
-  json.text("input", run.input);
-  json.text("normals", run.normals);
-  json.text("backend", s.backend);
-  json.text("device", run.device);
-  json.count("threads", std::size_t(run.threads));
-  json.count("processes", std::size_t(run.ranks));
-  json.text("hash", hash_text(run));
-  json.number("grid_step", s.grid_step);
-  json.boolean("is_grid_coarse", s.is_grid_coarse);
-  json.texts("warnings", run.warnings);
-  write_parameters(json, shapes.parameters());
-  write_numbers(json, s, run);
-  json.begin("relations");
-  json.rows("parallel_groups", members_of_groups(shapes, true));
-  std::vector<std::array<std::size_t, 2>> pairs;
-  for(const auto& pair : shapes.orthogonal_groups())
-    pairs.push_back({std::size_t(pair.first), std::size_t(pair.second)});
-  json.rows("orthogonal_pairs", pairs);
-  json.rows("coplanar_groups", members_of_groups(shapes, false));
-  json.numbers("fixed_direction_of_parallel_groups", shapes.data().fixed_direction);
-  json.numbers("symmetry_group_of_parallel_groups", shapes.data().symmetry_group);
-  json.end();
-  json.end();
+  Json json = {{"input", utf8(run.input)}, {"normals", run.normals},   {"backend", s.backend},
+               {"device", run.device},     {"threads", run.threads},   {"processes", run.ranks},
+               {"hash", hash_text(run)},   {"grid_step", s.grid_step}, {"is_grid_coarse", s.is_grid_coarse},
+               {"warnings", Json::array()}};
+  for(const std::string& warning : run.warnings)
+    json["warnings"].push_back(utf8(warning));
+  json["parameters"] = json_of(shapes.parameters());
+  add_figures(s, run, json);
+  json["relations"] = {{"parallel_groups", members_of_groups(shapes, &Shapes::parallel_group)},
+                       {"orthogonal_pairs", shapes.orthogonal_groups()},
+                       {"coplanar_groups", members_of_groups(shapes, &Shapes::coplanar_group)},
+                       {"fixed_direction_of_parallel_groups", shapes.data().fixed_direction},
+                       {"symmetry_group_of_parallel_groups", shapes.data().symmetry_group}};
+  write_json(out, json);
+  out << '\n';
 }
 
 } // namespace program

@@ -7,7 +7,7 @@
 #define DETECT_PLANES_SUMMARY_H
 
 #include "output/report.h"
-#include "visible_text.h"
+#include "messages.h"
 
 #include <algorithm>
 #include <iomanip>

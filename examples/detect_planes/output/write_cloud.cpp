@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/write_cloud.h"
+#include "output/writers.h"
 
+#include "Built_with.h"
 #include "output/Output_points.h"
-#include "output/write_las.h"
 
 namespace program {
 
@@ -105,10 +105,11 @@ void write_cloud(std::ostream& out, const Point_set& points, const Point_part& p
   const std::string& extension = format.extension;
   const bool is_las = extension == ".las" || extension == ".laz";
   const Output_points cloud(points, part, shapes, format.colors.empty() ? !is_las : format.colors == "shape");
+  if constexpr(has_laszip)
+    if(extension == ".laz")
+      return write_laz(out, cloud, format.las_frame);
   if(extension == ".las")
     write_las(out, cloud, format.las_frame);
-  else if(extension == ".laz")
-    write_laz(out, cloud, format.las_frame);
   else if(extension == ".pcd")
     write_pcd(out, cloud);
   else if(extension == ".csv")

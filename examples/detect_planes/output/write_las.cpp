@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/write_las.h"
+#include "output/Output_points.h"
 
 #include "input/las_header.h"
-#include "input/read_laz.h"
 
 #include <limits>
 

@@ -1,22 +1,17 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/write_las.h"
+#include "output/Output_points.h"
 
 #include "output/Partial_file.h"
 #include "output/Write_error.h"
 
 #include <cerrno>
 #include <fstream>
+#include <laszip_api.h>
 #include <stdexcept>
 
-#ifdef DETECT_PLANES_WITH_LASZIP
-#include <laszip_api.h>
-#endif
-
 namespace program {
-
-#ifdef DETECT_PLANES_WITH_LASZIP
 
 namespace {
 
@@ -90,11 +85,5 @@ void write_laz(std::ostream& out, const Output_points& cloud, const std::optiona
   std::ifstream compressed(laz.name(), std::ios::binary);
   out << compressed.rdbuf();
 }
-
-#else
-
-void write_laz(std::ostream&, const Output_points&, const std::optional<Las_frame>&) {}
-
-#endif
 
 } // namespace program

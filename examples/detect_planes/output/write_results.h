@@ -7,22 +7,76 @@
 #ifndef DETECT_PLANES_WRITE_RESULTS_H
 #define DETECT_PLANES_WRITE_RESULTS_H
 
-#include "formats.h"
+#include "file_names.h"
 #include "input/point_set.h"
-#include "output/Binary_writer.h"
-#include "output/shape_color.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <iomanip>
 #include <ostream>
 #include <string>
 
 namespace program {
+
+inline bool is_little_endian()
+{
+  const std::uint16_t one = 1;
+  unsigned char first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+// Binary numbers, little-endian on every machine.
+class Binary_writer {
+public:
+  explicit Binary_writer(std::ostream& out) : out(out), is_swapped(!is_little_endian()) {}
+
+  template <class T>
+  void write(T value)
+  {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    if(is_swapped)
+      std::reverse(bytes, bytes + sizeof(T));
+    out.write(bytes, sizeof(T));
+  }
+
+  void write_real(double value, bool is_double)
+  {
+    if(is_double)
+      write(value);
+    else
+      write(float(value));
+  }
+
+private:
+  std::ostream& out;
+  bool is_swapped;
+};
+
+using Color = std::array<std::uint8_t, 3>;
+
+// Steps of the golden ratio around the color wheel keep shapes of close indices apart.
+inline Color color_of_shape(int shape)
+{
+  if(shape < 0)
+    return {110, 110, 110};
+  const double hue = 6 * std::fmod(0.13 + 0.61803398874989485 * shape, 1.0);
+  const double saturation = shape % 3 == 1 ? 0.55 : 0.8;
+  const double value = shape % 2 == 1 ? 0.8 : 1.0;
+  const auto channel = [&](double shift) {
+    const double x = std::fmod(shift + hue, 6.0);
+    const double share = (std::max)(0.0, (std::min)({x, 4 - x, 1.0}));
+    return std::uint8_t(std::lround(255 * value * (1 - saturation * share)));
+  };
+  return {channel(5), channel(3), channel(1)};
+}
 
 using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 

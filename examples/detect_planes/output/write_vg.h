@@ -88,19 +88,21 @@ inline void write_vg_group(std::ostream& out, const Shapes& shapes, const std::v
   out << "\nnum_children: 0\n";
 }
 
-inline void write_vg(std::ostream& out, const Point_set& points, const Shapes& shapes, bool has_group_for_each_plane)
+enum class Vg_groups { of_shapes, of_planes };
+
+inline void write_vg(std::ostream& out, const Point_set& points, const Shapes& shapes, Vg_groups kind)
 {
   std::uint32_t count;
   const std::vector<std::uint32_t> position = positions_in_vg(points, count);
   write_vg_points(out, points, shapes, count);
-  std::vector<std::vector<std::size_t>> groups(has_group_for_each_plane ? shapes.number_of_coplanar_groups()
-                                                                        : shapes.number_of_shapes());
+  const bool are_planes = kind == Vg_groups::of_planes;
+  std::vector<std::vector<std::size_t>> groups(are_planes ? shapes.number_of_coplanar_groups()
+                                                          : shapes.number_of_shapes());
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    groups[has_group_for_each_plane ? shapes.coplanar_group(s) : s].push_back(s);
+    groups[are_planes ? shapes.coplanar_group(s) : s].push_back(s);
   out << "num_groups: " << groups.size() << '\n';
   for(std::size_t g = 0; g < groups.size(); ++g)
-    write_vg_group(out, shapes, groups[g], (has_group_for_each_plane ? "plane_" : "shape_") + std::to_string(g),
-                   position);
+    write_vg_group(out, shapes, groups[g], (are_planes ? "plane_" : "shape_") + std::to_string(g), position);
 }
 
 } // namespace program

@@ -4,12 +4,14 @@
 #ifndef DETECT_PLANES_RANKS_H
 #define DETECT_PLANES_RANKS_H
 
+#include "Built_with.h"
 #include "Options.h"
-#include "fail.h"
+#include "messages.h"
 #include "input/input_settings.h"
 #include "input/point_set.h"
 #include "output/write_results.h"
 #include "progress.h"
+#include "ranks/processes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -56,9 +58,6 @@ public:
   // The notes of all ranks on the first one, without what is for outputs only.
   virtual std::vector<Placed_notes> gather(const std::vector<Placed_notes>& own) const { return own; }
 
-  // Whether the ranks can compute on devices.
-  virtual bool has_cuda() const { return true; }
-
   // How many threads this rank may have, if the ranks of a machine share its processors; 0: no limit.
   virtual int threads() const { return 0; }
 
@@ -72,11 +71,20 @@ public:
   virtual int end(int code, const char* message, const char* advice = "") const { return fail(code, message, advice); }
 };
 
-// Whether this program was built with MPI.
-bool has_mpi();
+// The processes that mpirun has started. An exception where they cannot work together.
+std::unique_ptr<Ranks> make_mpi_ranks(int& argc, char**& argv, const Launch& launch);
 
-// An exception where mpirun has started several processes that cannot work together.
-std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv);
+inline std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv)
+{
+  const Launch launch = find_launch();
+  if(launch.size == 1)
+    return std::make_unique<Ranks>();
+  if constexpr(has_mpi)
+    return make_mpi_ranks(argc, argv, launch);
+  throw std::runtime_error(std::to_string(launch.size) + " processes were started (" + launch.variable +
+                           "), but this program was built without MPI; install MPI and Boost.MPI (Debian: "
+                           "libopenmpi-dev libboost-mpi-dev) and build again");
+}
 
 } // namespace program
 

@@ -7,13 +7,13 @@
 #define DETECT_PLANES_READ_INPUTS_H
 
 #include "Options.h"
-#include "fail.h"
+#include "messages.h"
 #include "input/read_cloud.h"
-#include "input_options.h"
+#include "option_values.h"
 #include "output/report.h"
 #include "progress.h"
 #include "ranks/Ranks.h"
-#include "ranks/share_files.h"
+#include "ranks/processes.h"
 
 #include <CGAL/Real_timer.h>
 

@@ -4,7 +4,7 @@
 #include "ranks/Ranks.h"
 
 #include "detection.h"
-#include "ranks/launch.h"
+#include "ranks/processes.h"
 #include "signals.h"
 
 #include <CGAL/Shape_regularization_tandem/mpi.h>
@@ -19,8 +19,6 @@
 #endif
 
 #include <algorithm>
-#include <exception>
-#include <new>
 #include <string>
 #include <thread>
 
@@ -42,35 +40,6 @@ namespace {
 
 namespace mpi = boost::mpi;
 
-// An exception as text: its kind, and what it says.
-struct Failure {
-  enum Kind { none, usage, memory, other };
-  Kind kind = none;
-  std::string message;
-};
-
-Failure failure_of(const std::exception_ptr& exception)
-{
-  try {
-    std::rethrow_exception(exception);
-  } catch(const Usage_error& e) {
-    return {Failure::usage, e.what()};
-  } catch(const std::bad_alloc&) {
-    return {Failure::memory, ""};
-  } catch(const std::exception& e) {
-    return {Failure::other, e.what()};
-  }
-}
-
-[[noreturn]] void rethrow(const Failure& failure)
-{
-  if(failure.kind == Failure::usage)
-    throw Usage_error(failure.message);
-  if(failure.kind == Failure::memory)
-    throw std::bad_alloc();
-  throw std::runtime_error(failure.message);
-}
-
 class Mpi_ranks : public Ranks {
 public:
   Mpi_ranks(int& argc, char**& argv, const Launch& launch) : environment(argc, argv, mpi::threading::funneled, false)
@@ -85,24 +54,13 @@ public:
   int rank() const override { return world.rank(); }
   int size() const override { return world.size(); }
 
+  // As the library agrees on failures.
   void together(const std::function<void()>& f) override
-  {
-    Failure failure;
-    try {
-      f();
-    } catch(...) {
-      failure = failure_of(std::current_exception());
-    }
-    const int own = failure.kind == Failure::none ? size() : rank();
-    const int first = mpi::all_reduce(world, own, mpi::minimum<int>());
-    if(first == size())
-      return;
-    int kind = failure.kind;
-    mpi::broadcast(world, kind, first);
-    mpi::broadcast(world, failure.message, first);
-    failure.kind = Failure::Kind(kind);
+  try {
+    CGAL::Tandem::together(world, f);
+  } catch(...) {
     has_agreed = true;
-    rethrow(failure);
+    throw;
   }
 
   unsigned common_bits(unsigned own) const override
@@ -156,21 +114,14 @@ public:
     return (std::max)(int(std::thread::hardware_concurrency()) / machine.size(), 1);
   }
 
-#ifndef CGAL_TANDEM_USE_MPI_CUDA
-  bool has_cuda() const override { return false; }
-#endif
-
   Shapes detect(const Point_set& own, const Options& o, Progress_line& progress) const override
   {
-#ifdef CGAL_TANDEM_USE_MPI_CUDA
-    if(o.backend == "cuda")
-      return program::detect<CGAL::Tandem::Mpi_tag<CGAL::Tandem::Cuda_tag>>(own, o, progress);
-#endif
-#ifdef CGAL_LINKED_WITH_TBB
-    if(o.backend != "sequential")
-      return program::detect<CGAL::Tandem::Mpi_tag<CGAL::Parallel_tag>>(own, o, progress);
-#endif
-    return program::detect<CGAL::Tandem::Mpi_tag<CGAL::Sequential_tag>>(own, o, progress);
+    using CGAL::Tandem::Mpi_tag;
+    if constexpr(has_mpi_cuda)
+      if(o.backend == "cuda")
+        return program::detect<Mpi_tag<CGAL::Tandem::Cuda_tag>>(own, o, progress);
+    return o.backend == "sequential" ? program::detect<Mpi_tag<CGAL::Sequential_tag>>(own, o, progress)
+                                     : program::detect<Mpi_tag<CGAL::Parallel_if_available_tag>>(own, o, progress);
   }
 
   // What only this rank knows of ends the others, too.
@@ -192,14 +143,9 @@ private:
 
 } // namespace
 
-bool has_mpi() { return true; }
-
-std::unique_ptr<Ranks> make_ranks(int& argc, char**& argv)
+std::unique_ptr<Ranks> make_mpi_ranks(int& argc, char**& argv, const Launch& launch)
 {
-  const Launch launch = find_launch();
-  if(launch.size > 1)
-    return std::make_unique<Mpi_ranks>(argc, argv, launch);
-  return std::make_unique<Ranks>();
+  return std::make_unique<Mpi_ranks>(argc, argv, launch);
 }
 
 } // namespace program

@@ -18,7 +18,7 @@ function(add_pieces name text)
     string(APPEND pieces "  R\"embedded(${piece})embedded\",\n")
     math(EXPR first "${first} + ${piece_size}")
   endwhile()
-  file(APPEND "${OUTPUT}.new" "const char* const ${name}[] = {\n${pieces}  nullptr};\n")
+  file(APPEND "${OUTPUT}.new" "extern const char* const ${name}[] = {\n${pieces}  nullptr};\n")
 endfunction()
 
 # insert(mark file): in place of the mark.
@@ -42,9 +42,8 @@ if(THREE AND CONTROLS)
   string(SUBSTRING "${page}" ${mark} -1 after)
 endif()
 
-file(WRITE "${OUTPUT}.new" "// Made by embed_page.cmake.\n#include \"view/Page_parts.h\"\n\nnamespace {\n\n")
-add_pieces(before_data "${before}")
-add_pieces(after_data "${after}")
-file(APPEND "${OUTPUT}.new" "\n} // namespace\n\n"
-  "program::Page_parts program::page_parts() { return {before_data, after_data}; }\n")
+file(WRITE "${OUTPUT}.new" "// Made by embed_page.cmake.\n\nnamespace program {\n\n")
+add_pieces(page_before_data "${before}")
+add_pieces(page_after_data "${after}")
+file(APPEND "${OUTPUT}.new" "\n} // namespace program\n")
 file(RENAME "${OUTPUT}.new" "${OUTPUT}")

@@ -1,23 +1,27 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "view/write_view.h"
+#include "output/writers.h"
 #include "outlines/shape_polygons.h"
-#include "view/Page_parts.h"
 #include "view/Thinned_points.h"
 #include "view/shape_facts.h"
 #include "view/write_points.h"
 
 #include <CGAL/Bbox_3.h>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace program {
+
+// The page before and after the data, as embed_page.cmake puts it together of three.js and the files of this folder: in
+// pieces, as compilers limit the length of a literal. A null pointer is at the end.
+extern const char* const page_before_data[];
+extern const char* const page_after_data[];
 
 namespace {
 
@@ -47,17 +51,17 @@ Kernel::Point_3 center_of(const CGAL::Bbox_3& box)
 }
 
 // Columns: a number for each shape.
-void write_shapes(Json_writer& json, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned,
-                  const Kernel::Point_3& center)
+Json json_of_shapes(const Point_set& points, const Shapes& shapes, const Kernel::Point_3& center)
 {
   const Unit unit(points, shapes);
-  std::vector<double> size, parallel, coplanar, plane, position, area, distance, turned, shifted;
+  std::vector<std::size_t> size, parallel, coplanar;
+  std::vector<double> plane, position, area, distance, turned, shifted;
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     const Shape_facts facts = facts_of_shape(points, shapes, unit, s);
     const auto& c = shapes.coefficients(s);
-    size.push_back(double(shapes.points(s).size()));
-    parallel.push_back(double(shapes.parallel_group(s)));
-    coplanar.push_back(double(shapes.coplanar_group(s)));
+    size.push_back(shapes.points(s).size());
+    parallel.push_back(shapes.parallel_group(s));
+    coplanar.push_back(shapes.coplanar_group(s));
     plane.insert(plane.end(), c.begin(), c.end());
     for(int k = 0; k < 3; ++k)
       position.push_back(facts.centroid[std::size_t(k)] - center[k]);
@@ -67,45 +71,32 @@ void write_shapes(Json_writer& json, const Point_set& points, const Shapes& shap
   }
   for(const Shape_polygons& polygons : polygons_of_shapes(points, shapes))
     area.push_back(polygons.area);
-  json.begin("shapes");
-  json.numbers("points", size);
-  json.numbers("shown", thinned.shown); // one more: points without a shape
-  json.numbers("direction", parallel);
-  json.numbers("plane", coplanar);
-  json.numbers("coefficients", plane);
-  json.numbers("centroid", position);
-  json.numbers("area", area);
-  json.numbers("mean_distance", distance);
-  json.numbers("turned_degrees", turned);
-  json.numbers("shifted", shifted);
-  json.end();
+  return {{"points", size},       {"direction", parallel}, {"plane", coplanar},         {"coefficients", plane},
+          {"centroid", position}, {"area", area},          {"mean_distance", distance}, {"turned_degrees", turned},
+          {"shifted", shifted}};
 }
 
-void write_scene(std::ostream& out, const Point_set& points, const Shapes& shapes, const Run& run,
-                 const Thinned_points& thinned)
+Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run, const Thinned_points& thinned)
 {
   const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   const Kernel::Point_3 center = center_of(box);
   const CGAL::Tandem::Statistics& s = shapes.statistics();
-  Json_writer json(out);
-  json.text("name", std::filesystem::path(run.input).filename().string());
-  json.count("points", s.number_of_points);
-  json.count("assigned", s.number_of_assigned_points);
-  json.count("ignored", s.number_of_ignored_points());
-  json.count("directions", s.number_of_directions);
-  json.count("planes", s.number_of_planes);
-  json.count("shown", thinned.size());
-  json.count("stride", thinned.stride);
-  json.number("coverage", s.coverage);
-  json.number("maximum_distance", shapes.parameters().maximum_distance);
-  json.numbers("center", std::array<double, 3>{center.x(), center.y(), center.z()});
-  json.numbers("extent", std::array<double, 3>{box.x_span(), box.y_span(), box.z_span()});
-  write_shapes(json, points, shapes, thinned, center);
-  std::vector<std::array<std::size_t, 2>> pairs;
-  for(const auto& pair : shapes.orthogonal_groups())
-    pairs.push_back({std::size_t(pair.first), std::size_t(pair.second)});
-  json.rows("orthogonal", pairs);
-  json.end();
+  Json json = {{"name", utf8(std::filesystem::path(run.input).filename().string())},
+               {"points", s.number_of_points},
+               {"assigned", s.number_of_assigned_points},
+               {"ignored", s.number_of_ignored_points()},
+               {"directions", s.number_of_directions},
+               {"planes", s.number_of_planes},
+               {"shown", thinned.size()},
+               {"stride", thinned.stride},
+               {"coverage", s.coverage},
+               {"maximum_distance", shapes.parameters().maximum_distance},
+               {"center", {center.x(), center.y(), center.z()}},
+               {"extent", {box.x_span(), box.y_span(), box.z_span()}},
+               {"orthogonal", shapes.orthogonal_groups()},
+               {"shapes", json_of_shapes(points, shapes, center)}};
+  json["shapes"]["shown"] = thinned.shown; // one more: points without a shape
+  return json;
 }
 
 // Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
@@ -131,18 +122,16 @@ void write_points(std::ostream& out, const Point_set& points, const Shapes& shap
 
 } // namespace
 
-bool has_view() { return *page_parts().before_data != nullptr; }
-
 void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Run& run)
 {
   const Thinned_points thinned(points, shapes, largest_number_of_points);
-  write_pieces(out, page_parts().before_data);
+  write_pieces(out, page_before_data);
   out << "<script type=\"application/json\" id=\"scene\">";
-  write_scene(out, points, shapes, run, thinned);
+  out << boost::replace_all_copy(ascii(json_of_scene(points, shapes, run, thinned)), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
   write_points(out, points, shapes, thinned);
   out << "</script>\n";
-  write_pieces(out, page_parts().after_data);
+  write_pieces(out, page_after_data);
 }
 
 } // namespace program

@@ -45,10 +45,10 @@ class PlaneRelations(NamedTuple):
     coplanar_groups: npt.NDArray[np.int32]  #: (m,): those of a group are the same plane, up to its sign
     orthogonal_pairs: npt.NDArray[np.int32]  #: (p, 2): pairs of parallel groups, the smaller one first, sorted
     is_changed: npt.NDArray[np.bool_]  #: (m,)
-    is_rolled_back: npt.NDArray[np.bool_]  #: (m,): whether a common direction would cost the points too much
+    is_rolled_back: npt.NDArray[np.bool_]  #: (m,): whether a direction is near, but would cost the points too much
     angles: npt.NDArray[np.float64]  #: (m,): how far each plane was turned, in degrees
     largest_distances: npt.NDArray[np.float64]  #: (m,): of the points of each plane to it
-    maximum_distance: float  #: the unit of what relations cost the points
+    maximum_distance: float  #: the distance that losses were measured by
 
 
 def detect_planes(
@@ -171,8 +171,8 @@ def regularize_planes(
         planes            (m, 4) numbers: a, b, c, d of each plane a x + b y + c z + d = 0. Masked ones are NaN.
         maximum_angle     angle within which planes are made parallel or orthogonal, in degrees, in [0, 45); None: 25
         maximum_offset    largest distance of parallel planes that are made coplanar, in units of the points; None: 0.01
-        maximum_distance  unit of what relations cost: twice as much permits a cost four times as large; None: 2.5 times
-                          the root mean square distance of the points to the given planes, at least maximum_offset
+        maximum_distance  distance that losses are measured by: larger, more relations; None: 2.5 times the root mean
+                          square distance of the points to the given planes, at least maximum_offset
         regularize_parallelism, regularize_orthogonality, regularize_coplanarity
                           which relations are made exact
         fixed_directions, symmetry_direction

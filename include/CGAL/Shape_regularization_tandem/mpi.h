@@ -55,6 +55,22 @@ struct Execution_of<Mpi_tag<Cuda_tag>> : Execution_on_ranks<Parallel_host> {
 #endif
 
 } // namespace internal
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+calls `f()` on all processes of a communicator, for what may fail on some of them only, as the reading of files does.
+Then all processes go on, or all throw what the first one of those that failed has thrown. On the others, exceptions of the
+standard library keep their type, and other ones become `std::runtime_error`. So does `detect_planes()` with `Mpi_tag`.
+
+\return what `f` returns
+*/
+template <class Function>
+auto together(const boost::mpi::communicator& communicator, Function f)
+{
+  return internal::Communicator(communicator).together(f);
+}
+
 } // namespace Tandem
 } // namespace CGAL
 

@@ -30,12 +30,12 @@ struct Plane_relations {
   /// the parallel group have no normal.
   std::vector<int> symmetry_group;
   std::vector<bool> is_changed; ///< for each plane, whether it was changed
-  /// for each plane, whether it keeps a direction of its own although that of another plane is within the angle: the
-  /// common one would cost its points more than it is worth
+  /// for each plane, whether it has a direction of its own although another one is within `maximum_angle`: to take that
+  /// one would have cost its points more than it is worth
   std::vector<bool> is_rolled_back;
   std::vector<double> angle;            ///< for each plane, how far it was turned, in degrees
   std::vector<double> largest_distance; ///< for each plane, the largest distance of its points to it
-  double maximum_distance = 0;          ///< the distance of a point to its plane by which losses were measured
+  double maximum_distance = 0;          ///< the distance that prices were measured by
 
   /// the number of distinct directions
   std::size_t number_of_parallel_groups() const { return number_of_groups(parallel_group); }

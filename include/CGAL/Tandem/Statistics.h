@@ -28,6 +28,24 @@ struct Stage_times {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
+What a result is worth, in points: more is better, and what has another unit is priced. It compares results of the same
+points with the same `maximum_distance`, `minimum_region_size` m and `k_neighbors`. The manual explains its terms:
+\ref Tandem_method_score.
+*/
+struct Result_score {
+  double fit = 0;     ///< sum over the assigned points of 1 - (distance / `maximum_distance`)^2
+  double links = 0;   ///< not positive: neighbors in other shapes, and in none three times as much
+  double size = 0;    ///< sum over the shapes of .07 N log2(N / m), N being the number of points
+  double price = 0;   ///< not positive: .3 m for a shape
+  double freedom = 0; ///< not positive: .1 m for a degree of freedom, and 1 % of the largest of its shapes
+
+  /// the sum of all terms
+  double total() const { return fit + links + size + price + freedom; }
+};
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
 What a detection did, in numbers.
 */
 struct Statistics {
@@ -50,6 +68,7 @@ struct Statistics {
   std::size_t degrees_of_freedom = 0;
   /// the complexity of the paper: `degrees_of_freedom` / (3 `number_of_shapes`), or 0 if there are no shapes
   double complexity = 0;
+  Result_score score; ///< what the result is worth, in points; distances are measured on the grid
 
   std::size_t number_of_rounds = 0;   ///< rounds of growth and regularization
   Stage_times times;                  ///< seconds spent in each stage

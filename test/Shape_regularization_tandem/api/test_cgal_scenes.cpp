@@ -83,7 +83,7 @@ Cloud two_planes(double degrees, double offset)
 Shapes regularized(const std::string& name, double degrees, double offset, double tolerance, double maximum_offset)
 {
   const Cloud cloud = two_planes(degrees, offset);
-  Parameters p = make_parameters(.12, 200); // 10 degrees are an rms of .05, 5 of .025
+  Parameters p = make_parameters(.12, 200);
   p.angle_tolerance = tolerance;
   p.maximum_offset = maximum_offset;
   const Shapes shapes = detect_valid(name, cloud, p);
@@ -91,19 +91,28 @@ Shapes regularized(const std::string& name, double degrees, double offset, doubl
   return shapes;
 }
 
+// A degree of freedom is worth 70 points here: .1 of 200 and 1 % of 5000; a direction has two. To turn both squares by 2
+// degrees costs 70 points, by 5 degrees 440; to turn one by 2 degrees 35, by 10 degrees 870; to move both by .0075 costs
+// 40, by .03 it costs 630.
 void test_regularization()
 {
-  check_equal(regularized("10 degrees, tolerance 5", 10, .5, 5, .1).number_of_parallel_groups(), 2u,
-              "tolerance 5: directions");
-  check_equal(regularized("10 degrees, tolerance 15", 10, .5, 15, .1).number_of_parallel_groups(), 1u,
-              "tolerance 15: directions");
-  check_equal(regularized("80 degrees, tolerance 5", 80, .7, 5, .1).orthogonal_groups().size(), 0u,
-              "tolerance 5: right angles");
-  check_equal(regularized("80 degrees, tolerance 15", 80, .7, 15, .1).orthogonal_groups().size(), 1u,
-              "tolerance 15: right angles");
-  check_equal(regularized("offset, maximum .02", 0, .06, 5, .02).number_of_coplanar_groups(), 2u,
-              "maximum .02: planes");
-  check_equal(regularized("offset, maximum .1", 0, .06, 5, .1).number_of_coplanar_groups(), 1u, "maximum .1: planes");
+  check_equal(regularized("4 degrees, tolerance 2", 4, .5, 2, .1).number_of_parallel_groups(), 2u,
+              "tolerance 2: directions");
+  check_equal(regularized("4 degrees, tolerance 6", 4, .5, 6, .1).number_of_parallel_groups(), 1u,
+              "tolerance 6: directions");
+  check_equal(regularized("10 degrees, tolerance 15", 10, .5, 15, .1).number_of_parallel_groups(), 2u,
+              "tolerance 15: directions that are worth more");
+  check_equal(regularized("88 degrees, tolerance 1", 88, .7, 1, .1).orthogonal_groups().size(), 0u,
+              "tolerance 1: right angles");
+  check_equal(regularized("88 degrees, tolerance 6", 88, .7, 6, .1).orthogonal_groups().size(), 1u,
+              "tolerance 6: right angles");
+  check_equal(regularized("80 degrees, tolerance 15", 80, .7, 15, .1).orthogonal_groups().size(), 0u,
+              "tolerance 15: right angles that cost more");
+  check_equal(regularized("offset, maximum .01", 0, .015, 5, .01).number_of_coplanar_groups(), 2u,
+              "maximum .01: planes");
+  check_equal(regularized("offset, maximum .1", 0, .015, 5, .1).number_of_coplanar_groups(), 1u, "maximum .1: planes");
+  check_equal(regularized("offset .06, maximum .1", 0, .06, 5, .1).number_of_coplanar_groups(), 2u,
+              "maximum .1: planes that are worth more");
 }
 
 // The text of a file of CGAL's data; empty if it is not there.

@@ -139,6 +139,7 @@ void test_agreeing_fields()
   const auto check = [&](const char* word, auto corrupt) {
     Data data = original;
     corrupt(data);
+    measure_shapes_again(data);
     const std::string why = c.reason(data);
     CHECK_AT(why.find(word) != std::string::npos, std::string(word) + " is not in: " + why);
   };

@@ -128,6 +128,9 @@ void test_shapes(Corruptions& c)
   c.check_rejected("orthogonal pair removed", "orthogonal_pairs", [](Data& d) { d.orthogonal_groups.pop_back(); });
   c.check_rejected("coverage", "coverage", [](Data& d) { d.statistics.coverage = .5; });
   c.check_rejected("mean distance", "mean_distance", [](Data& d) { d.statistics.mean_distance = 1; });
+  c.check_rejected("fit", "score.fit", [](Data& d) { d.statistics.score.fit *= 1.02; });
+  c.check_rejected("links", "score.links", [](Data& d) { d.statistics.score.links -= .5; });
+  c.check_rejected("freedom", "score.freedom", [](Data& d) { d.statistics.score.freedom += 1; });
   c.check_rejected("number of shapes", "number_of_shapes", [](Data& d) { ++d.statistics.number_of_shapes; });
 }
 
@@ -144,6 +147,7 @@ void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
     const auto& n = d.coefficients[0];
     const Epick::Vector_3 normal(n[0], n[1], n[2]);
     const Epick::Vector_3 axis = std::fabs(normal * across) > .9 ? along : std::fabs(normal * along) > .9 ? up : across;
+    const double fit = d.statistics.score.fit / double(d.statistics.number_of_assigned_points);
     for(std::size_t i : members)
       middle += (points[i].first - CGAL::ORIGIN) * axis / double(members.size());
     change_labels(d, [&](std::vector<std::int32_t>& labels) {
@@ -152,8 +156,10 @@ void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
           labels[i] = -1;
           --d.statistics.number_of_assigned_points;
           --d.size[0];
+          d.statistics.score.fit -= fit;
         }
     });
+    measure_shapes_again(d);
     d.statistics.coverage = double(d.statistics.number_of_assigned_points) / double(points.size());
   });
 }

@@ -1,10 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The operations of back ends, and what the steps before and after the loop are made of,
-// against naive versions, on several back ends: loops, compaction, collection, sums, buffers;
-// the order along the curve, cells, the border, sums of shapes, sizes of components, the exact
-// check, what is measured and handed over.
+// The steps before and after the loop, and the searches of blocks, against naive versions on several back ends.
 
 #undef NDEBUG
 
@@ -198,30 +195,41 @@ private:
   {
     const std::uint32_t n = f_.cloud.size;
     const std::size_t labels = f_.plane.size();
-    std::vector<std::uint32_t> component(n), number(n, no_index), root(labels, no_index);
-    std::vector<std::uint64_t> opposed(labels, 0), sums(labels), distance(1, 0);
-    std::uint64_t expected = 0;
+    std::vector<std::uint32_t> shape(n, no_index);
+    std::vector<std::uint64_t> opposed(labels, 0), sums(labels), found(Point_measures::size, 0);
+    std::vector<std::uint64_t> expected(Point_measures::size, 0);
+    for(std::uint32_t i = 0; i < n; ++i)
+      if(f_.label[i] < first_mark && f_.label[i] % 2 == 0)
+        shape[i] = f_.label[i];
     for(std::uint32_t i = 0; i < n; ++i) {
-      component[i] = i;
-      const std::uint32_t label = f_.label[i];
-      if(label >= first_mark)
+      const std::uint32_t label = shape[i];
+      for(int j = 0; j < f_.cloud.k && f_.cloud.row(i)[j] != no_index; ++j) {
+        const std::uint32_t other = shape[f_.cloud.row(i)[j]];
+        if(other != label)
+          ++expected[label == no_index || other == no_index ? Point_measures::free_links : Point_measures::links];
+      }
+      if(label == no_index)
         continue;
-      component[i] = root[label] = (std::min)(root[label], i);
-      if(label % 2 != 0)
-        continue;
-      number[root[label]] = label;
-      const double share = double(f_.distance(label, i)) / double(f_.tolerance.distance);
-      expected += std::uint64_t(std::floor((std::min)(share, 1.) * distance_units + .5));
+      const double exact = double(f_.distance(label, i)) / double(f_.tolerance.distance);
+      const double units = double(Score_item::tolerance_units);
+      const double share = std::floor((std::min)(exact, 1.) * units + .5);
+      expected[Point_measures::distance] += std::uint64_t(share);
+      expected[Point_measures::fit] += std::uint64_t(4096 - std::floor(4096 * share * share / units / units + .5));
       const Int_vector m = decode_normal(f_.point[i].normal);
       sums[label] +=
         double(f_.plane[label].nx) * m.x + double(f_.plane[label].ny) * m.y + double(f_.plane[label].nz) * m.z < 0;
     }
-    backend_.template for_each_cell<Measure_scratch>(
-      f_.cells.size(),
-      Measure_points<Backend>{f_.point.data(), f_.cells.data(), f_.label.data(), f_.plane.data(), component.data(),
-                              number.data(), f_.tolerance.distance, opposed.data(), distance.data()});
+    backend_.template for_each_cell<Measure_scratch>(f_.cells.size(),
+                                                     Measure_points<Backend>{f_.cloud,
+                                                                             f_.cells.data(),
+                                                                             f_.label.data(),
+                                                                             f_.plane.data(),
+                                                                             shape.data(),
+                                                                             {1, f_.tolerance.distance},
+                                                                             opposed.data(),
+                                                                             found.data()});
     check_lists(opposed, sums, name_ + ": opposed normals");
-    CHECK_AT(distance[0] == expected, name_ + ": distances");
+    check_lists(found, expected, name_ + ": distances, fit, and links");
   }
 
   // Labels that are no shapes are left out.

@@ -46,7 +46,7 @@ void test_small_faces()
 }
 
 // Each free point is far from the planes of the shapes of its neighbors, or turned away from them. Those that the exact
-// check or the clutter filter frees may be near.
+// check frees, and those of slabs of clutter, may be near.
 void test_free_points()
 {
   using Point_of = CGAL::Pointer_property_map<Kernel::Point_3>::const_type;

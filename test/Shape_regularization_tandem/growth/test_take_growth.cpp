@@ -32,7 +32,6 @@ struct Grown_shapes {
   {
     for(std::uint32_t id = 0; id < size; ++id) {
       shape[id].age = int(id % 11);
-      shape[id].entry = int(id);
       shape[id].is_active = id % 2 == 0;
       shape[id].history.set_fitted(true);
       shape[id].history.set_linked(true);
@@ -121,7 +120,6 @@ private:
     const Shape& s = shapes.table()[id];
     CHECK_AT(are_equal(s.moments, before.moments), at + ": moments");
     CHECK_AT(s.box.low[0] == all.delta[old].box.low[0] && s.box.high[2] == all.delta[old].box.high[2], at + ": box");
-    check_equal(s.entry, is_new ? 0 : int(old), at + ": entry");
     check_equal(shapes.plane[id].d, is_new ? Plane().d : all.marked_plane(old).d, at + ": plane");
     check_equal(int(shapes.is_restarted[id]), 0, at + ": restart");
     const bool is_out_of_use = !is_new && !all.is_live(old);

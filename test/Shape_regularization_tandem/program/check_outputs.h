@@ -11,16 +11,17 @@
 #include "program/Polygon_checker.h"
 #include "program/check_surface.h"
 
-#include "outlines/write_polygons.h"
+#include "output/writers.h"
 #include "output/write_vg.h"
-#include "view/write_view.h"
 
 #include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
+using program::Faces_of_file;
 using program::Point_set;
+using program::Vg_groups;
 
 struct Totals {
   std::size_t scenes = 0, shapes = 0, with_polygons = 0, polygons = 0, points = 0, inside = 0, meshes = 0;
@@ -32,10 +33,10 @@ struct Output_case {
   program::Shapes shapes;
 };
 
-inline std::string text_of_polygons(const Output_case& c, const std::string& path, bool is_triangulated)
+inline std::string text_of_polygons(const Output_case& c, const std::string& path, Faces_of_file faces)
 {
   std::ostringstream out;
-  program::write_polygons(out, c.points, c.shapes, path, is_triangulated);
+  program::write_polygons(out, c.points, c.shapes, path, faces);
   return out.str();
 }
 
@@ -66,17 +67,17 @@ inline void check_points(const Output_case& c, std::size_t s, const Written_shap
 
 inline Written_shapes check_polygons(const Output_case& c, Totals& totals)
 {
-  const Written_shapes shapes = read_geojson(text_of_polygons(c, "a.geojson", false));
+  const Written_shapes shapes = read_geojson(text_of_polygons(c, "a.geojson", Faces_of_file::polygons));
   CHECK_AT(shapes.size() == c.shapes.number_of_shapes(), c.name);
   for(std::size_t s = 0; s < shapes.size(); ++s) {
     check_none(Polygon_checker(c.shapes, s).violations(shapes[s]), c, "shape " + std::to_string(s));
     check_points(c, s, shapes[s], totals);
   }
-  for(bool is_triangulated : {false, true})
+  for(Faces_of_file kind : {Faces_of_file::polygons, Faces_of_file::triangles})
     for(const std::string path : {"a.geojson", "a.ply", "a.obj"}) {
-      if(path == "a.geojson" && !is_triangulated)
+      if(path == "a.geojson" && kind == Faces_of_file::polygons)
         continue;
-      const std::string text = text_of_polygons(c, path, is_triangulated);
+      const std::string text = text_of_polygons(c, path, kind);
       const Written_shapes faces = path == "a.ply"   ? read_ply(text, shapes.size())
                                    : path == "a.obj" ? read_obj(text)
                                                      : read_geojson(text);
@@ -97,29 +98,29 @@ inline void check_view(const Output_case& c, const Written_shapes& polygons)
   program::write_view(out, c.points, c.shapes, run);
   const std::string text = out.str(), begin = "id=\"scene\">";
   const std::size_t first = text.rfind(begin) + begin.size();
-  const Json scene = parsed_json(text.substr(first, text.find("</script>", first) - first));
-  CHECK_AT(scene.get<std::size_t>("assigned") == c.shapes.statistics().number_of_assigned_points, c.name);
+  const Json scene = Json::parse(text.substr(first, text.find("</script>", first) - first));
+  CHECK_AT(scene.at("assigned") == c.shapes.statistics().number_of_assigned_points, c.name);
   std::size_t s = 0;
-  for(const auto& area : scene.get_child("shapes.area"))
-    CHECK_AT(area_of(area.second.data()) == polygons.at(s++).area, c.name);
+  for(const Json& area : scene.at("shapes").at("area"))
+    CHECK_AT(area_of(area) == polygons.at(s++).area, c.name);
   CHECK_AT(s == polygons.size(), c.name);
   for(const char* name : {"coefficients", "centroid", "mean_distance", "turned_degrees", "shifted"})
-    for(const auto& number : scene.get_child(std::string("shapes.") + name))
-      number_of(number.second.data());
+    for(const Json& number : scene.at("shapes").at(name))
+      CHECK_AT(number.is_number(), c.name + ' ' + name);
 }
 
 inline void check_report(const Output_case& c)
 {
   std::ostringstream out;
   program::write_report(out, c.shapes, program::Run());
-  CHECK_AT(parsed_json(out.str()).get<std::size_t>("counts.shapes") == c.shapes.number_of_shapes(), c.name);
+  CHECK_AT(Json::parse(out.str()).at("counts").at("shapes") == c.shapes.number_of_shapes(), c.name);
 }
 
 // Numbers or words after a key, and each point in one group at most.
-inline void check_vg(const Output_case& c, bool has_group_for_each_plane)
+inline void check_vg(const Output_case& c, Vg_groups kind)
 {
   std::stringstream file;
-  program::write_vg(file, c.points, c.shapes, has_group_for_each_plane);
+  program::write_vg(file, c.points, c.shapes, kind);
   std::map<std::string, std::size_t> sum;
   for(std::string line; std::getline(file, line);) {
     std::istringstream in(line);
@@ -133,7 +134,7 @@ inline void check_vg(const Output_case& c, bool has_group_for_each_plane)
   }
   CHECK_AT(sum["group_num_points:"] == c.shapes.statistics().number_of_assigned_points, c.name);
   CHECK_AT(sum["num_groups:"] ==
-             (has_group_for_each_plane ? c.shapes.number_of_coplanar_groups() : c.shapes.number_of_shapes()),
+             (kind == Vg_groups::of_planes ? c.shapes.number_of_coplanar_groups() : c.shapes.number_of_shapes()),
            c.name);
 }
 
@@ -155,8 +156,8 @@ inline void check_outputs(const Output_case& c, Totals& totals)
   try {
     check_view(c, check_polygons(c, totals));
     check_report(c);
-    check_vg(c, false);
-    check_vg(c, true);
+    check_vg(c, Vg_groups::of_shapes);
+    check_vg(c, Vg_groups::of_planes);
     totals.meshes += check_mesh_apart(c.points, c.shapes, c.name);
   } catch(const std::exception& e) {
     CHECK_AT(false, c.name + ": " + e.what());

@@ -50,7 +50,7 @@ inline bool check_mesh(const program::Point_set& points, const program::Shapes& 
 // The same in a process of its own, which ends after some seconds: for some scenes CGAL does not.
 inline bool check_mesh_apart(const program::Point_set& points, const program::Shapes& shapes, const std::string& name)
 {
-  if(!program::missing_for_polygonal_mesh().empty() || shapes.number_of_coplanar_groups() < 4)
+  if(!program::has_polygonal_mesh || shapes.number_of_coplanar_groups() < 4)
     return false;
 #ifdef __unix__
   constexpr int is_made = 10, is_wrong = 20;

@@ -9,7 +9,7 @@
 #include "program/vg_file.h"
 #include "testing/box_cloud.h"
 
-#include "outlines/write_polygons.h"
+#include "output/writers.h"
 #include "output/write_results.h"
 #include "output/write_vg.h"
 
@@ -22,6 +22,7 @@
 using program::Kernel;
 using program::Point_set;
 using program::Shapes;
+using program::Vg_groups;
 
 constexpr double window[4] = {1.5, 2.5, 1, 2}; // x and z
 
@@ -33,13 +34,13 @@ Kernel::Point_3 placed(double x, double y, double z)
   return Kernel::Point_3(.8 * x - .6 * y + 4.5e5, .6 * x + .8 * y, z);
 }
 
-Point_set make_scene(bool has_bad_point = false)
+Point_set make_scene(std::size_t bad_points = 0)
 {
   Point_set points;
   points.add_normal_map();
   std::mt19937 random(3);
   const auto unit = [&] { return double(random_unit(random)); };
-  if(has_bad_point)
+  for(std::size_t i = 0; i < bad_points; ++i)
     points.insert(Kernel::Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0), Kernel::Vector_3(0, 0, 1));
   for(int i = 0; i < 6000; ++i) {
     const double x = 4 * unit(), z = 3 * unit();
@@ -64,19 +65,19 @@ Shapes detect(const Point_set& points)
 
 // --- Vertex groups
 
-Vg_file write_and_read_vg(const Point_set& points, const Shapes& shapes, bool by_plane)
+Vg_file write_and_read_vg(const Point_set& points, const Shapes& shapes, Vg_groups kind)
 {
   std::ostringstream out;
-  program::write_vg(out, points, shapes, by_plane);
+  program::write_vg(out, points, shapes, kind);
   return read_vg(out.str());
 }
 
-void check_vg(bool has_bad_point, bool by_plane)
+void check_vg(std::size_t skipped, Vg_groups kind)
 {
-  const Point_set points = make_scene(has_bad_point);
+  const Point_set points = make_scene(skipped);
   const Shapes shapes = detect(points);
-  const Vg_file file = write_and_read_vg(points, shapes, by_plane);
-  const std::size_t skipped = has_bad_point ? 1 : 0;
+  const Vg_file file = write_and_read_vg(points, shapes, kind);
+  const bool by_plane = kind == Vg_groups::of_planes;
   CHECK(file.points.size() == points.size() - skipped);
   CHECK(file.colors.empty() && file.normals.size() == file.points.size());
   CHECK(file.groups.size() == (by_plane ? 2 : 3));
@@ -146,7 +147,7 @@ void check_mesh(const Mesh& mesh, const std::vector<int>& shape_of, const Shapes
 void check_ply(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, shapes, "areas.PLY", true);
+  program::write_polygons(out, points, shapes, "areas.PLY", program::Faces_of_file::triangles);
   std::istringstream in(out.str());
   Mesh mesh;
   CHECK(CGAL::IO::read_PLY(in, mesh.points, mesh.faces));
@@ -164,7 +165,7 @@ void check_ply(const Point_set& points, const Shapes& shapes)
 void check_obj(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, shapes, "areas.obj", true);
+  program::write_polygons(out, points, shapes, "areas.obj", program::Faces_of_file::triangles);
   std::istringstream in(out.str());
   Mesh mesh;
   CHECK(CGAL::IO::read_OBJ(in, mesh.points, mesh.faces));
@@ -239,9 +240,9 @@ int main()
 {
   for(int run = 0; run < 300; ++run)
     check_lattice(run);
-  for(bool by_plane : {false, true}) {
-    check_vg(false, by_plane);
-    check_vg(true, by_plane);
+  for(Vg_groups kind : {Vg_groups::of_shapes, Vg_groups::of_planes}) {
+    check_vg(0, kind);
+    check_vg(1, kind);
   }
   const Point_set points = make_scene();
   const Shapes shapes = detect(points);

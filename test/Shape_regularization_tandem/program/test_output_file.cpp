@@ -9,7 +9,7 @@
 
 #include "output/Made_folders.h"
 #include "output/Output_file.h"
-#include "fail.h"
+#include "messages.h"
 
 #include <array>
 #include <cstdlib>

@@ -32,7 +32,7 @@ void check_scenes(std::uint64_t first, std::uint64_t count)
             << " polygons, " << t.inside << " of their " << t.points << " points inside, " << t.meshes << " meshes"
             << std::endl;
   CHECK(count == 1 || double(t.inside) > .8 * double(t.points));
-  CHECK(count < 60 || !program::missing_for_polygonal_mesh().empty() || t.meshes >= count / 20);
+  CHECK(count < 60 || !program::has_polygonal_mesh || t.meshes >= count / 20);
 }
 
 // --- Scenes of their own
@@ -60,10 +60,10 @@ void check_units()
   const Cloud cloud = make_pairs<Kernel>(make_box_cloud(400));
   const Output_case box = case_of("box", cloud, detect(cloud, make_parameters(.02, 50)));
   CHECK(box.shapes.number_of_shapes() == 6);
-  const Written_shapes expected = read_geojson(text_of_polygons(box, "a.geojson", false));
+  const Written_shapes expected = read_geojson(text_of_polygons(box, "a.geojson", Faces_of_file::polygons));
   for(int exponent : {-960, -520, 520, 1000}) {
     const Output_case c = scaled(box, exponent);
-    const Written_shapes written = read_geojson(text_of_polygons(c, "a.geojson", false));
+    const Written_shapes written = read_geojson(text_of_polygons(c, "a.geojson", Faces_of_file::polygons));
     for(std::size_t s = 0; s < expected.size(); ++s) {
       CHECK_AT(written[s].polygons.size() == 1 && expected[s].polygons.size() == 1, c.name);
       if(written[s].polygons.empty() || expected[s].polygons.empty())
@@ -76,14 +76,14 @@ void check_units()
       CHECK_AT(written[s].area == std::ldexp(expected[s].area, 2 * exponent), c.name);
     }
     check_view(c, written);
-    check_vg(c, false);
+    check_vg(c, Vg_groups::of_shapes);
   }
 }
 
 // The same for meshes.
 void check_units_of_mesh()
 {
-  if(!program::missing_for_polygonal_mesh().empty())
+  if(!program::has_polygonal_mesh)
     return;
   const Cloud cloud = make_pairs<Kernel>(make_box_cloud(400));
   const Output_case box = case_of("box", cloud, detect(cloud, make_parameters(.02, 50)));

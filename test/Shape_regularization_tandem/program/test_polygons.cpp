@@ -10,9 +10,9 @@
 
 #include "program/many_shapes.h"
 
-#include "outlines/outline_polygons.h"
+#include "outlines/Outline_triangulation.h"
 #include "outlines/straight_borders.h"
-#include "outlines/write_polygons.h"
+#include "output/writers.h"
 
 #include <sstream>
 
@@ -238,7 +238,7 @@ void check_scene()
       CHECK(distance(shapes, s, v) < 1e-10);
   }
   std::ostringstream out;
-  program::write_polygons(out, points, shapes, "a.GeoJSON", false);
+  program::write_polygons(out, points, shapes, "a.GeoJSON", program::Faces_of_file::polygons);
   const std::string text = out.str();
   CHECK(text.find("\"type\": \"FeatureCollection\"") != std::string::npos);
   CHECK(std::count(text.begin(), text.end(), '{') == 7 && std::count(text.begin(), text.end(), '}') == 7);

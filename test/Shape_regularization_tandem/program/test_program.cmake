@@ -26,7 +26,7 @@ expect_equal("JSON error" "${json_error}" "NOTFOUND")
 expect_equal("shapes of the report" "${shapes}" 3)
 foreach(member IN ITEMS "parameters;maximum_distance;0.004" "parameters;minimum_region_size" "counts;points;${n}"
         "counts;ignored;0" "counts;assigned" "counts;directions;3" "counts;planes;3" "counts;rounds"
-        "criteria;coverage" "criteria;mean_distance" "criteria;complexity" "seconds;read" "seconds;normals"
+        "criteria;coverage" "criteria;mean_distance" "criteria;complexity" "score;fit" "score;total" "seconds;read" "seconds;normals"
         "seconds;sort" "seconds;neighbors" "seconds;growth" "seconds;regularity" "seconds;final" "seconds;total"
         "memory;process_peak_bytes" "backend" "device;CPU" "hash" "relations;parallel_groups"
         "relations;orthogonal_pairs" "relations;coplanar_groups")

@@ -115,7 +115,7 @@ grep -q 'a.x0ab.xe2.x80.xaec.xd8.x9c.xe2.x81.xa6d.ply: no such file' log || cat 
 expect_shell(0 "^$" ": > log; . ./names.sh")
 file(READ "${WORK_DIR}/names.json" report)
 string(JSON name ERROR_VARIABLE json_error GET "${report}" input)
-if(NOT "${report}" MATCHES "\"input\": \"Wände .u001b.31m.u0007.u009b.u009b.ply\"")
+if(NOT "${report}" MATCHES "\"input\": \"W.u00e4nde .u001b.31m.u0007.u009b.u009b.ply\"")
   complain("the name in the report: ${name} ${json_error}")
 endif()
 

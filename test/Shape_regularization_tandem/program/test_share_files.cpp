@@ -7,7 +7,7 @@
 
 #include "testing/checks.h"
 
-#include "ranks/share_files.h"
+#include "ranks/processes.h"
 
 #include <algorithm>
 #include <cmath>

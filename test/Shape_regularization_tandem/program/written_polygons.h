@@ -8,8 +8,7 @@
 
 #include "outlines/shape_polygons.h"
 
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -29,16 +28,7 @@ struct Written_shape {
   double area = 0; // as written; GeoJSON only
 };
 using Written_shapes = std::vector<Written_shape>;
-using Json = boost::property_tree::ptree;
-
-// The parser of Boost takes nothing but JSON: no "nan".
-inline Json parsed_json(const std::string& text)
-{
-  std::istringstream in(text);
-  Json json;
-  boost::property_tree::read_json(in, json);
-  return json;
-}
+using Json = nlohmann::json; // its parser takes nothing but JSON: no "nan"
 
 // All of the text, and finite.
 inline double number_of(const std::string& text)
@@ -51,18 +41,15 @@ inline double number_of(const std::string& text)
 }
 
 // Areas may be larger than doubles are.
-inline double area_of(const std::string& text) { return text == "null" ? HUGE_VAL : number_of(text); }
+inline double area_of(const Json& json) { return json.is_null() ? HUGE_VAL : json.get<double>(); }
 
 inline Ring ring_of(const Json& json)
 {
   Ring ring;
-  for(const auto& corner : json) {
-    ring.emplace_back();
-    std::size_t k = 0;
-    for(const auto& x : corner.second)
-      ring.back().at(k++) = number_of(x.second.data());
-    if(k != 3)
+  for(const Json& corner : json) {
+    if(corner.size() != 3)
       throw std::runtime_error("a corner without three coordinates");
+    ring.push_back(corner.get<Position>());
   }
   if(ring.size() < 4 || ring.front() != ring.back())
     throw std::runtime_error("a ring that is not closed");
@@ -73,14 +60,14 @@ inline Ring ring_of(const Json& json)
 inline Written_shapes read_geojson(const std::string& text)
 {
   Written_shapes result;
-  const Json json = parsed_json(text);
-  for(const auto& feature : json.get_child("features")) {
+  const Json json = Json::parse(text);
+  for(const Json& feature : json.at("features")) {
     result.emplace_back();
-    result.back().area = area_of(feature.second.get<std::string>("properties.area"));
-    for(const auto& polygon : feature.second.get_child("geometry.coordinates")) {
+    result.back().area = area_of(feature.at("properties").at("area"));
+    for(const Json& polygon : feature.at("geometry").at("coordinates")) {
       result.back().polygons.emplace_back();
-      for(const auto& ring : polygon.second)
-        result.back().polygons.back().rings.push_back(ring_of(ring.second));
+      for(const Json& ring : polygon)
+        result.back().polygons.back().rings.push_back(ring_of(ring));
     }
   }
   return result;

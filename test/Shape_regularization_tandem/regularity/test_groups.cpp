@@ -213,10 +213,27 @@ void test_coplanar_groups()
   check(united > 1000 && released < united / 10, "planes, and shapes released", double(united), double(released));
 }
 
+// More given directions than shapes, of which most have none: numbers are those of directions of shapes, below n.
+void test_numbers()
+{
+  Random random(3);
+  std::vector<Direction_group> groups;
+  for(const Vector& d : random_directions(random, 50))
+    groups.push_back(given_direction_group(d, .1));
+  groups[7].members = {2};
+  groups[30].members = {0, 3};
+  groups.push_back(direction_group({1}, .1));
+  groups.back().direction = groups[7].direction;
+  const std::vector<int> number = shared_directions(groups, 5);
+  CHECK(number[0] == 1 - number[1] && number[1] >= 0 && number[1] <= 1);
+  CHECK(number[2] == number[1] && number[3] == number[0] && number[4] == -1);
+}
+
 } // namespace
 
 int main()
 {
+  test_numbers();
   test_parallel_groups();
   test_coplanar_groups();
   return report();

@@ -20,6 +20,7 @@ using namespace CGAL::Tandem::internal;
 struct Outcome {
   std::vector<std::uint32_t> root;
   Regular_planes plane;
+  std::vector<Shape_sample> sample;
   int rounds = 0;
 };
 
@@ -27,11 +28,12 @@ struct Outcome {
 class Slow_unions {
 public:
   template <class Backend>
-  Slow_unions(const Shape_table<Backend>& shapes, const Link_list& links)
+  Slow_unions(const Fragments<Backend>& fragments, const Link_list& links)
   {
-    for(std::uint32_t id = 0; id < shapes.size; ++id) {
+    for(std::uint32_t id = 0; id < fragments.shapes.size; ++id) {
       root_.push_back(id);
-      whole_[id] = shapes.table()[id];
+      whole_[id] = fragments.shapes.table()[id];
+      sample_[id] = fragments.samples.data()[id];
     }
     while(unite(links))
       ++rounds_;
@@ -44,6 +46,7 @@ public:
     for(std::uint32_t r : root_) {
       o.root.push_back(r);
       o.plane.push_back(whole_.at(r).local);
+      o.sample.push_back(sample_.at(r));
     }
     return o;
   }
@@ -51,6 +54,11 @@ public:
 private:
   using Key =
     std::tuple<double, std::int64_t, std::uint64_t, std::uint32_t, std::uint32_t, bool>; // the last: no new fit
+
+  Verdict verdict(std::uint32_t a, std::uint32_t b, std::uint32_t links) const
+  {
+    return criterion.verdict({whole_.at(a), sample_.at(a)}, {whole_.at(b), sample_.at(b)}, links);
+  }
 
   bool unite(const Link_list& links)
   {
@@ -60,8 +68,8 @@ private:
       const std::int64_t na = whole_[a].moments.count, nb = whole_[b].moments.count;
       if(na < nb || (na == nb && b < a))
         std::swap(a, b);
-      const Verdict v = a == b ? Verdict() : criterion.verdict(whole_[a], whole_[b]);
-      const Key key = {v.cost, -na - nb, mixed_ids(a, b), a, b, v.is_taken};
+      const Verdict v = a == b ? Verdict() : verdict(a, b, link.count);
+      const Key key = {-v.gain, -na - nb, mixed_ids(a, b), a, b, v.is_taken};
       for(std::uint32_t s : {a, b})
         if(v.is_accepted && (choice.count(s) == 0 || key < choice[s]))
           choice[s] = key;
@@ -79,27 +87,33 @@ private:
     for(const auto& j : joins) {
       whole_[j.second].moments += whole_[j.first].moments;
       refit(whole_[j.second]);
+      Shape_sample &stays = sample_[j.second], &joining = sample_[j.first];
+      std::vector<Sampled_point> both(stays.item, stays.item + stays.size);
+      both.insert(both.end(), joining.item, joining.item + joining.size);
+      stays = least_of(both);
     }
     return !joins.empty();
   }
 
   std::vector<std::uint32_t> root_; // by shape
   std::map<std::uint32_t, Fitted_moments> whole_;
+  std::map<std::uint32_t, Shape_sample> sample_;
   int rounds_ = 1;
 };
 
 template <class Backend>
 Outcome unite(Backend& backend, int unevenness, unsigned seed)
 {
-  Shape_table<Backend> shapes;
-  make_fragments(backend, shapes, unevenness);
+  Fragments<Backend> fragments = make_fragments(backend, unevenness);
+  const Shape_table<Backend>& shapes = fragments.shapes;
   std::uint32_t rounds = 0;
-  const Shape_unions<Backend> unions = unite(backend, shapes, make_links(seed), &rounds);
+  const Shape_unions<Backend> unions = unite(backend, fragments, make_links(seed), &rounds);
   Outcome outcome;
   outcome.rounds = int(rounds);
   for(std::uint32_t id = 0; id < shapes.size; ++id) {
     const std::uint32_t root = root_of(unions.target.data(), id), place = unions.root[root].place;
     outcome.root.push_back(root);
+    outcome.sample.push_back(fragments.samples.data()[root]);
     outcome.plane.push_back(place == no_index ? shapes.table()[root].local : unions.whole[place].local);
   }
   return outcome;
@@ -112,6 +126,9 @@ void check(Backend& backend, int unevenness, const Outcome& expected, const std:
   check_equal(outcome.rounds, expected.rounds, name + ": rounds");
   CHECK_AT(outcome.root == expected.root, name);
   CHECK_AT(are_same(outcome.plane, expected.plane), name + ": planes");
+  CHECK_AT(std::equal(outcome.sample.begin(), outcome.sample.end(), expected.sample.begin(),
+                      [](const Shape_sample& a, const Shape_sample& b) { return are_equal(a, b); }),
+           name + ": samples");
 }
 
 // What is to be found: more unions than `few` and fewer than `many`.
@@ -123,9 +140,7 @@ struct Scene {
 void check_scene(const Scene& scene)
 {
   Sequential_backend sequential;
-  Shape_table<Sequential_backend> shapes;
-  make_fragments(sequential, shapes, scene.unevenness);
-  const Outcome expected = Slow_unions(shapes, make_links(5)).outcome();
+  const Outcome expected = Slow_unions(make_fragments(sequential, scene.unevenness), make_links(5)).outcome();
   const std::set<std::uint32_t> roots(expected.root.begin(), expected.root.end());
   CHECK_AT(roots.size() > scene.few && roots.size() < scene.many, std::to_string(roots.size()));
   check(sequential, scene.unevenness, expected, "sequential");

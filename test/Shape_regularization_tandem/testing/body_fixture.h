@@ -12,9 +12,8 @@
 #include "Thread_backend.h"
 #include "test_support.h"
 
-#include <CGAL/Tandem/internal/finish/propagate_labels.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
-#include <CGAL/Tandem/internal/finish/reassign.h>
+#include <CGAL/Tandem/internal/rounds/assign.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>

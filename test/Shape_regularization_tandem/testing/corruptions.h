@@ -73,7 +73,7 @@ private:
   void visit_fields(const std::string& of, CGAL::Tandem::Statistics& s)
   {
     auto& [points, coordinates, normals, assigned, shapes, directions, planes, pairs, coverage, distance, freedom,
-           complexity, rounds, times, bytes, step, is_coarse, has_estimated, is_cancelled, backend] = s;
+           complexity, score, rounds, times, bytes, step, is_coarse, has_estimated, is_cancelled, backend] = s;
     visit(of + "number_of_points", points);
     visit(of + "number_of_ignored_coordinates", coordinates);
     visit(of + "number_of_ignored_normals", normals);
@@ -86,6 +86,12 @@ private:
     visit(of + "mean_distance", distance);
     visit(of + "degrees_of_freedom", freedom);
     visit(of + "complexity", complexity);
+    auto& [fit, links, bonus, price, free] = score;
+    visit(of + "score.fit", fit);
+    visit(of + "score.links", links);
+    visit(of + "score.size", bonus);
+    visit(of + "score.price", price);
+    visit(of + "score.freedom", free);
     visit(of + "number_of_rounds", rounds);
     visit_fields(of + "times.", times);
     visit(of + "peak_bytes", bytes);

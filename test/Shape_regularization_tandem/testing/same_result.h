@@ -40,7 +40,9 @@ inline std::vector<std::uint64_t> shape_bits(const Shapes& shapes)
     all.insert(all.end(), {std::uint64_t(pair.first), std::uint64_t(pair.second)});
   const Parameters& p = shapes.parameters();
   all.insert(all.end(), {bits(p.maximum_distance), bits(p.maximum_offset), p.minimum_region_size,
-                         shapes.statistics().number_of_rounds, bits(shapes.statistics().mean_distance)});
+                         shapes.statistics().number_of_rounds, bits(shapes.statistics().mean_distance),
+                         bits(shapes.statistics().score.fit), bits(shapes.statistics().score.links),
+                         bits(shapes.statistics().score.freedom)});
   return all;
 }
 

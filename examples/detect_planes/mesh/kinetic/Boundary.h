@@ -7,7 +7,7 @@
 #define DETECT_PLANES_BOUNDARY_H
 
 #include "mesh/kinetic/Volumes.h"
-#include "mesh/mesh_input.h"
+#include "mesh/mesh_methods.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -11,7 +11,7 @@
 
 #include "mesh/kinetic/Plane_coverage.h"
 #include "mesh/kinetic/Volumes.h"
-#include "mesh/mesh_input.h"
+#include "mesh/mesh_methods.h"
 #include "signals.h"
 
 #include <CGAL/Bbox_2.h>

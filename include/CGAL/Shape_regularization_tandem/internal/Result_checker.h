@@ -175,7 +175,10 @@ private:
   {
     constexpr double packing = 2e-4;
     ++sums_.assigned;
-    sums_.distance += std::uint64_t((std::min)(distance / data_.parameters.maximum_distance, 1.) * distance_units + .5);
+    const double share = (std::min)(distance / data_.parameters.maximum_distance, 1.);
+    const std::uint64_t units = std::uint64_t(share * double(Score_item::tolerance_units) + .5);
+    sums_.distance += units;
+    sums_.fit += std::uint64_t(Score::weight_at({1, 0}, units));
     sides_[2 * s] += aligned < -packing;
     sides_[2 * s + 1] += aligned < packing;
   }
@@ -219,6 +222,7 @@ private:
     sides_ = ranks.total(std::move(sides_));
     sums_.assigned = ranks.total(sums_.assigned);
     sums_.distance = ranks.total(sums_.distance);
+    sums_.fit = ranks.total(sums_.fit);
     sums_.peak_bytes = ranks.total(data_.statistics.peak_bytes);
     return check_sizes(size) && check_sides(size) && passes(count_violation(data_, in_, sums_)) &&
            passes(cost_violation(data_.statistics, in_, sums_));
@@ -251,7 +255,7 @@ private:
   }
 
   // Connectivity: each shape is one component. Two points are adjacent if one is a neighbor of the other, or both are
-  // neighbors of one point.
+  // neighbors of one point. And the links of the score.
   template <class Backend>
   bool check_connectivity(Backend& backend)
   {
@@ -261,8 +265,9 @@ private:
     for(std::size_t i = 0; i < in_.size(); ++i)
       label.push_back(data_.shape_of[in_.item_of(i)]);
     const std::size_t k = data_.parameters.k_neighbors, shapes = data_.coefficients.size();
-    const std::size_t s = first_unconnected(backend, in_, label, k, shapes);
-    return s == shapes || fail(numbered("not connected is shape", s));
+    Score_counts counts;
+    const std::size_t s = first_unconnected(backend, in_, label, {k, shapes}, counts);
+    return s == shapes ? passes(link_violation(data_, counts)) : fail(numbered("not connected is shape", s));
   }
 
   // The points as they were imported, and the result in two forms: planes of the kernel, and plain tables.

@@ -22,7 +22,7 @@ namespace internal {
 
 // Sums over the points of all ranks, of which no order changes a bit.
 struct Point_sums {
-  std::uint64_t assigned = 0, distance = 0; // the latter in units of epsilon / distance_units
+  std::uint64_t assigned = 0, distance = 0, fit = 0; // the latter two in units of Score_item and Score
   std::uint64_t peak_bytes = 0;
 };
 
@@ -61,11 +61,13 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
   again.parallel_group = data.parallel_group;
   again.coplanar_group = data.coplanar_group;
   again.orthogonal_groups = data.orthogonal_groups;
-  measure_relations(again);
+  again.size = data.size;
+  again.parameters = data.parameters;
+  measure_relations(again, {std::int64_t(sums.fit), 0, 0});
   const Statistics &t = data.statistics, &r = again.statistics;
   const double points = double(in.total.items), assigned = double(sums.assigned);
   const double epsilon = data.parameters.maximum_distance;
-  const double unit = epsilon / distance_units;
+  const double unit = epsilon / double(Score_item::tolerance_units);
   const double mean = sums.assigned > 0 ? double(sums.distance) / assigned * unit : 0;
   const double rounding = (std::min)(distance_margin(in.grid) * in.grid.step + 2 * unit, epsilon);
   return first_violation({
@@ -84,7 +86,19 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
     {"complexity", t.complexity, r.complexity, 0},
     {"coverage", t.coverage, in.total.items > 0 ? assigned / points : 0, 0},
     {"mean_distance", t.mean_distance, mean, rounding},
+    {"score.fit", t.score.fit, r.score.fit, (2 * rounding / epsilon + 1. / Score::unit) * assigned},
+    {"score.size", t.score.size, r.score.size, 0},
+    {"score.price", t.score.price, r.score.price, 0},
+    {"score.freedom", t.score.freedom, r.score.freedom, 0},
   });
+}
+
+// The links are counted again in the neighbor graph.
+inline std::string link_violation(const Shapes_data& data, const Score_counts& counts)
+{
+  const Score score(data.parameters.minimum_region_size, int(data.parameters.k_neighbors));
+  const double expected = to_points({0, score.links(counts.links, counts.free_links), 0, 0, 0}).links;
+  return first_violation({{"score.links", data.statistics.score.links, expected, 0}});
 }
 
 // Seconds, rounds and bytes cannot be measured again.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connected components for the check of a result. Neighbors are searched again, on points that are sorted as in the
-// engine, since positions break ties between neighbors at equal distance.
+// Connected components and links for the check of a result. Neighbors are searched again, on points that are sorted as
+// in the engine, since positions break ties between neighbors at equal distance.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
@@ -12,6 +12,7 @@
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/engine/engine_api.h>
 #include <CGAL/Tandem/internal/finish/Seams.h>
+#include <CGAL/Tandem/internal/score/Score.h>
 
 #include <vector>
 
@@ -60,37 +61,63 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-// The first shape whose points are not one component, or the number of shapes. labels: by imported point of this rank,
-// -1 = none; ranks have whole leaves of the octree.
+// The neighbors of the point i that have another shape, or one where it has none.
+inline void count_links(std::uint32_t i, const std::uint32_t* row, std::size_t k, const std::uint32_t* label,
+                        Score_counts& counts)
+{
+  for(std::size_t j = 0; j < k && row[j] != no_index; ++j)
+    if(label[row[j]] != label[i])
+      ++(label[i] == free_label || label[row[j]] == free_label ? counts.free_links : counts.links);
+}
+
+// Of a result: neighbors of a point, and shapes.
+struct Label_graph {
+  std::size_t k, shapes;
+};
+
+// The imported points in the order of the engine: the sorted table of their codes.
 template <class Backend>
-std::size_t first_unconnected_here(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
-                                   std::size_t k, std::size_t shapes)
+typename Backend::Sort_table sort_import(Backend& backend, const Import& in)
+{
+  return sort_along_curve(
+    backend, in.point.data(), std::uint32_t(in.size()), make_code_frame(in.low, in.high),
+    make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
+}
+
+// The k nearest neighbors of each imported point, as imported points.
+template <class Backend>
+std::vector<std::uint32_t> import_neighbors(Backend& backend, const Import& in, std::size_t k)
 {
   const std::uint32_t n = std::uint32_t(in.size());
-  const auto order =
-    sort_along_curve(backend, in.point.data(), n, make_code_frame(in.low, in.high),
-                     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
-  Sorted_cloud<Backend> cloud;
-  cloud.k = int(k);
-  cloud.point.reset(n);
-  cloud.neighbor.reset(n * k);
+  std::vector<std::uint32_t> neighbor(n * k), result(n * k);
+  if(n == 0)
+    return result;
+  const auto order = sort_import(backend, in);
+  std::vector<Grid_point> point(n);
   for(std::uint32_t i = 0; i < n; ++i)
-    cloud.point[i] = in.point[order.view().index(i)];
-  find_neighbors(backend, cloud.point.data(), n, cloud.k, cloud.neighbor.data());
-  Ranks<Backend> ranks(backend);
-  ranks.connect(cloud, 1);
-  std::vector<std::uint32_t> label(cloud.size_with_ghosts()), component;
+    point[i] = in.point[order.view().index(i)];
+  find_neighbors(backend, point.data(), n, int(k), neighbor.data());
   for(std::uint32_t i = 0; i < n; ++i)
-    label[i] = labels[order.view().index(i)] < 0 ? free_label : std::uint32_t(labels[order.view().index(i)]);
-  ranks.refresh(label.data(), Rings::inner);
-  Parents parents(label.size());
-  for(std::uint32_t i = 0; i < n; ++i)
-    parents.unite_around(i, cloud.neighbor.data() + i * k, k, label.data());
-  for(std::uint32_t i = 0; i < label.size(); ++i)
-    component.push_back(parents.root(i));
-  Seams<Backend> seams(backend, ranks);
-  seams.find(cloud.view(), label.data(), component.data());
+    for(std::size_t j = 0; j < k; ++j) {
+      const std::uint32_t q = neighbor[i * k + j];
+      result[order.view().index(i) * k + j] = q == no_index ? no_index : std::uint32_t(order.view().index(q));
+    }
+  return result;
+}
 
+// The points of a rank: label and component, and the numbers of roots in the cloud of all ranks.
+template <class Backend>
+struct Labeled_components {
+  const std::vector<std::uint32_t>& label;
+  const std::vector<std::uint32_t>& component;
+  const Seams<Backend>& seams;
+};
+
+// The first shape with points in two components, or the number of shapes; n: own points.
+template <class Backend>
+std::size_t first_of_two_roots(const Ranks<Backend>& ranks, const Labeled_components<Backend>& points, std::uint32_t n,
+                               std::size_t shapes)
+{
   // Of each shape on this rank two roots, which differ if any do; then the same of all ranks.
   struct Roots {
     std::uint64_t shape, first, last;
@@ -98,12 +125,12 @@ std::size_t first_unconnected_here(Backend& backend, const Import& in, const std
   std::vector<Roots> own;
   std::vector<std::size_t> place(shapes, shapes);
   for(std::uint32_t i = 0; i < n; ++i)
-    if(label[i] != free_label) {
-      const std::uint64_t root = seams.global_root(component[i]);
-      std::size_t& at = place[label[i]];
+    if(points.label[i] != free_label) {
+      const std::uint64_t root = points.seams.global_root(points.component[i]);
+      std::size_t& at = place[points.label[i]];
       if(at == shapes) {
         at = own.size();
-        own.push_back({label[i], root, root});
+        own.push_back({points.label[i], root, root});
       } else if(own[at].first != root)
         own[at].last = root;
     }
@@ -118,12 +145,51 @@ std::size_t first_unconnected_here(Backend& backend, const Import& in, const std
   return unconnected;
 }
 
+// The first shape whose points are not one component, or the number of shapes; and the links of the score, of all ranks.
+// labels: by imported point of this rank, -1 = none; ranks have whole leaves of the octree.
+template <class Backend>
+std::size_t first_unconnected_here(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
+                                   const Label_graph& graph, Score_counts& counts)
+{
+  const std::size_t k = graph.k, shapes = graph.shapes;
+  const std::uint32_t n = std::uint32_t(in.size());
+  const auto order = sort_import(backend, in);
+  Sorted_cloud<Backend> cloud;
+  cloud.k = int(k);
+  cloud.point.reset(n);
+  cloud.neighbor.reset(n * k);
+  for(std::uint32_t i = 0; i < n; ++i)
+    cloud.point[i] = in.point[order.view().index(i)];
+  find_neighbors(backend, cloud.point.data(), n, cloud.k, cloud.neighbor.data());
+  Ranks<Backend> ranks(backend);
+  ranks.connect(cloud, 1);
+  std::vector<std::uint32_t> label(cloud.size_with_ghosts()), component;
+  for(std::uint32_t i = 0; i < n; ++i)
+    label[i] = labels[order.view().index(i)] < 0 ? free_label : std::uint32_t(labels[order.view().index(i)]);
+  ranks.refresh(label.data(), Rings::inner);
+  Parents parents(label.size());
+  for(std::uint32_t i = 0; i < n; ++i) {
+    parents.unite_around(i, cloud.neighbor.data() + i * k, k, label.data());
+    count_links(i, cloud.neighbor.data() + i * k, k, label.data(), counts);
+  }
+  counts.links = std::int64_t(ranks.total(std::size_t(counts.links)));
+  counts.free_links = std::int64_t(ranks.total(std::size_t(counts.free_links)));
+  for(std::uint32_t i = 0; i < label.size(); ++i)
+    component.push_back(parents.root(i));
+  Seams<Backend> seams(backend, ranks);
+  seams.find(cloud.view(), label.data(), component.data());
+
+  return first_of_two_roots<Backend>(ranks, {label, component, seams}, n, shapes);
+}
+
+// The first shape whose points are not one component, or the number of shapes; and the links of the score. labels: by
+// imported point, -1 = none.
 template <class Backend>
 std::size_t first_unconnected(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
-                              std::size_t k, std::size_t shapes)
+                              const Label_graph& graph, Score_counts& counts)
 {
   static_assert(!Ranks<Backend>::are_many, "many ranks need the overload of mpi.h");
-  return in.total.points == 0 ? shapes : first_unconnected_here(backend, in, labels, k, shapes);
+  return in.total.points == 0 ? graph.shapes : first_unconnected_here(backend, in, labels, graph, counts);
 }
 
 } // namespace internal

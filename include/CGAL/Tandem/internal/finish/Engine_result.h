@@ -8,6 +8,7 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_ENGINE_RESULT_H
 
 #include <CGAL/Tandem/Shapes_data.h>
+#include <CGAL/Tandem/internal/score/Score.h>
 
 #include <cstdint>
 #include <vector>
@@ -34,6 +35,7 @@ struct Engine_result {
   Point_groups points;                 // imported points of each shape
   Shared_table<std::uint32_t> normal;  // per imported point, the packed normal, if normals were estimated
   double mean_distance = 0;            // of the points to their planes, in epsilons
+  Score_counts counts;
   std::size_t rounds = 0;
   bool is_cancelled = false;
   bool is_coarse = false;

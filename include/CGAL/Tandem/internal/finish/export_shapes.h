@@ -94,7 +94,7 @@ Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& 
   data.points = {result.points.first, to_items(backend, in, result.points.position)};
   if(!in.has_normals)
     data.normal = by_item(backend, in, result.normal, no_normal);
-  measure_relations(data);
+  measure_relations(data, result.counts);
   statistics.coverage = statistics.number_of_points > 0
                           ? double(statistics.number_of_assigned_points) / double(statistics.number_of_points)
                           : 0;

@@ -69,15 +69,21 @@ struct Number_roots {
   }
 };
 
-// From the sorted cloud to the order of the imported points. A root that no component of the result has is numbered
-// no_index, hence -1.
+// Puts the number of its shape in place of the root of a point; no_index if no component of the result has the root.
+struct Number_points {
+  const std::uint32_t* number; // by root
+  std::uint32_t* component;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = number[component[i]]; }
+};
+
+// From the sorted cloud to the order of the imported points.
 struct Write_shapes {
-  const std::uint32_t* component;
-  const std::uint32_t* number;
+  const std::uint32_t* shape;
   const std::uint32_t* order;
   std::int32_t* shape_of;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { shape_of[order[i]] = std::int32_t(number[component[i]]); }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { shape_of[order[i]] = std::int32_t(shape[i]); }
 };
 
 // Estimated normals, in the order of the imported points.
@@ -168,11 +174,13 @@ private:
     auto number = filled_buffer(backend_, n, no_index);
     const auto named = to_buffer(backend_, components);
     backend_.for_each(components.size(), Number_roots{named.data(), number.data()});
-    measure_shapes(component.data(), number.data(), result);
-    Buffer<std::int32_t> shape_of(n);
-    backend_.for_each(n, Write_shapes{component.data(), number.data(), order(), shape_of.data()});
-    component.release();
+    backend_.for_each(n, Number_points{number.data(), component.data()});
     number.release();
+    points_.ranks.refresh(component.data(), Rings::inner);
+    measure_shapes(component.data(), result);
+    Buffer<std::int32_t> shape_of(n);
+    backend_.for_each(n, Write_shapes{component.data(), order(), shape_of.data()});
+    component.release();
     label_.release();
     take_points(backend_, std::move(shape_of), components.size(), result);
   }
@@ -193,26 +201,29 @@ private:
     }
   }
 
-  // Counts the opposite normals of each shape, and sums distances. Only given normals have a side: estimated ones are
-  // not oriented.
-  void measure_shapes(const std::uint32_t* component, const std::uint32_t* number, Engine_result& result)
+  // Counts the opposite normals of each shape, and sums distances and what the score counts. Only given normals have a
+  // side: estimated ones are not oriented.
+  void measure_shapes(const std::uint32_t* shape, Engine_result& result)
   {
     auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint64_t(0));
-    auto distance_sum = filled_buffer(backend_, 1, std::uint64_t(0));
+    auto sums = filled_buffer(backend_, Point_measures::size, std::uint64_t(0));
+    const Score_item item = {1, options_.growth.tolerance.distance};
     backend_.template for_each_cell<Measure_scratch>(
-      points_.number_of_cells(),
-      Measure_points<Backend>{points_.cloud.point.data(), points_.cells.data(), label_.data(), plane_.data(), component,
-                              number, options_.growth.tolerance.distance, opposed_sums.data(), distance_sum.data()});
+      points_.number_of_cells(), Measure_points<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(),
+                                                         plane_.data(), shape, item, opposed_sums.data(), sums.data()});
     points_.ranks.sum(opposed_sums.data(), opposed_sums.size());
-    points_.ranks.sum(distance_sum.data(), 1);
+    points_.ranks.sum(sums.data(), sums.size());
     const auto opposed = to_vector(backend_, opposed_sums);
-    const auto distance = to_vector(backend_, distance_sum);
+    const auto sum = to_vector(backend_, sums);
+    result.counts = {std::int64_t(sum[Point_measures::fit]), std::int64_t(sum[Point_measures::links]),
+                     std::int64_t(sum[Point_measures::free_links])};
     std::size_t points = 0;
     for(std::size_t s = 0; s < result.shapes.size(); ++s) {
       points += result.shapes[s].size;
       result.shapes[s].is_flipped = in_.has_normals && 2 * std::size_t(opposed[s]) > result.shapes[s].size;
     }
-    result.mean_distance = points > 0 ? double(distance[0]) / double(points) / distance_units : 0;
+    const double units = double((std::max)(points, std::size_t(1))) * double(Score_item::tolerance_units);
+    result.mean_distance = double(sum[Point_measures::distance]) / units;
   }
 
   // Moves the items of a buffer to a table of the host, without a copy where the buffer is memory of the host.

@@ -18,6 +18,9 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+struct Label_graph;
+struct Score_counts;
+
 // make_engine() of many ranks, in the library Tandem::tandem_mpi; all ranks call it, and each function of the engine.
 // The values of the import go to other ranks; it keeps its numbers of points and items.
 template <class Local>
@@ -32,7 +35,7 @@ std::unique_ptr<Detection_engine> make_cuda_engine(Mpi_backend<Parallel_host>& h
 // The one of engine/first_unconnected.h for a result over many ranks, in the library as well.
 template <class Local>
 std::size_t first_unconnected(Mpi_backend<Local>& backend, const Import& in, const std::vector<std::int32_t>& labels,
-                              std::size_t k, std::size_t shapes);
+                              const Label_graph& graph, Score_counts& counts);
 
 } // namespace internal
 } // namespace Tandem

@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_RANK_BOUNDARIES_H
 #define CGAL_TANDEM_INTERNAL_MPI_RANK_BOUNDARIES_H
 
+#include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
 #include <CGAL/Tandem/internal/mpi/messages/Communicator.h>
 

@@ -100,7 +100,7 @@ struct Finish {
 
   // Clutter thickens its own neighborhood. So its distance is compared with the thickness at its neighbors, and most of
   // them decide.
-  CGAL_TANDEM_HD bool is_clutter(std::uint32_t i, const Candidate& c) const
+  CGAL_TANDEM_HD bool lies_in_clutter(std::uint32_t i, const Candidate& c) const
   {
     const float e2 = plane_distance2(c, from_center(w, source[i], w.cloud.point[i]));
     if(e2 <= w.minimum_clutter2 || e2 <= c.smallest)
@@ -115,7 +115,7 @@ struct Finish {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const Candidate& c = w.candidate[source[i]];
-    const bool is_rough = c.error2 < no_plane && is_clutter(std::uint32_t(i), c);
+    const bool is_rough = c.error2 < no_plane && lies_in_clutter(std::uint32_t(i), c);
     point[i].normal = is_rough ? rough_normal(std::uint32_t(i)) : c.normal;
   }
 };

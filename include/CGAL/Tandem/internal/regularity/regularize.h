@@ -25,8 +25,10 @@ namespace internal {
 inline std::vector<int> shared_directions(const std::vector<Direction_group>& groups, std::size_t n)
 {
   auto key = [](const Vector& v) { return std::make_tuple(v.x, v.y, v.z); };
-  std::vector<std::size_t> order(groups.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::vector<std::size_t> order;
+  for(std::size_t g = 0; g < groups.size(); ++g)
+    if(!groups[g].members.empty()) // as those of given directions may be: numbers are below n
+      order.push_back(g);
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return key(groups[a].direction) < key(groups[b].direction); });
   std::vector<int> direction_of(n, -1);

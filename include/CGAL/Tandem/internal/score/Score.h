@@ -54,8 +54,7 @@ struct Score_item {
   // little farther than the tolerance on the grid, and counts as that.
   CGAL_TANDEM_HD std::uint64_t share_of(std::int64_t distance) const
   {
-    const std::uint64_t size =
-      std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^39 times 2^15
+    const std::uint64_t size = std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^(39 + 15)
     const std::uint64_t share = (size + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
     return share < tolerance_units ? share : tolerance_units;
   }
@@ -79,10 +78,12 @@ class Score {
 public:
   static constexpr std::int64_t unit = tuning::score::unit;
 
-  Score(std::int64_t minimum_size, int k)
-    : log2_of_minimum_(fixed_log2(std::uint64_t(minimum_size))), k_(k), link_(tuning::score::link.of(unit)),
-      bonus_(tuning::score::size_bonus.of(unit * bonus_unit)), price_(tuning::score::price.of(minimum_size * unit)),
-      freedom_(tuning::score::freedom.of(minimum_size * unit)), points_per_freedom_(tuning::score::points_per_freedom)
+  // A minimum size beyond all numbers of points counts as the largest of them.
+  Score(std::uint64_t minimum_size, int k)
+    : minimum_size_(std::int64_t(minimum_size < most_points ? minimum_size : most_points)),
+      log2_of_minimum_(fixed_log2(std::uint64_t(minimum_size_))), k_(k), link_(tuning::score::link.of(unit)),
+      bonus_(tuning::score::size_bonus.of(unit * bonus_unit)), price_(tuning::score::price.of(minimum_size_ * unit)),
+      freedom_(tuning::score::freedom.of(minimum_size_ * unit)), points_per_freedom_(tuning::score::points_per_freedom)
   {}
 
   // Of a point at a distance in units of its tolerance.
@@ -128,11 +129,12 @@ public:
 
 private:
   static constexpr std::int64_t bonus_unit = 256;
+  static constexpr std::uint64_t most_points = std::uint64_t(1) << 40;
 
   // mu log2(..) of a point, in 1 / bonus_unit of a unit, rounded down.
   CGAL_TANDEM_HD std::int64_t bonus(std::int64_t log2) const { return (bonus_ * log2) >> log2_bits; }
 
-  std::int64_t log2_of_minimum_, k_, link_, bonus_, price_, freedom_, points_per_freedom_;
+  std::int64_t minimum_size_, log2_of_minimum_, k_, link_, bonus_, price_, freedom_, points_per_freedom_;
 };
 
 } // namespace internal

@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tandem on generated clouds with true labels, with given and with its own normals: a line each, then means. Its CMake
+// target has the same name. Without CMake, in the folder benchmark/Shape_regularization_tandem:
+//   g++ -std=c++17 -O2 -DNDEBUG -DCGAL_EIGEN3_ENABLED -I. -I../../include -I../../test/Shape_regularization_tandem
+//     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/contestants_tandem.cpp criteria/result_score.cpp
+//     clouds/{labeled_frames,frame_models,sensor,scene_normals}.cpp
+//     ../../test/Shape_regularization_tandem/testing/scene*.cpp -o labeled_frames
+//   labeled_frames [--csv FILE] [PART...]     only clouds whose group or name contains one of these texts
+// Columns: F, mean IoU, precision and recall at an intersection over union of .75, over- and under-segmentation, number
+// of shapes, F1 at .5, precision of points, score per point (criteria/segmentation.h, criteria/result_score.h). Of
+// layers: the share of a face that its main shape has, of the worst face and on average.
+
+#include "clouds/labeled_frames.h"
+#include "contestants/contestants.h"
+#include "criteria/result_score.h"
+#include "criteria/results_csv.h"
+#include "criteria/segmentation.h"
+
+#include <cstdio>
+#include <map>
+
+using namespace CGAL::Tandem::benchmark;
+
+namespace {
+
+const std::vector<std::string> columns = {
+  "segmentation_f", "mean_iou",   "segmentation_precision", "segmentation_recall", "over_segmented", "under_segmented",
+  "shapes",         "face_f1_50", "point_precision",        "score_of_point"};
+// Of the file.
+const std::vector<std::string> written_columns = {"group",
+                                                  "cloud",
+                                                  "normals",
+                                                  "points",
+                                                  "shapes",
+                                                  "coverage",
+                                                  "mean_distance_in_epsilons",
+                                                  "degrees_of_freedom_relaxed",
+                                                  "planes_relaxed",
+                                                  "segmentation_f",
+                                                  "mean_iou",
+                                                  "segmentation_precision",
+                                                  "segmentation_recall",
+                                                  "over_segmented",
+                                                  "under_segmented",
+                                                  "missed",
+                                                  "noise",
+                                                  "segcomp_correct",
+                                                  "segcomp_over_segmented",
+                                                  "segcomp_under_segmented",
+                                                  "true_faces",
+                                                  "face_f1_50",
+                                                  "point_precision",
+                                                  "angle_error_deg",
+                                                  "parallel_false_relaxed",
+                                                  "score_fit",
+                                                  "score_links",
+                                                  "score_size",
+                                                  "score_price",
+                                                  "score_freedom",
+                                                  "score_of_point"};
+const char* const titles = "   F.75    mIoU    prec     rec    over   under  shapes    F1.5   pprec       S";
+
+using Values = std::vector<double>;
+
+struct Sums {
+  Values sum = Values(columns.size(), 0);
+  int count = 0;
+
+  void add(const Values& values)
+  {
+    for(std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += values[i];
+    ++count;
+  }
+
+  Values mean() const
+  {
+    Values result = sum;
+    for(double& v : result)
+      v /= count;
+    return result;
+  }
+};
+
+const char* const kinds[] = {"given", "own"}; // of normals
+
+class Judge {
+public:
+  explicit Judge(const std::vector<std::string>& parts) : parts_(parts) {}
+
+  // Frames of a group follow each other.
+  void judge(const std::string& title, const std::vector<Labeled_frame>& frames)
+  {
+    std::map<std::string, Sums> sums[2];
+    std::vector<std::string> groups;
+    std::printf("\n%-30s%s\n", title.c_str(), titles);
+    for(const Labeled_frame& frame : frames) {
+      if(!is_wanted(frame))
+        continue;
+      const Named_cloud cloud = make_cloud(frame);
+      if(groups.empty() || groups.back() != frame.group)
+        groups.push_back(frame.group);
+      const Neighbor_graph graph =
+        neighbor_graph(cloud.cloud.points, cloud.task.k_neighbors, cloud.task.maximum_distance);
+      for(int own : {0, 1}) {
+        rows_.push_back(row(frame, cloud, graph, own));
+        Values values;
+        for(const std::string& column : columns)
+          values.push_back(std::strtod(cell(rows_.back(), column).c_str(), nullptr));
+        print(frame.name, kinds[own], values);
+        sums[own][frame.group].add(values);
+      }
+    }
+    if(!groups.empty())
+      print_means(title, groups, sums);
+  }
+
+  void judge_layers()
+  {
+    std::map<std::string, std::vector<double>> worst, mean;
+    for(const Labeled_frame& frame : labeled_layers()) {
+      if(!is_wanted(frame))
+        continue;
+      const Named_cloud cloud = make_cloud(frame);
+      for(int own : {0, 1}) {
+        const auto kept = kept_shares(cloud, detect(cloud, own).detection);
+        const std::string key = frame.group + " " + kinds[own];
+        worst[key].push_back(kept.first);
+        mean[key].push_back(kept.second);
+        Row row = {{"group", frame.group}, {"cloud", frame.name}, {"normals", kinds[own]}};
+        append_cell(row, "worst_face_kept", kept.first);
+        append_cell(row, "mean_kept", kept.second);
+        rows_.push_back(row);
+      }
+    }
+    std::printf("\n%-30s  worst    mean kept\n", "layers");
+    for(const auto& entry : worst) {
+      const std::vector<double>& shares = mean[entry.first];
+      std::printf("%-30s %6.3f %6.3f\n", entry.first.c_str(),
+                  *std::min_element(entry.second.begin(), entry.second.end()),
+                  std::accumulate(shares.begin(), shares.end(), 0.) / double(shares.size()));
+    }
+  }
+
+  const std::vector<Row>& rows() const { return rows_; }
+
+private:
+  bool is_wanted(const Labeled_frame& frame) const
+  {
+    const std::string name = frame.group + " " + frame.name;
+    return parts_.empty() || std::any_of(parts_.begin(), parts_.end(),
+                                         [&](const std::string& part) { return name.find(part) != std::string::npos; });
+  }
+
+  static Run detect(const Named_cloud& cloud, bool estimates_normals)
+  {
+    Task task = cloud.task;
+    task.estimates_normals = estimates_normals;
+    return tandem_contestants().back().step(cloud.cloud, task, Run());
+  }
+
+  static Row row(const Labeled_frame& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own)
+  {
+    const Run run = detect(cloud, own);
+    const Task& task = cloud.task;
+    const std::vector<Vec>& points = cloud.cloud.points;
+    const std::vector<Vec>& normals = own ? run.normals : cloud.cloud.normals;
+    Row row = {{"group", frame.group}, {"cloud", frame.name}, {"normals", kinds[own]}};
+    append_cell(row, "points", points.size());
+    append_criteria(row, evaluate(points, normals, run.detection, task.tolerances()));
+    append_segmentation(row, true, evaluate_segmentation(cloud.truth, run.detection, task.minimum_region_size));
+    append_truth(row, evaluate_truth(cloud.truth, run.detection, extent_of(points), task.minimum_region_size));
+    const Scored_cloud scored = {points, normals, graph, task.tolerances(), task.minimum_region_size};
+    append_score(row, evaluate_score(scored, run.detection), points.size());
+    return written(row);
+  }
+
+  static Row written(const Row& all)
+  {
+    Row row;
+    for(const std::string& column : written_columns)
+      row.emplace_back(column, cell(all, column));
+    return row;
+  }
+
+  static void print(const std::string& name, const std::string& normals, const Values& values)
+  {
+    std::printf("%-24s %-5s", name.c_str(), normals.c_str());
+    for(std::size_t i = 0; i < values.size(); ++i)
+      std::printf(columns[i] == "shapes" ? " %7.1f" : " %7.3f", values[i]);
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+
+  // Of each group, and of these.
+  void print_means(const std::string& title, const std::vector<std::string>& groups,
+                   std::map<std::string, Sums> (&sums)[2])
+  {
+    std::printf("\n%-30s%s\n", (title + ", means").c_str(), titles);
+    for(int own : {0, 1}) {
+      Sums all;
+      for(const std::string& group : groups) {
+        const Values mean = sums[own][group].mean();
+        print(group, kinds[own], mean);
+        add_mean(group, kinds[own], mean);
+        all.add(mean);
+      }
+      print("MEAN OF GROUPS", kinds[own], all.mean());
+      add_mean(title + ", mean of groups", kinds[own], all.mean());
+    }
+  }
+
+  void add_mean(const std::string& group, const std::string& normals, const Values& mean)
+  {
+    Row row = {{"group", group}, {"cloud", "mean"}, {"normals", normals}};
+    for(std::size_t i = 0; i < mean.size(); ++i)
+      append_cell(row, columns[i], mean[i]);
+    rows_.push_back(row);
+  }
+
+  // Of the faces: the least share, and that of all points.
+  static std::pair<double, double> kept_shares(const Named_cloud& cloud, const Detection& detection)
+  {
+    const Overlap overlap(cloud.truth, detection);
+    double right = 0, all = 0, worst = 1;
+    for(std::size_t f = 0; f < overlap.faces; ++f) {
+      std::size_t most = 0;
+      for(std::size_t s = 0; s < overlap.shapes; ++s)
+        if(overlap.main_face[s] == f)
+          most = (std::max)(most, overlap.common(s, f));
+      right += double(most);
+      all += double(overlap.face_size[f]);
+      worst = (std::min)(worst, ratio(double(most), double(overlap.face_size[f])));
+    }
+    return {worst, right / all};
+  }
+
+  std::vector<std::string> parts_;
+  std::vector<Row> rows_;
+};
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  std::vector<std::string> parts(argv + 1, argv + argc);
+  std::string csv;
+  if(parts.size() > 1 && parts[0] == "--csv") {
+    csv = parts[1];
+    parts.erase(parts.begin(), parts.begin() + 2);
+  }
+  Judge judge(parts);
+  judge.judge("labeled frames", labeled_frames());
+  judge.judge("scenes", labeled_scenes());
+  judge.judge_layers();
+  if(!csv.empty())
+    write_csv(csv, judge.rows());
+  return 0;
+} catch(const std::exception& e) {
+  std::fprintf(stderr, "labeled_frames: %s\n", e.what());
+  return 1;
+}

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What names of files tell: the file itself, and its format.
+
+#ifndef DETECT_PLANES_FILE_NAMES_H
+#define DETECT_PLANES_FILE_NAMES_H
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace program {
+
+// The file that a chain of links leads to, whether that exists or not.
+inline std::filesystem::path follow_links(std::filesystem::path path)
+{
+  namespace fs = std::filesystem;
+  constexpr int largest_length = 40; // as in Linux; more are a loop
+  std::error_code error;
+  for(int i = 0; i < largest_length && fs::is_symlink(fs::symlink_status(path, error)); ++i)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  return path;
+}
+
+// The same for all names of a file, or of a folder, whether that exists or not.
+inline std::filesystem::path unique_name(const std::filesystem::path& path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path name = fs::absolute(follow_links(path), error);
+  const fs::path resolved = fs::weakly_canonical(name, error);
+  const fs::path unique = error ? name.lexically_normal() : resolved; // a loop of links, for example
+  return unique.has_filename() ? unique : unique.parent_path();       // without the slash that new/.. leaves
+}
+
+inline std::string lower_case_extension(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+inline bool is_gzip(const std::string& path) { return lower_case_extension(path) == ".gz"; }
+
+// The extension that tells the format: .ply of cloud.ply.gz.
+inline std::string input_extension(const std::string& path)
+{
+  const std::filesystem::path name(path);
+  return lower_case_extension(is_gzip(path) ? name.stem() : name);
+}
+
+constexpr std::array<const char*, 5> table_extensions = {".xyz", ".txt", ".csv", ".pts", ".pwn"};
+constexpr std::array<const char*, 7> output_extensions = {".ply", ".las", ".laz", ".pcd", ".xyz", ".txt", ".csv"};
+
+inline bool is_table(const std::string& path)
+{
+  const std::string extension = input_extension(path);
+  return std::find(table_extensions.begin(), table_extensions.end(), extension) != table_extensions.end();
+}
+
+inline bool is_las(const std::string& path)
+{
+  const std::string extension = input_extension(path);
+  return extension == ".las" || extension == ".laz";
+}
+
+inline bool is_cloud(const std::string& path)
+{
+  const std::string extension = input_extension(path);
+  return is_table(path) || is_las(path) || extension == ".ply" || extension == ".pcd" || extension == ".off";
+}
+
+// Devices and pipes without an extension get PLY.
+inline std::string output_extension(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  const std::string extension = lower_case_extension(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  const bool is_special = fs::exists(status) && !fs::is_regular_file(status);
+  return extension.empty() && (is_special || path.compare(0, 5, "/dev/") == 0) ? ".ply" : extension;
+}
+
+inline bool is_output_extension(const std::string& extension)
+{
+  return std::find(output_extensions.begin(), output_extensions.end(), extension) != output_extensions.end();
+}
+
+inline bool is_known_output(const std::string& path) { return is_output_extension(output_extension(path)); }
+
+// Of --output-directory: the name of the input, without .gz, and with .ply in place of what is not written.
+inline std::string output_of_input(const std::string& directory, const std::string& input)
+{
+  std::filesystem::path name = std::filesystem::path(input).filename();
+  if(is_gzip(input))
+    name = name.stem();
+  if(!is_output_extension(lower_case_extension(name)))
+    name.replace_extension(".ply");
+  return (directory / name).string();
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_FILE_NAMES_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Values of options that are lists: directions, and how clouds are read.
+
+#ifndef DETECT_PLANES_OPTION_VALUES_H
+#define DETECT_PLANES_OPTION_VALUES_H
+
+#include "Options.h"
+#include "file_names.h"
+#include "input/input_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <istream>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace program {
+
+// Whether the text is a direction, and nothing else.
+inline bool read_direction(const std::string& text, std::array<double, 3>& d)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  char first = 0, second = 0;
+  if(!(in >> d[0] >> first >> d[1] >> second >> d[2]) || first != ',' || second != ',')
+    return false;
+  in >> std::ws;
+  return in.eof() && (d[0] != 0 || d[1] != 0 || d[2] != 0);
+}
+
+inline std::array<double, 3> parse_direction(const std::string& option, const std::string& text)
+{
+  std::array<double, 3> direction = {};
+  if(!read_direction(text, direction))
+    throw Usage_error("--" + option + " is '" + text +
+                      "', must be three numbers with commas between them, not all 0, as in 0,0,1");
+  return direction;
+}
+
+constexpr int no_class = -1;
+
+inline int class_of(const std::string& word)
+{
+  const bool is_number = !word.empty() && word.size() <= 3 && word.find_first_not_of("0123456789") == word.npos;
+  return is_number && std::stoi(word) <= 255 ? std::stoi(word) : no_class;
+}
+
+// The value of --classes: numbers from 0 to 255 with commas or blanks between them.
+inline std::vector<int> parse_classes(const std::string& text)
+{
+  std::vector<int> classes;
+  std::istringstream parts(text + ','); // with a part after the last comma, too
+  for(std::string part, word; std::getline(parts, part, ',');) {
+    std::istringstream words(part);
+    words >> word;
+    classes.push_back(words ? class_of(word) : no_class);
+    while(words >> word)
+      classes.push_back(class_of(word));
+  }
+  if(std::count(classes.begin(), classes.end(), no_class) > 0)
+    throw std::invalid_argument("--classes is '" + text +
+                                "', must be numbers from 0 to 255 with commas between them, as in 2,6");
+  return classes;
+}
+
+// Throws std::invalid_argument where the options are wrong, or cannot be meant.
+inline Input_settings input_settings(const std::vector<std::string>& inputs, const std::string& columns,
+                                     const std::string& classes)
+{
+  Input_settings settings;
+  if(!columns.empty()) {
+    settings.columns = parse_columns(columns);
+    if(std::none_of(inputs.begin(), inputs.end(), is_table))
+      throw std::invalid_argument("--columns is for text tables (.xyz, .txt, .csv, .pts or .pwn)");
+  }
+  if(!classes.empty())
+    settings.classes = parse_classes(classes);
+  return settings;
+}
+
+} // namespace program
+
+#endif // DETECT_PLANES_OPTION_VALUES_H

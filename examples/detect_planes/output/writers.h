@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What writes the larger outputs.
+
+#ifndef DETECT_PLANES_WRITERS_H
+#define DETECT_PLANES_WRITERS_H
+
+#include "input/input_settings.h"
+#include "outlines/shape_polygons.h"
+#include "output/report.h"
+#include "output/write_results.h"
+
+#include <iosfwd>
+#include <optional>
+#include <ostream>
+#include <string>
+
+namespace program {
+
+struct Cloud_format {
+  std::string extension;
+  std::string colors;                 // of the points: input, shape, or empty for what the format is used for
+  std::optional<Las_frame> las_frame; // of the input
+};
+
+// The cloud with the shape of each point: the part of the points that belongs to the file.
+void write_cloud(std::ostream& out, const Point_set& points, const Point_part& part, const Shapes& shapes,
+                 const Cloud_format& format);
+
+enum class Faces_of_file { polygons, triangles };
+
+// The polygons of the shapes: binary PLY with the shape of each face, OBJ with a group for each shape, or GeoJSON with a
+// feature for each shape, by the extension in any case. Shapes share no vertices. Faces of PLY and OBJ have no holes:
+// polygons with holes are triangles there.
+void write_polygons(std::ostream& out, const Point_set& points, const Shapes& shapes, const std::string& path,
+                    Faces_of_file faces);
+
+// The page that shows a result in three dimensions: one file, which a browser opens from the disk. three.js and the page
+// around the data are parts of the program.
+void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Run& run);
+
+} // namespace program
+
+#endif // DETECT_PLANES_WRITERS_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Slabs of clutter: the neighbors of the points of each shape against plain loops on several back ends, the bound, and
+// planes through clutter, which are no shapes.
+
+#undef NDEBUG
+
+#include "testing/body_fixture.h"
+
+#include <CGAL/Tandem/internal/finish/own_neighbors.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Tandem::internal;
+
+template <class Backend>
+class Own_neighbors {
+public:
+  Own_neighbors(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+
+  void run()
+  {
+    test_counts(f_.label, name_);
+    // Few slots for many shapes.
+    std::vector<std::uint32_t> label = f_.label;
+    for(std::uint32_t& s : label)
+      if(s < first_mark)
+        s *= Neighbor_scratch::slots / 2;
+    test_counts(label, name_ + ", two slots");
+  }
+
+private:
+  void test_counts(const std::vector<std::uint32_t>& label, const std::string& where)
+  {
+    std::uint32_t shapes = 0;
+    for(std::uint32_t s : label)
+      shapes = s < first_mark ? (std::max)(shapes, s + 1) : shapes;
+    std::vector<std::uint64_t> counts(std::size_t(shapes) * neighbor_counts::size, 0), expected = counts;
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
+      if(label[i] < first_mark)
+        f_.for_each_neighbor(i, [&](std::uint32_t q) {
+          std::uint64_t* const c = expected.data() + std::size_t(label[i]) * neighbor_counts::size;
+          ++c[neighbor_counts::all];
+          c[neighbor_counts::own] += label[q] == label[i];
+        });
+    backend_.template for_each_cell<Neighbor_scratch>(
+      f_.cells.size(), Count_neighbors<Backend>{f_.cloud, f_.cells.data(), label.data(), counts.data()});
+    check_lists(counts, expected, where + ": neighbors");
+  }
+
+  Backend& backend_;
+  const std::string name_;
+  const Fixture& f_;
+};
+
+namespace {
+
+// Two fifths suffice.
+void test_bound()
+{
+  for(std::uint64_t all : {5u, 1000u, 4000000000u})
+    for(std::uint64_t own : {all * 2 / 5 - 1, all * 2 / 5, all * 2 / 5 + 1, all}) {
+      const std::uint64_t counts[] = {own, all};
+      check_equal(has_few_own_neighbors(counts), own < all * 2 / 5,
+                  std::to_string(own) + " own ones of " + std::to_string(all) + " neighbors");
+    }
+}
+
+// A cube of points at random, with normals along an axis, and a face through it. Every slab of the cube has enough
+// points for a shape.
+void test_slabs()
+{
+  constexpr double epsilon = .02;
+  const std::size_t on_face = 10000, in_cube = 20000;
+  Cloud cloud;
+  scenes::Random random(5);
+  for(std::size_t i = 0; i < on_face + in_cube; ++i) {
+    const double z = i < on_face ? .5 + .2 * epsilon * random.gaussian() : random.uniform();
+    cloud.emplace_back(Kernel::Point_3(random.uniform(), random.uniform(), z), Kernel::Vector_3(0, 0, 1));
+  }
+  const Shapes shapes = detect_valid("slabs", cloud, make_parameters(epsilon, 200));
+  check_equal(shapes.number_of_shapes(), std::size_t(1), "shapes of a face in clutter");
+}
+
+} // namespace
+
+int main()
+{
+  test_on_all_backends<Own_neighbors>();
+  test_bound();
+  test_slabs();
+  return report();
+}

@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a union gains: where samples have all points, the difference of the score, which plain loops over the points give.
+// Then layers, bends and one plane, by samples of large shapes.
+
+#undef NDEBUG
+
+#include "testing/fragments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace CGAL::Tandem::internal;
+
+struct Points {
+  Grid_points point;
+  Fitted_moments fitted;
+  Shape_sample sample;
+
+  void finish(std::uint32_t first_position)
+  {
+    for(const Grid_point& p : point)
+      fitted.moments.add(p, 1);
+    refit(fitted);
+    sample = sample_of(point, first_position);
+  }
+  std::int64_t size() const { return std::int64_t(point.size()); }
+};
+
+// Of points with one plane.
+struct Value {
+  double fit = 0;          // of the points that fit
+  std::int64_t points = 0; // that fit
+  double squares = 0;      // of distances, of all points
+};
+
+class Slow_gain {
+public:
+  explicit Slow_gain(const Options& options) : options_(options) {}
+
+  Value value(const Grid_points& points, const Regular_plane& regular) const
+  {
+    Value v;
+    const Plane plane = rounded(regular);
+    for(const Grid_point& p : points) {
+      const double d = double(signed_distance(plane, p)) / normal_scale;
+      v.squares += d * d;
+      if(fits(plane, p, options_.growth.tolerance)) {
+        v.fit += Score::unit * (1 - d * d / (maximum_distance * maximum_distance));
+        ++v.points;
+      }
+    }
+    return v;
+  }
+
+  // With its price; without links.
+  double score(const Value& v) const
+  {
+    return v.fit + double(options_.score.size_bonus(v.points) + options_.score.price());
+  }
+
+  // The first one is the larger one. Sets whether it is taken, and whether the result is near the limit of a decision.
+  Verdict verdict(const Points& a, const Points& b, std::uint32_t links, bool& is_close) const
+  {
+    is_close = false;
+    const double cosine = dot(a.fitted.fit.normal, b.fitted.fit.normal);
+    if(std::acos((std::min)(std::fabs(cosine), 1.)) > 50 * 3.14159265358979 / 180)
+      return {};
+    if(4 * b.size() < a.size()) {
+      const Verdict v = joined(a, b, a.fitted.local, links, is_close);
+      if(v.is_accepted)
+        return {true, true, v.gain};
+    }
+    Moments moments = a.fitted.moments;
+    moments += b.fitted.moments;
+    Fitted_moments joint;
+    joint.moments = moments;
+    refit(joint);
+    return joined(a, b, joint.local, links, is_close);
+  }
+
+  int only_dissolved = 0; // unions that gain, but less than the smaller shape is worth less than nothing
+
+private:
+  Verdict joined(const Points& a, const Points& b, const Regular_plane& plane, std::uint32_t links,
+                 bool& is_close) const
+  {
+    const Value before_a = value(a.point, a.fitted.local), before_b = value(b.point, b.fitted.local);
+    const Value after_a = value(a.point, plane), after_b = value(b.point, plane);
+    const Value both = {after_a.fit + after_b.fit, after_a.points + after_b.points, 0};
+    const double links_of_pair = double(options_.score.links(links));
+    Verdict v;
+    v.gain = score(both) - score(before_a) - score(before_b) - links_of_pair;
+    const double gain_of_larger = v.gain + score(before_b);
+    // Without a look at points, by squares that count all of them, such a union is seen to lose more than a price.
+    const double by_squares =
+      v.gain - both.fit + before_a.fit + before_b.fit -
+      Score::unit / (maximum_distance * maximum_distance) *
+        (after_a.squares + after_b.squares - before_a.squares - before_b.squares);
+    const bool may_be_skipped = by_squares < 0;
+    v.is_accepted = v.gain > 0 && gain_of_larger > 0 && 10 * (b.size() - after_b.points) <= b.size() &&
+                    10 * (a.size() - after_a.points) <= a.size();
+    is_close = is_close || std::fabs(v.gain) < 2 || std::fabs(gain_of_larger) < 2 ||
+               before_b.points < b.size() || (v.is_accepted && may_be_skipped);
+    return v;
+  }
+
+  Options options_;
+};
+
+// Up to 64 points of a square on a plane, with noise; some normals lean too much for the plane.
+Points random_shape(int n, int x, std::mt19937& random)
+{
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * double(random() % 100000) / 100000;
+  };
+  const double slope_x = uniform(-.1, .1), slope_y = uniform(-.05, .05), height = uniform(-1, 1) * maximum_distance;
+  const double noise = uniform(0, .6) * maximum_distance;
+  const bool has_outliers = random() % 2 == 0;
+  Points s;
+  for(int i = 0; i < n; ++i) {
+    const double u = uniform(-500, 500), v = uniform(-500, 500);
+    const double lean = has_outliers && random() % 12 == 0 ? .45 : 0; // 24 degrees, and the slope
+    s.point.push_back({x + int(u), int(v), int(slope_x * u + slope_y * v + height + uniform(-noise, noise)),
+                       encode_normal({lean - slope_x, -slope_y, 1})});
+  }
+  return s;
+}
+
+void test_whole_samples()
+{
+  int accepted = 0, rejected = 0, taken = 0, close = 0, small_loses = 0;
+  std::mt19937 random(11);
+  for(int repetition = 0; repetition < 20000; ++repetition) {
+    const Options options = union_options(int(random() % 4 == 0 ? 200 : 20));
+    const Slow_gain slow(options);
+    const Union_gain gain(options);
+    int n = 3 + int(random() % 62), m = 3 + int(random() % 62);
+    if(n < m)
+      std::swap(n, m);
+    Points a = random_shape(n, 0, random), b = random_shape(m, 1000, random);
+    a.finish(0);
+    b.finish(std::uint32_t(n));
+    const std::uint32_t links = random() % 30;
+    bool is_close = false;
+    const Verdict expected = slow.verdict(a, b, links, is_close);
+    const Verdict got = gain.verdict({a.fitted, a.sample}, {b.fitted, b.sample}, links);
+    close += is_close;
+    if(is_close && got.is_accepted != expected.is_accepted)
+      continue;
+    const std::string where = "case " + std::to_string(repetition);
+    check_equal(got.is_accepted, expected.is_accepted, where + ": is accepted");
+    check_equal(got.is_taken, expected.is_taken, where + ": is taken");
+    if(got.is_accepted && got.is_taken == expected.is_taken)
+      CHECK_AT(std::fabs(got.gain - expected.gain) < 2, where + ": gains " + std::to_string(got.gain) + " and " +
+                                                          std::to_string(expected.gain));
+    if(n == m) { // of equal shapes none is the larger one
+      const Verdict other = gain.verdict({b.fitted, b.sample}, {a.fitted, a.sample}, links);
+      CHECK_AT(!other.is_accepted || !got.is_accepted || std::fabs(other.gain - got.gain) < 1e-3,
+               where + ": gain of the pair in the other order");
+    }
+    accepted += expected.is_accepted && !expected.is_taken;
+    taken += expected.is_taken;
+    rejected += !expected.is_accepted;
+    small_loses += !expected.is_accepted && expected.gain > 2;
+  }
+  for(int count : {accepted, rejected, taken, small_loses})
+    CHECK_AT(count > 100, std::to_string(count) + " of a kind");
+  CHECK_AT(close < 5000, std::to_string(close) + " are close");
+}
+
+// Points of two areas side by side, at a distance in epsilons: f(x, y) of the second one. Noise is uniform, of so many
+// epsilons to either side.
+template <class F>
+std::pair<Points, Points> areas(int n, double noise, F f, bool are_interleaved = false)
+{
+  std::mt19937 random{unsigned(n)};
+  std::pair<Points, Points> result;
+  for(int i = 0; i < 2 * n; ++i) {
+    const bool is_second = i >= n;
+    const int x = int(random() % 10000), y = int(random() % 10000);
+    const double height = (is_second ? f(x, y) : 0) + noise * (double(random() % 2001) / 1000 - 1);
+    (is_second ? result.second : result.first)
+      .point.push_back({x + (is_second && !are_interleaved ? 10000 : 0), y, int(height * maximum_distance), upright});
+  }
+  result.first.finish(0);
+  result.second.finish(std::uint32_t(n));
+  return result;
+}
+
+bool is_accepted(const std::pair<Points, Points>& s)
+{
+  const auto verdict = [](const Points& a, const Points& b) {
+    return criterion.verdict({a.fitted, a.sample}, {b.fitted, b.sample}, 20).is_accepted;
+  };
+  const bool result = verdict(s.first, s.second);
+  check_equal(verdict(s.second, s.first), result, "the other order");
+  return result;
+}
+
+// 100 is the minimum size.
+void test_surfaces()
+{
+  for(int n : {50, 150, 1000, 3000}) {
+    const std::string where = std::to_string(n) + " points";
+    const auto same = [](int, int) { return 0.; };
+    const auto bent = [](int x, int) { return .3 * x / 10000; };
+    const auto very_bent = [](int x, int) { return 6. * x / 10000; };
+    const auto layer = [](int, int) { return 1.1; };
+    for(double noise : {0., .2, 1 / 3., .5})
+      CHECK_AT(is_accepted(areas(n, noise, same)), where + ": one plane");
+    for(double noise : {0., .2, 1 / 3.}) {
+      CHECK_AT(n > 1000 || is_accepted(areas(n, noise, bent)), where + ": a slight bend");
+      CHECK_AT(!is_accepted(areas(n, noise, very_bent)), where + ": a bend");
+      CHECK_AT(n < 1000 || !is_accepted(areas(n, noise, layer, true)), where + ": two layers");
+    }
+  }
+}
+
+// Few points across a strip turn its plane. The price is saved, but the strip would lose more than the few points are
+// worth.
+void test_dissolved()
+{
+  Points strip, few;
+  for(int i = 0; i < 40; ++i)
+    strip.point.push_back({250 * i, i % 2 * 100, i % 4 < 2 ? 25 : -25, upright});
+  for(int i = 0; i < 12; ++i)
+    few.point.push_back({5000 + 10 * i, 900 + 10 * (i % 4), i % 2 ? 170 : 110, upright});
+  strip.finish(0);
+  few.finish(40);
+  const Options options = union_options(200);
+  const Slow_gain slow(options);
+  bool is_close = false;
+  const Verdict expected = slow.verdict(strip, few, 0, is_close);
+  CHECK(expected.gain > 2 && !expected.is_accepted && !is_close);
+  const Verdict got = Union_gain(options).verdict({strip.fitted, strip.sample}, {few.fitted, few.sample}, 0);
+  CHECK(!got.is_accepted);
+}
+
+// The rules for two shapes hold on every back end.
+template <class Backend>
+void test_unions(Backend& backend, const std::string& name)
+{
+  const auto one = areas(1000, .3, [](int, int) { return 0.; });
+  const auto layers = areas(1000, 1 / 3., [](int, int) { return 1.1; }, true);
+  Fragments<Backend> fragments(backend, 4);
+  for(const Points* s : {&one.first, &one.second, &layers.first, &layers.second})
+    fragments.add(s->point);
+  const Shape_unions<Backend> unions = unite(backend, fragments, {{1, 20}, {std::uint64_t(2) << 32 | 3, 20}});
+  const auto member = to_vector(backend, unions.member);
+  CHECK_AT(member == std::vector<std::uint32_t>({0, 1}), name + ": one plane, and two layers");
+}
+
+int main()
+{
+  test_whole_samples();
+  test_surfaces();
+  test_dissolved();
+  on_body_backends([](auto backend, const std::string& name) { test_unions(backend, name); });
+  return report();
+}

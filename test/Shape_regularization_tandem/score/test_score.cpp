@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The score of a result beside its definition, computed by brute force in double from labels and planes; and the parts
+// of it in integers.
+
+#undef NDEBUG
+
+#include "criteria/result_score.h"
+#include "testing/test_support.h"
+
+#include <CGAL/Tandem/internal/score/Score.h>
+
+using namespace CGAL::Tandem::benchmark;
+using CGAL::Tandem::Result_score;
+using CGAL::Tandem::internal::fixed_log2;
+using CGAL::Tandem::internal::Score;
+
+namespace {
+
+bool are_near(double a, double b, double margin) { return std::fabs(a - b) <= margin; }
+
+void test_logarithm()
+{
+  for(std::uint64_t n = 1; n < std::uint64_t(1) << 40; n += 1 + n / 97)
+    CHECK_AT(are_near(double(fixed_log2(n)) / 65536, std::log2(double(n)), 6e-5), std::to_string(n));
+  for(int bit = 0; bit < 64; ++bit)
+    CHECK_AT(fixed_log2(std::uint64_t(1) << bit) == std::int64_t(bit) << 16, std::to_string(bit));
+}
+
+void test_parts()
+{
+  const Score score(100, 12);
+  const double unit = double(Score::unit);
+  for(std::int64_t n : {1, 20, 99, 100, 101, 5000, 3000000}) {
+    const double bonus = .07 * double(n) * std::log2(double(n) / 100);
+    CHECK_AT(are_near(double(score.size_bonus(n)) / unit, bonus, 2e-5 * double(n) + 1 / unit), std::to_string(n));
+    const double derivative = double(score.size_bonus(2 * n) - score.size_bonus(n)) / double(n); // at about 1.47 n
+    CHECK_AT(score.point_bonus(n) <= derivative + 2 && derivative <= double(score.point_bonus(2 * n)) + 2,
+             std::to_string(n));
+  }
+  CHECK(score.size_bonus(0) == 0);
+  CHECK(Score(~std::uint64_t(0), 12).price() < 0);
+  CHECK(are_near(double(score.price()) / unit, -30, 1 / unit));
+  CHECK(are_near(double(score.freedom(700)) / unit, -17, 1 / unit));
+  CHECK(are_near(double(score.links(24, 4)) / unit, -1.5, 1 / unit));
+  const std::int64_t epsilon = std::int64_t(37) << 28;
+  for(double share : {0., .01, .3, .5, .9, 1.})
+    for(int sign : {-1, 1}) {
+      const std::int64_t d = std::int64_t(sign * share * double(epsilon));
+      CHECK_AT(are_near(double(Score::weight({1, epsilon}, d)), unit * (1 - share * share), 1), std::to_string(share));
+      CHECK(Score::weight({3, epsilon}, d) == 3 * Score::weight({1, epsilon}, d));
+    }
+  CHECK(Score::weight({1, epsilon}, epsilon + 5) == 0);
+}
+
+// k nearest neighbors of all points, in double.
+std::vector<std::vector<std::size_t>> brute_force_neighbors(const std::vector<Vec>& points, std::size_t k)
+{
+  std::vector<std::vector<std::size_t>> rows;
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<std::pair<double, std::size_t>> all;
+    for(std::size_t j = 0; j < points.size(); ++j)
+      if(j != i)
+        all.emplace_back(dot(points[j] - points[i], points[j] - points[i]), j);
+    std::nth_element(all.begin(), all.begin() + std::ptrdiff_t(k), all.end());
+    rows.emplace_back();
+    for(std::size_t j = 0; j < k; ++j)
+      rows.back().push_back(all[j].second);
+  }
+  return rows;
+}
+
+// Of a pair of directions, or planes, those that no earlier shape has.
+template <class Same>
+double largest_of_groups(const std::vector<double>& size, const Same& are_same, const std::vector<double>& freedom,
+                         double minimum)
+{
+  double sum = 0;
+  for(std::size_t s = 0; s < size.size(); ++s) {
+    bool is_first = true;
+    double largest = size[s];
+    for(std::size_t t = 0; t < size.size(); ++t)
+      if(t != s && are_same(s, t)) {
+        is_first = is_first && t > s;
+        largest = (std::max)(largest, size[t]);
+      }
+    if(is_first)
+      sum -= freedom[s] * (.1 * minimum + .01 * largest);
+  }
+  return sum;
+}
+
+// The definition in Score.h. All terms but that of the directions, whose degrees of freedom depend on an order.
+Result_score brute_force(const std::vector<Vec>& points, const Shapes& shapes)
+{
+  Result_score score;
+  const CGAL::Tandem::Parameters& p = shapes.parameters();
+  const double epsilon = p.maximum_distance, m = double(p.minimum_region_size);
+  const auto rows = brute_force_neighbors(points, p.k_neighbors);
+  std::vector<double> size(shapes.number_of_shapes(), 0), one(size.size(), 1);
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    const int s = shapes.shape_index(i);
+    for(std::size_t j : rows[i]) {
+      const int t = shapes.shape_index(j);
+      if(s != t)
+        score.links -= (s < 0 || t < 0 ? 3 : 1) * .5 / double(p.k_neighbors);
+    }
+    if(s < 0)
+      continue;
+    ++size[std::size_t(s)];
+    const auto& c = shapes.coefficients(std::size_t(s));
+    const double d = c[0] * points[i].x + c[1] * points[i].y + c[2] * points[i].z + c[3];
+    score.fit += 1 - d * d / epsilon / epsilon;
+  }
+  for(double n : size) {
+    score.size += .07 * n * std::log2(n / m);
+    score.price -= .3 * m;
+  }
+  score.freedom = largest_of_groups(
+    size, [&](auto s, auto t) { return shapes.coplanar_group(s) == shapes.coplanar_group(t); }, one, m);
+  return score;
+}
+
+void test_result(const std::string& name, double maximum_distance, std::size_t minimum, double noise)
+{
+  scenes::Options options = scene_options(4000, noise, .05);
+  options.normals = scenes::Normals::perturbed;
+  const scenes::Scene scene = scenes::make_scene(name, options);
+  const Shapes shapes = detect_valid(name, to_cloud(scene), make_parameters(maximum_distance, minimum));
+  const Result_score found = shapes.statistics().score, expected = brute_force(scene.points, shapes);
+  const double points = double(shapes.statistics().number_of_assigned_points);
+  CHECK_AT(shapes.number_of_shapes() > 2, name);
+  CHECK_AT(are_near(found.fit, expected.fit, .005 * points), name);
+  CHECK_AT(are_near(found.links, expected.links, .002 * std::fabs(expected.links)),
+           name); // neighbors at equal distance
+  CHECK_AT(are_near(found.size, expected.size, 1e-4 * points), name);
+  CHECK_AT(are_near(found.price, expected.price, .01), name);
+  CHECK_AT(are_near(found.total(), found.fit + found.links + found.size + found.price + found.freedom, 1e-9), name);
+  // The degrees of freedom of directions are priced by shapes that have from m points to those of the largest.
+  const double directions = double(shapes.statistics().degrees_of_freedom - shapes.statistics().number_of_planes);
+  const double largest = double(shapes.points(0).size()), m = double(minimum),
+               of_directions = expected.freedom - found.freedom;
+  CHECK_AT(of_directions >= directions * (.1 * m + .01 * m) - .01, name);
+  CHECK_AT(of_directions <= directions * (.1 * m + .01 * largest) + .01, name);
+
+  // The same by the function that values peers.
+  Detection detection{{}, {}};
+  detection.label.assign(shapes.shape_indices().begin(), shapes.shape_indices().end());
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+    const auto& c = shapes.coefficients(s);
+    detection.planes.push_back({{c[0], c[1], c[2]}, c[3]});
+  }
+  const Neighbor_graph graph = neighbor_graph(scene.points, shapes.parameters().k_neighbors, maximum_distance);
+  const Result_score again = evaluate_score(
+    {scene.points, scene.normals, graph, {maximum_distance, shapes.parameters().maximum_angle}, minimum}, detection);
+  CHECK_AT(are_near(again.fit, found.fit, .005 * points), name);
+  CHECK_AT(again.links == found.links && again.size == found.size && again.price == found.price, name);
+  CHECK_AT(are_near(again.freedom, found.freedom, .01), name);
+}
+
+// By hand: two walls and a floor of four points each, and free points; each point has three neighbors.
+void test_by_hand()
+{
+  const std::vector<Vec> points = {{0, 0, .5}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                   {5, 5, 5},  {6, 5, 5}, {5, 6, 5}, {5, 5, 6}};
+  const Detection detection{{0, 0, 0, 0, -1, 1, 1, 1}, {{{0, 0, 1}, 0}, {{0, 0, 1}, -5}}};
+  const Neighbor_graph graph = neighbor_graph(points, 3, 1);
+  const Result_score score = evaluate_score({points, {}, graph, {1, 90}, 2}, detection);
+  CHECK(are_near(score.fit, 3.75 + 2 + 0, .002));      // the last point is just within epsilon
+  CHECK(are_near(score.links, -.5 / 3 * 3 * 6, .002)); // each of three points sees the free one, which sees them
+  CHECK(are_near(score.size, .07 * (4 * 1 + 3 * std::log2(1.5)), .002));
+  CHECK(are_near(score.price, -1.2, .002));
+  CHECK(are_near(score.freedom, -(2 * .24 + .24 + .23), .002)); // one direction, two planes
+}
+
+} // namespace
+
+int main()
+{
+  test_logarithm();
+  test_parts();
+  test_by_hand();
+  test_result("house", .15, 20, .0005);
+  test_result("part", .1, 20, .001);
+  test_result("indoor", .05, 15, .0005);
+  return report();
+}
