@@ -158,7 +158,7 @@ int main()
 {
   constexpr std::size_t all = columns * rows;
   for(const Scene& scene :
-      {Scene{level, 9, 11}, {0, 2, all / 3}, {1, all / 30, all / 3}, {2, all / 3, all}, {4, all - 1, all + 1}})
+      {Scene{level, 9, 11}, {0, 2, all / 3}, {1, all / 30, all / 3}, {2, all / 10, all / 3}, {4, all - 30, all}})
     check_scene(scene);
   return report();
 }

@@ -111,7 +111,7 @@ void test_many(Backend& backend, const std::string& name)
   Grid_points all;
   Link_list links;
   for(int i = 0; i <= many; ++i) {
-    Grid_points points = random_points(i == 0 ? 2000 : 1 + i, 1000 * i, random);
+    Grid_points points = random_points(i == 0 ? 2000 : 5 + i, 1000 * i, random);
     for(Grid_point& p : points)
       p.z = 0;
     fragments.add(points);
