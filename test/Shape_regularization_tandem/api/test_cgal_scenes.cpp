@@ -91,14 +91,13 @@ Shapes regularized(const std::string& name, double degrees, double offset, doubl
   return shapes;
 }
 
-// A degree of freedom is worth 70 points here: .1 of 200 and 1 % of 5000; a direction has two. To turn both squares by 2
-// degrees costs 70 points, by 5 degrees 440; to turn one by 2 degrees 35, by 10 degrees 870; to move both by .0075 costs
-// 40, by .03 it costs 630.
+// A degree of freedom is worth 70 points here: .1 of 200 and 1 % of 5000; a direction has two. To turn a square by 2
+// degrees costs 35 points, by 3 degrees 80, by 10 degrees 870; to move both by .0075 costs 40, by .03 it costs 630.
 void test_regularization()
 {
-  check_equal(regularized("4 degrees, tolerance 2", 4, .5, 2, .1).number_of_parallel_groups(), 2u,
+  check_equal(regularized("3 degrees, tolerance 2", 3, .5, 2, .1).number_of_parallel_groups(), 2u,
               "tolerance 2: directions");
-  check_equal(regularized("4 degrees, tolerance 6", 4, .5, 6, .1).number_of_parallel_groups(), 1u,
+  check_equal(regularized("3 degrees, tolerance 6", 3, .5, 6, .1).number_of_parallel_groups(), 1u,
               "tolerance 6: directions");
   check_equal(regularized("10 degrees, tolerance 15", 10, .5, 15, .1).number_of_parallel_groups(), 2u,
               "tolerance 15: directions that are worth more");
