@@ -17,12 +17,12 @@ using Normal_map = CGAL::Second_of_pair_property_map<Point_with_normal>;
 
 int main()
 {
-  // Two walls that meet at 88 degrees.
+  // Two walls that meet at 89.5 degrees.
   std::vector<Point_with_normal> points;
   for(int i = 0; i < 60; ++i)
     for(int j = 0; j < 60; ++j) {
       points.emplace_back(Kernel::Point_3(.05 * i, .05 * j, 0), Kernel::Vector_3(0, 0, 1));
-      points.emplace_back(Kernel::Point_3(.00175 * i, .05 * j, .05 * i), Kernel::Vector_3(1, 0, -.035));
+      points.emplace_back(Kernel::Point_3(.000436 * i, .05 * j, .05 * i), Kernel::Vector_3(1, 0, -.0087));
     }
 
   namespace np = CGAL::Tandem::parameters;

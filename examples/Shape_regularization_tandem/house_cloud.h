@@ -3,8 +3,8 @@
 //
 // The cloud of the examples: a file or, where none is given, a generated house
 // with a garage beside it: 13 faces, 15 by 7 by 7.5 meters, as a scanner would see them.
-// As in real houses nothing is quite right: each face is tilted by up to 0.4 degrees, and
-// the walls of house and garage that should be flush are 3 centimeters apart.
+// As in real houses nothing is quite right: each face is tilted by up to 0.1 degrees, and
+// the walls of house and garage that should be flush are 5 millimeters apart.
 
 #ifndef TANDEM_EXAMPLES_HOUSE_CLOUD_H
 #define TANDEM_EXAMPLES_HOUSE_CLOUD_H
@@ -47,12 +47,12 @@ inline std::vector<Part> parts()
           {4, P(0, 0, 5), V(10, 0, 0), V(0, 3.5, 2.5), false}, // its roof and its floor
           {5, P(10, 7, 5), V(-10, 0, 0), V(0, -3.5, 2.5), false},
           {6, P(0, 0, 0), V(0, 7, 0), V(10, 0, 0), false},
-          {7, P(11, .03, .02), V(4, 0, 0), V(0, 0, 3), false}, // the garage: south, north, west, east
+          {7, P(11, .005, .02), V(4, 0, 0), V(0, 0, 3), false}, // the garage: south, north, west, east
           {8, P(15, 4, .02), V(-4, 0, 0), V(0, 0, 3), false},
-          {9, P(11, 4, .02), V(0, -3.97, 0), V(0, 0, 3), false},
-          {10, P(15, .03, .02), V(0, 3.97, 0), V(0, 0, 3), false},
-          {11, P(11, .03, 3.02), V(4, 0, 0), V(0, 3.97, 0), false}, // its roof and its floor
-          {12, P(11, .03, .02), V(0, 3.97, 0), V(4, 0, 0), false}};
+          {9, P(11, 4, .02), V(0, -3.995, 0), V(0, 0, 3), false},
+          {10, P(15, .005, .02), V(0, 3.995, 0), V(0, 0, 3), false},
+          {11, P(11, .005, 3.02), V(4, 0, 0), V(0, 3.995, 0), false}, // its roof and its floor
+          {12, P(11, .005, .02), V(0, 3.995, 0), V(4, 0, 0), false}};
 }
 
 // The sequence of std::mt19937 is the same everywhere; that of the distributions is not.
@@ -80,7 +80,7 @@ inline std::vector<Point_with_normal> make_cloud(double points_a_square_meter = 
   double tilt[13][2];
   for(auto& face : tilt)
     for(double& slope : face)
-      slope = .007 * (2 * random_unit(random) - 1); // .007 is the tangent of 0.4 degrees
+      slope = .00175 * (2 * random_unit(random) - 1); // .00175 is the tangent of 0.1 degrees
   std::vector<Point_with_normal> points;
   for(const Part& part : parts()) {
     const Kernel::Vector_3 scaled = CGAL::cross_product(part.side, part.other_side);
