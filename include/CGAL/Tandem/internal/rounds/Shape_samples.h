@@ -13,8 +13,14 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A number of its own for each position in the cloud of all ranks.
-CGAL_TANDEM_HD inline std::uint32_t hash_of_position(std::uint32_t position) { return position * 0x9e3779b1u; }
+// A number of its own for each position in the cloud of all ranks: the finalizer of MurmurHash3, which is a bijection.
+CGAL_TANDEM_HD inline std::uint32_t hash_of_position(std::uint32_t position)
+{
+  std::uint32_t h = position;
+  h = (h ^ h >> 16) * 0x85ebca6bu;
+  h = (h ^ h >> 13) * 0xc2b2ae35u;
+  return h ^ h >> 16;
+}
 
 // Of a shape, hashes up to this bound belong to about one and a half times as many points as its sample has.
 struct Sample_bound {
@@ -93,7 +99,6 @@ template <class Backend>
 Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::moments);
   typename Backend::template Buffer<std::uint32_t> bound(shapes.size);
   for_each_shape(backend, shapes, Sample_bound{shapes.counted(), bound.data()});
   const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.size(),

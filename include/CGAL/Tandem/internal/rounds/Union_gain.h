@@ -76,7 +76,7 @@ private:
   struct Part {
     double change, variance;
     std::int64_t misfits, misfits_before;
-    bool has_misfits; // more than a union may have
+    bool has_misfits; // more than a union may have, or it is not known
   };
 
   CGAL_TANDEM_HD Verdict joint_verdict(const Sampled_shape& a, const Sampled_shape& b, double saved) const
@@ -123,7 +123,7 @@ private:
     const double scale = s.sample.size > 0 ? double(s.size()) / double(s.sample.size) : 1;
     return {scale * sum, is_whole ? 0 : scale * scale * squares, std::int64_t(scale * double(misfits)),
             std::int64_t(scale * double(misfits_before)),
-            tuning::moves::misfits_of_union.is_exceeded(misfits, std::int64_t(s.sample.size))};
+            s.sample.size == 0 || tuning::moves::misfits_of_union.is_exceeded(misfits, std::int64_t(s.sample.size))};
   }
 
   // By how much the squares count a point too low that is worth nothing.
@@ -146,8 +146,8 @@ private:
            double(score_.size_bonus(s.size()));
   }
 
-  // Whether it is certain, at less cost, that a union gains nothing: its sum of squares exceeds what both could save.
-  // Not where both together are worth less than that.
+  // A cheap test for pairs that gain nothing: the sum of squares of a union exceeds what it could save. Not where both
+  // together are worth less than that. Points that would not fit count by their squares here, too.
   CGAL_TANDEM_HD bool are_apart(const Sampled_shape& a, const Sampled_shape& b, double saved) const
   {
     const double squares = a.fitted.fit.smallest + b.fitted.fit.smallest;

@@ -169,7 +169,7 @@ bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   return is_any;
 }
 
-// So many passes, or until no label changes. Planes are those of the table that is rounded for the tests of points.
+// So many passes, or until no label changes in two of them, which consider all points. Planes are those of the table that is rounded for the tests of points.
 template <class Backend>
 void assign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
             int passes = tuning::moves::assignment_passes)
@@ -177,14 +177,14 @@ void assign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const 
   Backend& backend = points.backend;
   typename Backend::template Buffer<std::uint32_t> chosen(points.cloud.size());
   typename Backend::template Buffer<Assigned_shape> assigned(shapes.size);
-  bool is_any = true;
-  for(int pass = 0; pass < passes && is_any; ++pass) {
+  int idle = 0; // passes since a label has changed
+  for(int pass = 0; pass < passes && idle < 2; ++pass) {
     require(points, shapes, tables::moments);
     for_each_shape(backend, shapes,
                    Set_assigned{shapes.counted(), shapes.plane.data(), options.score, assigned.data()});
     backend.for_each(chosen.size(), Assign_point{points.cloud.view(), points.label(), assigned.data(), chosen.data(),
                                                  options.score, options.growth.tolerance, std::uint32_t(pass)});
-    is_any = take_chosen(points, shapes, chosen.data());
+    idle = take_chosen(points, shapes, chosen.data()) ? 0 : idle + 1;
   }
 }
 
