@@ -28,8 +28,9 @@ internal::Score_counts count(const Scored_cloud& cloud, const Detection& fitting
   internal::Score_counts counts;
   const Neighbor_graph& graph = cloud.graph;
   const double units = double(internal::Score_item::tolerance_units);
+  const std::vector<std::uint32_t> label(fitting.label.begin(), fitting.label.end()); // -1 becomes free_label
   for(std::size_t i = 0; i < fitting.label.size(); ++i) {
-    internal::count_links(std::uint32_t(i), graph.neighbor.data() + i * graph.k, graph.k, fitting.label.data(), counts);
+    internal::count_links(std::uint32_t(i), graph.neighbor.data() + i * graph.k, graph.k, label.data(), counts);
     if(fitting.label[i] < 0)
       continue;
     const double d = distance(fitting.planes[std::size_t(fitting.label[i])], cloud.points[i]);
@@ -54,13 +55,13 @@ std::vector<int> group(std::size_t shapes, const Same& are_same)
   return group;
 }
 
-void relate(const Scored_cloud& cloud, const std::vector<Plane>& planes, internal::Shapes_data& data)
+void relate(const Scored_cloud& cloud, const std::vector<Plane>& planes, Shapes_data& data)
 {
   const Extent extent = extent_of(cloud.points);
   const Plane_relations relations(planes, relaxed_relations(extent.diagonal, extent.center));
   data.parallel_group = group(planes.size(), [&](auto s, auto t) { return relations.are_parallel(s, t); });
   data.coplanar_group = group(planes.size(), [&](auto s, auto t) { return relations.are_coplanar(s, t); });
-  const std::vector<int> first = internal::representatives(data.parallel_group);
+  const std::vector<int> first = representatives(data.parallel_group);
   for(std::size_t a = 0; a < first.size(); ++a)
     for(std::size_t b = a + 1; b < first.size(); ++b)
       if(relations.are_orthogonal(std::size_t(first[a]), std::size_t(first[b])))
@@ -94,7 +95,7 @@ Neighbor_graph neighbor_graph(const std::vector<Vec>& points, std::size_t k, dou
 Result_score evaluate_score(const Scored_cloud& cloud, const Detection& detection)
 {
   const Detection fitting = {fitting_labels(cloud, detection), detection.planes};
-  internal::Shapes_data data;
+  Shapes_data data;
   data.parameters.minimum_region_size = cloud.minimum_region_size;
   data.parameters.k_neighbors = cloud.graph.k;
   data.size = shape_sizes(fitting);

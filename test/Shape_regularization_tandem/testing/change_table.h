@@ -7,6 +7,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHANGE_TABLE_H
 
 #include <CGAL/Tandem/Shared_table.h>
+#include <CGAL/Tandem/internal/finish/measure_relations.h>
 
 #include <utility>
 #include <vector>
@@ -21,7 +22,7 @@ void change_table(CGAL::Tandem::Shared_table<T>& table, Change change)
 }
 
 // Counts shapes and relations again, after a change of them. What is summed over the points is kept.
-inline void measure_shapes_again(CGAL::Tandem::internal::Shapes_data& data)
+inline void measure_shapes_again(CGAL::Tandem::Shapes_data& data)
 {
   const CGAL::Tandem::Result_score before = data.statistics.score;
   CGAL::Tandem::internal::measure_relations(data, {});

@@ -7,9 +7,9 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_RELATIONS_H
 
 #include <CGAL/Tandem/Shapes_data.h>
+#include <CGAL/Tandem/internal/score/Score.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
