@@ -26,7 +26,7 @@ void run_labels(const Experiment_options& options)
       task.threads = options.threads;
       task.estimates_normals = normals == std::string("own");
       for(const std::string& method : methods(options, {"tandem", "growing-cached", "ransac", "growing+regularize"}))
-        trials.add(cloud, method, task, {{"group", frame.group}});
+        trials.add(cloud, task, {method, {{"group", frame.group}}});
     }
     trials.write();
   }
