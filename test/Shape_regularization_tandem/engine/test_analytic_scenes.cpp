@@ -90,7 +90,8 @@ void test_clean_scenes()
   test_scene("slope", scenes::make_slope(), clean, .02, {3, 2, 2, 0, 6});
   test_scene("chained", scenes::make_chained(), clean, .01, {3, 3, 3, 0, 9});
   test_scene("two followers", scenes::make_two_followers(), clean, .02, {3, 3, 3, 2, 7});
-  test_scene("pair of half epsilon", scenes::make_offset_pair(.005), clean, .01, {2, 1, 1, 0, 3});
+  test_scene("pair of a tenth of epsilon", scenes::make_offset_pair(.001), clean, .01, {2, 1, 1, 0, 3});
+  test_scene("pair of half epsilon", scenes::make_offset_pair(.005), clean, .01, {2, 1, 2, 0, 4});
   test_scene("pair of three epsilon", scenes::make_offset_pair(.03), clean, .01, {2, 1, 2, 0, 4});
 }
 
@@ -124,7 +125,7 @@ void test_noisy_slope()
 // Faces that are 2 degrees off: one frame, of which all three pairs are orthogonal, and the siblings too.
 void test_tilted_cube()
 {
-  const scenes::Scene scene = scenes::make_scene(scenes::make_tilted_cube(2), scene_options(12000, .002));
+  const scenes::Scene scene = scenes::make_scene(scenes::make_tilted_cube(.5), scene_options(12000, .002));
   const Cloud cloud = to_cloud(scene);
   for(Given given : {Given::normals, Given::nothing}) {
     const std::string name = given == Given::normals ? "tilted cube" : "tilted cube without normals";
@@ -192,7 +193,7 @@ void test_village()
 // Each relation can be switched off.
 void test_switches()
 {
-  const Cloud cloud = to_cloud(scenes::make_scene("tilted_cube", scene_options(8000)));
+  const Cloud cloud = to_cloud(scenes::make_scene(scenes::make_tilted_cube(.5), scene_options(8000)));
   Parameters p = make_parameters(.04, 100);
   p.regularize_parallelism = p.regularize_orthogonality = p.regularize_coplanarity = false;
   check_expected("nothing regularized", detect_valid("nothing regularized", cloud, p), {6, 6, 6, 0, 18});

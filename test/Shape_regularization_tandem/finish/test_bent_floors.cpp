@@ -66,15 +66,15 @@ void test_bent_floor(double sag)
   CHECK_AT(number <= best + 1 && share >= .95 / best, name);
 }
 
-// Two floors stay two, and each one keeps its points. The smaller the scale, the more neighbors a point has in its layer.
-void test_layers(double distance, double noise, double scale = 1)
+// Two floors stay two, and each one keeps its points.
+void test_layers(double distance, double noise)
 {
   Cloud cloud;
   const std::size_t points = 20000;
   for(int layer : {0, 1})
     add_floor(
       cloud, points + std::size_t(layer), noise * epsilon, [&](double) { return layer * distance * epsilon; },
-      [](double) { return 0.; }, scale);
+      [](double) { return 0.; });
   const Shapes shapes = detect(cloud, make_parameters(epsilon, 200));
   std::map<int, std::array<std::size_t, 2>> points_of;
   for(std::size_t i = 0; i < cloud.size(); ++i)
@@ -124,7 +124,6 @@ int main()
 {
   for(double sag : {.5, 1., 2., 4.})
     test_bent_floor(sag);
-  test_layers(1.1, 1. / 3, .1);
   test_layers(1.3, .2);
   test_layers(2, .3);
   test_noisy_layers();

@@ -116,7 +116,7 @@ file(WRITE "${WORK_DIR}/wrong.csv" "x y z nx ny nz\n${colored}")
 execute_process(COMMAND "${PROGRAM}" wrong.csv ${epsilon} WORKING_DIRECTORY "${WORK_DIR}" RESULT_VARIABLE status
                 OUTPUT_VARIABLE out ERROR_VARIABLE err)
 expect_equal("exit code with a warning" "${status}" 0)
-if(NOT err MATCHES "^detect_planes: warning: wrong.csv: the normals .nx ny nz, columns 4 5 6. are far from length 1[^\n]*\n.*: only 11[.0-9]* % of the points are in shapes[^\n]*\n$")
+if(NOT err MATCHES "^detect_planes: warning: wrong.csv: the normals .nx ny nz, columns 4 5 6. are far from length 1[^\n]*\n")
   complain("warning: '${err}'")
 endif()
 

@@ -20,7 +20,7 @@ def room(points_a_face=1500):
     for axis in range(3):
         for side in range(2):
             face = random.random((points_a_face, 3))
-            tilt = 0.004 * random.standard_normal(2)
+            tilt = 0.0005 * random.standard_normal(2)
             face[:, axis] = side + face[:, [axis - 1, axis - 2]] @ tilt + 0.003 * random.standard_normal(points_a_face)
             normal = 0.05 * random.standard_normal((points_a_face, 3))
             normal[:, axis] += 2 * side - 1

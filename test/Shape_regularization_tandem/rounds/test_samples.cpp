@@ -46,6 +46,7 @@ private:
     set_labels(points, label);
     Shape_table<Backend> shapes = make_table(backend_, std::vector<Shape>(n));
     shapes.lose_moments();
+    require(points, shapes, tables::moments);
     const auto samples = sample_shapes(points, shapes);
     std::size_t full = 0, large = 0;
     for(std::size_t s = 0; s < n; ++s) {

@@ -205,6 +205,8 @@ private:
     for(const auto& parameter : listed(data_.parameters))
       Shapes::add_to_hash(h, {{parameter.second, 0, 0, 0}});
     add(std::vector<std::size_t>{data_.statistics.number_of_rounds, data_.statistics.is_cancelled});
+    const Result_score& score = data_.statistics.score;
+    Shapes::add_to_hash(h, {{score.fit, score.links, score.size, score.price}, {score.freedom, 0, 0, 0}});
     const std::vector<std::uint64_t> all = ranks.gather(std::vector<std::uint64_t>{h});
     return std::count(all.begin(), all.end(), h) == std::ptrdiff_t(all.size()) ||
            fail("the processes have different shapes or parameters");

@@ -9,7 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_FINISH_EXTRACT_SHAPES_H
 
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
-#include <CGAL/Tandem/internal/finish/own_neighbors.h>
+#include <CGAL/Tandem/internal/finish/slabs.h>
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/finish/exact_check.h>
 #include <CGAL/Tandem/internal/finish/group_points.h>
@@ -30,6 +30,20 @@ inline std::vector<Coefficients> caller_planes(const Relations& relations, const
     planes.push_back(to_caller(p, grid));
   return planes;
 }
+
+// Whether the points that an entry was last fitted to are close to their plane. Few have come or gone since.
+struct Mark_crisp {
+  const Shape* shape;
+  const std::uint32_t* id;
+  double maximum_distance;
+  std::uint8_t* is_crisp;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const double distance = tuning::moves::crisp_rms * maximum_distance;
+    is_crisp[i] = shape[id[i]].fit.smallest < distance * distance * shape[id[i]].scatter.count;
+  }
+};
 
 // From ids of shapes to entries of the relations. Shapes without an entry are too small for a result; their points are
 // free.
@@ -127,6 +141,10 @@ private:
     const auto id = to_buffer(backend_, relations_.id);
     const auto entry_of = places_of(backend_, shapes_.size, id);
     backend_.for_each(label_.size(), Map_to_entries{points_.label(), entry_of.data(), label_.data()});
+    is_crisp_.reset(id.size());
+    backend_.for_each(id.size(),
+                      Mark_crisp{shapes_.table().data(), id.data(), options_.maximum_distance, is_crisp_.data()},
+                      shapes_per_thread);
   }
 
   // The filter uses planes with integer coefficients, the test itself those of the caller's space. Entries of one
@@ -153,11 +171,12 @@ private:
     auto sums = filled_buffer(backend_, neighbor_counts::size * n, std::uint64_t(0));
     backend_.template for_each_cell<Neighbor_scratch>(
       points_.number_of_cells(),
-      Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), sums.data()});
+      Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
+                               is_crisp_.data(), sums.data(), options_.growth.tolerance.distance});
     points_.ranks.sum(sums.data(), sums.size());
     const std::vector<std::uint64_t> counts = to_vector(backend_, sums);
     const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
-      n, [&](std::size_t i) { return std::uint8_t(has_few_own_neighbors(counts.data() + neighbor_counts::size * i)); });
+      n, [&](std::size_t i) { return std::uint8_t(is_slab(counts.data() + neighbor_counts::size * i)); });
     backend_.for_each(label_.size(), Free_dropped{is_dropped.data(), label_.data()});
   }
 
@@ -258,6 +277,7 @@ private:
   const Import& in_;
   Buffer<std::uint32_t> label_; // entry of the relations; the others are by entry
   Buffer<Plane> plane_;
+  Buffer<std::uint8_t> is_crisp_;
   std::vector<Coefficients> coefficients_;
 };
 

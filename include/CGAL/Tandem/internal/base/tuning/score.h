@@ -49,9 +49,11 @@ constexpr int assignment_passes_after_sides = 2;
 constexpr Share misfits_of_union = {1, 10};
 // A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
 constexpr std::int64_t much_larger = 4;
-// A shape needs at least this share of the neighbors of its points; slabs of clutter have .26 to .44, faces .65 and
-// more. Larger: faces with few points are lost.
-constexpr Share own_neighbors = {2, 5};
+// A shape needs at least this share of the neighbors of its points within epsilon of its plane. Planes through clutter
+// have .4 to .75, faces .89 and more. Larger: true but noisy faces are dropped.
+constexpr Share near_neighbors = {11, 20};
+// Largest rms of a crisp shape, in epsilons: its points are no clutter to others.
+constexpr double crisp_rms = 0.4;
 
 } // namespace moves
 

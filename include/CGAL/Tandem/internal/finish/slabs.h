@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which shapes are slabs of clutter: few neighbors of their points are near their plane, whatever their shape. The price
+// of links cannot remove them, since slabs hold each other. Counts and decides only; extract_shapes.h frees the points.
+// See the manual, "Slabs of Clutter".
+
+#ifndef CGAL_TANDEM_INTERNAL_FINISH_SLABS_H
+#define CGAL_TANDEM_INTERNAL_FINISH_SLABS_H
+
+#include <CGAL/Tandem/internal/base/tuning/score.h>
+#include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Neighbors of the points of one shape, without those in other crisp shapes: those within epsilon of its plane, and all
+// of them. Each point has up to 64, so
+// the sums need 64 bits.
+namespace neighbor_counts {
+enum Count { near, all, size };
+} // namespace neighbor_counts
+
+// The counts of one cell, by id of the shape modulo `slots`. The first shape that claims a slot keeps it for this cell.
+// 32 bits suffice, since a cell has at most 2^16 points of 64 neighbors.
+struct Neighbor_scratch {
+  static constexpr std::uint32_t slots = 64;
+  std::uint32_t shape[slots];
+  std::uint32_t near[slots], all[slots];
+};
+
+// For each cell, counts the neighbors of its labeled points by the shape of the point. Reads labels
+// and planes, and writes only `counts`. These are integer sums, so the order of cells and points does not matter.
+template <class Backend>
+struct Count_neighbors {
+  Cloud_view cloud;
+  const Range* cells;
+  const std::uint32_t* label;
+  const Plane* plane;           // by shape, as are these
+  const std::uint8_t* is_crisp; // its points are close to its plane, unlike those of slabs
+  std::uint64_t* counts;        // neighbor_counts::size each
+  std::int64_t distance;        // epsilon, in 2^-28 grid steps
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Neighbor_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(Neighbor_scratch::slots, [&](std::uint32_t i) {
+      scratch.shape[i] = no_index;
+      scratch.near[i] = scratch.all[i] = 0;
+    });
+    block.for_each(cell.size(), [&](std::uint32_t at) { visit(block, scratch, cell.first + at); });
+    block.for_each(Neighbor_scratch::slots, [&](std::uint32_t i) {
+      if(scratch.shape[i] != no_index)
+        add(scratch.shape[i], scratch.near[i], scratch.all[i]);
+    });
+  }
+
+private:
+  // Directly to the sums of all cells: at the end of a cell, and for a shape whose slot another shape has.
+  CGAL_TANDEM_HD void add(std::uint32_t s, std::uint32_t near, std::uint32_t all) const
+  {
+    std::uint64_t* const c = counts + std::size_t(s) * neighbor_counts::size;
+    Backend::atomic_add(c[neighbor_counts::near], std::uint64_t(near));
+    Backend::atomic_add(c[neighbor_counts::all], std::uint64_t(all));
+  }
+
+  template <class Block>
+  CGAL_TANDEM_HD void visit(Block& block, Neighbor_scratch& scratch, std::uint32_t i) const
+  {
+    const std::uint32_t s = label[i];
+    if(s >= first_mark)
+      return;
+    const std::uint32_t* row = cloud.row(i);
+    std::uint32_t near = 0, all = 0;
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t other = label[row[j]];
+      // A neighbor in another crisp shape is not counted: it may lie on the other side of a thin plate.
+      const bool is_counted = other == s || other >= first_mark || !is_crisp[other];
+      all += is_counted;
+      near += is_counted && is_near(plane[s], cloud.point[row[j]], distance);
+    }
+    const std::uint32_t slot = s % Neighbor_scratch::slots;
+    const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, s);
+    if(owner != no_index && owner != s)
+      return add(s, near, all);
+    block.add(scratch.near[slot], near);
+    block.add(scratch.all[slot], all);
+  }
+};
+
+// Of a shape with these counts.
+inline bool is_slab(const std::uint64_t* counts)
+{
+  constexpr tuning::Share least = tuning::moves::near_neighbors;
+  return !least.is_reached(std::int64_t(counts[neighbor_counts::near]), std::int64_t(counts[neighbor_counts::all]));
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_FINISH_SLABS_H
