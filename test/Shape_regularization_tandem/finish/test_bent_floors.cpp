@@ -25,14 +25,14 @@ constexpr double epsilon = 0.01, width = 6;
 
 // A floor, with noise; z and the slope dz/dx are functions of x in [-1, 1]. Slopes are those of the full width.
 template <class Height, class Slope>
-void add_floor(Cloud& cloud, std::size_t points, double noise, Height height, Slope slope, double scale = 1)
+void add_floor(Cloud& cloud, std::size_t points, double noise, Height height, Slope slope)
 {
   scenes::Random random(points);
   for(std::size_t i = 0; i < points; ++i) {
     const double x = 2 * random.uniform() - 1, y = 2 * random.uniform() - 1;
     const double dz = 2 / width * slope(x), length = std::sqrt(1 + dz * dz);
     cloud.emplace_back(
-      Kernel::Point_3(scale * x * width / 2, scale * y * width / 2, height(x) + noise * random.gaussian()),
+      Kernel::Point_3(x * width / 2, y * width / 2, height(x) + noise * random.gaussian()),
       Kernel::Vector_3(-dz / length, 0, 1 / length));
   }
 }
