@@ -31,9 +31,8 @@ void add_floor(Cloud& cloud, std::size_t points, double noise, Height height, Sl
   for(std::size_t i = 0; i < points; ++i) {
     const double x = 2 * random.uniform() - 1, y = 2 * random.uniform() - 1;
     const double dz = 2 / width * slope(x), length = std::sqrt(1 + dz * dz);
-    cloud.emplace_back(
-      Kernel::Point_3(x * width / 2, y * width / 2, height(x) + noise * random.gaussian()),
-      Kernel::Vector_3(-dz / length, 0, 1 / length));
+    cloud.emplace_back(Kernel::Point_3(x * width / 2, y * width / 2, height(x) + noise * random.gaussian()),
+                       Kernel::Vector_3(-dz / length, 0, 1 / length));
   }
 }
 

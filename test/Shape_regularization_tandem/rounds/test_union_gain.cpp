@@ -72,7 +72,7 @@ public:
     if(std::acos((std::min)(std::fabs(cosine), 1.)) > 50 * 3.14159265358979 / 180)
       return {};
     if(4 * b.size() < a.size()) {
-      const Verdict v = joined(a, b, a.fitted.local, links, true, is_close);
+      const Verdict v = joined(a, b, {a.fitted.local, links, true}, is_close);
       if(v.is_accepted)
         return {true, true, v.gain};
     }
@@ -81,20 +81,25 @@ public:
     Fitted_moments joint;
     joint.moments = moments;
     refit(joint);
-    return joined(a, b, joint.local, links, false, is_close);
+    return joined(a, b, {joint.local, links, false}, is_close);
   }
 
 private:
-  // is_taken: the plane is that of the larger one, which counts with all of its points.
-  Verdict joined(const Points& a, const Points& b, const Regular_plane& plane, std::uint32_t links, bool is_taken,
-                 bool& is_close) const
+  struct Union {
+    Regular_plane plane;
+    std::uint32_t links;
+    bool is_taken; // the plane is that of the larger one, which counts with all of its points
+  };
+
+  Verdict joined(const Points& a, const Points& b, const Union& u, bool& is_close) const
   {
+    const Regular_plane& plane = u.plane;
     Value before_a = value(a.point, a.fitted.local), after_a = value(a.point, plane);
-    if(is_taken)
+    if(u.is_taken)
       before_a.points = after_a.points = a.size();
     const Value before_b = value(b.point, b.fitted.local), after_b = value(b.point, plane);
     const Value both = {after_a.fit + after_b.fit, after_a.points + after_b.points, 0};
-    const double links_of_pair = double(options_.score.links(links));
+    const double links_of_pair = double(options_.score.links(u.links));
     Verdict v;
     v.gain = score(both) - score(before_a) - score(before_b) - links_of_pair;
     const double gain_of_larger = v.gain + score(before_b);
