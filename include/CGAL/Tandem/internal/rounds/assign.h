@@ -51,11 +51,11 @@ struct Assign_point {
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint32_t i = std::uint32_t(at), s = label[i];
-    const bool has_other = has_choice(i, s);
-    if(s < first_mark && fits(shape[s].plane, cloud.point[i], tolerance))
-      chosen[i] = has_other && is_considered(i) ? best_of(i, s, worth(i, s, 0)) : s;
-    else
-      chosen[i] = has_other ? best_of(i, s < first_mark ? free_label : s, 0) : s < first_mark ? free_label : s;
+    const bool is_at_home = s < first_mark && fits(shape[s].plane, cloud.point[i], tolerance);
+    chosen[i] = is_at_home ? s : s < first_mark ? free_label : s;
+    if((is_at_home && !is_considered(i)) || !has_choice(i, s))
+      return;
+    chosen[i] = best_of(i, chosen[i], is_at_home ? worth(i, s, 0) : 0);
   }
 
 private:
