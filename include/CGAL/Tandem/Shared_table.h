@@ -26,7 +26,7 @@ public:
   template <class Array, class = typename std::enable_if<!std::is_reference<Array>::value>::type>
   Shared_table(Array&& items)
   {
-    const auto owner = std::make_shared<const Array>(std::move(items));
+    const auto owner = std::make_shared<const Array>(std::forward<Array>(items));
     items_ = std::shared_ptr<const T>(owner, owner->data());
     size_ = owner->size();
   }

@@ -145,7 +145,7 @@ Shape_unions<Backend> unite(Backend& backend, Fragments<Backend>& fragments, con
   Shape_table<Backend>& shapes = fragments.shapes;
   shapes.set_fitted();
   Shape_unions<Backend> unions =
-    unite_shapes(backend, Ranks<Backend>(backend), shapes, criterion, fragments.samples, to_buffer(backend, links));
+    unite_shapes(backend, Ranks<Backend>(backend), shapes, {criterion, fragments.samples}, to_buffer(backend, links));
   if(rounds != nullptr)
     *rounds = to_vector(backend, unions.total).front();
   CHECK(std::is_sorted(unions.member.begin(), unions.member.end(), std::less_equal<std::uint32_t>()));

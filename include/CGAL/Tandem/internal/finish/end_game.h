@@ -104,7 +104,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
                                    int round)
 {
   Backend& backend = points.backend;
-  const Shape_relations relations = regularize_shapes(points, shapes, options, {round, true});
+  Shape_relations relations = regularize_shapes(points, shapes, options, {round, true});
   const auto links = collect_links(points, shapes, Links::all, Phase::end);
   merge_points(points, shapes, coplanar_targets(backend, shapes, links));
   detach_misfits(points, shapes, all_shapes(backend, shapes), options.growth.tolerance);
@@ -134,7 +134,7 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
   raise_score(points, shapes, options);
   drop_small(points, shapes, options.lasting_size);
   show(.5);
-  const Shape_relations relations = regularize_finally(points, shapes, options, round);
+  Shape_relations relations = regularize_finally(points, shapes, options, round);
   show(.6);
   for(int repetition = 0; repetition < 2; ++repetition) {
     assign(points, shapes, options);

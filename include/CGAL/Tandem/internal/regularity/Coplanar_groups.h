@@ -62,6 +62,7 @@ private:
         order.push_back({direction_[i], plane[i].offset, int(i)});
     std::sort(order.begin(), order.end());
     std::vector<Group> groups;
+    groups.reserve(order.size());
     for(const auto& [direction, offset, i] : order)
       groups.push_back(
         {{i}, direction, offset, shapes_[std::size_t(i)].scatter.count, shapes_[std::size_t(i)].scatter.count});

@@ -44,7 +44,8 @@ void merge_by_gain(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   Backend& backend = points.backend;
   require(points, shapes, tables::fits);
   auto samples = sample_shapes(points, shapes);
-  const Shape_unions<Backend> unions = unite_shapes(backend, points.ranks, shapes, Union_gain(options), samples, links);
+  const Shape_unions<Backend> unions =
+    unite_shapes(backend, points.ranks, shapes, {Union_gain(options), samples}, links);
   if(unions.member.size() == 0)
     return;
   const Targets<Backend> target =

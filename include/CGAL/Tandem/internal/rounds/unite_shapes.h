@@ -120,11 +120,18 @@ struct Shape_unions {
   Buffer<std::uint32_t> total;
 };
 
-// All live shapes have to be fitted. samples: of all of them; those of unions change. A pair may have several links.
-// The sums of the shapes are zero before and afterwards.
+// How unions are judged. samples: of all live shapes; those of unions change.
+template <class Backend>
+struct Union_judge {
+  Union_gain gain;
+  Shape_samples<Backend>& samples;
+};
+
+// All live shapes have to be fitted. A pair may have several links. The sums of the shapes are zero before and
+// afterwards.
 template <class Backend>
 Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
-                                   const Union_gain& criterion, Shape_samples<Backend>& samples,
+                                   const Union_judge<Backend>& judge,
                                    const typename Backend::template Buffer<Link>& links)
 {
   Shape_unions<Backend> unions;
@@ -140,7 +147,7 @@ Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks
   backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
   backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
   run_unions(backend, ranks, (std::max)(n, links.size()),
-             Union_rounds<Backend>{criterion, pair.data(), links.size(), n, shapes.fitted(), samples.data(),
+             Union_rounds<Backend>{judge.gain, pair.data(), links.size(), n, shapes.fitted(), judge.samples.data(),
                                    unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
                                    unions.whole.data(), joins.data(), unions.total.data(), ranks.share()});
   unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
