@@ -119,11 +119,12 @@ private:
       sum += change;
       squares = std::fma(both, both, squares);
     }
+    constexpr tuning::Share most = tuning::moves::misfits_of_union;
     const bool is_whole = std::int64_t(s.sample.size) >= s.size();
     const double scale = s.sample.size > 0 ? double(s.size()) / double(s.sample.size) : 1;
     return {scale * sum, is_whole ? 0 : scale * scale * squares, std::int64_t(scale * double(misfits)),
             std::int64_t(scale * double(misfits_before)),
-            s.sample.size == 0 || tuning::moves::misfits_of_union.is_exceeded(misfits, std::int64_t(s.sample.size))};
+            s.sample.size == 0 || most.is_exceeded(misfits, std::int64_t(s.sample.size))};
   }
 
   // By how much the squares count a point too low that is worth nothing.
