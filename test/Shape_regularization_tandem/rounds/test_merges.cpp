@@ -72,10 +72,6 @@ private:
   void check_targets(const Targets<Backend>& target, const Ids& expected, const std::string& where)
   {
     check_lists(to_vector(backend_, target), expected, where);
-    bool is_any = false;
-    for(std::size_t id = 0; id < expected.size(); ++id)
-      is_any = is_any || expected[id] != id;
-    check_equal(is_any_joined(backend_, target), is_any, where + ": whether there is any");
   }
 
   // The paths to the roots of the sets are of any length, and roots are no smallest ids. Some members do not join.

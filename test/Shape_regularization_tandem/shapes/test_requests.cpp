@@ -73,9 +73,6 @@ void test(const std::string& name, const Stage& stage)
   CHECK_AT(got.link == expected.link, name + ": links");
 }
 
-// By id: a mark for each shape.
-Marks<Sequential_backend> all(State& t) { return all_shapes(t.points.backend, t.shapes); }
-
 void test_rounds()
 {
   test("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options.growth); });
@@ -102,7 +99,7 @@ void test_end_game()
   test("misfits", [](State& t, Link_buffer&) {
     for(Shape& s : t.shapes.table())
       s.plane.offset += t.options.maximum_distance;
-    detach_misfits(t.points, t.shapes, all(t), t.options.growth.tolerance);
+    detach_misfits(t.points, t.shapes, t.options.growth.tolerance);
   });
   test("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes); });
   test("assignment", [](State& t, Link_buffer&) { assign(t.points, t.shapes, t.options); });

@@ -23,17 +23,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// By id.
-template <class Backend>
-using Marks = typename Backend::template Buffer<std::uint8_t>;
-
-// The table that selects every shape.
-template <class Backend>
-Marks<Backend> all_shapes(Backend& backend, const Shape_table<Backend>& shapes)
-{
-  return filled_buffer(backend, shapes.size, std::uint8_t(1));
-}
-
 struct Round_plane {
   Shape* shape;
   Plane* plane;
@@ -47,15 +36,16 @@ struct Round_plane {
   }
 };
 
-// Rounds the planes of all live shapes for the tests of points. Then points of the checked shapes that do not fit
-// become free, and the moments of these shapes follow.
+// Rounds the planes of all live shapes for the tests of points. Then points that do not fit become free, and moments
+// follow.
 template <class Backend>
-void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Marks<Backend>& is_checked,
-                    const Tolerance& tolerance)
+void detach_misfits(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Tolerance& tolerance)
 {
+  Backend& backend = points.backend;
   require(points, shapes, tables::moments);
-  for_each_shape(points.backend, shapes, Round_plane{shapes.counted(), shapes.plane.data()});
-  update_points(points, shapes, identity_targets(points.backend, shapes.size), is_checked.data(), tolerance);
+  for_each_shape(backend, shapes, Round_plane{shapes.counted(), shapes.plane.data()});
+  const auto is_checked = filled_buffer(backend, shapes.size, std::uint8_t(1));
+  update_points(points, shapes, identity_targets(backend, shapes.size), is_checked.data(), tolerance);
 }
 
 struct Fit_plane {
@@ -107,7 +97,7 @@ Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<B
   Shape_relations relations = regularize_shapes(points, shapes, options, {round, true});
   const auto links = collect_links(points, shapes, Links::all, Phase::end);
   merge_points(points, shapes, coplanar_targets(backend, shapes, links));
-  detach_misfits(points, shapes, all_shapes(backend, shapes), options.growth.tolerance);
+  detach_misfits(points, shapes, options.growth.tolerance);
   return relations;
 }
 
@@ -119,7 +109,7 @@ void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   const Tolerance& tolerance = options.growth.tolerance;
   choose_sides(points, shapes, tolerance);
   fit_normals_to_shapes(points, shapes, tolerance);
-  detach_misfits(points, shapes, all_shapes(points.backend, shapes), tolerance);
+  detach_misfits(points, shapes, tolerance);
   drop_small(points, shapes, options.minimum_region_size);
 }
 

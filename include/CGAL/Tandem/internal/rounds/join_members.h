@@ -58,18 +58,6 @@ Targets<Backend> join_members(Backend& backend, const Shape_table<Backend>& shap
   return target;
 }
 
-struct Count_joined {
-  const std::uint32_t* target;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const { sum[0] += target[id] != id; }
-};
-
-template <class Backend>
-bool is_any_joined(Backend& backend, const Targets<Backend>& target)
-{
-  return backend.template sum<1>(target.size(), Count_joined{target.data()})[0] > 0;
-}
-
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL

@@ -28,9 +28,6 @@ constexpr double evaluation_margin = 1e-15;
 // Of a dot product of unit vectors: its rounding, and what the normals on the grid of the Gauss map have lost more.
 constexpr double dot_margin = 1e-14;
 constexpr double rounded_dot_margin = 4e-7;
-// By what share queries reach farther than the distance that is compared, and coordinates farther than they. Rounding
-// is below 1e-15 of the coordinates.
-constexpr double reach_margin = 1e-6;
 // Relative to the largest eigenvalue of a scatter: the rounding of a sum of squared distances.
 constexpr double squared_distance_margin = 1e-13;
 // Of bounds that spare a test: relative to the bound, and of the smallest eigenvalue of a joint scatter to its trace.
