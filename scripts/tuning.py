@@ -15,7 +15,7 @@ import re
 import sys
 
 FOLDER = pathlib.Path(__file__).parent.parent / "include/CGAL/Tandem/internal/base/tuning"
-HEADERS = ["cloud", "normals", "growth", "score", "merging", "regularity", "finish", "exactness"]
+HEADERS = ["cloud", "normals", "growth", "score", "regularity", "exactness"]
 CONSTANT = re.compile(r"constexpr [\w:]+ (\w+)(?:\[\w+\])? = (.*);")
 
 

@@ -82,7 +82,7 @@ private:
     }
     const std::size_t pairs = expected.size();
     for(auto e = expected.begin(); e != expected.end();)
-      e = e->second < tuning::merging::minimum_edges ? expected.erase(e) : std::next(e);
+      e = e->second < tuning::moves::minimum_edges ? expected.erase(e) : std::next(e);
 
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);

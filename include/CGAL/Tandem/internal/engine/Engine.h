@@ -156,7 +156,9 @@ template <class Backend>
 Shape_relations Engine<Backend>::relate_shapes(typename Backend::template Buffer<Link>& links)
 {
   merge_by_gain(state_.points, state_.shapes, state_.options, links);
-  return regularize_shapes(state_.points, state_.shapes, state_.options, {state_.round, false});
+  const Options& options = state_.options;
+  const bool is_due = (state_.round + 1) % options.regularity_period == 0;
+  return regularize_shapes(state_.points, state_.shapes, options, {is_due, options.minimum_related_size});
 }
 
 struct Count_cells_with_seeds {
@@ -226,7 +228,7 @@ void Engine<Backend>::finish()
 {
   Stage_timer timer(times_.finish);
   if(is_prepared_) {
-    relations_ = end_game(state_.points, state_.shapes, state_.options, state_.round, progress_);
+    relations_ = end_game(state_.points, state_.shapes, state_.options, progress_);
     final_ = extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
   }
   is_finished_ = true;

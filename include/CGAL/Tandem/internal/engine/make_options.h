@@ -8,7 +8,6 @@
 #define CGAL_TANDEM_INTERNAL_ENGINE_MAKE_OPTIONS_H
 
 #include <CGAL/Tandem/internal/base/angles.h>
-#include <CGAL/Tandem/internal/base/tuning/finish.h>
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
@@ -54,11 +53,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.maximum_distance = p.maximum_distance / step;
   o.squared_cosine = cosine * cosine;
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
-  o.lasting_size =
-    (std::max)(tuning::end_game::minimum_lasting_size, tuning::end_game::lasting_size.of(o.minimum_region_size));
-  o.minimum_regular_size = (std::min)(o.lasting_size, tuning::loop::minimum_regular_size);
-  o.minimum_related_size = (std::max)((std::min)(o.minimum_region_size, tuning::loop::minimum_regular_size),
-                                      tuning::loop::related_share.of(o.minimum_region_size));
+  o.minimum_related_size = (std::max)(std::int64_t(1), tuning::loop::related_share.of(o.minimum_region_size));
   o.minimum_fragment_size =
     (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_share.of(o.minimum_region_size));
   o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));

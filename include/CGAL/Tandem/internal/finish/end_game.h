@@ -10,14 +10,12 @@
 
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/finish/choose_sides.h>
-#include <CGAL/Tandem/internal/finish/relabel_components.h>
+#include <CGAL/Tandem/internal/finish/free_components.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
+#include <CGAL/Tandem/internal/rounds/split_shapes.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
-
-#include <algorithm>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -69,36 +67,25 @@ void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   for_each_shape(points.backend, shapes, Fit_plane{shapes.fitted(), shapes.plane.data()});
 }
 
-// Points go where they are worth most, and shapes unite where that gains, in turn.
+// Shapes split, points go where they are worth most, and shapes unite, in turn, where that gains.
 template <class Backend>
-void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options)
+void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                 const Assignment<Backend>& assign)
 {
   for(int round = 0; round < tuning::moves::rounds; ++round) {
     fit_planes(points, shapes);
-    assign(points, shapes, options);
+    split_shapes(points, shapes, options);
+    fit_planes(points, shapes);
+    assign(shapes, options);
     if(options.has_estimated_normals) {
       choose_sides(points, shapes, options.growth.tolerance);
-      assign(points, shapes, options, tuning::moves::assignment_passes_after_sides);
+      assign(shapes, options);
     }
     auto links = collect_links(points, shapes, Links::all, Phase::end);
     merge_by_gain(points, shapes, options, links);
   }
   fit_planes(points, shapes);
-  assign(points, shapes, options);
-}
-
-// The last regularization. Touching shapes of one plane are one; points that do not fit the planes of the relations are
-// free. Returns the relations, by shape.
-template <class Backend>
-Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                                   int round)
-{
-  Backend& backend = points.backend;
-  Shape_relations relations = regularize_shapes(points, shapes, options, {round, true});
-  const auto links = collect_links(points, shapes, Links::all, Phase::end);
-  merge_points(points, shapes, coplanar_targets(backend, shapes, links));
-  detach_misfits(points, shapes, options.growth.tolerance);
-  return relations;
+  assign(shapes, options);
 }
 
 // Near edges, estimated normals are blended. Points go to their side of the edge. Then the normals near edges are those
@@ -110,32 +97,56 @@ void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
   choose_sides(points, shapes, tolerance);
   fit_normals_to_shapes(points, shapes, tolerance);
   detach_misfits(points, shapes, tolerance);
+}
+
+// The last regularization. Touching shapes of one plane are one, and points are assigned by the planes of the relations.
+// Returns the relations, by shape.
+template <class Backend>
+Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                                   const Assignment<Backend>& assign)
+{
+  Backend& backend = points.backend;
+  Shape_relations relations = regularize_shapes(points, shapes, options, {true, 1});
+  const auto links = collect_links(points, shapes, Links::all, Phase::end);
+  merge_points(points, shapes, coplanar_targets(backend, shapes, links));
+  for_each_shape(backend, shapes, Round_plane{shapes.table().data(), shapes.plane.data()});
+  assign(shapes, options);
+  drop_small(points, shapes, options.minimum_region_size);
+  return relations;
+}
+
+// The offsets of planes become those that fit the points of their shapes best. Points that do not fit any more are free.
+template <class Backend>
+void center_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
+                   Shape_relations& relations)
+{
+  Backend& backend = points.backend;
+  require(points, shapes, tables::fits);
+  center_planes(summarize(backend, shapes, to_buffer(backend, relations.id)), relations.relations);
+  apply_relations(backend, shapes, relations);
+  detach_misfits(points, shapes, options.growth.tolerance);
   drop_small(points, shapes, options.minimum_region_size);
 }
 
-// Returns the relations of the live shapes; `round` is the number of rounds of the loop. It runs to its end even if the
-// callback cancels, so that what it has is verified. With the planes of the relations points are assigned twice: shapes
-// that are too small leave theirs to others in between.
+// Returns the relations of the live shapes. It runs to its end even if the callback cancels, so that what it has is
+// verified.
 template <class Backend>
 Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                         int round, Progress& progress)
+                         Progress& progress)
 {
   const auto show = [&](double share) { progress.show(Detection_stage::end_game, share); };
-  raise_score(points, shapes, options);
-  drop_small(points, shapes, options.lasting_size);
+  const Assignment<Backend> assign(points);
+  raise_score(points, shapes, options, assign);
   show(.5);
-  Shape_relations relations = regularize_finally(points, shapes, options, round);
-  show(.6);
-  for(int repetition = 0; repetition < 2; ++repetition) {
-    assign(points, shapes, options);
-    drop_small(points, shapes, options.minimum_region_size);
-  }
-  show(.7);
   if(options.has_estimated_normals)
     sharpen_edges(points, shapes, options);
-  show(.8);
-  relabel_small_components(points, shapes, options);
+  show(.6);
+  free_small_components(points, shapes, options);
+  assign(shapes, options);
+  show(.7);
+  Shape_relations relations = regularize_finally(points, shapes, options, assign);
   show(.9);
+  center_shapes(points, shapes, options, relations);
   return relations;
 }
 

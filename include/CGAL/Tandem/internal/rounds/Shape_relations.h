@@ -14,15 +14,13 @@ namespace internal {
 
 // What the regularity step reads of a shape, on the host.
 struct Shape_summary {
-  std::uint64_t id;                     // wide, so that all bytes are defined where summaries are copied
-  std::int64_t points, examined_points; // now, and when it was examined for layers
+  std::uint64_t id; // wide, so that all bytes are defined where summaries are copied
   Shape_fit fit;
 };
 
 // What it writes.
 struct Regular_shape {
   Regular_plane plane;
-  std::int64_t examined_points;
   std::int64_t plane_number;
 };
 
@@ -32,15 +30,6 @@ struct Shape_relations {
   std::vector<std::uint32_t> id;
   Relations relations;
 };
-
-// Afterwards the entry has a plane, and a direction, that no other one has. The former ones stay for the others.
-inline void set_own_plane(Relations& r, std::size_t entry, const Regular_plane& plane)
-{
-  r.direction_of[entry] = int(r.directions.size());
-  r.plane_of[entry] = int(r.planes.size());
-  r.directions.push_back(plane.normal);
-  r.planes.push_back(plane);
-}
 
 } // namespace internal
 } // namespace Tandem

@@ -22,17 +22,29 @@ CGAL_TANDEM_HD inline std::uint32_t hash_of_position(std::uint32_t position)
   return h ^ h >> 16;
 }
 
-// Of a shape, hashes up to this bound belong to about one and a half times as many points as its sample has.
-struct Sample_bound {
+// Hashes up to this bound belong to about so many points of a shape. A bound of 0 takes none.
+CGAL_TANDEM_HD inline std::uint32_t sample_bound(const Shape& shape, std::int64_t expected)
+{
+  const std::int64_t n = shape.moments.count;
+  return n <= expected ? ~std::uint32_t(0) : std::uint32_t((expected << 32) / n);
+}
+
+struct Bound_all {
   const Shape* shape;
+  std::int64_t expected;
   std::uint32_t* bound;
 
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
-  {
-    constexpr std::int64_t expected = Shape_sample::capacity * 3 / 2;
-    const std::int64_t n = shape[id].moments.count;
-    bound[id] = n <= expected ? ~std::uint32_t(0) : std::uint32_t((expected << 32) / n);
-  }
+  CGAL_TANDEM_HD void operator()(std::size_t id) const { bound[id] = sample_bound(shape[id], expected); }
+};
+
+// Of the listed shapes only.
+struct Bound_listed {
+  const Shape* shape;
+  const std::uint32_t* id;
+  std::int64_t expected;
+  std::uint32_t* bound; // 0 for the others
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { bound[id[i]] = sample_bound(shape[id[i]], expected); }
 };
 
 // key: shape << 32 | hash.
@@ -48,7 +60,8 @@ struct Take_sampled {
 
   CGAL_TANDEM_HD bool has(std::uint32_t i) const
   {
-    return label[i] < first_mark && hash_of_position(i + cloud.first) <= bound[label[i]];
+    const std::uint32_t most = label[i] < first_mark ? bound[label[i]] : 0;
+    return most > 0 && hash_of_position(i + cloud.first) <= most;
   }
   CGAL_TANDEM_HD Keyed_point take(std::uint32_t i) const
   {
@@ -64,54 +77,78 @@ struct Set_sample_key {
   CGAL_TANDEM_HD void operator()(std::size_t at) const { table.set(at, keyed[at].key, std::uint32_t(at)); }
 };
 
-// Where the points of each shape begin in the sorted table.
+// Puts the points in order, and where those of each shape begin and end.
 template <class View>
-struct Begin_sample {
+struct Put_sampled {
   View table;
-  std::uint32_t* begin; // by shape
+  std::size_t size;
+  const Keyed_point* keyed;
+  Sampled_point* point;
+  Range* range; // by shape
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint64_t s = table.key(at) >> 32;
+    point[at] = {std::uint32_t(table.key(at)), keyed[table.index(at)].point};
     if(at == 0 || table.key(at - 1) >> 32 != s)
-      begin[s] = std::uint32_t(at);
+      range[s].first = std::uint32_t(at);
+    if(at + 1 == size || table.key(at + 1) >> 32 != s)
+      range[s].last = std::uint32_t(at + 1);
   }
 };
 
-template <class View>
+// The sampled points of all shapes, shape by shape, by rising hash.
+template <class Backend>
+struct Sorted_samples {
+  typename Backend::template Buffer<Sampled_point> point;
+  typename Backend::template Buffer<Range> range; // by shape
+};
+
+// bound: by shape.
+template <class Backend>
+Sorted_samples<Backend> sorted_samples(Labeled_cloud<Backend>& points, std::size_t shapes, const std::uint32_t* bound)
+{
+  Backend& backend = points.backend;
+  using View = typename Backend::Sort_table::View;
+  const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.size(),
+                                                 Take_sampled{points.cloud.view(), points.label(), bound});
+  const std::size_t n = keyed.size();
+  typename Backend::Sort_table table(n);
+  backend.for_each(n, Set_sample_key<View>{keyed.data(), table.view()});
+  backend.sort(table);
+  Sorted_samples<Backend> samples;
+  samples.point.reset(n);
+  samples.range = filled_buffer(backend, shapes, Range());
+  backend.for_each(n, Put_sampled<View>{table.view(), n, keyed.data(), samples.point.data(), samples.range.data()});
+  return samples;
+}
+
 struct Fill_sample {
-  View table;
-  std::size_t size;
-  const std::uint32_t* begin; // no_index: no point
-  const Keyed_point* keyed;
+  const Sampled_point* point;
+  const Range* range; // by shape
   Shape_sample* sample;
 
   CGAL_TANDEM_HD void operator()(std::size_t id) const
   {
     Shape_sample& s = sample[id];
-    s.size = 0;
-    for(std::size_t at = begin[id]; at < size && s.size < Shape_sample::capacity && table.key(at) >> 32 == id; ++at)
-      s.item[s.size++] = {std::uint32_t(table.key(at)), keyed[table.index(at)].point};
+    s.size = range[id].size() < Shape_sample::capacity ? range[id].size() : Shape_sample::capacity;
+    for(std::uint32_t i = 0; i < s.size; ++i)
+      s.item[i] = point[range[id].first + i];
   }
 };
 
+// The points of least hash of each shape. About one and a half times as many are sorted, so that few shapes get less
+// than a sample has room for.
 template <class Backend>
 Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 {
   Backend& backend = points.backend;
+  constexpr std::int64_t expected = Shape_sample::capacity * 3 / 2;
   typename Backend::template Buffer<std::uint32_t> bound(shapes.size);
-  for_each_shape(backend, shapes, Sample_bound{shapes.counted(), bound.data()});
-  const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.size(),
-                                                 Take_sampled{points.cloud.view(), points.label(), bound.data()});
-  typename Backend::Sort_table table(keyed.size());
-  using View = typename Backend::Sort_table::View;
-  backend.for_each(keyed.size(), Set_sample_key<View>{keyed.data(), table.view()});
-  backend.sort(table);
-  auto begin = filled_buffer(backend, shapes.size, no_index);
-  backend.for_each(keyed.size(), Begin_sample<View>{table.view(), begin.data()});
+  for_each_shape(backend, shapes, Bound_all{shapes.counted(), expected, bound.data()});
+  const Sorted_samples<Backend> sorted = sorted_samples(points, shapes.size, bound.data());
   Shape_samples<Backend> samples(shapes.size);
-  for_each_shape(backend, shapes,
-                 Fill_sample<View>{table.view(), keyed.size(), begin.data(), keyed.data(), samples.data()});
+  for_each_shape(backend, shapes, Fill_sample{sorted.point.data(), sorted.range.data(), samples.data()});
   return samples;
 }
 

@@ -8,8 +8,11 @@
 #define CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 
 #include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/cloud/Block_rows.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
+
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -35,14 +38,49 @@ struct Set_assigned {
   }
 };
 
+// The first labels: a point that does not fit its shape leaves it.
+struct Leave_misfits {
+  Cloud_view cloud;
+  const std::uint32_t* label;
+  const Assigned_shape* shape;
+  std::uint32_t* chosen; // by point
+  Tolerance tolerance;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const std::uint32_t s = label[i];
+    chosen[i] = s < first_mark && !fits(shape[s].plane, cloud.point[i], tolerance) ? free_label : s;
+  }
+};
+
+// Which blocks a pass has to visit: those that have a neighbor in a block where a label has changed in one of the two
+// passes before, since each considers one half of the points. The first two visit all.
+struct Mark_visited {
+  const Block_row* row;
+  const std::uint32_t* changed; // by block: 1 + the last pass in which a label has changed; 0: none
+  std::uint8_t* is_visited;
+  std::uint32_t pass;
+
+  CGAL_TANDEM_HD void operator()(std::size_t b) const
+  {
+    bool result = pass < 2 || row[b].size > Block_row::capacity;
+    for(std::uint32_t i = 0; !result && i < row[b].size; ++i)
+      result = changed[row[b].block[i]] + 1 >= pass;
+    is_visited[b] = result;
+  }
+};
+
 // The next label of each point: the one that is worth most, of its own and those of its neighbors that it fits. A free
-// point joins any shape that it fits; a point that does not fit its shape leaves it in any case. Of the other points
-// each pass considers one half, so that neighbors do not swap their shapes for ever. Shapes of one plane exchange no
-// points, since the plane does not tell them apart. Labels are only read, so the order of points does not matter.
+// point joins any shape that it fits. Of the other points each pass considers one half, so that neighbors do not swap
+// their shapes for ever. Shapes of one plane exchange no points, since the plane does not tell them apart. Labels are
+// only read, so the order of points does not matter. A block that is not visited has the same labels in both tables.
+template <class Backend>
 struct Assign_point {
   Cloud_view cloud;
   const std::uint32_t* label;
   const Assigned_shape* shape;
+  const std::uint8_t* is_visited; // these two by block
+  std::uint32_t* changed;
   std::uint32_t* chosen; // by point
   Score score;
   Tolerance tolerance;
@@ -50,43 +88,48 @@ struct Assign_point {
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
-    const std::uint32_t i = std::uint32_t(at), s = label[i];
-    const bool is_at_home = s < first_mark && fits(shape[s].plane, cloud.point[i], tolerance);
-    chosen[i] = is_at_home ? s : s < first_mark ? free_label : s;
-    if((is_at_home && !is_considered(i)) || !has_choice(i, s))
+    if(!is_visited[at / Block_row::points])
       return;
-    chosen[i] = best_of(i, chosen[i], is_at_home ? worth(i, s, 0) : 0);
+    const std::uint32_t i = std::uint32_t(at), s = label[i];
+    chosen[i] = s >= first_mark || is_considered(i) ? best_of(i, s) : s;
+    if(chosen[i] != s)
+      Backend::atomic_max(changed[at / Block_row::points], pass + 1);
   }
 
 private:
-  CGAL_TANDEM_HD bool has_choice(std::uint32_t i, std::uint32_t s) const
-  {
-    const std::uint32_t* row = cloud.row(i);
-    bool result = false;
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-      result = result || (label[row[j]] < first_mark && label[row[j]] != s);
-    return result;
-  }
-
   // One half of the points in even passes, the other one in odd passes.
   CGAL_TANDEM_HD bool is_considered(std::uint32_t i) const
   {
     return (hash_of_pair(i + cloud.first) >> 63) == (pass & 1u);
   }
 
-  // Of the own label, which is worth that, and those of neighbors. Ties go to the smaller one.
-  CGAL_TANDEM_HD std::uint32_t best_of(std::uint32_t i, std::uint32_t own, std::int64_t worth_of_own) const
+  // Of the own label and those of neighbors. Ties go to the smaller one.
+  CGAL_TANDEM_HD std::uint32_t best_of(std::uint32_t i, std::uint32_t own) const
   {
+    std::uint32_t other[64]; // labels of neighbors in other shapes
+    std::int64_t links = 0;  // to the own one
+    int n = 0;
     const std::uint32_t* row = cloud.row(i);
-    std::uint32_t best = own;
-    std::int64_t most = worth_of_own;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t t = label[row[j]];
-      if(t >= first_mark || t == own || !is_first(row, j) || are_of_one_plane(own, t) ||
-         !fits(shape[t].plane, cloud.point[i], tolerance))
+      links += t == own;
+      if(t < first_mark && t != own)
+        other[n++] = t;
+    }
+    std::uint32_t best = own;
+    std::int64_t most = n > 0 && own < first_mark ? worth(i, own, links) : 0;
+    while(n > 0) {
+      const std::uint32_t t = other[n - 1];
+      const int count = n;
+      n = 0;
+      for(int j = 0; j < count; ++j) // the next label, and those that are left
+        if(other[j] != t)
+          other[n++] = other[j];
+      if(are_of_one_plane(own, t))
         continue;
-      const std::int64_t w = worth(i, t, j);
-      if(best >= first_mark || w > most || (w == most && t < best)) {
+      const std::int64_t w = worth(i, t, count - n);
+      if((best >= first_mark || w > most || (w == most && t < best)) &&
+         fits(shape[t].plane, cloud.point[i], tolerance)) {
         most = w;
         best = t;
       }
@@ -94,27 +137,14 @@ private:
     return best;
   }
 
-  // Whether no neighbor before the j-th has its label.
-  CGAL_TANDEM_HD bool is_first(const std::uint32_t* row, int j) const
-  {
-    for(int before = 0; before < j; ++before)
-      if(label[row[before]] == label[row[j]])
-        return false;
-    return true;
-  }
-
   CGAL_TANDEM_HD bool are_of_one_plane(std::uint32_t s, std::uint32_t t) const
   {
     return s < first_mark && shape[s].plane_number >= 0 && shape[s].plane_number == shape[t].plane_number;
   }
 
-  // Of point i in shape s, which no neighbor before the j-th has.
-  CGAL_TANDEM_HD std::int64_t worth(std::uint32_t i, std::uint32_t s, int j) const
+  // Of point i in shape s, with so many links to it.
+  CGAL_TANDEM_HD std::int64_t worth(std::uint32_t i, std::uint32_t s, std::int64_t links) const
   {
-    const std::uint32_t* row = cloud.row(i);
-    std::int64_t links = 0;
-    for(; j < cloud.k && row[j] != no_index; ++j)
-      links += label[row[j]] == s;
     const Score_item item = {1, tolerance.distance};
     return Score::weight(item, signed_distance(shape[s].plane, cloud.point[i])) - score.links(links) + shape[s].bonus;
   }
@@ -152,9 +182,9 @@ struct Apply_chosen {
 };
 
 // Points take the chosen labels, by position. Moments follow; boxes may be too large, because a lost point does not
-// shrink them. Shapes may become empty. Returns whether any label has changed.
+// shrink them. Shapes may become empty.
 template <class Backend>
-bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const std::uint32_t* chosen)
+void take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const std::uint32_t* chosen)
 {
   Backend& backend = points.backend;
   const Labels_view labels = points.change_labels(false);
@@ -164,29 +194,49 @@ bool take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
                                                     start_deltas(backend, shapes, shapes.size)});
   points.refresh_labels();
   sum_deltas(backend, points.ranks, shapes);
-  const bool is_any = count_deltas(backend, shapes) > 0;
   add_deltas(backend, shapes);
-  return is_any;
 }
 
-// So many passes, or until no label changes in two of them, which consider all points. Planes are those of the table that is rounded for the tests of points.
+// Assignments of one cloud.
 template <class Backend>
-void assign(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-            int passes = tuning::moves::assignment_passes)
-{
-  Backend& backend = points.backend;
-  typename Backend::template Buffer<std::uint32_t> chosen(points.cloud.size());
-  typename Backend::template Buffer<Assigned_shape> assigned(shapes.size);
-  int idle = 0; // passes since a label has changed
-  for(int pass = 0; pass < passes && idle < 2; ++pass) {
-    require(points, shapes, tables::moments);
-    for_each_shape(backend, shapes,
+class Assignment {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+public:
+  explicit Assignment(Labeled_cloud<Backend>& points)
+    : points_(points), backend_(points.backend), block_(make_block_rows(points.backend, points.cloud))
+  {}
+
+  // Planes are those of the table that is rounded for the tests of points. What a shape gains by one point more follows
+  // from its size at the beginning.
+  void operator()(Shape_table<Backend>& shapes, const Options& options) const
+  {
+    require(points_, shapes, tables::moments);
+    Buffer<Assigned_shape> assigned(shapes.size);
+    for_each_shape(backend_, shapes,
                    Set_assigned{shapes.counted(), shapes.plane.data(), options.score, assigned.data()});
-    backend.for_each(chosen.size(), Assign_point{points.cloud.view(), points.label(), assigned.data(), chosen.data(),
-                                                 options.score, options.growth.tolerance, std::uint32_t(pass)});
-    idle = take_chosen(points, shapes, chosen.data()) ? 0 : idle + 1;
+    Buffer<std::uint32_t> now(points_.cloud.size_with_ghosts()), next(now.size());
+    auto changed = filled_buffer(backend_, block_.size(), std::uint32_t(0));
+    Buffer<std::uint8_t> is_visited(block_.size());
+    backend_.for_each(now.size(), Leave_misfits{points_.cloud.view(), points_.label(), assigned.data(), now.data(),
+                                                options.growth.tolerance});
+    for(std::uint32_t pass = 0; pass < tuning::moves::assignment_passes; ++pass) {
+      backend_.for_each(block_.size(), Mark_visited{block_.data(), changed.data(), is_visited.data(), pass});
+      backend_.for_each(points_.cloud.size(), Assign_point<Backend>{points_.cloud.view(), now.data(), assigned.data(),
+                                                                    is_visited.data(), changed.data(), next.data(),
+                                                                    options.score, options.growth.tolerance, pass});
+      points_.ranks.refresh(next.data(), Rings::inner);
+      std::swap(now, next);
+    }
+    take_chosen(points_, shapes, now.data());
   }
-}
+
+private:
+  Labeled_cloud<Backend>& points_;
+  Backend& backend_;
+  Buffer<Block_row> block_;
+};
 
 } // namespace internal
 } // namespace Tandem

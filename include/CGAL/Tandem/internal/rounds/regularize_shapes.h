@@ -9,7 +9,9 @@
 #define CGAL_TANDEM_INTERNAL_ROUNDS_REGULARIZE_SHAPES_H
 
 #include <CGAL/Tandem/internal/regularity/regularize.h>
-#include <CGAL/Tandem/internal/rounds/split_layers.h>
+#include <CGAL/Tandem/internal/rounds/Shape_relations.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/require.h>
 
 #include <cstdint>
 #include <vector>
@@ -37,7 +39,9 @@ struct Summarize_shape {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const Shape& s = shape[id[i]];
-    summary[i] = {id[i], s.moments.count, s.history.points_when_examined(), {s.scatter, s.fit}};
+    summary[i] = {id[i], {s.scatter, s.fit}};
+    if(!s.is_live())
+      summary[i].fit.scatter.count = 0;
   }
 };
 
@@ -51,7 +55,6 @@ struct Apply_relation {
     Shape& s = shape[id[i]];
     s.plane = regular[i].plane;
     s.plane_number = std::int32_t(regular[i].plane_number);
-    s.history.set_examined(regular[i].examined_points);
   }
 };
 
@@ -69,10 +72,47 @@ inline Shape_relations find_relations(const std::vector<Shape_summary>& shapes, 
   return r;
 }
 
-// Which regularity step it is: one of the loop, or the last one, in which also small shapes take part.
+// The offset of each plane becomes that which fits the points of all of its shapes best.
+inline void center_planes(const std::vector<Shape_summary>& shapes, Relations& r)
+{
+  std::vector<double> count(r.planes.size(), 0), sum(r.planes.size(), 0);
+  for(std::size_t i = 0; i < shapes.size(); ++i) {
+    const Scatter& s = shapes[i].fit.scatter;
+    const std::size_t p = std::size_t(r.plane_of[i]);
+    count[p] += s.count;
+    sum[p] = std::fma(s.count, dot(r.planes[p].normal, s.centroid), sum[p]);
+  }
+  for(std::size_t p = 0; p < count.size(); ++p)
+    if(count[p] > 0)
+      r.planes[p].offset = sum[p] / count[p];
+}
+
+// On the host, what the regularity step reads of the shapes with these ids. All have to be fitted.
+template <class Backend>
+std::vector<Shape_summary> summarize(Backend& backend, Shape_table<Backend>& shapes,
+                                     const typename Backend::template Buffer<std::uint32_t>& ids)
+{
+  typename Backend::template Buffer<Shape_summary> summaries(ids.size());
+  backend.for_each(ids.size(), Summarize_shape{shapes.fitted(), ids.data(), summaries.data()}, shapes_per_thread);
+  return to_vector(backend, summaries);
+}
+
+// The shapes take the planes of their relations.
+template <class Backend>
+void apply_relations(Backend& backend, Shape_table<Backend>& shapes, const Shape_relations& r)
+{
+  const auto ids = to_buffer(backend, r.id);
+  const auto regular = backend.template make_buffer<Regular_shape>(r.id.size(), [&](std::size_t i) {
+    const int plane = r.relations.plane_of[i];
+    return Regular_shape{r.relations.planes[std::size_t(plane)], plane};
+  });
+  backend.for_each(ids.size(), Apply_relation{shapes.table().data(), ids.data(), regular.data()}, shapes_per_thread);
+}
+
+// What a regularity step looks for.
 struct Regularity_step {
-  int round;
-  bool is_last;
+  bool is_due;               // otherwise it finds no relations
+  std::int64_t minimum_size; // of the shapes that take part
 };
 
 template <class Backend>
@@ -80,22 +120,11 @@ Shape_relations regularize_shapes(Labeled_cloud<Backend>& points, Shape_table<Ba
                                   const Regularity_step& step)
 {
   Backend& backend = points.backend;
-  require(points, shapes, tables::fits | tables::lists);
-  const bool is_due = step.is_last || (step.round + 1) % options.regularity_period == 0;
-  const std::int64_t minimum = step.is_last ? options.minimum_regular_size : options.minimum_related_size;
+  require(points, shapes, tables::fits);
   for_each_shape(backend, shapes, Take_local{shapes.fitted()});
-  const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), minimum});
-  typename Backend::template Buffer<Shape_summary> buffer(ids.size());
-  backend.for_each(ids.size(), Summarize_shape{shapes.fitted(), ids.data(), buffer.data()}, shapes_per_thread);
-  std::vector<Shape_summary> summaries = to_vector(backend, buffer);
-  Shape_relations r = find_relations(summaries, options.regularity, is_due);
-  if(!step.is_last)
-    split_layers(points, shapes, options, summaries, r);
-  const auto regular = backend.template make_buffer<Regular_shape>(summaries.size(), [&](std::size_t i) {
-    const int plane = r.relations.plane_of[i];
-    return Regular_shape{r.relations.planes[std::size_t(plane)], summaries[i].examined_points, plane};
-  });
-  backend.for_each(ids.size(), Apply_relation{shapes.counted(), ids.data(), regular.data()}, shapes_per_thread);
+  const auto ids = backend.compact(shapes.size, Has_points{shapes.counted(), step.minimum_size});
+  Shape_relations r = find_relations(summarize(backend, shapes, ids), options.regularity, step.is_due);
+  apply_relations(backend, shapes, r);
   return r;
 }
 

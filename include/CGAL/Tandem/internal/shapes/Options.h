@@ -47,9 +47,7 @@ struct Options {
   double maximum_distance; // epsilon
   double squared_cosine;   // of alpha
   std::int64_t minimum_region_size;
-  std::int64_t lasting_size;          // smaller shapes are dropped before the last relations
-  std::int64_t minimum_regular_size;  // smaller shapes keep their local plane in the end game ...
-  std::int64_t minimum_related_size;  // ... and these in the loop
+  std::int64_t minimum_related_size;  // smaller shapes get no relations in the loop
   std::int64_t minimum_fragment_size; // smaller shapes are dissolved when they stop growing
   Tolerance tight;                    // of the second criterion of seeds
   Tolerance certain;                  // bounds within which the exact check is not needed

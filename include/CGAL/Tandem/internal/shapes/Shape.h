@@ -76,13 +76,8 @@ public:
   }
   CGAL_TANDEM_HD void set_restarted(const Regular_plane& plane) { restarted_ = plane; }
 
-  // The points that it had when it was examined for layers.
-  CGAL_TANDEM_HD std::int64_t points_when_examined() const { return examined_; }
-  CGAL_TANDEM_HD void set_examined(std::int64_t points) { examined_ = points; }
-
 private:
   Regular_plane checked_ = {}, restarted_ = {};
-  std::int64_t examined_ = 0;
   std::int32_t is_fitted_ = 0, is_linked_ = 0; // wide, so that all bytes are defined where shapes are copied
 };
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 #define CGAL_TANDEM_INTERNAL_SHAPES_LINKS_H
 
-#include <CGAL/Tandem/internal/base/tuning/merging.h>
+#include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/base/pairs.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
@@ -170,7 +170,7 @@ typename Backend::template Buffer<Link> join_links(Backend& backend, const Ranks
   std::sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.pair < b.pair; });
   for(const Link& link : all)
     append(joined, link);
-  const auto is_weak = [](const Link& link) { return link.count < tuning::merging::minimum_edges; };
+  const auto is_weak = [](const Link& link) { return link.count < tuning::moves::minimum_edges; };
   joined.erase(std::remove_if(joined.begin(), joined.end(), is_weak), joined.end());
   return to_buffer(backend, joined);
 }
@@ -203,7 +203,7 @@ typename Backend::template Buffer<Link> collect_links(Labeled_cloud<Backend>& po
                                                        {table.data(), std::uint32_t(size), lost.data()}});
     points.ranks.sum(lost.data(), 1);
     constexpr bool are_many = Ranks<Backend>::are_many;
-    constexpr std::uint32_t minimum = are_many ? 1 : tuning::merging::minimum_edges;
+    constexpr std::uint32_t minimum = are_many ? 1 : tuning::moves::minimum_edges;
     auto links = backend.template collect<Link>(size, Take_links{table.data(), lost.data(), minimum});
     if(links.size() == size)
       continue;

@@ -35,7 +35,7 @@ struct Join_shape {
   }
 };
 
-// The unions are fitted, linked and examined for layers anew.
+// The unions are fitted and linked anew.
 struct Take_joined {
   Shape* shape;
   Shared_moments* joined;
@@ -46,7 +46,6 @@ struct Take_joined {
       return;
     Add_deltas{shape, joined}(id);
     shape[id].history.set_linked(false);
-    shape[id].history.set_examined(0);
   }
 };
 

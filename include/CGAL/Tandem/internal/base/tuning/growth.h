@@ -64,8 +64,6 @@ constexpr Share fragment_share = {3, 20};
 constexpr std::int64_t minimum_fragment_size = 6;
 // Smaller shapes get no relations in the loop: while they are young they tilt more than what they would be related to.
 constexpr Share related_share = {7, 20};
-// Smaller shapes get no relations at the end. Paper's minimum is the region size.
-constexpr std::int64_t minimum_regular_size = 10;
 
 } // namespace loop
 

@@ -42,13 +42,17 @@ namespace moves {
 // Rounds of assignment and unions after the loop. A third one changes next to nothing.
 constexpr int rounds = 2;
 // Passes of an assignment; each considers half of the points that have a shape. More: slower, hardly better.
-constexpr int assignment_passes = 4;
-constexpr int assignment_passes_after_sides = 2;
+constexpr std::uint32_t assignment_passes = 12;
+// Fewest neighbor relations between two shapes that touch. More: thin contacts are missed.
+constexpr std::uint32_t minimum_edges = 2;
 // Share of the points of a shape that may no longer fit if it joins another one, by its sample. Larger: points are lost
 // that the score of the union outweighs, though they fit their own plane.
 constexpr Share misfits_of_union = {1, 10};
 // A shape that is smaller by this factor may join without a new fit. Larger: more rounds, the same unions.
 constexpr std::int64_t much_larger = 4;
+// Points of the sample in which the two planes of a split are sought, and how often they are fitted.
+constexpr std::int64_t split_sample = 256;
+constexpr int split_steps = 5;
 // A shape needs at least this share of the neighbors of its points within epsilon of its plane. Planes through clutter
 // have .4 to .75, faces .89 and more. Larger: true but noisy faces are dropped.
 constexpr Share near_neighbors = {11, 20};
