@@ -18,6 +18,8 @@
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -73,6 +75,19 @@ struct Score_terms {
   CGAL_TANDEM_HD std::int64_t total() const { return fit + links + size + price + freedom; }
 };
 
+// What a degree of freedom is worth, in points: so much, and more for each point of the largest shape that has it.
+struct Freedom_worth {
+  double least = 0, per_point = 0;
+
+  double of(double points) const { return std::fma(per_point, points, least); }
+};
+
+inline Freedom_worth make_freedom_worth(double minimum_size)
+{
+  using namespace tuning::score;
+  return {double(freedom.numerator) / double(freedom.denominator) * minimum_size, 1. / double(points_per_freedom)};
+}
+
 // Made on the host; functors have it by value.
 class Score {
 public:
@@ -83,7 +98,7 @@ public:
     : minimum_size_(std::int64_t(minimum_size < most_points ? minimum_size : most_points)),
       log2_of_minimum_(fixed_log2(std::uint64_t(minimum_size_))), k_(k), link_(tuning::score::link.of(unit)),
       bonus_(tuning::score::size_bonus.of(unit * bonus_unit)), price_(tuning::score::price.of(minimum_size_ * unit)),
-      freedom_(tuning::score::freedom.of(minimum_size_ * unit)), points_per_freedom_(tuning::score::points_per_freedom)
+      freedom_(make_freedom_worth(double(minimum_size_)))
   {}
 
   // Of a point at a distance in units of its tolerance.
@@ -122,9 +137,9 @@ public:
 
   // Of a degree of freedom of a direction, or of a plane, by the points of the largest of its shapes. If two become
   // one, that of the smaller is saved.
-  CGAL_TANDEM_HD std::int64_t freedom(std::int64_t points) const
+  std::int64_t freedom(std::int64_t points) const
   {
-    return -(freedom_ + points * unit / points_per_freedom_);
+    return -std::int64_t(llrint(freedom_.of(double(points)) * double(unit)));
   }
 
 private:
@@ -134,7 +149,8 @@ private:
   // mu log2(..) of a point, in 1 / bonus_unit of a unit, rounded down.
   CGAL_TANDEM_HD std::int64_t bonus(std::int64_t log2) const { return (bonus_ * log2) >> log2_bits; }
 
-  std::int64_t minimum_size_, log2_of_minimum_, k_, link_, bonus_, price_, freedom_, points_per_freedom_;
+  std::int64_t minimum_size_, log2_of_minimum_, k_, link_, bonus_, price_;
+  Freedom_worth freedom_;
 };
 
 } // namespace internal
