@@ -63,7 +63,7 @@ inline Regularity_options make_regularity_options(const Parameters& p, double an
   options.angle_tolerance_deg = angle_tolerance_deg;
   options.maximum_offset = p.maximum_offset / step;
   options.maximum_distance = p.maximum_distance / step;
-  options.freedom = make_freedom_worth(minimum_size);
+  options.freedom = make_freedom_worth(p.regularity, minimum_size);
   options.parallelism = p.regularize_parallelism;
   options.orthogonality = p.regularize_orthogonality;
   options.coplanarity = p.regularize_coplanarity;
