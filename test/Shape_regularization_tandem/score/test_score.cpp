@@ -43,6 +43,10 @@ void test_parts()
   CHECK(Score(~std::uint64_t(0), 12).price() < 0);
   CHECK(are_near(double(score.price()) / unit, -30, 1 / unit));
   CHECK(are_near(double(score.freedom(700)) / unit, -17, 1 / unit));
+  const Score other(100, 12, .3, 2);
+  CHECK(are_near(double(other.size_bonus(800)) / unit, .3 * 800 * 3, .1));
+  CHECK(are_near(double(other.freedom(700)) / unit, -2 * (100 + 70), 1 / unit));
+  CHECK(are_near(double(Score(3, 12, 1).size_bonus(std::int64_t(1) << 37)) / unit, 0x1p37 * (37 - std::log2(3.)), 1e8));
   CHECK(are_near(double(score.links(24, 4)) / unit, -1.5, 1 / unit));
   const std::int64_t epsilon = std::int64_t(37) << 28;
   for(double share : {0., .01, .3, .5, .9, 1.})
