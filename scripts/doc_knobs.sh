@@ -87,7 +87,7 @@ measure()
 {
   echo "cloud,parameter,value,shapes,coverage_percent,mean_distance_in_epsilons,degrees_of_freedom,\
 f_of_faces,kept_of_layers,angle_error_deg,false_parallels"
-  for value in 0 0.02 0.04 0.07 0.1 0.15 0.2 0.3 0.5 1; do
+  for value in 0 0.02 0.04 0.06 0.1 0.15 0.2 0.3 0.5 1; do
     measure_cloud building simplicity "$value"
     measure_cloud kinect simplicity "$value"
     measure_labels simplicity "$value"

@@ -92,7 +92,7 @@ def detect_planes(
                              maximum_distance
         minimum_region_size  smallest number of points of a shape, at least 3; None: estimated
         simplicity           what the size of a shape is worth, in [0, 1]: smaller, more layers and details; larger, fewer
-                             and larger shapes; None: 0.07
+                             and larger shapes; None: 0.04
         regularity           what a degree of freedom is worth in minimum_region_size, in [0, 10]: larger, more
                              relations; None: 0.1
         k_neighbors          number of neighbors of a point, in [3, 64]; None: 12

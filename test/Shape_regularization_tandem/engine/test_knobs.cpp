@@ -59,9 +59,9 @@ void test_defaults()
   const auto given =
     np::maximum_distance(.03).minimum_region_size(100).point_map(First<Kernel>()).normal_map(Second<Kernel>());
   const Shapes left = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(cloud, given),
-               named = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(cloud, given.simplicity(.07).regularity(.1));
+               named = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(cloud, given.simplicity(.04).regularity(.1));
   check_same(left, named, "defaults that are named");
-  CHECK(left.parameters().simplicity == .07 && left.parameters().regularity == .1);
+  CHECK(left.parameters().simplicity == .04 && left.parameters().regularity == .1);
   CHECK(left.statistics().score.total() == named.statistics().score.total());
 }
 
@@ -77,7 +77,7 @@ void test_bent_floor()
     add(cloud, {x * width / 2, (random.uniform() - .5) * width, height}, {-slope, 0, 1});
   }
   std::vector<std::size_t> number;
-  for(const double simplicity : {0., .07, .3, 1.})
+  for(const double simplicity : {0., .04, .3, 1.})
     number.push_back(detect_valid("bent floor", cloud, with(epsilon, 200, simplicity, .1)).number_of_shapes());
   for(std::size_t i = 0; i < number.size(); ++i)
     CHECK_AT(i == 0 || number[i] <= number[i - 1], std::to_string(i) + ": " + std::to_string(number[i]) + " shapes");
@@ -92,7 +92,7 @@ void test_layers()
   Cloud cloud;
   for(const double height : {0., 1.2 * epsilon})
     Face{{0, 0, height}, {4, 0, 0}, {0, 4, 0}}.add_to(cloud, 10000, epsilon / 10);
-  for(const double simplicity : {0., .07})
+  for(const double simplicity : {0., .04})
     check_counts("layers with a simplicity of " + std::to_string(simplicity),
                  detect_valid("layers", cloud, with(epsilon, 200, simplicity, 0)), 2, 2, 2);
 }
@@ -102,7 +102,7 @@ void test_leaning_walls()
 {
   const Cloud cloud = make_leaning_walls();
   const auto find = [&](double regularity) {
-    return detect_valid("leaning walls", cloud, with(.03, 100, .07, regularity));
+    return detect_valid("leaning walls", cloud, with(.03, 100, .04, regularity));
   };
   check_counts("leaning walls without regularity", find(0), 3, 3, 3);
   check_counts("leaning walls", find(.01), 3, 3, 3);

@@ -33,7 +33,7 @@ void test_parts()
   const Score score(100, 12);
   const double unit = double(Score::unit);
   for(std::int64_t n : {1, 20, 99, 100, 101, 5000, 3000000}) {
-    const double bonus = .07 * double(n) * std::log2(double(n) / 100);
+    const double bonus = .04 * double(n) * std::log2(double(n) / 100);
     CHECK_AT(are_near(double(score.size_bonus(n)) / unit, bonus, 2e-5 * double(n) + 1 / unit), std::to_string(n));
     const double derivative = double(score.size_bonus(2 * n) - score.size_bonus(n)) / double(n); // at about 1.47 n
     CHECK_AT(score.point_bonus(n) <= derivative + 2 && derivative <= double(score.point_bonus(2 * n)) + 2,
@@ -118,7 +118,7 @@ Result_score brute_force(const std::vector<Vec>& points, const Shapes& shapes)
     score.fit += 1 - d * d / epsilon / epsilon;
   }
   for(double n : size) {
-    score.size += .07 * n * std::log2(n / m);
+    score.size += .04 * n * std::log2(n / m);
     score.price -= .3 * m;
   }
   score.freedom = largest_of_groups(
@@ -173,7 +173,7 @@ void test_by_hand()
   const Result_score score = evaluate_score({points, {}, graph, {1, 90}, 2}, detection);
   CHECK(are_near(score.fit, 3.75 + 2 + 0, .002));      // the last point is just within epsilon
   CHECK(are_near(score.links, -.5 / 3 * 3 * 6, .002)); // each of three points sees the free one, which sees them
-  CHECK(are_near(score.size, .07 * (4 * 1 + 3 * std::log2(1.5)), .002));
+  CHECK(are_near(score.size, .04 * (4 * 1 + 3 * std::log2(1.5)), .002));
   CHECK(are_near(score.price, -1.2, .002));
   CHECK(are_near(score.freedom, -(2 * .24 + .24 + .23), .002)); // one direction, two planes
 }
