@@ -6,118 +6,14 @@
 
 #undef NDEBUG
 
+#include "testing/Slow_assignment.h"
 #include "testing/body_fixture.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
 #include <string>
 #include <vector>
 
 using namespace CGAL::Tandem::internal;
-
-using Labels = std::vector<std::uint32_t>;
-
-struct Counts { // of points, by what they do
-  std::size_t moves = 0, joins = 0, leaves = 0, waits = 0, stays_in_plane = 0;
-};
-
-// The definition, by tables of all candidates of a point. Each pass looks at all points.
-class Slow_assignment {
-public:
-  Slow_assignment(const Fixture& f, const std::vector<Shape>& shape, const std::vector<Plane>& plane,
-                  const Options& options, std::uint32_t first)
-    : f_(f), shape_(shape), plane_(plane), score_(options.score), tolerance_(options.growth.tolerance), first_(first)
-  {}
-
-  // Points that do not fit their shape have none.
-  Labels leave(Labels label)
-  {
-    for(std::uint32_t i = 0; i < label.size(); ++i)
-      if(label[i] < first_mark && !fits(label[i], i)) {
-        label[i] = free_label;
-        ++counts.leaves;
-      }
-    return label;
-  }
-
-  // Of labels that fit.
-  Labels choose(const Labels& label, std::uint32_t pass)
-  {
-    Labels chosen;
-    for(std::uint32_t i = 0; i < label.size(); ++i)
-      chosen.push_back(choose(label, i, pass));
-    return chosen;
-  }
-
-  // After all passes.
-  Labels assign(const Labels& label)
-  {
-    Labels result = leave(label);
-    for(std::uint32_t pass = 0; pass < tuning::moves::assignment_passes; ++pass)
-      result = choose(result, pass);
-    return result;
-  }
-
-  Counts counts;
-
-private:
-  bool fits(std::uint32_t s, std::uint32_t i) const
-  {
-    return CGAL::Tandem::internal::fits(plane_[s], f_.point[i], tolerance_);
-  }
-
-  // The weight of the point, half a point for all of its links, and the bonus for one point more than at the beginning.
-  std::int64_t worth(const Labels& label, std::uint32_t i, std::uint32_t s) const
-  {
-    std::int64_t links = 0;
-    f_.for_each_neighbor(i, [&](std::uint32_t j) { links += label[j] == s; });
-    const std::int64_t distance = signed_distance(plane_[s], f_.point[i]), points = shape_[s].moments.count;
-    return Score::weight({1, tolerance_.distance}, distance) + links * (Score::unit / 2) / f_.cloud.k +
-           (points > 0 ? score_.point_bonus(points) : 0);
-  }
-
-  std::uint32_t choose(const Labels& label, std::uint32_t i, std::uint32_t pass)
-  {
-    const std::uint32_t own = label[i];
-    const bool has_shape = own < first_mark;
-    const bool is_odd = (std::uint64_t(first_ + i) * 0x9e3779b97f4a7c15u) >= std::uint64_t(1) << 63;
-    if(has_shape && is_odd != (pass % 2 == 1)) {
-      ++counts.waits;
-      return own;
-    }
-    std::map<std::uint32_t, std::int64_t> candidate;
-    f_.for_each_neighbor(i, [&](std::uint32_t j) {
-      const std::uint32_t t = label[j];
-      if(t >= first_mark || t == own || !fits(t, i))
-        return;
-      const bool is_same =
-        has_shape && shape_[own].plane_number >= 0 && shape_[own].plane_number == shape_[t].plane_number;
-      counts.stays_in_plane += is_same;
-      if(!is_same)
-        candidate[t] = worth(label, i, t);
-    });
-    if(has_shape)
-      candidate[own] = worth(label, i, own);
-    std::uint32_t best = own;
-    std::int64_t most = std::numeric_limits<std::int64_t>::min();
-    for(const auto& c : candidate) // by rising id
-      if(c.second > most) {
-        best = c.first;
-        most = c.second;
-      }
-    counts.moves += has_shape && best != own;
-    counts.joins += !has_shape && best < first_mark;
-    return best;
-  }
-
-  const Fixture& f_;
-  std::vector<Shape> shape_;
-  std::vector<Plane> plane_;
-  Score score_;
-  Tolerance tolerance_;
-  std::uint32_t first_;
-};
 
 // Every second shape has the plane of the one before it.
 enum class Twins { none, of_two_planes, of_one_plane };
@@ -222,16 +118,22 @@ private:
     }
   }
 
-  // All passes, from the first labels, and from labels of which few change, where most blocks are not visited.
+  // All passes, from the first labels; from few points, whose shapes spread from block to block; and from labels of
+  // which few change, in one of the halves, so that most blocks are not visited.
   void test_passes()
   {
     const Labels settled = check_passes(label_, name_);
-    Labels label = settled;
-    for(std::size_t i = 0; i < label.size(); i += label.size() / 3 + 1)
-      for(std::size_t j = i; j < (std::min)(label.size(), i + 40); ++j)
-        label[j] = j % 3 == 0 ? free_label : label_[i];
-    check_passes(label, name_ + ", few change");
-    check_passes(Labels(label.size(), free_label), name_ + ", all are free");
+    Labels label(label_.size(), free_label);
+    for(std::size_t i = 0; i < label.size(); i += 500)
+      label[i] = label_[i];
+    check_passes(label, name_ + ", shapes spread");
+    for(std::size_t first : {0u, 1u}) {
+      label = settled;
+      for(std::size_t i = first; i < label.size(); i += 301)
+        if((label[i] ^ 1) < plane_.size())
+          label[i] ^= 1;
+      check_passes(label, name_ + ", few change");
+    }
   }
 
   Labels check_passes(const Labels& before, const std::string& where)
@@ -327,8 +229,37 @@ void test_ties()
     }
 }
 
+// Blocks of which the first has neighbors in two, the second in itself, the third in too many. A label of block 1 has
+// changed in one pass.
+void test_marks()
+{
+  Block_row row[3] = {};
+  row[0].add(0);
+  row[0].add(1);
+  row[1].add(1);
+  for(std::uint32_t b = 2; b < 30; ++b)
+    row[2].add(b);
+  for(std::uint32_t changed_in = 0; changed_in < 6; ++changed_in)
+    for(std::uint32_t pass = changed_in + 1; pass < 9; ++pass) {
+      const std::uint32_t changed[3] = {0, changed_in + 1, 0};
+      for(std::size_t b = 0; b < 3; ++b) {
+        std::uint8_t is_visited[3] = {7, 7, 7};
+        Mark_visited{row, changed, is_visited, pass}(b);
+        const bool expected = pass < 2 || b == 2 || pass - changed_in <= 2;
+        check_equal(int(is_visited[b]), int(expected),
+                    "visit of block " + std::to_string(b) + " in pass " + std::to_string(pass) +
+                      " after a change in pass " + std::to_string(changed_in));
+      }
+      const std::uint32_t never[3] = {0, 0, 0};
+      std::uint8_t is_visited = 7;
+      Mark_visited{row, never, &is_visited, pass}(0);
+      check_equal(int(is_visited), int(pass < 2), "visit where nothing has changed");
+    }
+}
+
 int main()
 {
+  test_marks();
   test_ties();
   test_on_all_backends<Assignments>();
   return report();
