@@ -53,7 +53,7 @@ for file in README.md $manual/tables/comparison.md; do
     fail "$file has other figures of the building than $figures"
 done
 columns=$(echo "$figures" | sed 's|/|\||g')
-for name in maximum_distance maximum_angle angle_tolerance minimum_region_size; do
+for name in maximum_distance maximum_angle angle_tolerance minimum_region_size simplicity regularity; do
   grep -qF "| $columns " $manual/tables/$name.md || fail "$name.md has other figures of the building than $columns"
 done
 

@@ -85,6 +85,11 @@ inline void add_detection_options(po::options_description& all, Options& o)
       "smallest number of points of a shape, at least 3 (default: estimated from the number of points). "
       "Whatever it is, a shape has at least 6 points, and at least K / 2 + 1 (rounded up) where K is --k-neighbors: 7 "
       "by default");
+  add("simplicity", number(o.simplicity)->value_name("MU"),
+      "what the size of a shape is worth, from 0, every layer and detail, to 1, few and large planes (default: 0.04)");
+  add("regularity", number(o.regularity)->value_name("R"),
+      "what a degree of freedom is worth in smallest sizes of a shape, from 0, planes that follow their points, to 10, "
+      "as many relations as possible (default: 0.1)");
   add("k-neighbors", count(o.k_neighbors)->value_name("K"),
       "number of neighbors of a point, from 3 to 64 (default: 12)");
   add("cell-size", count(o.cell_size)->value_name("N"),

@@ -136,6 +136,8 @@ Parameters parameters_of(const Settings& s)
   p.maximum_angle = s.maximum_angle.value_or(p.maximum_angle);
   p.angle_tolerance = s.angle_tolerance.value_or(p.angle_tolerance);
   p.minimum_region_size = count(minimum_region_size_range, s.minimum_region_size, 0);
+  p.simplicity = s.simplicity.value_or(p.simplicity);
+  p.regularity = s.regularity.value_or(p.regularity);
   p.k_neighbors = count(k_neighbors_range, s.k_neighbors, p.k_neighbors);
   p.cell_size = count(cell_size_range, s.cell_size, p.cell_size);
   p.regularize_parallelism = s.regularize_parallelism;
@@ -243,6 +245,7 @@ CGAL::Tandem::Plane_relations regularize_planes(const Cloud& cloud, const std::i
                      .plane_index_map(Label_map{labels})
                      .maximum_angle(s.maximum_angle.value_or(25))
                      .maximum_offset(s.maximum_offset.value_or(.01))
+                     .regularity(s.regularity.value_or(Parameters().regularity))
                      .regularize_parallelism(s.regularize_parallelism)
                      .regularize_orthogonality(s.regularize_orthogonality)
                      .regularize_coplanarity(s.regularize_coplanarity)

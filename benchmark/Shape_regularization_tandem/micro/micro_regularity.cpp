@@ -57,8 +57,7 @@ Regularity_options options()
   Regularity_options o;
   o.angle_tolerance_deg = angle_tolerance_deg;
   o.maximum_offset = o.maximum_distance = maximum_distance;
-  o.freedom = 10; // for shapes of at least 100 points
-  o.freedom_per_point = .01;
+  o.freedom = {10, .01}; // for shapes of at least 100 points
   return o;
 }
 

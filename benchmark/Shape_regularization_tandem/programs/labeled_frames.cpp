@@ -7,7 +7,8 @@
 //     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/contestants_tandem.cpp criteria/result_score.cpp
 //     clouds/{labeled_frames,frame_models,sensor,scene_normals}.cpp
 //     ../../test/Shape_regularization_tandem/testing/scene*.cpp -o labeled_frames
-//   labeled_frames [--csv FILE] [PART...]     only clouds whose group or name contains one of these texts
+//   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [PART...]
+// only clouds whose group or name contains one of the PARTs.
 // Columns: F, mean IoU, precision and recall at an intersection over union of .75, over- and under-segmentation, number
 // of shapes, F1 at .5, precision of points, score per point (criteria/segmentation.h, criteria/result_score.h). Of
 // layers: the share of a face that its main shape has, of the worst face and on average.
@@ -22,6 +23,7 @@
 #include <map>
 
 using namespace CGAL::Tandem::benchmark;
+using CGAL::Tandem::Parameters;
 
 namespace {
 
@@ -88,7 +90,7 @@ const char* const kinds[] = {"given", "own"}; // of normals
 
 class Judge {
 public:
-  explicit Judge(const std::vector<std::string>& parts) : parts_(parts) {}
+  Judge(const Parameters& engine, const std::vector<std::string>& parts) : engine_(engine), parts_(parts) {}
 
   // Frames of a group follow each other.
   void judge(const std::string& title, const std::vector<Labeled_frame>& frames)
@@ -154,14 +156,16 @@ private:
                                          [&](const std::string& part) { return name.find(part) != std::string::npos; });
   }
 
-  static Run detect(const Named_cloud& cloud, bool estimates_normals)
+  Run detect(const Named_cloud& cloud, bool estimates_normals) const
   {
     Task task = cloud.task;
+    task.engine.simplicity = engine_.simplicity;
+    task.engine.regularity = engine_.regularity;
     task.estimates_normals = estimates_normals;
     return tandem_contestants().back().step(cloud.cloud, task, Run());
   }
 
-  static Row row(const Labeled_frame& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own)
+  Row row(const Labeled_frame& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own) const
   {
     const Run run = detect(cloud, own);
     const Task& task = cloud.task;
@@ -237,6 +241,7 @@ private:
     return {worst, right / all};
   }
 
+  Parameters engine_;
   std::vector<std::string> parts_;
   std::vector<Row> rows_;
 };
@@ -247,11 +252,16 @@ int main(int argc, char** argv)
 try {
   std::vector<std::string> parts(argv + 1, argv + argc);
   std::string csv;
-  if(parts.size() > 1 && parts[0] == "--csv") {
-    csv = parts[1];
-    parts.erase(parts.begin(), parts.begin() + 2);
+  Parameters engine;
+  for(; parts.size() > 1 && parts[0].compare(0, 2, "--") == 0; parts.erase(parts.begin(), parts.begin() + 2)) {
+    if(parts[0] == "--csv")
+      csv = parts[1];
+    else if(parts[0] == "--simplicity" || parts[0] == "--regularity")
+      (parts[0] == "--simplicity" ? engine.simplicity : engine.regularity) = std::stod(parts[1]);
+    else
+      throw std::runtime_error("unknown option " + parts[0]);
   }
-  Judge judge(parts);
+  Judge judge(engine, parts);
   judge.judge("labeled frames", labeled_frames());
   judge.judge("scenes", labeled_scenes());
   judge.judge_layers();

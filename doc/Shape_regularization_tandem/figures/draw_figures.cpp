@@ -142,6 +142,8 @@ public:
     choose("maximum_angle", &Parameters::maximum_angle, {5., 75.});
     choose("minimum_region_size", &Parameters::minimum_region_size, {std::size_t(10), std::size_t(2000)});
     choose("angle_tolerance", &Parameters::angle_tolerance, {.5, 40.}, true);
+    choose("simplicity", &Parameters::simplicity, {0., .3});
+    choose("regularity", &Parameters::regularity, {0., 1.}, true);
     draw_directions("right_directions", final_shapes_);
   }
 

@@ -106,6 +106,8 @@ inline Json json_of(const CGAL::Tandem::Parameters& p)
                {"angle_tolerance", p.angle_tolerance},
                {"maximum_offset", p.maximum_offset},
                {"minimum_region_size", p.minimum_region_size},
+               {"simplicity", p.simplicity},
+               {"regularity", p.regularity},
                {"k_neighbors", p.k_neighbors},
                {"cell_size", p.cell_size},
                {"regularize_parallelism", p.regularize_parallelism},

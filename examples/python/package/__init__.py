@@ -60,6 +60,8 @@ def detect_planes(
     angle_tolerance: Optional[float] = None,
     maximum_offset: Optional[float] = None,
     minimum_region_size: Optional[int] = None,
+    simplicity: Optional[float] = None,
+    regularity: Optional[float] = None,
     k_neighbors: Optional[int] = None,
     cell_size: Optional[int] = None,
     regularize_parallelism: bool = True,
@@ -89,6 +91,10 @@ def detect_planes(
         maximum_offset       largest distance of parallel planes that are made coplanar, in units of the points; None:
                              maximum_distance
         minimum_region_size  smallest number of points of a shape, at least 3; None: estimated
+        simplicity           what the size of a shape is worth, in [0, 1]: smaller, more layers and details; larger, fewer
+                             and larger shapes; None: 0.04
+        regularity           what a degree of freedom is worth in minimum_region_size, in [0, 10]: larger, more
+                             relations; None: 0.1
         k_neighbors          number of neighbors of a point, in [3, 64]; None: 12
         cell_size            largest number of points of an octree cell, in [64, 65536]; None: 8192
         regularize_parallelism, regularize_orthogonality, regularize_coplanarity
@@ -121,6 +127,8 @@ def detect_planes(
     settings.angle_tolerance = _number("angle_tolerance", angle_tolerance)
     settings.maximum_offset = _number("maximum_offset", maximum_offset)
     settings.minimum_region_size = _count("minimum_region_size", minimum_region_size)
+    settings.simplicity = _number("simplicity", simplicity)
+    settings.regularity = _number("regularity", regularity)
     settings.k_neighbors = _count("k_neighbors", k_neighbors)
     settings.cell_size = _count("cell_size", cell_size)
     settings.threads = _count("threads", threads)
@@ -152,6 +160,7 @@ def regularize_planes(
     maximum_angle: Optional[float] = None,
     maximum_offset: Optional[float] = None,
     maximum_distance: Optional[float] = None,
+    regularity: Optional[float] = None,
     regularize_parallelism: bool = True,
     regularize_orthogonality: bool = True,
     regularize_coplanarity: bool = True,
@@ -173,6 +182,8 @@ def regularize_planes(
         maximum_offset    largest distance of parallel planes that are made coplanar, in units of the points; None: 0.01
         maximum_distance  distance that losses are measured by: larger, more relations; None: 2.5 times the root mean
                           square distance of the points to the given planes, at least maximum_offset
+        regularity        what a degree of freedom is worth, in numbers of points of the smallest plane, in [0, 10]:
+                          larger, more relations; None: 0.1
         regularize_parallelism, regularize_orthogonality, regularize_coplanarity
                           which relations are made exact
         fixed_directions, symmetry_direction
@@ -185,6 +196,7 @@ def regularize_planes(
     settings.maximum_distance = _number("maximum_distance", maximum_distance)
     settings.maximum_angle = _number("maximum_angle", maximum_angle)
     settings.maximum_offset = _number("maximum_offset", maximum_offset)
+    settings.regularity = _number("regularity", regularity)
     _set_relations(settings, regularize_parallelism, regularize_orthogonality, regularize_coplanarity)
     _set_directions(settings, fixed_directions, symmetry_direction)
     given = _rows("planes", planes, 4)

@@ -48,6 +48,8 @@ class Settings:
     angle_tolerance: Optional[float]
     maximum_offset: Optional[float]
     minimum_region_size: Optional[int]
+    simplicity: Optional[float]
+    regularity: Optional[float]
     k_neighbors: Optional[int]
     cell_size: Optional[int]
     threads: Optional[int]

@@ -65,6 +65,16 @@ the defaults then
     \cgalParamDescription{the smallest number of points of a shape, at least 3}
     \cgalParamDefault{as `estimate_parameters()`}
   \cgalParamNEnd
+  \cgalParamNBegin{simplicity}
+    \cgalParamDescription{what the size of a shape is worth, in [0, 1]: the smaller, the more layers and details are shapes
+    of their own; the larger, the fewer and larger the shapes}
+    \cgalParamDefault{0.04}
+  \cgalParamNEnd
+  \cgalParamNBegin{regularity}
+    \cgalParamDescription{what a degree of freedom is worth, in `minimum_region_size`, in [0, 10]: the smaller, the closer
+    planes stay to their points; the larger, the more of them are parallel, orthogonal or coplanar}
+    \cgalParamDefault{0.1}
+  \cgalParamNEnd
   \cgalParamNBegin{k_neighbors}
     \cgalParamDescription{the number of nearest neighbors that are connected to a point, in [3, 64]}
     \cgalParamDefault{12}

@@ -52,7 +52,9 @@ enum angle_tolerance_t { angle_tolerance };
 enum cell_size_t { cell_size };
 enum communicator_t { communicator };
 enum fixed_directions_t { fixed_directions };
+enum regularity_t { regularity };
 enum settings_t { settings };
+enum simplicity_t { simplicity };
 
 } // namespace internal_np
 
@@ -69,6 +71,8 @@ enum settings_t { settings };
   X(angle_tolerance, angle_tolerance_t)                                                                                \
   X(maximum_offset, maximum_offset_t)                                                                                  \
   X(minimum_region_size, minimum_region_size_t)                                                                        \
+  X(simplicity, simplicity_t)                                                                                          \
+  X(regularity, regularity_t)                                                                                          \
   X(k_neighbors, k_neighbors_t)                                                                                        \
   X(cell_size, cell_size_t)                                                                                            \
   X(communicator, communicator_t)                                                                                      \

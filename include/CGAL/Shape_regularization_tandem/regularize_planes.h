@@ -29,6 +29,7 @@ inline Regularity_options check_plane_options(const Parameters& p, bool has_dist
   check_length("maximum_offset", p.maximum_offset, 0);
   if(has_distance)
     check_length("maximum_distance", p.maximum_distance, smallest_length);
+  check_weight("regularity", p.regularity, largest_regularity);
   check_directions(p);
   return make_regularity_options(p, p.maximum_angle, 1, 1);
 }
@@ -105,8 +106,8 @@ region growing or any other detector. Unlike that function, this one
   at most 1e-15 in absolute value;
 - fits the planes of a group jointly to their points, and makes a relation only where the degrees of freedom that it
   saves are worth more than what the points lose. The loss is the growth of the sum of their squared distances, divided
-  by the square of `maximum_distance`. A degree of freedom is worth a tenth of the number of points of the smallest
-  plane, and a hundredth of that of the largest plane that has it. No plane loses more than two of its own are worth by
+  by the square of `maximum_distance`. A degree of freedom is worth `regularity` times the number of points of the
+  smallest plane and a tenth of that of the largest plane that has it. No plane loses more than two of its own are worth by
   its direction, or one by its offset;
 - reports the relations, and how far each plane moved.
 
@@ -155,6 +156,11 @@ linear in the number of points.
     \cgalParamDefault{2.5 times the root mean square distance of the points to the given planes, at least
     `maximum_offset`}
   \cgalParamNEnd
+  \cgalParamNBegin{regularity}
+    \cgalParamDescription{what a degree of freedom is worth, in numbers of points of the smallest plane, in [0, 10]: the
+    larger, the more relations}
+    \cgalParamDefault{0.1}
+  \cgalParamNEnd
   \cgalParamNBegin{regularize_parallelism, regularize_orthogonality, regularize_coplanarity}
     \cgalParamDescription{which relations are made exact}
     \cgalParamDefault{`true`}
@@ -187,6 +193,7 @@ Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points,
   internal::read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
   internal::read_real<internal_np::maximum_offset_t>(np, p.maximum_offset);
   internal::read_real<internal_np::maximum_distance_t>(np, p.maximum_distance);
+  internal::read_real<internal_np::regularity_t>(np, p.regularity);
   internal::read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);
   internal::read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
   internal::read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);

@@ -30,6 +30,11 @@ struct Parameters {
   double maximum_offset = 0;
   /// smallest number of points of a shape
   std::size_t minimum_region_size = 0;
+  /// what the size of a shape is worth (mu of the score), in [0, 1]: from every layer and detail to few, large planes
+  double simplicity = .04;
+  /// what a degree of freedom is worth, in minimum sizes, in [0, 10]: from planes that follow their points to many
+  /// relations
+  double regularity = .1;
   /// number of neighbors of a point (k), in [3, 64]
   std::size_t k_neighbors = 12;
   /// largest number of points of an octree cell, in [64, 65536]

@@ -29,15 +29,17 @@ struct Stage_times {
 \ingroup PkgShapeRegularizationTandemRef
 
 What a result is worth, in points: more is better, and what has another unit is priced. It compares results of the same
-points with the same `maximum_distance`, `minimum_region_size` m and `k_neighbors`. The manual explains its terms:
+points with the same `maximum_distance`, `minimum_region_size` m, `simplicity`, `regularity` and `k_neighbors`, by which
+the detection itself decided. The manual explains its terms:
 \ref Tandem_method_score.
 */
 struct Result_score {
   double fit = 0;     ///< sum over the assigned points of 1 - (distance / `maximum_distance`)^2
   double links = 0;   ///< not positive: neighbors in other shapes, and in none three times as much
-  double size = 0;    ///< sum over the shapes of .07 N log2(N / m), N being the number of points
+  double size = 0;    ///< sum over the shapes of `simplicity` N log2(N / m), N being the number of points
   double price = 0;   ///< not positive: .3 m for a shape
-  double freedom = 0; ///< not positive: .1 m for a degree of freedom, and 1 % of the largest of its shapes
+  double freedom = 0; ///< not positive: `regularity` (m + N / 10) for a degree of freedom, N being the points of its
+                      ///< largest shape
 
   /// the sum of all terms
   double total() const { return fit + links + size + price + freedom; }

@@ -56,6 +56,18 @@ inline void check_length(const char* name, double value, double smallest)
                                     : "[0, infinity), and at most 1e270 in practice");
 }
 
+// Written so that NaN is rejected.
+inline void check_weight(const char* name, double value, double largest)
+{
+  if(!(value >= 0 && value <= largest))
+    throw_out_of_range(name, value, "[0, " + to_text(largest) + "]");
+}
+
+// A shape that is twice as large is worth as much more for each of its points as the point is by its fit at best ...
+inline constexpr double largest_simplicity = 1;
+// ... and a degree of freedom as much as all points of its largest shape.
+inline constexpr double largest_regularity = 10;
+
 constexpr std::size_t maximum_number_of_points = std::size_t(1) << 31;
 
 // The allowed values of a number.
@@ -113,6 +125,8 @@ inline void check_parameters(const Parameters& p)
     throw_out_of_range("angle_tolerance", p.angle_tolerance, "[0, 45) degrees");
   check_length("maximum_offset", p.maximum_offset, 0);
   check_count(minimum_region_size_range, p.minimum_region_size);
+  check_weight("simplicity", p.simplicity, largest_simplicity);
+  check_weight("regularity", p.regularity, largest_regularity);
   check_count(k_neighbors_range, p.k_neighbors);
   check_count(cell_size_range, p.cell_size);
   check_count(regularity_period_range, p.regularity_period);

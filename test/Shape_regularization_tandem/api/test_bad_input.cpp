@@ -185,6 +185,10 @@ void test_misuse()
   check_refused(np::minimum_region_size(-5), {"minimum_region_size", "-5"}, __LINE__);
   check_refused(np::minimum_region_size(2), {"minimum_region_size", "2", "[3, "}, __LINE__);
   check_refused(np::minimum_region_size(-5), {"minimum_region_size", "-5", "[3, 2147483648]"}, __LINE__);
+  for(const double wrong : {-1., nan, inf, 1e9}) {
+    check_refused(np::simplicity(wrong), {"simplicity is ", "[0, 1]"}, __LINE__);
+    check_refused(np::regularity(wrong), {"regularity is ", "[0, 10]"}, __LINE__);
+  }
   check_refused(np::k_neighbors(2), {"k_neighbors", "2", "[3, 64]"}, __LINE__);
   check_refused(np::k_neighbors(0), {"k_neighbors", "0", "[3, 64]"}, __LINE__);
   check_refused(np::k_neighbors(65u), {"k_neighbors", "65", "[3, 64]"}, __LINE__);

@@ -173,6 +173,10 @@ void test_parameters()
     check("maximum_angle", [&](Parameters& p) { p.maximum_angle = wrong; });
   for(const double wrong : {-1., 45., double(NAN)})
     check("angle_tolerance", [&](Parameters& p) { p.angle_tolerance = wrong; });
+  for(const double wrong : {-1., 1e9, double(NAN)}) {
+    check("simplicity", [&](Parameters& p) { p.simplicity = wrong; });
+    check("regularity", [&](Parameters& p) { p.regularity = wrong; });
+  }
   for(const std::size_t wrong : {std::size_t(0), std::size_t(2), std::size_t(65), ~std::size_t(0)})
     check("k_neighbors", [&](Parameters& p) { p.k_neighbors = wrong; });
   check("fixed_directions[1]", [](Parameters& p) { p.fixed_directions[1] = {0, 0, 0}; });

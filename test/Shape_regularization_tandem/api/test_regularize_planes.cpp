@@ -158,6 +158,10 @@ void test_bad_input()
                                       {"maximum_angle"}, __LINE__);
   check_throws<std::invalid_argument>([&] { run(np::plane_index_map(s.index_map()).maximum_offset(-1)); },
                                       {"maximum_offset"}, __LINE__);
+  for(const double wrong : {-1., nan, 1e9})
+    check_throws<std::invalid_argument>(
+      [&] { run(CGAL::Tandem::parameters::regularity(wrong).plane_index_map(s.index_map())); },
+      {"regularity is ", "[0, 10]"}, __LINE__);
   check_throws<std::invalid_argument>(
     [&] { run(CGAL::Tandem::parameters::maximum_distance(nan).plane_index_map(s.index_map())); }, {"maximum_distance"},
     __LINE__);

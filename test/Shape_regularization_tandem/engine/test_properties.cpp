@@ -52,7 +52,8 @@ bool has_parameters(const Shapes& shapes, const Parameters& given)
   const Parameters& used = shapes.parameters();
   return (given.maximum_distance == 0 || used.maximum_distance == given.maximum_distance) &&
          (given.minimum_region_size == 0 || used.minimum_region_size == given.minimum_region_size) &&
-         used.maximum_angle == given.maximum_angle && used.k_neighbors == given.k_neighbors;
+         used.maximum_angle == given.maximum_angle && used.k_neighbors == given.k_neighbors &&
+         used.simplicity == given.simplicity && used.regularity == given.regularity;
 }
 
 Violations violations_of(const Property_case& c, Totals& totals)

@@ -7,8 +7,6 @@
 
 #include "testing/test_support.h"
 
-#include <CGAL/Tandem/internal/base/tuning/score.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,8 +16,6 @@
 #include <utility>
 
 namespace {
-
-namespace tuning = CGAL::Tandem::internal::tuning;
 
 constexpr double epsilon = 0.01, width = 6;
 
@@ -41,7 +37,7 @@ void add_floor(Cloud& cloud, std::size_t points, double noise, Height height, Sl
 // points.
 void test_bent_floor(double sag)
 {
-  const double mu = double(tuning::score::size_bonus.numerator) / double(tuning::score::size_bonus.denominator);
+  const double mu = Parameters().simplicity;
   const auto loss = [&](double n) { return 4. / 45 * std::pow(sag / (n * n), 2) + mu * std::log2(n); };
   double best = 1;
   while(loss(best + 1) < loss(best))

@@ -67,6 +67,7 @@ void test_different_parameters(const Ranks& ranks)
   };
   check("maximum_distance", [](Parameters& p) { p.maximum_distance = .02; });
   check("minimum_region_size", [](Parameters& p) { p.minimum_region_size = 5000; });
+  check("regularity", [](Parameters& p) { p.regularity = 0; });
   check("cell_size", [](Parameters& p) { p.cell_size = 100; });
   check("regularize_coplanarity", [](Parameters& p) { p.regularize_coplanarity = false; });
   check("fixed_directions", [](Parameters& p) { p.fixed_directions = {{0, 0, 1}}; });

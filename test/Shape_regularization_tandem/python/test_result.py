@@ -160,6 +160,8 @@ class Regularization(unittest.TestCase):
         self.assertTrue(relations.is_changed.all() and not relations.is_rolled_back.any())
         self.assertEqual(len(set(relations.parallel_groups.tolist())), 3)
         self.assertEqual(relations.orthogonal_pairs.tolist(), [[0, 1], [0, 2], [1, 2]])
+        apart = tandem.regularize_planes(points, labels, given, maximum_angle=5, maximum_offset=0.02, regularity=0)
+        self.assertEqual(len(set(apart.parallel_groups.tolist())), 6)
         normals = relations.planes[:, :3]
         for s in range(6):
             for t in range(6):

@@ -68,7 +68,7 @@ std::size_t count_of_partners(const Directions& directions)
   std::vector<Direction_group> groups;
   Regularity_options options;
   options.maximum_distance = 1;
-  options.freedom_per_point = 4;
+  options.freedom.per_point = 4;
   Fixed_directions fixed(options);
   for(const Vector& d : directions) {
     groups.push_back(make_group(random, d, true));

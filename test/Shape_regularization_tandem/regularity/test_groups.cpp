@@ -89,7 +89,7 @@ void test_parallel_groups()
     Random random(seed);
     const Shape_fits shapes = random_plates(random, 150, 1 + random.below(12), 4 * random.uniform());
     Regularity_options o = all_on(std::exp(8 * random.uniform()));
-    o.freedom_per_point = .01;
+    o.freedom.per_point = .01;
     o.angle_tolerance_deg = std::vector<double>{8, 3, 20, 44}[std::size_t(seed % 4)];
     for(int i = seed % 3; i > 0; --i)
       o.fixed_directions.push_back(canonical(shapes[std::size_t(i)].fit.normal));
@@ -174,7 +174,7 @@ void test_coplanar_groups()
                                    .2 * epsilon,
                                    double(100 + random.below(20) * random.below(100))}));
     Regularity_options o = all_on(std::exp(8 * random.uniform()));
-    o.freedom_per_point = .01;
+    o.freedom.per_point = .01;
     const std::vector<int> direction(shapes.size(), 0);
     Regular_planes plane;
     for(const Shape_fit& s : shapes)

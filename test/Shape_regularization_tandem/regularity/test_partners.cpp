@@ -100,7 +100,7 @@ void test_partners(std::size_t few)
     const double squared_rms = 1 + 100 * random.uniform();
     Regularity_options options;
     options.maximum_distance = 1;
-    options.freedom_per_point = squared_rms;
+    options.freedom.per_point = squared_rms;
     Fixed_directions fixed(options, few);
     All_fixed all = {squared_rms, 0, {}};
     const bool is_small = random.below(2) == 0;

@@ -70,7 +70,7 @@ void test_losses()
     Random random(seed);
     const Shape_fits shapes = random_plates(random, 200, 1 + random.below(20), 4 * random.uniform());
     Regularity_options o = all_on(std::exp(8 * random.uniform()));
-    o.freedom_per_point = .01;
+    o.freedom.per_point = .01;
     if(seed % 4 == 0)
       o.fixed_directions = o.symmetry_axis = {{0, 0, 1}};
     std::vector<Direction_group> groups = Parallel_groups(shapes, o)(all_of(shapes));

@@ -33,7 +33,7 @@ void test_parts()
   const Score score(100, 12);
   const double unit = double(Score::unit);
   for(std::int64_t n : {1, 20, 99, 100, 101, 5000, 3000000}) {
-    const double bonus = .07 * double(n) * std::log2(double(n) / 100);
+    const double bonus = .04 * double(n) * std::log2(double(n) / 100);
     CHECK_AT(are_near(double(score.size_bonus(n)) / unit, bonus, 2e-5 * double(n) + 1 / unit), std::to_string(n));
     const double derivative = double(score.size_bonus(2 * n) - score.size_bonus(n)) / double(n); // at about 1.47 n
     CHECK_AT(score.point_bonus(n) <= derivative + 2 && derivative <= double(score.point_bonus(2 * n)) + 2,
@@ -43,6 +43,10 @@ void test_parts()
   CHECK(Score(~std::uint64_t(0), 12).price() < 0);
   CHECK(are_near(double(score.price()) / unit, -30, 1 / unit));
   CHECK(are_near(double(score.freedom(700)) / unit, -17, 1 / unit));
+  const Score other(100, 12, .3, 2);
+  CHECK(are_near(double(other.size_bonus(800)) / unit, .3 * 800 * 3, .1));
+  CHECK(are_near(double(other.freedom(700)) / unit, -2 * (100 + 70), 1 / unit));
+  CHECK(are_near(double(Score(3, 12, 1).size_bonus(std::int64_t(1) << 37)) / unit, 0x1p37 * (37 - std::log2(3.)), 1e8));
   CHECK(are_near(double(score.links(24, 4)) / unit, -1.5, 1 / unit));
   const std::int64_t epsilon = std::int64_t(37) << 28;
   for(double share : {0., .01, .3, .5, .9, 1.})
@@ -114,7 +118,7 @@ Result_score brute_force(const std::vector<Vec>& points, const Shapes& shapes)
     score.fit += 1 - d * d / epsilon / epsilon;
   }
   for(double n : size) {
-    score.size += .07 * n * std::log2(n / m);
+    score.size += .04 * n * std::log2(n / m);
     score.price -= .3 * m;
   }
   score.freedom = largest_of_groups(
@@ -169,7 +173,7 @@ void test_by_hand()
   const Result_score score = evaluate_score({points, {}, graph, {1, 90}, 2}, detection);
   CHECK(are_near(score.fit, 3.75 + 2 + 0, .002));      // the last point is just within epsilon
   CHECK(are_near(score.links, -.5 / 3 * 3 * 6, .002)); // each of three points sees the free one, which sees them
-  CHECK(are_near(score.size, .07 * (4 * 1 + 3 * std::log2(1.5)), .002));
+  CHECK(are_near(score.size, .04 * (4 * 1 + 3 * std::log2(1.5)), .002));
   CHECK(are_near(score.price, -1.2, .002));
   CHECK(are_near(score.freedom, -(2 * .24 + .24 + .23), .002)); // one direction, two planes
 }

@@ -52,7 +52,7 @@ inline Regularity_options all_on(double price = 20)
   Regularity_options o;
   o.angle_tolerance_deg = 8;
   o.maximum_offset = o.maximum_distance = epsilon;
-  o.freedom = price;
+  o.freedom.least = price;
   return o;
 }
 

@@ -96,7 +96,7 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
 // The links are counted again in the neighbor graph.
 inline std::string link_violation(const Shapes_data& data, const Score_counts& counts)
 {
-  const Score score(data.parameters.minimum_region_size, int(data.parameters.k_neighbors));
+  const Score score(data.parameters);
   const double expected = to_points({0, score.links(counts.links, counts.free_links), 0, 0, 0}).links;
   return first_violation({{"score.links", data.statistics.score.links, expected, 0}});
 }

@@ -27,6 +27,8 @@ inline std::vector<std::pair<const char*, double>> listed(const Parameters& p)
     {"angle_tolerance", p.angle_tolerance},
     {"maximum_offset", p.maximum_offset},
     {"minimum_region_size", double(p.minimum_region_size)},
+    {"simplicity", p.simplicity},
+    {"regularity", p.regularity},
     {"k_neighbors", double(p.k_neighbors)},
     {"cell_size", double(p.cell_size)},
     {"regularize_parallelism", p.regularize_parallelism},

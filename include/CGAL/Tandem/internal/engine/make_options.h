@@ -59,7 +59,7 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));
   o.tight = make_tolerance(o.maximum_distance * tuning::growth::tight_distance_share,
                            cosine_deg(p.maximum_angle * tuning::growth::tight_angle_share));
-  o.score = Score(o.minimum_region_size, int(p.k_neighbors));
+  o.score = Score(p);
   o.regularity = make_regularity_options(p, p.angle_tolerance, step, double(p.minimum_region_size));
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
   // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.

@@ -85,7 +85,6 @@ void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
     merge_by_gain(points, shapes, options, links);
   }
   fit_planes(points, shapes);
-  assign(shapes, options);
 }
 
 // Near edges, estimated normals are blended. Points go to their side of the edge. Then the normals near edges are those

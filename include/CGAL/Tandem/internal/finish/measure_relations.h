@@ -73,7 +73,7 @@ inline std::vector<std::int64_t> largest_sizes(const std::vector<int>& group, co
 // All terms of the score. `freedom`: of each direction.
 inline Score_terms score_terms(const Shapes_data& data, const std::vector<int>& freedom, const Score_counts& counts)
 {
-  const Score score(data.parameters.minimum_region_size, int(data.parameters.k_neighbors));
+  const Score score(data.parameters);
   Score_terms terms;
   terms.fit = counts.fit;
   terms.links = score.links(counts.links, counts.free_links);

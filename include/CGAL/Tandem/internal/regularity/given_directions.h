@@ -8,7 +8,6 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_GIVEN_DIRECTIONS_H
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/regularity/directions.h>
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
@@ -64,9 +63,7 @@ inline Regularity_options make_regularity_options(const Parameters& p, double an
   options.angle_tolerance_deg = angle_tolerance_deg;
   options.maximum_offset = p.maximum_offset / step;
   options.maximum_distance = p.maximum_distance / step;
-  options.freedom =
-    double(tuning::score::freedom.numerator) / double(tuning::score::freedom.denominator) * minimum_size;
-  options.freedom_per_point = 1. / double(tuning::score::points_per_freedom);
+  options.freedom = make_freedom_worth(p.regularity, minimum_size);
   options.parallelism = p.regularize_parallelism;
   options.orthogonality = p.regularize_orthogonality;
   options.coplanarity = p.regularize_coplanarity;

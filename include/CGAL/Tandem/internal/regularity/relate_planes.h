@@ -102,7 +102,7 @@ Plane_relations relate_planes(Backend& backend, Import& in, const std::vector<in
   options.maximum_distance /= in.grid.step;
   options.maximum_offset /= in.grid.step;
   const Input_planes given(in, plane_of, planes);
-  options.freedom *= given.smallest_size();
+  options.freedom.least *= given.smallest_size();
   const Relations r = regularize(given.fits(), given.is_excluded(), options);
   const std::vector<char> is_unrelated = find_unrelated(r, given.fits());
   const std::vector<Coefficients> old = planes;

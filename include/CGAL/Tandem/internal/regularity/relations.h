@@ -11,6 +11,7 @@
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
 #include <CGAL/Tandem/internal/base/tuning/regularity.h>
 #include <CGAL/Tandem/internal/base/planes.h>
+#include <CGAL/Tandem/internal/score/Score.h>
 
 #include <cstdint>
 #include <limits>
@@ -28,17 +29,13 @@ struct Regularity_options {
   double maximum_offset = 0;      // sigma, the largest offset of planes that become one
   double maximum_distance = 0;    // epsilon
   bool parallelism = true, orthogonality = true, coplanarity = true;
-  // What a degree of freedom is worth, in points: this, and so much for each point of the largest shape that has it. If
-  // two become one, the lower price is saved.
-  double freedom = 0, freedom_per_point = 0;
+  Freedom_worth freedom = {};                // if two become one, the lower price is saved
   std::vector<Vector> fixed_directions = {}; // given beforehand: unit, canonical in sign, all different
   std::vector<Vector> symmetry_axis = {};    // at most one, which is a fixed direction, too
 
-  // The same, by the points of that shape, as a sum of squared distances (steps^2) that may be lost for it.
-  double price(double points) const
-  {
-    return maximum_distance * maximum_distance * std::fma(freedom_per_point, points, freedom);
-  }
+  // What a degree of freedom is worth, by the points of the largest shape that has it: a sum of squared distances
+  // (steps^2) that may be lost for it.
+  double price(double points) const { return maximum_distance * maximum_distance * freedom.of(points); }
 
   // That of the two degrees of freedom of a direction.
   double direction_price(double points) const { return 2 * price(points); }

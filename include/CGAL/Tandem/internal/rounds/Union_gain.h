@@ -61,12 +61,9 @@ public:
       return {};
     const double saved = -double(score_.price() + score_.links(links));
     if(tuning::moves::much_larger * b.size() < a.size()) {
-      const Part part = compare(b, a.fitted.local);
-      const double squares = excess(b.fitted.scatter, b.fitted.fit, a.fitted.local);
-      const double gain = std::fma(-per_square_, squares, saved) + part.change +
-                          bonus(a.size(), b.size() - part.misfits, b.size() - part.misfits_before);
-      if(is_accepted(gain, part.variance, b) && !part.has_misfits)
-        return {true, true, gain};
+      const Verdict verdict = taking_verdict(a, b, saved);
+      if(verdict.is_accepted)
+        return verdict;
     }
     return are_apart(a, b, saved) ? Verdict() : joint_verdict(a, b, saved);
   }
@@ -76,8 +73,20 @@ private:
   struct Part {
     double change, variance;
     std::int64_t misfits, misfits_before;
-    bool has_misfits; // more than a union may have, or it is not known
+    bool has_misfits; // more than a union may have, or it is not known: the rest is not computed then
   };
+
+  // The second shape takes the plane of the first one.
+  CGAL_TANDEM_HD Verdict taking_verdict(const Sampled_shape& a, const Sampled_shape& b, double saved) const
+  {
+    const Part part = compare(b, a.fitted.local);
+    if(part.has_misfits)
+      return {};
+    const double squares = excess(b.fitted.scatter, b.fitted.fit, a.fitted.local);
+    const double gain = std::fma(-per_square_, squares, saved) + part.change +
+                        bonus(a.size(), b.size() - part.misfits, b.size() - part.misfits_before);
+    return is_accepted(gain, part.variance, b) ? Verdict{true, true, gain} : Verdict();
+  }
 
   CGAL_TANDEM_HD Verdict joint_verdict(const Sampled_shape& a, const Sampled_shape& b, double saved) const
   {
@@ -85,15 +94,18 @@ private:
     joint.moments = a.fitted.moments;
     joint.moments += b.fitted.moments;
     refit(joint);
-    const Part of_a = compare(a, joint.local), of_b = compare(b, joint.local);
+    const Part of_b = compare(b, joint.local);
+    if(of_b.has_misfits)
+      return {};
+    const Part of_a = compare(a, joint.local);
+    if(of_a.has_misfits)
+      return {};
     const double squares = joint.fit.smallest - a.fitted.fit.smallest - b.fitted.fit.smallest;
     const std::int64_t na = a.size() - of_a.misfits, nb = b.size() - of_b.misfits;
     const double size = double(score_.size_bonus(na + nb) - score_.size_bonus(a.size() - of_a.misfits_before) -
                                score_.size_bonus(b.size() - of_b.misfits_before));
     const double gain = std::fma(-per_square_, squares, saved) + of_a.change + of_b.change + size;
-    if(of_a.has_misfits || of_b.has_misfits || !is_accepted(gain, of_a.variance + of_b.variance, b))
-      return {};
-    return {true, false, gain};
+    return is_accepted(gain, of_a.variance + of_b.variance, b) ? Verdict{true, false, gain} : Verdict();
   }
 
   // Of the size: na points stay, nb points join, and were n of a shape of their own.
@@ -107,11 +119,14 @@ private:
     const Plane before = rounded(s.fitted.local), after = rounded(candidate);
     const double bonus = s.size() > 0 ? double(score_.point_bonus(s.size())) : 0;
     double sum = 0, squares = 0;
+    constexpr tuning::Share most = tuning::moves::misfits_of_union;
     std::int64_t misfits = 0, misfits_before = 0;
-    for(std::uint32_t i = 0; i < s.sample.size; ++i) {
+    bool has_misfits = s.sample.size == 0;
+    for(std::uint32_t i = 0; i < s.sample.size && !has_misfits; ++i) {
       const Grid_point& p = s.sample.item[i].point;
       const bool is_misfit = !fits(after, p, tolerance_), was_misfit = !fits(before, p, tolerance_);
       misfits += is_misfit;
+      has_misfits = most.is_exceeded(misfits, std::int64_t(s.sample.size));
       misfits_before += was_misfit;
       const double change = (is_misfit ? surplus(after, p) : 0) - (was_misfit ? surplus(before, p) : 0);
       const double of_size = is_misfit == was_misfit ? 0 : is_misfit ? -bonus : bonus;
@@ -119,12 +134,10 @@ private:
       sum += change;
       squares = std::fma(both, both, squares);
     }
-    constexpr tuning::Share most = tuning::moves::misfits_of_union;
     const bool is_whole = std::int64_t(s.sample.size) >= s.size();
     const double scale = s.sample.size > 0 ? double(s.size()) / double(s.sample.size) : 1;
     return {scale * sum, is_whole ? 0 : scale * scale * squares, std::int64_t(scale * double(misfits)),
-            std::int64_t(scale * double(misfits_before)),
-            s.sample.size == 0 || most.is_exceeded(misfits, std::int64_t(s.sample.size))};
+            std::int64_t(scale * double(misfits_before)), has_misfits};
   }
 
   // By how much the squares count a point too low that is worth nothing.

@@ -53,47 +53,65 @@ struct Leave_misfits {
   }
 };
 
-// Which blocks a pass has to visit: those that have a neighbor in a block where a label has changed in one of the two
-// passes before, since each considers one half of the points. The first two visit all.
+// Points whose label has changed in a pass, a bit each, by block.
+using Changed_points = std::uint64_t;
+static_assert(Block_row::points == 64, "a block has a bit for each point");
+
+// Those of the two passes before: each pass considers one half of the points.
+struct Recent_changes {
+  const Changed_points *last, *before; // by block
+
+  CGAL_TANDEM_HD Changed_points of_block(std::uint32_t b) const { return last[b] | before[b]; }
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const
+  {
+    return of_block(i / Block_row::points) >> (i % Block_row::points) & 1;
+  }
+};
+
+// Which blocks a pass has to visit: those that have a neighbor in a block with a recent change. No point has changed in
+// this pass yet.
 struct Mark_visited {
   const Block_row* row;
-  const std::uint32_t* changed; // by block: 1 + the last pass in which a label has changed; 0: none
+  Recent_changes recent;
   std::uint8_t* is_visited;
-  std::uint32_t pass;
+  Changed_points* changed;
 
   CGAL_TANDEM_HD void operator()(std::size_t b) const
   {
-    bool result = pass < 2 || row[b].size > Block_row::capacity;
+    bool result = row[b].size > Block_row::capacity;
     for(std::uint32_t i = 0; !result && i < row[b].size; ++i)
-      result = changed[row[b].block[i]] + 1 >= pass;
+      result = recent.of_block(row[b].block[i]) != 0;
     is_visited[b] = result;
+    changed[b] = 0;
   }
 };
 
 // The next label of each point: the one that is worth most, of its own and those of its neighbors that it fits. A free
 // point joins any shape that it fits. Of the other points each pass considers one half, so that neighbors do not swap
 // their shapes for ever. Shapes of one plane exchange no points, since the plane does not tell them apart. Labels are
-// only read, so the order of points does not matter. A block that is not visited has the same labels in both tables.
+// only read, so the order of points does not matter. Where no label around has changed lately the choice is that of
+// before. A block that is not visited has the same labels in both tables.
 template <class Backend>
 struct Assign_point {
   Cloud_view cloud;
   const std::uint32_t* label;
   const Assigned_shape* shape;
-  const std::uint8_t* is_visited; // these two by block
-  std::uint32_t* changed;
-  std::uint32_t* chosen; // by point
+  const std::uint8_t* is_visited; // by block
+  Recent_changes recent;
+  Changed_points* changed; // by block
+  std::uint32_t* chosen;   // by point
   Score score;
   Tolerance tolerance;
-  std::uint32_t pass;
+  std::uint32_t pass, own; // points of this rank
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     if(!is_visited[at / Block_row::points])
       return;
     const std::uint32_t i = std::uint32_t(at), s = label[i];
-    chosen[i] = s >= first_mark || is_considered(i) ? best_of(i, s) : s;
+    chosen[i] = (s >= first_mark || is_considered(i)) && is_concerned(i) ? best_of(i, s) : s;
     if(chosen[i] != s)
-      Backend::atomic_max(changed[at / Block_row::points], pass + 1);
+      Backend::atomic_add(changed[i / Block_row::points], Changed_points(1) << (i % Block_row::points));
   }
 
 private:
@@ -101,6 +119,16 @@ private:
   CGAL_TANDEM_HD bool is_considered(std::uint32_t i) const
   {
     return (hash_of_pair(i + cloud.first) >> 63) == (pass & 1u);
+  }
+
+  // Whether it or a neighbor has changed its label lately, as ghosts may have.
+  CGAL_TANDEM_HD bool is_concerned(std::uint32_t i) const
+  {
+    const std::uint32_t* row = cloud.row(i);
+    bool result = recent.has(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index && !result; ++j)
+      result = row[j] >= own || recent.has(row[j]);
+    return result;
   }
 
   // Of the own label and those of neighbors. Ties go to the smaller one.
@@ -217,17 +245,23 @@ public:
     for_each_shape(backend_, shapes,
                    Set_assigned{shapes.counted(), shapes.plane.data(), options.score, assigned.data()});
     Buffer<std::uint32_t> now(points_.cloud.size_with_ghosts()), next(now.size());
-    auto changed = filled_buffer(backend_, block_.size(), std::uint32_t(0));
-    Buffer<std::uint8_t> is_visited(block_.size());
     backend_.for_each(now.size(), Leave_misfits{points_.cloud.view(), points_.label(), assigned.data(), now.data(),
                                                 options.growth.tolerance});
+    const auto all = ~Changed_points(0);
+    auto last = filled_buffer(backend_, block_.size(), all), before = filled_buffer(backend_, block_.size(), all);
+    Buffer<Changed_points> changed(block_.size());
+    Buffer<std::uint8_t> is_visited(block_.size());
     for(std::uint32_t pass = 0; pass < tuning::moves::assignment_passes; ++pass) {
-      backend_.for_each(block_.size(), Mark_visited{block_.data(), changed.data(), is_visited.data(), pass});
-      backend_.for_each(points_.cloud.size(), Assign_point<Backend>{points_.cloud.view(), now.data(), assigned.data(),
-                                                                    is_visited.data(), changed.data(), next.data(),
-                                                                    options.score, options.growth.tolerance, pass});
+      const Recent_changes recent = {last.data(), before.data()};
+      backend_.for_each(block_.size(), Mark_visited{block_.data(), recent, is_visited.data(), changed.data()});
+      backend_.for_each(points_.cloud.size(),
+                        Assign_point<Backend>{points_.cloud.view(), now.data(), assigned.data(), is_visited.data(),
+                                              recent, changed.data(), next.data(), options.score,
+                                              options.growth.tolerance, pass, std::uint32_t(points_.cloud.size())});
       points_.ranks.refresh(next.data(), Rings::inner);
       std::swap(now, next);
+      std::swap(before, changed);
+      std::swap(last, before);
     }
     take_chosen(points_, shapes, now.data());
   }

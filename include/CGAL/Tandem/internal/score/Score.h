@@ -7,16 +7,20 @@
 //     - beta / k (links between two shapes + 3 links between a shape and a free point)
 //     + mu * sum over shapes of N log2(N / m)                          N points, m: minimum size of a shape
 //     - c m * (number of shapes)
-//     - sum over degrees of freedom of .1 m + 1 % of the largest shape that it belongs to
+//     - rho * sum over degrees of freedom of m + N / 10         N: points of the largest shape that it belongs to
 //
 // A link is an entry of the neighbor graph, k a point. All sums are integers, in units of a 4096th of a point, so they
-// do not depend on the order of the points. tuning::score has the constants.
+// do not depend on the order of the points. mu and rho are the parameters simplicity and regularity; tuning::score has
+// the constants.
 
 #ifndef CGAL_TANDEM_INTERNAL_SCORE_SCORE_H
 #define CGAL_TANDEM_INTERNAL_SCORE_SCORE_H
 
+#include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/internal/base/tuning/score.h>
 #include <CGAL/Tandem/internal/base/types.h>
+
+#include <cmath>
 
 namespace CGAL {
 namespace Tandem {
@@ -73,17 +77,32 @@ struct Score_terms {
   CGAL_TANDEM_HD std::int64_t total() const { return fit + links + size + price + freedom; }
 };
 
+// What a degree of freedom is worth, in points: so much, and more for each point of the largest shape that has it.
+struct Freedom_worth {
+  double least = 0, per_point = 0;
+
+  double of(double points) const { return std::fma(per_point, points, least); }
+};
+
+inline Freedom_worth make_freedom_worth(double regularity, double minimum_size)
+{
+  return {regularity * minimum_size, regularity / double(tuning::score::points_per_freedom)};
+}
+
 // Made on the host; functors have it by value.
 class Score {
 public:
   static constexpr std::int64_t unit = tuning::score::unit;
 
+  explicit Score(const Parameters& p) : Score(p.minimum_region_size, int(p.k_neighbors), p.simplicity, p.regularity) {}
+
   // A minimum size beyond all numbers of points counts as the largest of them.
-  Score(std::uint64_t minimum_size, int k)
+  Score(std::uint64_t minimum_size, int k, double simplicity = Parameters().simplicity,
+        double regularity = Parameters().regularity)
     : minimum_size_(std::int64_t(minimum_size < most_points ? minimum_size : most_points)),
       log2_of_minimum_(fixed_log2(std::uint64_t(minimum_size_))), k_(k), link_(tuning::score::link.of(unit)),
-      bonus_(tuning::score::size_bonus.of(unit * bonus_unit)), price_(tuning::score::price.of(minimum_size_ * unit)),
-      freedom_(tuning::score::freedom.of(minimum_size_ * unit)), points_per_freedom_(tuning::score::points_per_freedom)
+      bonus_(llrint(simplicity * double(unit * bonus_unit))), price_(tuning::score::price.of(minimum_size_ * unit)),
+      freedom_(make_freedom_worth(regularity, double(minimum_size_)))
   {}
 
   // Of a point at a distance in units of its tolerance.
@@ -104,7 +123,7 @@ public:
     return -(between_shapes + free_link * to_free) * link_ / k_;
   }
 
-  // B(N) = mu N log2(N / m).
+  // B(N) = mu N log2(N / m); no overflow for up to 2^37 points.
   CGAL_TANDEM_HD std::int64_t size_bonus(std::int64_t points) const
   {
     return points > 0 ? points * bonus(fixed_log2(std::uint64_t(points)) - log2_of_minimum_) / bonus_unit : 0;
@@ -122,9 +141,9 @@ public:
 
   // Of a degree of freedom of a direction, or of a plane, by the points of the largest of its shapes. If two become
   // one, that of the smaller is saved.
-  CGAL_TANDEM_HD std::int64_t freedom(std::int64_t points) const
+  std::int64_t freedom(std::int64_t points) const
   {
-    return -(freedom_ + points * unit / points_per_freedom_);
+    return -std::int64_t(llrint(freedom_.of(double(points)) * double(unit)));
   }
 
 private:
@@ -134,7 +153,8 @@ private:
   // mu log2(..) of a point, in 1 / bonus_unit of a unit, rounded down.
   CGAL_TANDEM_HD std::int64_t bonus(std::int64_t log2) const { return (bonus_ * log2) >> log2_bits; }
 
-  std::int64_t minimum_size_, log2_of_minimum_, k_, link_, bonus_, price_, freedom_, points_per_freedom_;
+  std::int64_t minimum_size_, log2_of_minimum_, k_, link_, bonus_, price_;
+  Freedom_worth freedom_;
 };
 
 } // namespace internal

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a result is worth, in points: see score/Score.h and Share.h. Labels of rooms and roofs, scenes and layers are
-// truest with these; the price of a shape and the bonus for its size may be half or twice as large.
+// truest with these and the defaults of simplicity and regularity; the price of a shape may be half or twice as large.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_SCORE_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_SCORE_H
@@ -24,15 +24,11 @@ constexpr std::int64_t unit = 4096;
 constexpr Share link = {1, 2};
 // A link to a free point counts so often. Fewer: planes through clutter stay.
 constexpr std::int64_t free_link = 3;
-// Of a point, by the logarithm of the size of its shape in minimum sizes. Larger: few, large shapes; from .1 on layers
-// 1.1 epsilon apart are lost. Smaller: surfaces that bend are cut.
-constexpr Share size_bonus = {7, 100};
 // Of a shape, in minimum sizes. From 1 on small faces are lost.
 constexpr Share price = {3, 10};
-// Of a degree of freedom, in minimum sizes, and one more point for so many of the shape. Larger: fewer directions; from
-// half a minimum size on, parallels that are none.
-constexpr Share freedom = {1, 10};
-constexpr std::int64_t points_per_freedom = 100;
+// What a degree of freedom is worth grows with the largest shape that has it: for so many of its points, by one of the
+// minimum size. Fewer: large faces turn farther, also to directions that are not theirs.
+constexpr std::int64_t points_per_freedom = 10;
 
 } // namespace score
 

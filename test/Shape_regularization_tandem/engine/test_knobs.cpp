@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parameters simplicity and regularity: what they change, at which values, and that the score has them.
+
+#undef NDEBUG
+
+#include "testing/test_support.h"
+
+#include <CGAL/Shape_regularization_tandem/regularize_planes.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace np = CGAL::Tandem::parameters;
+
+// Points of a face from `corner` on, with noise across it.
+struct Face {
+  scenes::Vec corner, u, v;
+
+  void add_to(Cloud& cloud, std::size_t points, double noise) const
+  {
+    scenes::Random random(cloud.size() + 1);
+    const scenes::Vec across = scenes::cross(u, v), n = 1 / scenes::length(across) * across;
+    for(std::size_t i = 0; i < points; ++i) {
+      const double s = random.uniform(), t = random.uniform();
+      add(cloud, corner + s * u + t * v + noise * random.gaussian() * n, n);
+    }
+  }
+};
+
+constexpr std::size_t points_of_wall = 4000;
+
+// Two walls, 4 m wide, 3 m high, that lean by .2 degrees, and a floor. Noise of a centimeter.
+Cloud make_leaning_walls()
+{
+  const double lean = .2 * .017453292519943295;
+  Cloud cloud;
+  Face{{0, 0, 0}, {0, 4, 0}, {0, 0, 3}}.add_to(cloud, points_of_wall, .01);
+  Face{{5, 0, 0}, {4 * std::sin(lean), 4 * std::cos(lean), 0}, {0, 0, 3}}.add_to(cloud, points_of_wall, .01);
+  Face{{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}.add_to(cloud, points_of_wall, .01);
+  return cloud;
+}
+
+Parameters with(double epsilon, std::size_t minimum_size, double simplicity, double regularity)
+{
+  Parameters p = make_parameters(epsilon, minimum_size);
+  p.simplicity = simplicity;
+  p.regularity = regularity;
+  return p;
+}
+
+void test_defaults()
+{
+  const Cloud cloud = make_leaning_walls();
+  const auto given =
+    np::maximum_distance(.03).minimum_region_size(100).point_map(First<Kernel>()).normal_map(Second<Kernel>());
+  const Shapes left = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(cloud, given),
+               named = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(cloud, given.simplicity(.04).regularity(.1));
+  check_same(left, named, "defaults that are named");
+  CHECK(left.parameters().simplicity == .04 && left.parameters().regularity == .1);
+  CHECK(left.statistics().score.total() == named.statistics().score.total());
+}
+
+// A floor that sags by 1.5 epsilon is one shape where size is worth much, and is cut where it is worth nothing.
+void test_bent_floor()
+{
+  constexpr double epsilon = .01, sag = 1.5 * epsilon, width = 6;
+  Cloud cloud;
+  scenes::Random random(1);
+  for(int i = 0; i < 20000; ++i) {
+    const double x = 2 * random.uniform() - 1, slope = -2 * sag * x / (width / 2);
+    const double height = -sag * x * x + epsilon / 20 * random.gaussian();
+    add(cloud, {x * width / 2, (random.uniform() - .5) * width, height}, {-slope, 0, 1});
+  }
+  std::vector<std::size_t> number;
+  for(const double simplicity : {0., .04, .3, 1.})
+    number.push_back(detect_valid("bent floor", cloud, with(epsilon, 200, simplicity, .1)).number_of_shapes());
+  for(std::size_t i = 0; i < number.size(); ++i)
+    CHECK_AT(i == 0 || number[i] <= number[i - 1], std::to_string(i) + ": " + std::to_string(number[i]) + " shapes");
+  CHECK_AT(number[0] > 1 && number[2] == 1,
+           std::to_string(number[0]) + " and " + std::to_string(number[2]) + " shapes");
+}
+
+// Two layers are two shapes by default.
+void test_layers()
+{
+  constexpr double epsilon = .01;
+  Cloud cloud;
+  for(const double height : {0., 1.2 * epsilon})
+    Face{{0, 0, height}, {4, 0, 0}, {0, 4, 0}}.add_to(cloud, 10000, epsilon / 10);
+  for(const double simplicity : {0., .04})
+    check_counts("layers with a simplicity of " + std::to_string(simplicity),
+                 detect_valid("layers", cloud, with(epsilon, 200, simplicity, 0)), 2, 2, 2);
+}
+
+// Without a worth no walls are parallel, and none is at a right angle to the floor.
+void test_leaning_walls()
+{
+  const Cloud cloud = make_leaning_walls();
+  const auto find = [&](double regularity) {
+    return detect_valid("leaning walls", cloud, with(.03, 100, .04, regularity));
+  };
+  check_counts("leaning walls without regularity", find(0), 3, 3, 3);
+  check_counts("leaning walls", find(.01), 3, 3, 3);
+  for(const double regularity : {.3, 10.})
+    check_counts("parallel walls", find(regularity), 3, 2, 3);
+  CHECK(find(0).orthogonal_groups().empty() && find(.3).orthogonal_groups().size() == 1);
+}
+
+// The score of a result has the weights of its own run, and is judged by them.
+void test_score()
+{
+  const Cloud cloud = make_leaning_walls();
+  const std::size_t minimum = 100;
+  for(const double weight : {0., .05, .4}) {
+    const Shapes shapes = detect_valid("score", cloud, with(.03, minimum, weight, weight));
+    const CGAL::Tandem::Statistics& s = shapes.statistics();
+    double size = 0;
+    for(std::size_t i = 0; i < shapes.number_of_shapes(); ++i)
+      size += double(shapes.size(i)) * std::log2(double(shapes.size(i)) / double(minimum));
+    const double worth = double(minimum) + double(points_of_wall) / 10;
+    CHECK_AT(std::fabs(s.score.size - weight * size) <= .01 * size, "size " + std::to_string(s.score.size));
+    CHECK_AT(std::fabs(s.score.freedom + weight * worth * double(s.degrees_of_freedom)) <= .02 * worth,
+             "freedom " + std::to_string(s.score.freedom));
+  }
+}
+
+// The same relations for planes that another method has found.
+void test_given_planes()
+{
+  const Cloud cloud = make_leaning_walls();
+  std::vector<Kernel::Point_3> points;
+  std::vector<int> index;
+  for(std::size_t i = 0; i < cloud.size(); ++i) {
+    points.push_back(cloud[i].first);
+    index.push_back(int(i / points_of_wall));
+  }
+  const auto directions = [&](double regularity) {
+    std::vector<Kernel::Plane_3> planes = {{1, 0, 0, 0}, {1, -.0035, 0, -5}, {0, 0, 1, 0}};
+    return CGAL::Tandem::regularize_planes(planes, points,
+                                           np::plane_index_map(CGAL::make_property_map(index))
+                                             .maximum_angle(8)
+                                             .maximum_distance(.03)
+                                             .regularity(regularity))
+      .number_of_parallel_groups();
+  };
+  check_equal(directions(0), 3u, "directions of given planes without regularity");
+  check_equal(directions(.3), 2u, "directions of given planes");
+}
+
+} // namespace
+
+int main()
+{
+  test_defaults();
+  test_bent_floor();
+  test_layers();
+  test_leaning_walls();
+  test_score();
+  test_given_planes();
+  return report();
+}
