@@ -84,23 +84,32 @@ private:
       check_lists(to_vector(backend_, left), before, where + ": labels that fit");
       const std::size_t blocks = number_of_blocks(before.size());
       const auto is_visited = filled_buffer(backend_, blocks, std::uint8_t(1));
-      auto changed = filled_buffer(backend_, blocks, std::uint32_t(0));
-      backend_.for_each(chosen.size(),
-                        Assign_point<Backend>{points.cloud.view(), left.data(), assigned.data(), is_visited.data(),
-                                              changed.data(), chosen.data(), options_.score, f_.tolerance, pass});
+      const auto all = filled_buffer(backend_, blocks, ~Changed_points(0));
+      auto changed = filled_buffer(backend_, blocks, Changed_points(0));
+      backend_.for_each(chosen.size(), Assign_point<Backend>{points.cloud.view(),
+                                                             left.data(),
+                                                             assigned.data(),
+                                                             is_visited.data(),
+                                                             {all.data(), all.data()},
+                                                             changed.data(),
+                                                             chosen.data(),
+                                                             options_.score,
+                                                             f_.tolerance,
+                                                             pass,
+                                                             std::uint32_t(before.size())});
       check_lists(to_vector(backend_, chosen), expected, where + ": chosen labels");
-      check_lists(to_vector(backend_, changed), changed_blocks(before, expected, pass), where + ": changed blocks");
+      check_lists(to_vector(backend_, changed), changed_points(before, expected), where + ": changed points");
       check_take(before, expected);
     }
     return counts;
   }
 
-  std::vector<std::uint32_t> changed_blocks(const Labels& before, const Labels& after, std::uint32_t pass) const
+  static std::vector<Changed_points> changed_points(const Labels& before, const Labels& after)
   {
-    std::vector<std::uint32_t> changed(number_of_blocks(before.size()), 0);
+    std::vector<Changed_points> changed(number_of_blocks(before.size()), 0);
     for(std::size_t i = 0; i < before.size(); ++i)
       if(before[i] != after[i])
-        changed[i / Block_row::points] = pass + 1;
+        changed[i / 64] |= Changed_points(1) << i % 64;
     return changed;
   }
 
@@ -219,41 +228,42 @@ void test_ties()
       const std::uint8_t is_visited = 1;
       for(std::uint32_t pass : {0u, 1u}) {
         Labels chosen(3);
-        std::uint32_t changed = 0;
-        Assign_point<Sequential_backend>{cloud,         label.data(), shape.data(), &is_visited, &changed,
-                                         chosen.data(), Score(10, 2), tolerance,    pass}(0);
+        const Changed_points all = ~Changed_points(0);
+        Changed_points changed = 0;
+        Assign_point<Sequential_backend>{cloud,    label.data(),  shape.data(), &is_visited, {&all, &all},
+                                         &changed, chosen.data(), Score(10, 2), tolerance,   pass,
+                                         3}(0);
         const bool is_considered = own == free_label || pass == 0; // the hash of 0 is 0
         check_equal(chosen[0], is_considered ? 3u : own, "ties");
-        check_equal(changed, chosen[0] == own ? 0u : pass + 1, "whether the label of a tie has changed");
+        check_equal(changed, Changed_points(chosen[0] != own), "whether the label of a tie has changed");
       }
     }
 }
 
-// Blocks of which the first has neighbors in two, the second in itself, the third in too many. A label of block 1 has
-// changed in one pass.
+// Blocks of which the first has neighbors in two, the second in itself, the third in too many. A label has changed in one
+// of them, or in none, in the last pass or in the one before.
 void test_marks()
 {
   Block_row row[3] = {};
   row[0].add(0);
   row[0].add(1);
   row[1].add(1);
-  for(std::uint32_t b = 2; b < 30; ++b)
-    row[2].add(b);
-  for(std::uint32_t changed_in = 0; changed_in < 6; ++changed_in)
-    for(std::uint32_t pass = changed_in + 1; pass < 9; ++pass) {
-      const std::uint32_t changed[3] = {0, changed_in + 1, 0};
+  for(std::uint32_t b = 0; b <= Block_row::capacity; ++b)
+    row[2].add(b + 2);
+  for(std::size_t place = 0; place < 4; ++place)
+    for(bool is_last : {false, true}) {
+      Changed_points none[4] = {}, some[4] = {};
+      some[place] = Changed_points(1) << 40;
+      const Recent_changes recent = {is_last ? some : none, is_last ? none : some};
       for(std::size_t b = 0; b < 3; ++b) {
         std::uint8_t is_visited[3] = {7, 7, 7};
-        Mark_visited{row, changed, is_visited, pass}(b);
-        const bool expected = pass < 2 || b == 2 || pass - changed_in <= 2;
+        Changed_points changed[3] = {7, 7, 7};
+        Mark_visited{row, recent, is_visited, changed}(b);
+        const bool expected = b == 2 || (b == 0 && place < 2) || (b == 1 && place == 1);
         check_equal(int(is_visited[b]), int(expected),
-                    "visit of block " + std::to_string(b) + " in pass " + std::to_string(pass) +
-                      " after a change in pass " + std::to_string(changed_in));
+                    "visit of block " + std::to_string(b) + " after a change in " + std::to_string(place));
+        check_equal(changed[b], Changed_points(0), "changes of a pass that begins");
       }
-      const std::uint32_t never[3] = {0, 0, 0};
-      std::uint8_t is_visited = 7;
-      Mark_visited{row, never, &is_visited, pass}(0);
-      check_equal(int(is_visited), int(pass < 2), "visit where nothing has changed");
     }
 }
 

@@ -176,7 +176,7 @@ double slow_gain(const std::vector<Sampled_point>& sample, const Plane& before, 
     const double d = double(signed_distance(plane, p)) / double(o.growth.tolerance.distance);
     return fits(plane, p, o.growth.tolerance) ? 1 - d * d : 0;
   };
-  const auto bonus = [](double n) { return .07 * n * std::log2(n / double(minimum_size)); };
+  const auto bonus = [](double n) { return Parameters().simplicity * n * std::log2(n / double(minimum_size)); };
   double gain = 0, count[2] = {0, 0};
   for(const Sampled_point& s : sample) {
     const double first = std::fabs(double(signed_distance(split.first, s.point)));
