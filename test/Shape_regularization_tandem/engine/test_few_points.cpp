@@ -34,7 +34,7 @@ int count_found(int n, const Parameters& parameters, Given given)
 int main()
 {
   for(std::size_t k : {6u, 12u})
-    for(int n : {7, 8, 12, 20})
+    for(int n : {3, 4, 5, 6, 7, 8, 12, 20})
       for(Given given : {Given::normals, Given::nothing}) {
         Parameters parameters = make_parameters(.05, 3);
         parameters.k_neighbors = k;
