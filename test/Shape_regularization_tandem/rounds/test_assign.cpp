@@ -252,7 +252,7 @@ void test_marks()
     row[2].add(b + 2);
   for(std::size_t place = 0; place < 4; ++place)
     for(bool is_last : {false, true}) {
-      Changed_points none[4] = {}, some[4] = {};
+      Changed_points none[20] = {}, some[20] = {};
       some[place] = Changed_points(1) << 40;
       const Recent_changes recent = {is_last ? some : none, is_last ? none : some};
       for(std::size_t b = 0; b < 3; ++b) {

@@ -55,7 +55,7 @@ private:
   std::mt19937 random_{5};
 };
 
-// n points of a square of the given side, z = height(x, y, face), of faces in turn.
+// n points of a square of the given side, z = height(x, face). The second face has two points of five.
 template <class F>
 Scene make_faces(int n, double side, F height)
 {
@@ -63,7 +63,7 @@ Scene make_faces(int n, double side, F height)
   Scene scene;
   for(int i = 0; i < n; ++i) {
     const double x = side * random.uniform(), y = side * random.uniform();
-    Truth t = {{std::int32_t(x), std::int32_t(y), 0, encode_normal({0, 0, 1})}, i % 2};
+    Truth t = {{std::int32_t(x), std::int32_t(y), 0, encode_normal({0, 0, 1})}, i % 5 < 2};
     t.point.z = std::int32_t(std::lround(height(x, t.face) + epsilon / 8 * random.gaussian()));
     scene.push_back(t);
   }
@@ -144,7 +144,7 @@ std::vector<std::uint32_t> labels_after(Backend& backend, const Fixture& f)
   return to_vector(backend, points.label(), f.label.size());
 }
 
-// Whether the shape splits; then each part has a face.
+// Whether the shape splits; then each part has a face, and the larger one keeps the id.
 void test(const std::string& name, Scene scene, bool splits)
 {
   std::mt19937 random(3);
@@ -165,6 +165,8 @@ void test(const std::string& name, Scene scene, bool splits)
       const bool is_straight = of_face[0][1] + of_face[1][0] == 0, is_crossed = of_face[0][0] + of_face[1][1] == 0;
       check_equal(std::size_t(std::count(label.begin(), label.end(), 1u)) > 0, splits, where + ": whether it splits");
       CHECK_AT(!splits || is_straight || is_crossed, where + ": points in the part of the other face");
+      const std::size_t kept = of_face[0][0] + of_face[0][1], moved = of_face[1][0] + of_face[1][1];
+      CHECK_AT(10 * kept > 9 * moved, where + ": the smaller part keeps the id");
     });
   }
 }
