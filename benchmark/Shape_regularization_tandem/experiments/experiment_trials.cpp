@@ -36,7 +36,7 @@ void append_judgement(Row& row, const Named_cloud& c, const Task& task, const Ru
 
 void print(const Row& row, const Row& columns)
 {
-  std::string step = cell(row, "cloud");
+  std::string step = cell(row, "cloud") + (cell(row, "normals") == "own" ? " (own normals)" : "");
   for(const auto& column : columns)
     step += " " + column.second;
   auto get = [&](const char* column) { return cell(row, column); };
