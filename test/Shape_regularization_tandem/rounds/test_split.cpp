@@ -149,13 +149,9 @@ private:
         shape[label_[i]].moments.add(f_.point[i], 1);
         shape[label_[i]].box.add(f_.point[i]);
       }
-    for(std::size_t id = 0; id < shape.size(); ++id) {
-      if(shape[id].is_live())
-        refit(shape[id]);
-      shape[id].age = int(id * 5 % 7);
-      shape[id].is_active = id % 2;
-      shape[id].history.set_linked(true);
-    }
+    for(Shape& s : shape)
+      if(s.is_live())
+        refit(s);
     return shape;
   }
 
@@ -164,10 +160,6 @@ private:
   {
     Shape_table<Backend> shapes = make_table(backend_, shape);
     shapes.plane = to_buffer(backend_, f_.plane);
-    shapes.is_restarted = filled_buffer(backend_, shape.size(), std::uint8_t(1));
-    shapes.steps = filled_buffer(backend_, shape.size(), std::uint16_t(0));
-    for(std::size_t id = 0; id < shape.size(); ++id)
-      shapes.steps[id] = std::uint16_t(id % 9);
     return shapes;
   }
 
@@ -194,39 +186,25 @@ private:
   void check_result(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
                     const std::vector<Slow_split>& expected, const std::string& where)
   {
-    const std::vector<Shape> before = make_shapes();
     Labels label = label_;
-    std::vector<std::uint32_t> origin; // of new shapes
+    std::size_t size = f_.plane.size();
     for(const Slow_split& s : expected) {
       if(!s.is_accepted)
         continue;
-      const std::uint32_t new_id = std::uint32_t(before.size() + origin.size());
       for(std::uint32_t i = 0; i < label.size(); ++i)
         if(label[i] == s.id && is_nearer(s.best.second, s.best.first, f_.point[i]))
-          label[i] = new_id;
-      origin.push_back(s.id);
+          label[i] = std::uint32_t(size);
+      ++size;
     }
-    check_equal(shapes.size, before.size() + origin.size(), where + ": number of shapes");
-    if(shapes.size != before.size() + origin.size())
+    check_equal(shapes.size, size, where + ": number of shapes");
+    if(shapes.size != size)
       return;
     check_lists(to_vector(backend_, points.label(), label.size()), label, where + ": labels");
-    std::size_t half = before.size();
+    std::size_t half = f_.plane.size();
     for(const Slow_split& s : expected)
       if(s.is_accepted)
         CHECK_AT(is_same(shapes.plane[s.id], s.best.first) && is_same(shapes.plane[half++], s.best.second),
                  where + ", shape " + std::to_string(s.id) + ": planes of the parts");
-    const std::set<std::uint32_t> split(origin.begin(), origin.end());
-    for(std::uint32_t id = 0; id < shapes.size; ++id) {
-      const bool is_new = id >= before.size();
-      const std::uint32_t old = is_new ? origin[id - before.size()] : id;
-      const Shape& s = shapes.table()[id];
-      const std::string at = where + ", shape " + std::to_string(id);
-      check_equal(s.age, before[old].age, at + ": age");
-      check_equal(s.is_active, before[old].is_active, at + ": whether it is active");
-      check_equal(s.history.is_linked(), !is_new && split.count(id) == 0, at + ": whether it is linked");
-      check_equal(shapes.steps[id], std::uint16_t(old % 9), at + ": steps");
-      check_equal(int(shapes.is_restarted[id]), int(!is_new), at + ": whether it is restarted");
-    }
     check_tables(points, shapes, label, where);
   }
 

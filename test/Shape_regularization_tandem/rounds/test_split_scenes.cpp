@@ -138,8 +138,6 @@ std::vector<std::uint32_t> labels_after(Backend& backend, const Fixture& f)
   set_labels(points, f.label);
   Shape_table<Backend> shapes = make_table(backend, f.shapes_of_labels(1));
   shapes.plane = filled_buffer(backend, 1, Plane());
-  shapes.steps = filled_buffer(backend, 1, std::uint16_t(0));
-  shapes.is_restarted = filled_buffer(backend, 1, std::uint8_t(0));
   split_shapes(points, shapes, split_options(f.cloud.k));
   return to_vector(backend, points.label(), f.label.size());
 }
