@@ -76,21 +76,12 @@ std::string sentence(const Words&... words)
   return text.str();
 }
 
-// A shape begins with a point and half of its neighbors, and with six points at least, whatever its smallest size.
-inline std::size_t smallest_start(const CGAL::Tandem::Parameters& p)
-{
-  return (std::max)((p.k_neighbors + 1) / 2 + 1, std::size_t(6));
-}
-
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)
 {
   const std::size_t points = s.number_of_points - s.number_of_ignored_points();
   if(points < p.minimum_region_size)
     return sentence("no shape was found: the number of points is ", points, ", and a shape has at least ",
                     p.minimum_region_size, " (--minimum-region-size)");
-  if(points < smallest_start(p))
-    return sentence("no shape was found: the number of points is ", points, ", and a shape begins with ",
-                    smallest_start(p), " where --k-neighbors is ", p.k_neighbors);
   return sentence("no shape was found: no ", p.minimum_region_size,
                   " connected points (--minimum-region-size), other than on a line or in one place, are within ",
                   p.maximum_distance, " of a plane (--maximum-distance) and ", p.maximum_angle,

@@ -185,7 +185,6 @@ public:
       expected[t].age = (std::max)(expected[t].age, shape[id].age);
       expected[t].history.set_fitted(false);
       expected[t].history.set_linked(false);
-      expected[t].history.set_examined(0);
     }
     for(std::uint32_t i = 0; i < label.size(); ++i) {
       if(label[i] >= first_mark)
@@ -214,7 +213,6 @@ private:
     std::vector<Shape> shape = f_.shapes_of_labels(n);
     for(std::uint32_t id = 0; id < n; ++id) {
       shape[id].age = int(id * 5 % 7);
-      shape[id].history.set_examined(11);
       shape[id].history.set_fitted(id % 5 != 0);
       shape[id].history.set_linked(id % 5 != 0);
     }
@@ -254,8 +252,6 @@ private:
       atomic_add<Sequential_backend>(sums[id], e.moments, e.box);
       const std::string at = where + ", shape " + std::to_string(id);
       check_equal(s.age, e.age, at + ": age");
-      check_equal(s.history.points_when_examined(), e.history.points_when_examined(),
-                  at + ": points when it was examined for layers");
       CHECK_AT(s.history.is_fitted() == e.history.is_fitted() && s.history.is_linked() == e.history.is_linked(),
                at + ": changes");
     }

@@ -90,8 +90,21 @@ void test_rounds()
   });
   test("unions", [](State& t, Link_buffer& links) { merge_by_gain(t.points, t.shapes, t.options, links); });
   test("regularization", [](State& t, Link_buffer&) {
-    regularize_shapes(t.points, t.shapes, t.options, {t.round, false});
+    regularize_shapes(t.points, t.shapes, t.options, {true, t.options.minimum_related_size});
   });
+}
+
+// Each shape has a plane of its own, which is far from its points.
+Shape_relations shifted_planes(const State& t)
+{
+  Shape_relations r;
+  for(std::uint32_t id = 0; id < t.shapes.size; ++id) {
+    const Regular_plane& p = t.shapes.table()[id].plane;
+    r.id.push_back(id);
+    r.relations.plane_of.push_back(int(id));
+    r.relations.planes.push_back({p.normal, p.offset + 3 * t.options.maximum_distance});
+  }
+  return r;
 }
 
 void test_end_game()
@@ -102,10 +115,29 @@ void test_end_game()
     detach_misfits(t.points, t.shapes, t.options.growth.tolerance);
   });
   test("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes); });
-  test("assignment", [](State& t, Link_buffer&) { assign(t.points, t.shapes, t.options); });
-  test("a raised score", [](State& t, Link_buffer&) { raise_score(t.points, t.shapes, t.options); });
-  test("final regularization",
-       [](State& t, Link_buffer&) { regularize_finally(t.points, t.shapes, t.options, t.round); });
+  test("splits", [](State& t, Link_buffer&) {
+    const Labels_view labels = t.points.change_labels(false);
+    t.shapes.lose_moments();
+    for(std::size_t i = 0; i < t.points.cloud.size(); ++i)
+      if(labels.label[i] < first_mark)
+        labels.label[i] &= ~1u; // with the shape before it
+    t.options.minimum_region_size = 10;
+    t.options.score = Score(10, t.points.cloud.k);
+    const std::size_t size = t.shapes.size;
+    split_shapes(t.points, t.shapes, t.options);
+    CHECK(t.shapes.size > size);
+  });
+  test("assignment", [](State& t, Link_buffer&) { Assignment<Sequential_backend>(t.points)(t.shapes, t.options); });
+  test("a raised score", [](State& t, Link_buffer&) {
+    raise_score(t.points, t.shapes, t.options, Assignment<Sequential_backend>(t.points));
+  });
+  test("final regularization", [](State& t, Link_buffer&) {
+    regularize_finally(t.points, t.shapes, t.options, Assignment<Sequential_backend>(t.points));
+  });
+  test("centered planes", [](State& t, Link_buffer&) {
+    Shape_relations relations = shifted_planes(t);
+    center_shapes(t.points, t.shapes, t.options, relations);
+  });
 }
 
 int main()

@@ -135,7 +135,8 @@ struct Shuffled_block : Serial_block {
 template <class T>
 void fill_with_garbage(T* data, std::size_t size)
 {
-  std::memset(static_cast<void*>(data), 0xa7, size * sizeof(T));
+  if(size > 0) // or there is no memory
+    std::memset(static_cast<void*>(data), 0xa7, size * sizeof(T));
 }
 
 template <class T>

@@ -10,6 +10,7 @@
 #include "body_fixture.h"
 #include "same_bits.h"
 
+#include <CGAL/Tandem/internal/rounds/Shape_samples.h>
 #include <CGAL/Tandem/internal/rounds/unite_shapes.h>
 
 #include <algorithm>

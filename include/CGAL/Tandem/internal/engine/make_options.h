@@ -13,6 +13,8 @@
 #include <CGAL/Tandem/internal/regularity/given_directions.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -32,12 +34,13 @@ inline double distance_margin(const Grid& grid)
   return std::fma(size / grid.step, tuning::exactness::relative_margin, tuning::exactness::distance_margin);
 }
 
-// How shapes start and grow. The size of a core is bounded by that of a cell, or nothing could start in small cells.
+// How shapes start and grow. The size of a core is bounded by that of a cell, or nothing could start in small cells, and
+// by the smallest size of a shape.
 inline Growth_options make_growth_options(const Parameters& p, const Tolerance& tolerance)
 {
   using namespace tuning::growth;
-  const std::size_t core_size =
-    (std::min)(p.k_neighbors / neighbors_per_core_point + 1, p.cell_size / cell_points_per_core_point);
+  const std::size_t core_size = (std::min)(
+    {p.k_neighbors / neighbors_per_core_point + 1, p.cell_size / cell_points_per_core_point, p.minimum_region_size});
   return {tolerance, young_seeds_in_flight, seed_tries, std::uint32_t(core_size), p.cell_size};
 }
 
@@ -55,7 +58,8 @@ inline Options make_options(const Import& in, const Parameters& p)
   o.minimum_region_size = std::int64_t(p.minimum_region_size);
   o.minimum_related_size = (std::max)(std::int64_t(1), tuning::loop::related_share.of(o.minimum_region_size));
   o.minimum_fragment_size =
-    (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_share.of(o.minimum_region_size));
+    (std::min)(o.minimum_region_size,
+               (std::max)(tuning::loop::minimum_fragment_size, tuning::loop::fragment_share.of(o.minimum_region_size)));
   o.growth = make_growth_options(p, make_tolerance(o.maximum_distance, cosine));
   o.tight = make_tolerance(o.maximum_distance * tuning::growth::tight_distance_share,
                            cosine_deg(p.maximum_angle * tuning::growth::tight_angle_share));

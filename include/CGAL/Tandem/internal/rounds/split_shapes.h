@@ -144,12 +144,10 @@ struct Is_split {
   }
 };
 
-// The new shapes, behind the others, start as copies of the old ones without points.
+// The new shapes are behind the others. They have no points yet.
 struct Start_half {
   Shape* shape;
   Plane* plane;
-  std::uint16_t* steps;
-  std::uint8_t* is_restarted;
   const std::uint32_t* id;
   const std::uint32_t* accepted; // candidates
   const Split* split;
@@ -160,13 +158,8 @@ struct Start_half {
   {
     const std::uint32_t old = id[accepted[i]], half = first_new + std::uint32_t(i);
     shape[half] = Shape();
-    shape[half].age = shape[old].age;
-    shape[half].is_active = shape[old].is_active;
-    shape[old].history.set_linked(false);
     plane[old] = split[accepted[i] * Split_gain::starts].first;
     plane[half] = split[accepted[i] * Split_gain::starts].second;
-    steps[half] = steps[old];
-    is_restarted[half] = 0;
     new_id[old] = half;
   }
 };
@@ -186,17 +179,14 @@ struct Choose_half {
   }
 };
 
-// Room for so many more shapes.
+// Room for so many shapes in the tables that are read after the loop.
 template <class Backend>
 void reserve_shapes(Backend& backend, Shape_table<Backend>& shapes, std::size_t size)
 {
   if(size <= shapes.table().size())
     return;
-  const std::size_t room = size + size / 2;
-  shapes.table() = extended<Shape>(backend, shapes.table(), room);
-  shapes.plane = extended<Plane>(backend, shapes.plane, room);
-  shapes.steps = extended<std::uint16_t>(backend, shapes.steps, room);
-  shapes.is_restarted = extended<std::uint8_t>(backend, shapes.is_restarted, room);
+  shapes.table() = extended<Shape>(backend, shapes.table(), size + size / 2);
+  shapes.plane = extended<Plane>(backend, shapes.plane, size + size / 2);
 }
 
 // Splits by the accepted candidates.
@@ -251,9 +241,9 @@ void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
     return;
   reserve_shapes(backend, shapes, first_new + number);
   auto new_id = filled_buffer(backend, first_new, no_index);
-  backend.for_each(number, Start_half{shapes.change_moments(), shapes.plane.data(), shapes.steps.data(),
-                                      shapes.is_restarted.data(), found.id.data(), found.accepted.data(),
-                                      found.split.data(), new_id.data(), std::uint32_t(first_new)});
+  backend.for_each(number,
+                   Start_half{shapes.change_moments(), shapes.plane.data(), found.id.data(), found.accepted.data(),
+                              found.split.data(), new_id.data(), std::uint32_t(first_new)});
   shapes.size = first_new + number;
   typename Backend::template Buffer<std::uint32_t> chosen(points.cloud.size());
   backend.for_each(chosen.size(), Choose_half{points.cloud.point.data(), points.label(), new_id.data(),

@@ -24,11 +24,12 @@ CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
 }
 
 struct Planarity {
-  int fitting = 0; // neighbors that fit the plane of the point itself
+  int all = 0;     // neighbors
+  int fitting = 0; // ... that fit the plane of the point itself
   int close = 0;   // ... that do so within tighter bounds
 };
 
-// How planar the surface is at point i. Both numbers are in [0, k]. A point without a normal has none of either.
+// How planar the surface is at point i. All numbers are in [0, k]. A point without a normal has none of either.
 CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t i, const Tolerance& tolerance,
                                           const Tolerance& tight)
 {
@@ -38,6 +39,7 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
   const Plane plane = own_plane(cloud.point[i]);
   const std::uint32_t* row = cloud.row(i);
   for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+    ++p.all;
     const std::int64_t e = signed_distance(plane, cloud.point[row[j]]);
     const std::int64_t distance = e < 0 ? -e : e;
     const Squared_cosine cosine = squared_cosine(plane, cloud.point[row[j]]);
@@ -106,7 +108,7 @@ private:
   {
     const Planarity score = planarity(cloud, i, bounds.tolerance, bounds.tight);
     constexpr tuning::Share share = tuning::growth::seed_share;
-    if(!share.is_reached(score.fitting, cloud.k))
+    if(score.all == 0 || !share.is_reached(score.fitting, score.all))
       return not_a_seed;
     const Grid_point& p = cloud.point[i];
     const std::int64_t x = p.x - (std::int64_t(box.low[0]) + box.high[0]) / 2;

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The blocks that have neighbors of a block, against sets of them, on several back ends. A row that has overflown has
+// more blocks than fit, or neighbors of another rank.
+
+#undef NDEBUG
+
+#include "testing/body_fixture.h"
+
+#include <CGAL/Tandem/internal/cloud/Block_rows.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Tandem::internal;
+
+using Blocks = std::set<std::uint32_t>;
+
+template <class Backend>
+class Rows {
+public:
+  Rows(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
+
+  void run()
+  {
+    Labeled_cloud<Backend> points(backend_);
+    take_cloud(f_, points);
+    test(to_vector(backend_, make_block_rows(backend_, points.cloud)), std::uint32_t(f_.point.size()), name_);
+    if(f_.point.size() >= 1000)
+      CHECK_AT(listed_ > 10, name_ + ": no row is listed");
+    listed_ = overflown_ = 0;
+    points.cloud.ghosts = f_.point.size() / 3; // the last ones belong to another rank
+    const std::uint32_t own = std::uint32_t(points.cloud.size());
+    test(to_vector(backend_, make_block_rows(backend_, points.cloud)), own, name_ + ", ghosts");
+    if(f_.point.size() >= 1000)
+      CHECK_AT(listed_ > 10 && overflown_ > 2, name_ + ": no row has ghosts, or all have");
+  }
+
+private:
+  void test(const std::vector<Block_row>& row, std::uint32_t own, const std::string& name)
+  {
+    check_equal(row.size(), std::size_t((own + 63) / 64), name + ": number of blocks");
+    std::vector<Blocks> expected(row.size());
+    std::vector<bool> has_ghosts(row.size());
+    for(std::uint32_t i = 0; i < own; ++i) {
+      expected[i / 64].insert(i / 64);
+      f_.for_each_neighbor(i, [&](std::uint32_t j) {
+        if(j < own)
+          expected[i / 64].insert(j / 64);
+        else
+          has_ghosts[i / 64] = true;
+      });
+    }
+    for(std::size_t b = 0; b < row.size(); ++b) {
+      const std::string where = name + ", block " + std::to_string(b);
+      const bool is_listed = !has_ghosts[b] && expected[b].size() <= Block_row::capacity;
+      check_equal(row[b].size <= Block_row::capacity, is_listed, where + ": whether its row is listed");
+      if(is_listed && row[b].size <= Block_row::capacity) {
+        check_equal(std::size_t(row[b].size), expected[b].size(), where + ": number of listed blocks");
+        CHECK_AT(Blocks(row[b].block, row[b].block + row[b].size) == expected[b], where + ": listed blocks");
+      }
+      ++(is_listed ? listed_ : overflown_);
+    }
+  }
+
+  Backend& backend_;
+  const std::string name_;
+  const Fixture& f_;
+  int listed_ = 0, overflown_ = 0;
+};
+
+// The first block has neighbors in so many other ones. The last one is not full, and its last point has one in the
+// first.
+void test_capacity(std::uint32_t others)
+{
+  const std::uint32_t blocks = others + 1, n = 64 * blocks - 20;
+  Sequential_backend backend;
+  Sorted_cloud<Sequential_backend> cloud;
+  cloud.k = 1;
+  cloud.point.reset(n);
+  cloud.neighbor.reset(n);
+  for(std::uint32_t i = 0; i < n; ++i)
+    cloud.neighbor[i] = i < 64 ? 64 * (i % blocks) + 1 : i + 1 == n ? 0 : no_index;
+  const auto row = make_block_rows(backend, cloud);
+  const std::string where = std::to_string(others) + " other blocks";
+  check_equal(row.size(), std::size_t(blocks), where + ": number of blocks");
+  check_equal(row[0].size, (std::min)(blocks, Block_row::capacity + 1), where + ": size of the row");
+  for(std::uint32_t b = 1; b < blocks; ++b)
+    CHECK_AT(row[b].block[0] == b && row[b].size == 1 + (b == others) && (b < others || row[b].block[1] == 0),
+             where + ": row of block " + std::to_string(b));
+}
+
+int main()
+{
+  check_equal(number_of_blocks(0), std::size_t(0), "blocks of no point");
+  for(std::size_t n : {std::size_t(1), std::size_t(64)})
+    check_equal(number_of_blocks(n), std::size_t(1), "blocks of " + std::to_string(n) + " points");
+  check_equal(number_of_blocks(65), std::size_t(2), "blocks of 65 points");
+  for(std::uint32_t others : {0u, 1u, 14u, 15u, 40u})
+    test_capacity(others);
+  test_on_all_backends<Rows>();
+  return report();
+}
