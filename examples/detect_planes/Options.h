@@ -30,9 +30,9 @@ struct Options {
     estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;
-  std::optional<std::array<double, 3>> symmetry_direction;
+  std::optional<std::array<double, 3>> symmetry_direction, viewpoint;
   std::string backend = "auto";
-  bool has_group_for_each_plane = false, has_triangles_only = false, is_quiet = false;
+  bool has_group_for_each_plane = false, has_triangles_only = false, is_oriented = false, is_quiet = false;
   bool wants_help = false, wants_version = false;
 };
 

@@ -5,6 +5,7 @@
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
 #include "Built_with.h"
+#include "Outward_sides.h"
 #include "Thread_limit.h"
 #include "output/Output_files.h"
 #include "detection.h"
@@ -175,12 +176,14 @@ void make_directory(const Options& o, Ranks& ranks, Made_folders& folders)
 
 // Those that are known before the report is written.
 std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
-                                      const Ranks& ranks)
+                                      const Ranks& ranks, const Outward_sides& sides)
 {
   std::vector<std::string> warnings = result_warnings(points, shapes, o.maximum_distance.has_value(), ranks);
   const std::string of_planes = warning_of_planes(points, shapes, o);
   if(!of_planes.empty())
     warnings.push_back(of_planes);
+  if(*sides.warning() != 0)
+    warnings.emplace_back(sides.warning());
   return warnings;
 }
 
@@ -199,20 +202,22 @@ void run(const Options& o, Ranks& ranks, Made_folders& folders)
     files.emplace(o, cloud, ranks.is_first());
     prepare_normals(cloud.points, o, run);
   });
+  Outward_sides sides(o, cloud, ranks, run);
 
   std::optional<Shapes> shapes;
   ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
   name_device(*shapes, limit.threads(), run);
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
-  for(const std::string& warning : all_warnings(cloud.points, *shapes, o, ranks)) {
+  for(const std::string& warning : all_warnings(cloud.points, *shapes, o, ranks, sides)) {
     if(ranks.is_first())
       warn(warning);
     run.warnings.push_back(warning);
   }
+  const Shapes& sided = sides(*shapes);
   ranks.together([&] {
     const Progress_line progress(!o.is_quiet && ranks.is_first(), "writing");
-    files->write(*shapes, run);
+    files->write(sided, run);
   });
   ranks.together([&] {
     first_signal_removes = 0; // from here on, all files get their names

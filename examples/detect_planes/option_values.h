@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Values of options that are lists: directions, and how clouds are read.
+// Values of options that are lists: directions, a place, and how clouds are read.
 
 #ifndef DETECT_PLANES_OPTION_VALUES_H
 #define DETECT_PLANES_OPTION_VALUES_H
@@ -21,8 +21,8 @@
 
 namespace program {
 
-// Whether the text is a direction, and nothing else.
-inline bool read_direction(const std::string& text, std::array<double, 3>& d)
+// Whether the text is three finite numbers with commas between them, and nothing else.
+inline bool read_three(const std::string& text, std::array<double, 3>& d)
 {
   std::istringstream in(text);
   in.imbue(std::locale::classic());
@@ -30,16 +30,25 @@ inline bool read_direction(const std::string& text, std::array<double, 3>& d)
   if(!(in >> d[0] >> first >> d[1] >> second >> d[2]) || first != ',' || second != ',')
     return false;
   in >> std::ws;
-  return in.eof() && (d[0] != 0 || d[1] != 0 || d[2] != 0);
+  return in.eof();
 }
 
 inline std::array<double, 3> parse_direction(const std::string& option, const std::string& text)
 {
   std::array<double, 3> direction = {};
-  if(!read_direction(text, direction))
+  if(!read_three(text, direction) || direction == std::array<double, 3>())
     throw Usage_error("--" + option + " is '" + text +
                       "', must be three numbers with commas between them, not all 0, as in 0,0,1");
   return direction;
+}
+
+inline std::array<double, 3> parse_place(const std::string& option, const std::string& text)
+{
+  std::array<double, 3> place = {};
+  if(!read_three(text, place))
+    throw Usage_error("--" + option + " is '" + text +
+                      "', must be three numbers with commas between them, as in 2.5,-1,1.6");
+  return place;
 }
 
 constexpr int no_class = -1;

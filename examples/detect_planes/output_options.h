@@ -41,13 +41,18 @@ inline void add_cloud_options(po::options_description& group, Options& o, const 
   add("colors", po::value<std::string>(&o.colors)->value_name("NAME"), colors.c_str());
 }
 
-inline void add_result_options(po::options_description& group, Options& o)
+inline void add_result_options(po::options_description& group, Options& o, const Built_with& built)
 {
+  const std::string oriented =
+    "the normals of the planes of --planes" + std::string(built.view ? ", --view" : "") +
+    " and --polygons (.geojson, .json) point to the outward side: that of most normals of the points, if the input has "
+    "normals, else that of the viewpoint (--viewpoint). Without it, they are the same for all parallel shapes";
   auto add = group.add_options();
   add("labels", po::value<std::string>(&o.labels)->value_name("FILE"),
       "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
   add("planes", po::value<std::string>(&o.planes)->value_name("FILE"),
       "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
+  add("oriented", po::bool_switch(&o.is_oriented), oriented.c_str());
   add("vg", po::value<std::string>(&o.vg)->value_name("FILE"),
       "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
   add("vg-by-plane", po::bool_switch(&o.has_group_for_each_plane),
@@ -104,7 +109,7 @@ inline void add_output_options(po::options_description& visible, po::options_des
 {
   po::options_description group("Output (files appear only when they are complete)");
   add_cloud_options(group, o, built);
-  add_result_options(group, o);
+  add_result_options(group, o, built);
   add_view_option(built.view ? group : hidden, o);
   add_mesh_options(built.mesh() ? group : hidden, o, built);
   add_mesh_seconds(built.mesh() && built.mesh_seconds ? group : hidden, o);

@@ -56,6 +56,13 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
       ("only the points of these classes, as 2,6 (of " + las +
        ", or of a property or column 'classification'); the others are in no output")
         .c_str());
+  add("viewpoint", po::value<std::string>()->value_name("X,Y,Z")->notifier([&o](const std::string& text) {
+    o.viewpoint = parse_place("viewpoint", text);
+  }),
+      "the place from which all points were seen, in the coordinates of the input: estimated normals, and the outward "
+      "sides of planes, are those towards it. It is an error for an input with normals of its own, which have a side, "
+      "unless --estimate-normals is given (default: the VIEWPOINT of .pcd files without normals, where it is not "
+      "0 0 0 1 0 0 0, which only --oriented uses)");
   all.add(group);
 }
 

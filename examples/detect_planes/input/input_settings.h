@@ -31,11 +31,18 @@ struct Las_frame {
   Projection projection = Projection::none;
 };
 
+// Where the points of a file were seen from.
+struct Viewpoint {
+  std::array<double, 3> place;
+  bool is_default; // what writers put there that know none
+};
+
 // What the reading found out, for people and for the outputs.
 struct Input_notes {
   std::vector<std::pair<std::string, std::string>> lines; // a word, and what there is to say about it
   std::vector<std::string> warnings;
   std::optional<Las_frame> las_frame; // of the first LAS file
+  std::optional<Viewpoint> viewpoint; // of a PCD file
 };
 
 } // namespace program

@@ -14,7 +14,7 @@ namespace {
 
 // What the lines say, before they are put together.
 struct Lines {
-  std::vector<std::string> names, types;
+  std::vector<std::string> names, types, viewpoint;
   std::vector<std::uint64_t> sizes, counts;
   std::map<std::string, std::uint64_t> numbers; // WIDTH, HEIGHT, POINTS
 
@@ -69,7 +69,9 @@ void parse_line(const std::string& key, std::istream& line, Lines& lines)
     lines.counts = parse_numbers(key, line);
   else if(key == "WIDTH" || key == "HEIGHT" || key == "POINTS")
     lines.numbers[key] = parse_one(key, line);
-  else if(key != "VERSION" && key != "VIEWPOINT")
+  else if(key == "VIEWPOINT")
+    lines.viewpoint = words_of(line);
+  else if(key != "VERSION")
     throw std::runtime_error("the PCD header has the unknown line '" + key.substr(0, 40) + "'");
 }
 
@@ -98,6 +100,7 @@ Pcd_header join(const Lines& lines)
      (!lines.counts.empty() && lines.counts.size() != n))
     throw std::runtime_error("the PCD header must have as many items in FIELDS, SIZE, TYPE and COUNT");
   Pcd_header header;
+  header.viewpoint = lines.viewpoint;
   for(std::size_t i = 0; i < n; ++i) {
     Pcd_header::Field f = make_field(lines, i);
     f.position = header.row_size();

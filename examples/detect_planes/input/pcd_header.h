@@ -25,7 +25,8 @@ struct Pcd_header {
   };
   std::vector<Field> fields;
   std::uint64_t points = 0;
-  std::string data; // ascii, binary or binary_compressed
+  std::string data;                   // ascii, binary or binary_compressed
+  std::vector<std::string> viewpoint; // the words of that line; none without one
 
   const Field* find(const std::string& name) const
   {

@@ -119,7 +119,7 @@ void read_format(const std::string& path, const Input_settings& settings, Point_
   if(is_table(path))
     return read_table(*file, path, settings, points, notes);
   if(extension == ".pcd")
-    return read_pcd(*file, settings, points);
+    return read_pcd(*file, settings, points, notes);
   read_ply_or_off(*file, extension == ".off", points);
   convert_attributes(points);
   if(!settings.classes.empty())

@@ -10,6 +10,8 @@
 #include "input/pcd_header.h"
 #include "input/table_values.h"
 
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace program {
@@ -207,9 +209,25 @@ void read_text(Input_buffer& in, Text_lines& lines, const Pcd_header& h, Cloud_b
     throw std::runtime_error("has more rows than the " + std::to_string(h.points) + " points that it announces");
 }
 
+// The place, and the rotation as quaternion, which says nothing of the side that was seen. Files were read whatever the
+// line says, so it is no error.
+void note_viewpoint(const std::vector<std::string>& words, bool has_normals, Input_notes& notes)
+{
+  if(words.empty())
+    return;
+  std::vector<double> numbers;
+  for(const std::string& word : words)
+    if(const std::optional<double> number = parse_number(word); number && std::isfinite(*number))
+      numbers.push_back(*number);
+  if(numbers.size() == words.size() && numbers.size() == 7)
+    notes.viewpoint = {{numbers[0], numbers[1], numbers[2]}, numbers == std::vector<double>{0, 0, 0, 1, 0, 0, 0}};
+  else if(!has_normals)
+    notes.warnings.push_back("the VIEWPOINT of the PCD header is not seven finite numbers, and is not used");
+}
+
 } // namespace
 
-void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& points)
+void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes)
 {
   Input_buffer in(file);
   Text_lines lines(in);
@@ -217,6 +235,7 @@ void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& poin
   const Used_fields used = used_fields(h);
   if(!settings.classes.empty() && used.classification == nullptr)
     throw std::runtime_error("has no field 'classification', which --classes needs");
+  note_viewpoint(h.viewpoint, used.normal[0] != nullptr, notes);
   Cloud_builder builder(
     points,
     {used.normal[0] != nullptr, used.color != nullptr, used.intensity != nullptr, used.classification != nullptr},

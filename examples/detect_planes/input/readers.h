@@ -16,7 +16,7 @@ namespace program {
 void read_las(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,
               Input_notes& notes);
 
-void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& points);
+void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes);
 
 // A text table: a point in each row. `path` is for the extension and for messages.
 void read_table(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,

@@ -101,9 +101,10 @@ bool needs_double(const Points& points, Get_vector get_vector)
   });
 }
 
+// Estimated normals that were turned to a side are those of the points.
 inline Kernel::Vector_3 normal_used(const Point_set& points, const Shapes& shapes, Point_set::Index i)
 {
-  return shapes.has_estimated_normals() ? shapes.estimated_normal(i) : points.normal(i);
+  return points.has_normal_map() ? points.normal(i) : shapes.estimated_normal(i);
 }
 
 inline void write_labels(std::ostream& out, const Shapes& shapes)

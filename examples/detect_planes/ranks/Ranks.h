@@ -49,6 +49,9 @@ public:
   // The largest number of a rank.
   virtual double largest(double own) const { return own; }
 
+  // The sums of the numbers of all ranks, which have as many.
+  virtual std::vector<long long> sums(const std::vector<long long>& own) const { return own; }
+
   // The number of one rank.
   virtual std::uint64_t number_of(int /* rank */, std::uint64_t own) const { return own; }
 

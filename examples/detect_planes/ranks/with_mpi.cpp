@@ -19,6 +19,7 @@
 #endif
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <thread>
 
@@ -69,6 +70,14 @@ public:
   }
 
   double largest(double own) const override { return mpi::all_reduce(world, own, mpi::maximum<double>()); }
+
+  std::vector<long long> sums(const std::vector<long long>& own) const override
+  {
+    std::vector<long long> all(own.size());
+    if(!own.empty())
+      mpi::all_reduce(world, own.data(), int(own.size()), all.data(), std::plus<long long>());
+    return all;
+  }
 
   std::uint64_t number_of(int rank, std::uint64_t own) const override
   {

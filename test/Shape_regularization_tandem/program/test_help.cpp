@@ -70,7 +70,7 @@ int main()
                         {&Built_with::mpi, {"mpirun", "of each process", "processes"}},
                         {&Built_with::gzip, {".gz"}},
                         {&Built_with::laszip, {".laz"}},
-                        {&Built_with::view, {"--view", "browser"}},
+                        {&Built_with::view, {"--view ", "browser"}},
                         {&Built_with::kinetic_mesh, {"kinetic"}},
                         {&Built_with::polygonal_mesh, {"polygonal,"}},
                         {&Built_with::mesh_seconds, {"--mesh-seconds", "GLPK"}}};

@@ -61,6 +61,25 @@ expect_shell(0 "property [a-z]+ classification" "cmp class_1/class_none.ply clas
 expect_ranks(2 1 "none of the inputs has points" class_none.ply class_1/class_none.ply --planes none.txt)
 expect_no_file(none.txt)
 
+# --- The same sides: tiles of one shape are in several processes, which have viewpoints of their own
+file(WRITE "${WORK_DIR}/pcd.awk" [=[
+BEGIN { printf "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nVIEWPOINT %s 1 0 0 0\nPOINTS %d\nDATA ascii\n", from, n }
+{ print $1, $2, $3 }
+]=])
+expect_shell(0 "^$" "awk -v n=$(wc -l < corner.pts) -v from='4 1.5 2' -f pcd.awk corner.pts > corner.pcd
+  awk -v n=$(wc -l < last.xyz) -v from='4 -9 9' -f pcd.awk last.xyz > last.pcd")
+foreach(inputs IN ITEMS "${tiles};--viewpoint;4,1.5,2" "corner.pcd;folder/Middle.XYZ;folder/sub/seam.csv;last.pcd")
+  foreach(oriented IN ITEMS "" --oriented)
+    foreach(n IN ITEMS 1 3)
+      expect_ranks(${n} 0 "normals estimated, towards the viewpoint\n.*hash" ${inputs} ${parameters} ${oriented}
+                   --output-directory sides_${n} --planes sides_${n}/planes)
+    endforeach()
+    expect_shell(0 "^$" "diff -r sides_1 sides_3; rm -r sides_1 sides_3")
+  endforeach()
+endforeach()
+expect_ranks(2 1 "--viewpoint is for estimated normals, but the input has normals" class_1/class_corner.pts.ply
+             class_1/class_last.xyz.ply ${parameters} --viewpoint 4,1.5,2)
+
 # --- The same bytes
 foreach(normals IN ITEMS estimated given)
   expect(0 "normals ${normals}.*hash" ${tiles} ${parameters} --output-directory one_${normals}

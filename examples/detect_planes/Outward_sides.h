@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The outward sides of planes and of estimated normals. Given normals have a side; estimated ones get that of the place
+// from which their points were seen.
+
+#ifndef DETECT_PLANES_OUTWARD_SIDES_H
+#define DETECT_PLANES_OUTWARD_SIDES_H
+
+#include "Options.h"
+#include "input/read_cloud.h"
+#include "output/report.h"
+#include "output/write_results.h"
+#include "ranks/Ranks.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+// All ranks call the same members in the same order.
+class Outward_sides {
+public:
+  // After the normals were prepared. That given ones have no viewpoint is said before the detection, which may take long.
+  Outward_sides(const Options& o, Input_cloud& cloud, Ranks& ranks, Run& run)
+    : options(o), points(cloud.points), ranks(ranks), are_given(run.normals == "given")
+  {
+    ranks.together([&] {
+      if(are_given && o.viewpoint)
+        throw std::runtime_error("--viewpoint is for estimated normals, but the input has normals (with "
+                                 "--estimate-normals they are estimated)");
+    });
+    for(const Input_part& part : cloud.parts)
+      if(const auto viewpoint = viewpoint_of(part); viewpoint && !are_given)
+        views.push_back({part.first, part.last, *viewpoint});
+    is_seen = ranks.largest(double(views.size())) > 0;
+    if(is_seen)
+      run.normals += ", towards the viewpoint";
+  }
+
+  // What there is to say of --oriented, or nothing.
+  const char* warning() const
+  {
+    return options.is_oriented && !are_given && !is_seen
+             ? "--oriented: the normals are estimated, and no viewpoint is known: planes have no outward side "
+               "(--viewpoint gives one)"
+             : "";
+  }
+
+  // The shapes that the files get; the cloud gets the normals, if some file has them. The detection knows nothing of
+  // sides, so its shapes, their hash and the mesh stay as they are.
+  const Shapes& operator()(const Shapes& shapes)
+  {
+    const bool has_oriented_planes = options.is_oriented && (are_given || is_seen);
+    if(!is_seen && !has_oriented_planes)
+      return shapes;
+    std::vector<long long> votes;
+    ranks.together([&] { votes = votes_of(shapes); });
+    votes = ranks.sums(votes);
+    ranks.together([&] {
+      Shapes::Data data = shapes.data();
+      data.points = shapes.point_groups();
+      for(std::size_t s = 0; s < votes.size() && is_seen; ++s)
+        data.is_flipped[s] = votes[s] < 0;
+      if(has_oriented_planes)
+        turn_planes(data);
+      turned.emplace(std::move(data));
+      if(is_seen)
+        turn_normals(shapes);
+    });
+    return *turned;
+  }
+
+private:
+  struct View {
+    std::size_t first, last; // the points
+    Kernel::Point_3 from;
+  };
+
+  std::optional<Kernel::Point_3> viewpoint_of(const Input_part& part) const
+  {
+    const std::optional<Viewpoint>& of_file = part.notes.viewpoint;
+    if(!options.viewpoint && (!of_file || (of_file->is_default && !options.is_oriented)))
+      return std::nullopt;
+    const std::array<double, 3>& place = options.viewpoint ? *options.viewpoint : of_file->place;
+    return Kernel::Point_3(place[0], place[1], place[2]);
+  }
+
+  // How many more of the own points of each shape were seen from the side of its normal than from the other one. The
+  // normal of the plane tells that better than those of the points, where they were seen at a small angle.
+  std::vector<long long> votes_of(const Shapes& shapes) const
+  {
+    std::vector<long long> votes(shapes.number_of_shapes(), 0);
+    for(const View& view : views)
+      for(Point_set::Index i : Point_part(points, view.first, view.last))
+        if(const int s = shapes.shape_index(i); s >= 0) {
+          const auto& c = shapes.coefficients(std::size_t(s));
+          const double height = Kernel::Vector_3(c[0], c[1], c[2]) * (view.from - points.point(i));
+          votes[std::size_t(s)] += height > 0 ? 1 : height < 0 ? -1 : 0;
+        }
+    return votes;
+  }
+
+  static void turn_planes(Shapes::Data& data)
+  {
+    for(std::size_t s = 0; s < data.coefficients.size(); ++s)
+      if(std::exchange(data.is_flipped[s], char(0)) != 0)
+        for(double& x : data.coefficients[s])
+          x = 0. - x; // no -0
+  }
+
+  void turn_normals(const Shapes& shapes)
+  {
+    if(options.output.empty() && options.output_directory.empty() && options.vg.empty())
+      return;
+    if(!points.has_normal_map()) {
+      points.add_normal_map();
+      for(Point_set::Index i : points)
+        points.normal(i) = shapes.estimated_normal(i);
+    }
+    for(const View& view : views)
+      for(Point_set::Index i : Point_part(points, view.first, view.last))
+        if(Kernel::Vector_3& n = points.normal(i); n * (view.from - points.point(i)) < 0)
+          n = Kernel::Vector_3(0. - n.x(), 0. - n.y(), 0. - n.z());
+  }
+
+  const Options& options;
+  Point_set& points;
+  Ranks& ranks;
+  bool are_given;          // the normals
+  std::vector<View> views; // of the own inputs
+  bool is_seen = false;    // some input of any rank has a viewpoint
+  std::optional<Shapes> turned;
+};
+
+} // namespace program
+
+#endif // DETECT_PLANES_OUTWARD_SIDES_H
