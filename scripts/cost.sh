@@ -25,8 +25,8 @@ cxx=${CXX:-c++}
 # Functions that have a row, NAME(), beside the stages of Stage_times; calls by any stage count. A row that is gone, or
 # new, is no fault.
 functions='sort_points find_neighbors estimate_normals find_border order_seeds grow_cells collect_links
-  sample_shapes merge_by_gain regularize_shapes apply_planes assign raise_score regularize_finally choose_sides
-  relabel_small_components extract_shapes'
+  sample_shapes merge_by_gain regularize_shapes apply_planes split_shapes raise_score regularize_finally choose_sides
+  free_small_components center_shapes extract_shapes'
 
 fail() { echo "cost.sh: $*" >&2; exit 1; }
 

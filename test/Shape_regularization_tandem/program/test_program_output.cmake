@@ -135,7 +135,7 @@ expect_shell(0 "^1 detect_planes: interrupted[^\n]*\n$" "${start} 100; kill -HUP
 expect_shell(0 "^130\n$" "${start} 1000; kill -INT $pid; sleep .1; kill -INT $pid; end")
 expect_shell(0 "^143\n$" "${start} 1000; kill -INT $pid; sleep .1; kill -TERM $pid; end")
 expect_shell(0 "^152\n$" "ulimit -c 0; ${start} 1000; kill -XCPU $pid; end")
-expect_shell(0 "^0\n$" "trap '' HUP; ${start} 20; kill -HUP $pid; end") # as nohup
+expect_shell(0 "^0\n$" "trap '' HUP; ${start} 100; kill -HUP $pid; end") # as nohup
 file(APPEND "${WORK_DIR}/signals.sh" [=[
 start_in_folder()
 {
