@@ -147,6 +147,8 @@ inline void check(const Options& o, const Built_with& built)
     throw Usage_error("--vg-by-plane needs --vg");
   if(o.has_triangles_only && o.polygons.empty())
     throw Usage_error("--triangulate needs --polygons");
+  if(o.is_oriented && o.planes.empty() && o.view.empty() && o.polygons.empty())
+    throw Usage_error("--oriented needs --planes, --view or --polygons");
   if(o.mesh_planes && o.mesh.empty())
     throw Usage_error("--mesh-planes needs --mesh");
   if(o.mesh_seconds && o.mesh.empty())

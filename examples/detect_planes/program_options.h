@@ -61,7 +61,7 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
   }),
       "the place from which all points were seen, in the coordinates of the input: estimated normals, and the outward "
       "sides of planes, are those towards it. It is an error for an input with normals of its own, which have a side, "
-      "unless --estimate-normals is given (default: the VIEWPOINT of .pcd files without normals, where it is not "
+      "unless --estimate-normals is given (default: the VIEWPOINT of .pcd files, where it is not "
       "0 0 0 1 0 0 0, which only --oriented uses)");
   all.add(group);
 }
@@ -89,11 +89,9 @@ inline void add_detection_options(po::options_description& all, Options& o)
     "maximum-offset", number(o.maximum_offset)->value_name("D"),
     "distance within which parallel planes are made coplanar if their points allow it (default: the maximum distance)");
   add("minimum-region-size", count(o.minimum_region_size)->value_name("N"),
-      "smallest number of points of a shape, at least 3 (default: estimated from the number of points). "
-      "Whatever it is, a shape has at least 6 points, and at least K / 2 + 1 (rounded up) where K is --k-neighbors: 7 "
-      "by default");
+      "smallest number of points of a shape, at least 3 (default: estimated from the number of points)");
   add("simplicity", number(o.simplicity)->value_name("MU"),
-      "what the size of a shape is worth, from 0, every layer and detail, to 1, few and large planes (default: 0.04)");
+      "what the size of a shape is worth, from 0, more layers and details, to 1, few and large planes (default: 0.04)");
   add("regularity", number(o.regularity)->value_name("R"),
       "what a degree of freedom is worth in smallest sizes of a shape, from 0, planes that follow their points, to 10, "
       "as many relations as possible (default: 0.1)");

@@ -39,8 +39,8 @@ inline double distance_margin(const Grid& grid)
 inline Growth_options make_growth_options(const Parameters& p, const Tolerance& tolerance)
 {
   using namespace tuning::growth;
-  const std::size_t core_size = (std::min)(
-    {p.k_neighbors / neighbors_per_core_point + 1, p.cell_size / cell_points_per_core_point, p.minimum_region_size});
+  const std::size_t core_size = (std::min)({(std::max)(p.k_neighbors / neighbors_per_core_point + 1, std::size_t(3)),
+                                            p.cell_size / cell_points_per_core_point, p.minimum_region_size});
   return {tolerance, young_seeds_in_flight, seed_tries, std::uint32_t(core_size), p.cell_size};
 }
 

@@ -76,12 +76,12 @@ private:
     return std::fabs(distance) <= options_.maximum_offset && points * (distance * distance) <= options_.price(points);
   }
 
-  // What two neighbors gain as one; nothing beyond sigma.
+  // What two neighbors gain as one: negative beyond sigma, 0 for equal planes where a degree of freedom is worth nothing.
   double gain(const Group& a, const Group& b) const
   {
     const double d = b.offset - a.offset;
     if(a.direction != b.direction || !(d <= options_.maximum_offset))
-      return 0;
+      return -1;
     const double weight = a.weight * b.weight / (a.weight + b.weight);
     return std::fma(-weight, d * d, options_.price((std::min)(a.largest, b.largest)));
   }
@@ -89,12 +89,12 @@ private:
   // Unites the neighbors that gain more as one than either does with its other neighbor; of equal ones the first.
   bool unite(std::vector<Group>& groups) const
   {
-    std::vector<double> gains(groups.size() + 1, 0); // of each group with the one before
+    std::vector<double> gains(groups.size() + 1, -1); // of each group with the one before
     for(std::size_t g = 1; g < groups.size(); ++g)
       gains[g] = gain(groups[g - 1], groups[g]);
     std::vector<Group> united;
     for(std::size_t g = 0; g < groups.size(); ++g) {
-      const bool is_best = gains[g] > 0 && gains[g] > gains[g - 1] && gains[g] >= gains[g + 1];
+      const bool is_best = gains[g] >= 0 && gains[g] > gains[g - 1] && gains[g] >= gains[g + 1];
       if(!is_best) {
         united.push_back(std::move(groups[g]));
         continue;

@@ -135,7 +135,7 @@ inline double cost_of_right_angle(const Eigen_system& e, const Vector& x)
 // The square of the unused share of what a right angle may cost, in [0, 1]. 0: it costs too much.
 inline double score_of_cost(double cost, double allowed)
 {
-  const double left = cost < allowed ? 1 - cost / allowed : (cost <= 0 ? 1 : 0);
+  const double left = cost <= 0 ? 1 : cost < allowed ? 1 - cost / allowed : 0;
   return left * left;
 }
 

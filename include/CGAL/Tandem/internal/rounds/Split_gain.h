@@ -50,7 +50,7 @@ public:
       far_(options.maximum_distance / 2)
   {}
 
-  // Whether a plane for each point could be worth a shape.
+  // Whether a shape would be worth its price if it took all squared distances away.
   CGAL_TANDEM_HD bool may_split(const Shape& s) const
   {
     return s.moments.count >= minimum_size_ && per_square_ * s.fit.smallest > -double(score_.price());
