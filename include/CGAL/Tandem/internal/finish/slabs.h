@@ -17,8 +17,7 @@ namespace Tandem {
 namespace internal {
 
 // Neighbors of the points of one shape, without those in other crisp shapes: those within epsilon of its plane, and all
-// of them. Each point has up to 64, so
-// the sums need 64 bits.
+// of them. Each point has up to 64, so the sums need 64 bits.
 namespace neighbor_counts {
 enum Count { near, all, size };
 } // namespace neighbor_counts
@@ -31,8 +30,8 @@ struct Neighbor_scratch {
   std::uint32_t near[slots], all[slots];
 };
 
-// For each cell, counts the neighbors of its labeled points by the shape of the point. Reads labels
-// and planes, and writes only `counts`. These are integer sums, so the order of cells and points does not matter.
+// For each cell, counts the neighbors of its labeled points by the shape of the point. Reads labels and planes, and
+// writes only `counts`. These are integer sums, so the order of cells and points does not matter.
 template <class Backend>
 struct Count_neighbors {
   Cloud_view cloud;

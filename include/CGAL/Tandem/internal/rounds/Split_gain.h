@@ -23,7 +23,7 @@ CGAL_TANDEM_HD inline bool is_nearer(const Plane& a, const Plane& b, const Grid_
   return (da < 0 ? -da : da) < (db < 0 ? -db : db);
 }
 
-// The planes of both parts; the first one has more points.
+// The planes of both parts; the first one has more points of the sample.
 struct Split {
   Plane first, second;
   std::int64_t gain = 0; // in units of the score; 0: none

@@ -134,7 +134,7 @@ private:
   // Of the own label and those of neighbors. Ties go to the smaller one.
   CGAL_TANDEM_HD std::uint32_t best_of(std::uint32_t i, std::uint32_t own) const
   {
-    std::uint32_t other[64]; // labels of neighbors in other shapes
+    std::uint32_t other[64]; // labels of neighbors in other shapes: k is at most 64
     std::int64_t links = 0;  // to the own one
     int n = 0;
     const std::uint32_t* row = cloud.row(i);
