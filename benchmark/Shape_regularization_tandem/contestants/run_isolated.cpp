@@ -64,7 +64,7 @@ void for_each_member(Any_task& t, F f)
   auto& p = t.engine;
   f(p.maximum_distance), f(p.maximum_angle), f(p.angle_tolerance), f(p.maximum_offset);
   f(p.minimum_region_size), f(p.k_neighbors), f(p.cell_size), f(p.regularity_period);
-  f(p.simplicity), f(p.regularity);
+  f(p.simplicity), f(p.regularity), f(p.surfel_size);
   f(p.regularize_parallelism), f(p.regularize_orthogonality), f(p.regularize_coplanarity);
   f(p.fixed_directions), f(p.regularize_axis_symmetry), f(p.symmetry_direction);
 }

@@ -26,11 +26,14 @@ std::vector<std::int32_t> fitting_labels(const Scored_cloud& cloud, const Detect
 internal::Score_counts count(const Scored_cloud& cloud, const Detection& fitting)
 {
   internal::Score_counts counts;
-  const Neighbor_graph& graph = cloud.graph;
+  internal::Cloud_view graph = {};
+  graph.neighbor = cloud.graph.neighbor.data();
+  graph.size = std::uint32_t(fitting.label.size());
+  graph.k = int(cloud.graph.k);
   const double units = double(internal::Score_item::tolerance_units);
   const std::vector<std::uint32_t> label(fitting.label.begin(), fitting.label.end()); // -1 becomes free_label
   for(std::size_t i = 0; i < fitting.label.size(); ++i) {
-    internal::count_links(std::uint32_t(i), graph.neighbor.data() + i * graph.k, graph.k, label.data(), counts);
+    internal::count_links(graph, std::uint32_t(i), label.data(), counts);
     if(fitting.label[i] < 0)
       continue;
     const double d = distance(fitting.planes[std::size_t(fitting.label[i])], cloud.points[i]);

@@ -75,6 +75,11 @@ the defaults then
     planes stay to their points; the larger, the more of them are parallel, orthogonal or coplanar}
     \cgalParamDefault{0.1}
   \cgalParamNEnd
+  \cgalParamNBegin{surfel_size}
+    \cgalParamDescription{the edge of the cells whose points are one surfel while shapes grow, as a share of
+    `maximum_distance`, in [0, 0.55]; 0: each point is a surfel. Points are checked one by one in any case}
+    \cgalParamDefault{0.55}
+  \cgalParamNEnd
   \cgalParamNBegin{k_neighbors}
     \cgalParamDescription{the number of nearest neighbors that are connected to a point, in [3, 64]}
     \cgalParamDefault{12}

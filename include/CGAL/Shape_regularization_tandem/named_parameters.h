@@ -55,6 +55,7 @@ enum fixed_directions_t { fixed_directions };
 enum regularity_t { regularity };
 enum settings_t { settings };
 enum simplicity_t { simplicity };
+enum surfel_size_t { surfel_size };
 
 } // namespace internal_np
 
@@ -73,6 +74,7 @@ enum simplicity_t { simplicity };
   X(minimum_region_size, minimum_region_size_t)                                                                        \
   X(simplicity, simplicity_t)                                                                                          \
   X(regularity, regularity_t)                                                                                          \
+  X(surfel_size, surfel_size_t)                                                                                        \
   X(k_neighbors, k_neighbors_t)                                                                                        \
   X(cell_size, cell_size_t)                                                                                            \
   X(communicator, communicator_t)                                                                                      \

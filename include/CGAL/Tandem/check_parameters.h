@@ -68,6 +68,10 @@ inline constexpr double largest_simplicity = 1;
 // ... and a degree of freedom as much as all points of its largest shape.
 inline constexpr double largest_regularity = 10;
 
+// Two layers 1.1 epsilon apart then share no surfel: its points are within one cell, whose diagonal is .96 epsilon, or
+// within .55 epsilon of its center.
+inline constexpr double largest_surfel_size = .55;
+
 constexpr std::size_t maximum_number_of_points = std::size_t(1) << 31;
 
 // The allowed values of a number.
@@ -127,6 +131,7 @@ inline void check_parameters(const Parameters& p)
   check_count(minimum_region_size_range, p.minimum_region_size);
   check_weight("simplicity", p.simplicity, largest_simplicity);
   check_weight("regularity", p.regularity, largest_regularity);
+  check_weight("surfel_size", p.surfel_size, largest_surfel_size);
   check_count(k_neighbors_range, p.k_neighbors);
   check_count(cell_size_range, p.cell_size);
   check_count(regularity_period_range, p.regularity_period);

@@ -188,6 +188,7 @@ void test_misuse()
   for(const double wrong : {-1., nan, inf, 1e9}) {
     check_refused(np::simplicity(wrong), {"simplicity is ", "[0, 1]"}, __LINE__);
     check_refused(np::regularity(wrong), {"regularity is ", "[0, 10]"}, __LINE__);
+    check_refused(np::surfel_size(wrong), {"surfel_size is ", "[0, 0.55]"}, __LINE__);
   }
   check_refused(np::k_neighbors(2), {"k_neighbors", "2", "[3, 64]"}, __LINE__);
   check_refused(np::k_neighbors(0), {"k_neighbors", "0", "[3, 64]"}, __LINE__);

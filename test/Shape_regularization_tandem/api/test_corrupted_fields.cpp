@@ -176,6 +176,7 @@ void test_parameters()
   for(const double wrong : {-1., 1e9, double(NAN)}) {
     check("simplicity", [&](Parameters& p) { p.simplicity = wrong; });
     check("regularity", [&](Parameters& p) { p.regularity = wrong; });
+    check("surfel_size", [&](Parameters& p) { p.surfel_size = wrong; });
   }
   for(const std::size_t wrong : {std::size_t(0), std::size_t(2), std::size_t(65), ~std::size_t(0)})
     check("k_neighbors", [&](Parameters& p) { p.k_neighbors = wrong; });

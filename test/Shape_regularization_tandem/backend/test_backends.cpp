@@ -151,13 +151,14 @@ private:
   {
     const std::uint32_t n = f_.cloud.size;
     std::vector<std::uint32_t> component(n), size(n, 0), expected(n, 0);
-    for(std::uint32_t i = 0; i < n; ++i) { // more roots in a cell than its table has slots
-      component[i] = i - i % (1 + i / 16 % 32);
+    for(std::uint32_t i = 0; i < n; ++i) {
+      component[i] = i - i % (1 + i / 16 % 32); // more roots in a cell than its table has slots
       if(f_.label[i] < first_mark)
         ++expected[component[i]];
     }
+    const Labels_of_points labels = {f_.cloud.surfels, f_.label.data(), nullptr};
     backend_.template for_each_cell<Count_scratch>(
-      f_.cells.size(), Count_components<Backend>{f_.cells.data(), f_.label.data(), component.data(), size.data()});
+      f_.cells.size(), Count_components<Backend>{f_.cells.data(), labels, component.data(), size.data()});
     check_lists(size, expected, name_ + ": sizes of components");
   }
 
@@ -219,15 +220,11 @@ private:
       sums[label] +=
         double(f_.plane[label].nx) * m.x + double(f_.plane[label].ny) * m.y + double(f_.plane[label].nz) * m.z < 0;
     }
-    backend_.template for_each_cell<Measure_scratch>(f_.cells.size(),
-                                                     Measure_points<Backend>{f_.cloud,
-                                                                             f_.cells.data(),
-                                                                             f_.label.data(),
-                                                                             f_.plane.data(),
-                                                                             shape.data(),
-                                                                             {1, f_.tolerance.distance},
-                                                                             opposed.data(),
-                                                                             found.data()});
+    const Labels_of_points of_points = {f_.cloud.surfels, f_.label.data(), nullptr};
+    const Score_item item = {1, f_.tolerance.distance};
+    const Measure_points<Backend> body = {f_.cloud, f_.cells.data(), of_points,   f_.plane.data(), shape.data(),
+                                          item,     opposed.data(),  found.data()};
+    backend_.template for_each_cell<Measure_scratch>(f_.cells.size(), body);
     check_lists(opposed, sums, name_ + ": opposed normals");
     check_lists(found, expected, name_ + ": distances, fit, and links");
   }

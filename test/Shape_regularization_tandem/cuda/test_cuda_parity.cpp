@@ -74,6 +74,7 @@ std::vector<std::pair<std::string, Parameters>> variants(const Parameters& base)
   add("wide angle", [](Parameters& p) { p.maximum_angle = 80; });
   add("narrow angle", [](Parameters& p) { p.maximum_angle = 2; });
   add("no tolerance", [](Parameters& p) { p.angle_tolerance = p.maximum_offset = 0; });
+  add("points", [](Parameters& p) { p.surfel_size = 0; });
   add("details", [](Parameters& p) { p.simplicity = p.regularity = 0; });
   add("simple and regular", [](Parameters& p) { p.simplicity = .3, p.regularity = 1; });
   add("all shapes", [](Parameters& p) { p.minimum_region_size = 3; });

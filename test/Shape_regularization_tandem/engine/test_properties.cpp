@@ -110,7 +110,7 @@ void test_cases(std::uint64_t first, std::uint64_t count)
 class Corruptions {
 public:
   explicit Corruptions(Given given)
-    : given_(given), cloud_(make_cloud()), shapes_(detect(cloud_, make_parameters(.05, 100), given))
+    : given_(given), cloud_(make_cloud()), shapes_(detect(cloud_, points_only(.05, 100), given))
   {
     check_counts("four squares", shapes_, 4, 2, 3);
     CHECK(shapes_.orthogonal_groups().size() == 1);

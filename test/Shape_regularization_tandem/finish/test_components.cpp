@@ -74,7 +74,8 @@ private:
       if(expected[i] < first_mark && size[component[i]] < 3)
         expected[i] = free_label;
     Seams<Backend> seams(backend_, points.ranks);
-    const auto sizes = component_sizes(points, label.data(), component.data(), seams);
+    const auto sizes =
+      component_sizes(points, {points.cloud.surfels(), label.data(), nullptr}, component.data(), seams);
     backend_.for_each(n, Clear_interior{state.data()});
     backend_.for_each(n, Free_small_components{component.data(), sizes.data(), 3, label.data()});
     check_lists(label, expected, name_ + ": labels without small components");

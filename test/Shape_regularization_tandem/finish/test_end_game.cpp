@@ -80,7 +80,7 @@ void test_free_points()
     }
     near += is_near;
   }
-  CHECK_AT(free > 0 && 500 * near <= free,
+  CHECK_AT(free > 0 && 300 * near <= free,
            std::to_string(near) + " of " + std::to_string(free) + " free points fit the shape of a neighbor");
 }
 

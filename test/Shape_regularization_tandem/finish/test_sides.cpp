@@ -234,7 +234,7 @@ void test_edge(double degrees, double possible)
 {
   const Edge edge = make_edge(degrees, 60000);
   const std::string name = "edge of " + std::to_string(int(degrees)) + " degrees";
-  const Edge_score s = score(edge, detect_valid(name, edge.cloud, make_parameters(epsilon, 200), Given::nothing));
+  const Edge_score s = score(edge, detect_valid(name, edge.cloud, points_only(epsilon, 200), Given::nothing));
   std::printf("%s: %.3f of %zu points on the right side, possible %.3f\n", name.c_str(), s.share(), s.right + s.wrong,
               possible);
   CHECK_AT(s.share() > possible - .03, name + ": share on the right side " + std::to_string(s.share()));

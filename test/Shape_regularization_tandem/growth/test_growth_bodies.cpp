@@ -106,7 +106,7 @@ private:
     const Grow_cells<Backend> body = {f_.cloud,
                                       {plane.data(), rounds.data(), is_restarted.data(), delta.data()},
                                       {label.data(), state.data()},
-                                      {f_.tolerance, 8, 64, 7, 0},
+                                      {f_.tolerance, 8, 64, 7, 7, 0},
                                       tables,
                                       0};
     if(std::all_of(f_.cells.begin(), f_.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))

@@ -49,7 +49,8 @@ std::vector<Grid_point> with_normals(std::vector<Grid_point> points, int k = tun
   Backend backend;
   std::vector<std::uint32_t> neighbors(points.size() * std::size_t(k) + 1);
   find_neighbors(backend, points.data(), std::uint32_t(points.size()), k, neighbors.data());
-  const Cloud_view cloud = {points.data(), neighbors.data(), std::uint32_t(points.size()), k};
+  const Cloud_view cloud = {
+    points.data(), neighbors.data(), std::uint32_t(points.size()), k, {points.data(), nullptr, nullptr}};
   estimate_normals(backend, cloud, points.data(), epsilon, Ranks<Backend>(backend));
   return points;
 }

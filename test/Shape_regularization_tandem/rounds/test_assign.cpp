@@ -224,7 +224,7 @@ void test_ties()
     for(bool is_reversed : {false, true}) {
       const Labels label = {own, is_reversed ? 7u : 3u, is_reversed ? 3u : 7u};
       const Labels neighbor = {1, 2, 0, no_index, 0, no_index};
-      Cloud_view cloud = {point.data(), neighbor.data(), 3, 2};
+      Cloud_view cloud = {point.data(), neighbor.data(), 3, 2, {point.data(), nullptr, nullptr}};
       const std::uint8_t is_visited = 1;
       for(std::uint32_t pass : {0u, 1u}) {
         Labels chosen(3);

@@ -125,7 +125,11 @@ Sorted_scene sorted(const Scene& scene, int k)
   s.fixture.label.assign(scene.size(), 0);
   s.fixture.neighbor.resize(scene.size() * std::size_t(k));
   find_neighbors(backend, s.fixture.point.data(), std::uint32_t(scene.size()), k, s.fixture.neighbor.data());
-  s.fixture.cloud = {s.fixture.point.data(), s.fixture.neighbor.data(), std::uint32_t(scene.size()), k};
+  s.fixture.cloud = {s.fixture.point.data(),
+                     s.fixture.neighbor.data(),
+                     std::uint32_t(scene.size()),
+                     k,
+                     {s.fixture.point.data(), nullptr, nullptr}};
   return s;
 }
 

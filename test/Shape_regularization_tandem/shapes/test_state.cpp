@@ -20,12 +20,16 @@ struct Sums {
 
 std::map<std::uint32_t, Sums> sums_of_labels(const State& t)
 {
+  const Surfels_view surfels = t.points.cloud.surfels();
   std::map<std::uint32_t, Sums> sums;
   for(std::uint32_t i = 0; i < t.points.cloud.size(); ++i)
     if(t.points.label()[i] < first_mark) {
       Sums& s = sums[t.points.label()[i]];
-      s.moments.add(t.points.cloud.point[i], 1);
-      s.box.add(t.points.cloud.point[i]);
+      const Range points = surfels.points(i);
+      for(std::uint32_t p = points.first; p < points.last; ++p) {
+        s.moments.add(surfels.point[p], 1);
+        s.box.add(surfels.point[p]);
+      }
     }
   return sums;
 }

@@ -44,7 +44,7 @@ private:
   {
     using Traits = Tandem_traits_3<Kernel, Cloud, ::First<Kernel>, ::Second<Kernel>, Sequential_tag>;
     Import in = read_points(backend_, cloud_, Item_reader<Traits>(Traits(), ::First<Kernel>(), ::Second<Kernel>()));
-    choose_grid(in, parameters.maximum_distance);
+    choose_grid(in, parameters);
     return in;
   }
 

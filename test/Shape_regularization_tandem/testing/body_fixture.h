@@ -114,7 +114,7 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   }
   f.neighbor.resize(size * std::size_t(k));
   find_neighbors(backend, f.point.data(), std::uint32_t(size), k, f.neighbor.data());
-  f.cloud = {f.point.data(), f.neighbor.data(), std::uint32_t(size), k};
+  f.cloud = {f.point.data(), f.neighbor.data(), std::uint32_t(size), k, {f.point.data(), nullptr, nullptr}};
   f.lists = f.list_shapes(f.label);
   f.tolerance = make_tolerance(2500, cosine_deg(25));
   return f;

@@ -52,8 +52,8 @@ public:
 private:
   void visit_fields(const std::string& of, CGAL::Tandem::Parameters& p)
   {
-    auto& [distance, angle, tolerance, offset, size, simplicity, regularity, k, cell, parallelism, orthogonality,
-           coplanarity, fixed, is_symmetric, axis, period] = p;
+    auto& [distance, angle, tolerance, offset, size, simplicity, regularity, surfel, k, cell, parallelism,
+           orthogonality, coplanarity, fixed, is_symmetric, axis, period] = p;
     visit(of + "maximum_distance", distance);
     visit(of + "maximum_angle", angle);
     visit(of + "angle_tolerance", tolerance);
@@ -61,6 +61,7 @@ private:
     visit(of + "minimum_region_size", size);
     visit(of + "simplicity", simplicity);
     visit(of + "regularity", regularity);
+    visit(of + "surfel_size", surfel);
     visit(of + "k_neighbors", k);
     visit(of + "cell_size", cell);
     visit(of + "regularize_parallelism", parallelism);

@@ -232,9 +232,12 @@ private:
     return result;
   }
 
-  // Points of one shape are connected if they are neighbors of one point, or one of the other.
+  // Points of one shape are connected if they are neighbors of one point, or one of the other. The graph of surfels is
+  // not made again here: is_valid_result() has it, and test_surfels tests them.
   void check_connectivity()
   {
+    if(shapes_.parameters().surfel_size > 0)
+      return;
     std::vector<std::size_t> parent(cloud_.size());
     std::iota(parent.begin(), parent.end(), std::size_t(0));
     const auto root = [&](std::size_t i) {

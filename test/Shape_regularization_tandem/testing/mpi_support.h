@@ -128,8 +128,8 @@ void add_sized(Words& words, const List& list)
 
 inline void add_parameters(Words& words, const Parameters& p)
 {
-  for(const double x :
-      {p.maximum_distance, p.maximum_angle, p.angle_tolerance, p.maximum_offset, p.simplicity, p.regularity})
+  for(const double x : {p.maximum_distance, p.maximum_angle, p.angle_tolerance, p.maximum_offset, p.simplicity,
+                        p.regularity, p.surfel_size})
     words.push_back(to_word(x));
   words.insert(words.end(), {p.minimum_region_size, p.k_neighbors, p.cell_size});
 }

@@ -37,6 +37,7 @@ inline Random_case make_random_case(std::uint64_t seed, std::size_t more_points)
   p.maximum_offset *= 3 * random.uniform();
   p.simplicity = .3 * random.uniform();
   p.regularity = .5 * random.uniform();
+  p.surfel_size = random.bits() % 4 == 0 ? 0 : .55 * random.uniform();
   p.k_neighbors = 3 + random.bits() % 30;
   p.cell_size = 64 << random.bits() % 8;
   p.regularize_parallelism = random.bits() % 4 != 0;

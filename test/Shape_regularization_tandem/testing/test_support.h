@@ -57,6 +57,14 @@ inline Parameters make_parameters(double maximum_distance, std::size_t minimum_r
   return p;
 }
 
+// Each point is a surfel.
+inline Parameters points_only(double maximum_distance, std::size_t minimum_region_size)
+{
+  Parameters p = make_parameters(maximum_distance, minimum_region_size);
+  p.surfel_size = 0;
+  return p;
+}
+
 template <class Tag = CGAL::Sequential_tag>
 Shapes detect(const Cloud& cloud, const Parameters& parameters, Given given = Given::normals)
 {

@@ -75,7 +75,7 @@ private:
   {
     try {
       Tandem::check_parameters(data_.parameters);
-      choose_grid(in_, data_.parameters.maximum_distance);
+      choose_grid(in_, data_.parameters);
       return true;
     } catch(const std::invalid_argument& refusal) {
       return fail(refusal.what());
@@ -256,19 +256,17 @@ private:
     return true;
   }
 
-  // Connectivity: each shape is one component. Two points are adjacent if one is a neighbor of the other, or both are
-  // neighbors of one point. And the links of the score.
+  // Connectivity: the surfels of each shape are one component. Two surfels are adjacent if one is a neighbor of the
+  // other, or both are neighbors of one surfel. And the links of the score.
   template <class Backend>
   bool check_connectivity(Backend& backend)
   {
-    in_.point.reset(in_.size());
-    backend.for_each(in_.size(), place_on_grid(in_, in_.point.data()));
     std::vector<std::int32_t> label;
     for(std::size_t i = 0; i < in_.size(); ++i)
       label.push_back(data_.shape_of[in_.item_of(i)]);
-    const std::size_t k = data_.parameters.k_neighbors, shapes = data_.coefficients.size();
+    const std::size_t shapes = data_.coefficients.size();
     Score_counts counts;
-    const std::size_t s = first_unconnected(backend, in_, label, {k, shapes}, counts);
+    const std::size_t s = first_unconnected(backend, in_, label, {data_.parameters, shapes}, counts);
     return s == shapes ? passes(link_violation(data_, counts)) : fail(numbered("not connected is shape", s));
   }
 

@@ -83,6 +83,7 @@ Parameters read_parameters(const NP& np)
   read_count<internal_np::minimum_region_size_t>(np, minimum_region_size_range, p.minimum_region_size);
   read_real<internal_np::simplicity_t>(np, p.simplicity);
   read_real<internal_np::regularity_t>(np, p.regularity);
+  read_real<internal_np::surfel_size_t>(np, p.surfel_size);
   read_count<internal_np::k_neighbors_t>(np, k_neighbors_range, p.k_neighbors);
   read_count<internal_np::cell_size_t>(np, cell_size_range, p.cell_size);
   read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);

@@ -16,6 +16,9 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The scratch memory of bodies whose lanes share nothing.
+struct No_scratch {};
+
 template <class T>
 struct Fill {
   T* target;

@@ -74,6 +74,25 @@ struct Range {
   CGAL_TANDEM_HD std::uint32_t size() const { return last - first; }
 };
 
+// The points that surfels stand for, surfel by surfel. Without surfels each point is one, and both tables are null.
+struct Surfels_view {
+  const Grid_point* point;     // all points
+  const std::uint32_t* first;  // by surfel: its first point; one entry more is the end
+  const std::uint32_t* surfel; // by point
+
+  CGAL_TANDEM_HD Range points(std::uint32_t i) const
+  {
+    return first != nullptr ? Range{first[i], first[i + 1]} : Range{i, i + 1};
+  }
+  // How often an edge of surfel i counts: for each point, as far as sums of 32 bits allow.
+  CGAL_TANDEM_HD std::uint32_t edge_weight(std::uint32_t i) const
+  {
+    const std::uint32_t n = points(i).size(), most = 1u << 16;
+    return n < most ? n : most;
+  }
+  CGAL_TANDEM_HD std::uint32_t of_point(std::uint32_t p) const { return surfel != nullptr ? surfel[p] : p; }
+};
+
 // A callback without effect.
 struct Nothing {
   void operator()() const {}

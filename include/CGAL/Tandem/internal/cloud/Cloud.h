@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The sorted cloud with its neighbor graph, as all stages read it, and the position of its grid in space. After the
-// preparation no stage changes it, but for estimated normals near edges (choose_sides.h).
+// preparation no stage changes it, but for estimated normals: near edges (choose_sides.h), and those that points take from
+// their surfels (surfel_labels.h).
 
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_CLOUD_H
@@ -28,20 +29,24 @@ inline Coefficients to_caller(const Regular_plane& p, const Grid& grid)
   return {p.normal.x, p.normal.y, p.normal.z, 0. - std::fma(grid.step, p.offset, dot(p.normal, grid.origin))};
 }
 
-// Points in the order of the curve, and the neighbor graph. Tables of points have the same index throughout the engine,
-// the position in this order. Rows of neighbors ascend by squared distance, then by position.
+// What the stages work on: surfels in the order of the curve, as points with a normal, and their neighbor graph. Tables
+// have the same index throughout the engine, the position in this order. Rows of neighbors ascend by squared distance,
+// then by position.
 struct Cloud_view {
   const Grid_point* point;
   const std::uint32_t* neighbor; // k consecutive entries a point: positions in this order, no_index if none
   std::uint32_t size;
   int k;
-  std::uint32_t ghosts = 0; // points of other ranks, which follow the own ones: see Ranks.h
-  std::uint32_t first = 0;  // position of the first point in the cloud of all ranks, lower 32 bits
+  Surfels_view surfels;
+  std::uint32_t ghosts = 0;      // of other ranks, which follow the own ones: see Ranks.h
+  std::uint32_t first = 0;       // position of the first one in the cloud of all ranks, lower 32 bits
+  std::uint32_t first_point = 0; // the same of its first point
 
   CGAL_TANDEM_HD const std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::size_t(k); }
 };
 
-// Owns the tables of a Cloud_view, where the functors of the back end run: 20 + 4 k bytes a point.
+// Owns the tables of a Cloud_view, where the functors of the back end run: 16 + 4 k bytes a surfel, and 4 bytes a point,
+// or 24 bytes where points and surfels differ.
 template <class Backend>
 struct Sorted_cloud {
   template <class T>
@@ -49,18 +54,35 @@ struct Sorted_cloud {
 
   std::size_t size() const { return point.size() - ghosts; }
   std::size_t size_with_ghosts() const { return point.size(); }
+  std::size_t number_of_points() const { return has_surfels() ? all_points.size() : size(); }
+  bool has_surfels() const { return first_point.size() > 0; }
+
+  Surfels_view surfels() const
+  {
+    return has_surfels() ? Surfels_view{all_points.data(), first_point.data(), surfel.data()}
+                         : Surfels_view{point.data(), nullptr, nullptr};
+  }
 
   Cloud_view view() const
   {
-    return {point.data(), neighbor.data(), std::uint32_t(size()), k, std::uint32_t(ghosts), first};
+    return {point.data(),
+            neighbor.data(),
+            std::uint32_t(size()),
+            k,
+            surfels(),
+            std::uint32_t(ghosts),
+            first,
+            has_surfels() ? first_of_points : first};
   }
 
   Buffer<Grid_point> point;
   Buffer<std::uint32_t> neighbor;
-  Buffer<std::uint32_t> order; // position in the import of each point
+  Buffer<std::uint32_t> order;               // by point: its position in the import
+  Buffer<Grid_point> all_points;             // these three as in Surfels_view, ...
+  Buffer<std::uint32_t> first_point, surfel; // ... and empty without surfels
   int k = 0;
   std::size_t ghosts = 0; // these two as those of Cloud_view
-  std::uint32_t first = 0;
+  std::uint32_t first = 0, first_of_points = 0;
 };
 
 } // namespace internal

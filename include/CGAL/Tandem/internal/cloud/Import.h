@@ -107,6 +107,7 @@ struct Import {
   Coordinate_box box;
 
   Grid grid;
+  double surfel_edge = 0; // of the cells of surfels, in steps of the grid; 0: each point is a surfel
   Grid_point low = {0, 0, 0, no_normal}, high = {0, 0, 0, no_normal}; // corners of the box on the grid
   Host_buffer<Grid_point> point;                                      // after put_on_grid()
 
@@ -213,14 +214,23 @@ CGAL_TANDEM_HD inline Grid_point to_grid(const Grid& grid, double inverse_step, 
 }
 
 // Fills in.grid and the corners of the box on the grid. Rounding is monotone, so all points lie between them.
-inline void choose_grid(Import& in, double epsilon)
+// surfel_size: a share of epsilon; 0: each point is a surfel.
+inline void choose_grid(Import& in, double epsilon, double surfel_size = 0)
 {
   if(!(in.box.extent() >= 0))
     return; // there is no point
   const Coordinate_box& box = in.box;
   in.grid = make_grid(box, epsilon);
+  in.surfel_edge = surfel_size * epsilon / in.grid.step;
   in.low = to_grid(in.grid, 1 / in.grid.step, {box.low[0], box.low[1], box.low[2]}, no_normal);
   in.high = to_grid(in.grid, 1 / in.grid.step, {box.high[0], box.high[1], box.high[2]}, no_normal);
+}
+
+// The same by the parameters, which are complete. Where all points are neighbors of each other, each is a surfel: even
+// three are enough for a plane.
+inline void choose_grid(Import& in, const Parameters& p)
+{
+  choose_grid(in, p.maximum_distance, in.total.points > p.k_neighbors + 1 ? p.surfel_size : 0);
 }
 
 // Writes point[i], the imported point i on the grid that has been chosen, with its packed normal. Hosts and devices run
@@ -232,11 +242,12 @@ struct Place_on_grid {
   Vectors_view normals; // of any length; without data where they are to be estimated
   Grid_point* point;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  CGAL_TANDEM_HD Grid_point at(std::size_t i) const
   {
     const std::uint32_t normal = normals.data != nullptr ? encode_normal(normalized(normals[i])) : no_normal;
-    point[i] = to_grid(grid, inverse_step, coordinates[i], normal);
+    return to_grid(grid, inverse_step, coordinates[i], normal);
   }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { point[i] = at(i); }
 };
 
 inline Place_on_grid place_on_grid(const Import& in, Grid_point* point)

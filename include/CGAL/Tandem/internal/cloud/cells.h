@@ -18,13 +18,26 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Whether an octant of this level, with so many points, is a leaf of the octree. See cell_extent_bits for its width.
-inline bool is_leaf(int level, int shift, std::uint64_t points, std::size_t cell_size)
+// The level of octants that are not split, however many points they have: that of the curve, or the one with as many
+// surfels as a cell may have, each cube of them with all six sides.
+inline int last_level(const Code_frame& frame, std::size_t cell_size)
 {
-  return level == curve_bits || (points <= cell_size && curve_bits - level + shift <= cell_extent_bits);
+  int level = curve_bits;
+  if(frame.has_surfels())
+    for(std::size_t surfels = 6 * 8; surfels <= cell_size; surfels *= 8)
+      level = level == curve_bits ? curve_bits - 2 : level - 1;
+  return level;
 }
 
-// Appends the cells of a leaf. A leaf is one cell, but a finest octant of more points than a cell may have is cut.
+// Whether an octant of this level, with so many points, is a leaf of the octree. See cell_extent_bits for its width.
+inline bool is_leaf(const Code_frame& frame, int level, std::uint64_t points, std::size_t cell_size)
+{
+  return level >= last_level(frame, cell_size) ||
+         (points <= cell_size && curve_bits - level + frame.shift <= cell_extent_bits);
+}
+
+// Appends the cells of a leaf. A leaf is one cell, but a finest octant of more points than a cell may have is cut, unless
+// these are surfels.
 inline void append_cells(const Range& leaf, std::size_t cell_size, std::vector<Range>& cells)
 {
   for(std::uint32_t first = leaf.first; first < leaf.last; first += std::uint32_t(cell_size))
@@ -99,7 +112,7 @@ std::vector<Octant> find_leaves(Backend& backend, const typename Backend::Sort_t
     std::vector<Octant> open;
     for(const Octant& o : level)
       if(o.total > 0)
-        (is_leaf(o.level, frame.shift, o.total, cell_size) ? leaves : open).push_back(o);
+        (is_leaf(frame, o.level, o.total, cell_size) ? leaves : open).push_back(o);
     if(open.empty())
       break;
     level = children_of(backend, order, open);
@@ -109,14 +122,14 @@ std::vector<Octant> find_leaves(Backend& backend, const typename Backend::Sort_t
 }
 
 // The cells of a sorted cloud, as ascending ranges that cover the points of this rank, which has whole leaves. Points of
-// one finest octant are cut in the order of the sort; such an octant is never too wide.
+// one finest octant are cut in the order of the sort, unless they are surfels; such an octant is never too wide.
 template <class Backend>
 std::vector<Range> split_cells(Backend& backend, const typename Backend::Sort_table& order, const Code_frame& frame,
                                std::size_t cell_size)
 {
   std::vector<Range> cells;
   for(const Octant& leaf : find_leaves(backend, order, frame, cell_size))
-    append_cells(leaf.own, cell_size, cells);
+    append_cells(leaf.own, frame.has_surfels() ? leaf.own.size() : cell_size, cells);
   return cells;
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Tandem/internal/cloud/curve.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <tuple>
 #include <utility>
@@ -22,14 +23,33 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
+// The side that a normal points to, of the six of a cube; 0 without a normal.
+CGAL_TANDEM_HD inline std::uint32_t side_of(std::uint32_t normal)
+{
+  const Int_vector n = decode_normal(normal);
+  const std::int32_t x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
+  const bool is_x = x >= y && x >= z, is_y = !is_x && y >= z;
+  const std::int32_t largest = is_x ? n.x : is_y ? n.y : n.z;
+  return (is_x ? 0u : is_y ? 2u : 4u) + (largest < 0);
+}
+
 // The root of the octree: a cube of 2^21 finest octants a side around the cloud. A finest octant is 2^shift steps wide.
 // Unsigned differences to the low corner cannot overflow: the cloud has at most 2^29 steps.
+//
+// With surfels the root has 2^20 of their cells a side, and a finest octant is the part of a cell with normals to one
+// side. 2^shift is at least half the edge of a cell then.
 struct Code_frame {
   std::int32_t low[3];
   int shift;
+  double cells_per_step = 0; // 0: no surfels
+
+  CGAL_TANDEM_HD bool has_surfels() const { return cells_per_step > 0; }
 
   CGAL_TANDEM_HD std::uint64_t code(const Grid_point& p) const
   {
+    if(has_surfels())
+      return (hilbert_code(2 * cell(p.x, 0), 2 * cell(p.y, 1), 2 * cell(p.z, 2)) & ~std::uint64_t(7)) |
+             side_of(p.normal);
     return hilbert_code(std::uint32_t(p.x - low[0]) >> shift, std::uint32_t(p.y - low[1]) >> shift,
                         std::uint32_t(p.z - low[2]) >> shift);
   }
@@ -42,16 +62,27 @@ struct Code_frame {
     return hilbert_code(std::uint32_t(p.x - low[0]) & mask, std::uint32_t(p.y - low[1]) & mask,
                         std::uint32_t(p.z - low[2]) & mask);
   }
+
+private:
+  CGAL_TANDEM_HD std::uint32_t cell(std::int32_t x, int axis) const
+  {
+    return std::uint32_t(double(std::uint32_t(x - low[axis])) * cells_per_step);
+  }
 };
 
-// The smallest frame around all points between two corners.
-inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high)
+// The smallest frame around all points between two corners. edge: of the cells of surfels, in steps; 0: none. There are
+// no surfels either where there would be more than 2^20 cells a side.
+inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high, double edge = 0)
 {
   Code_frame frame = {{low.x, low.y, low.z}, 0};
   const std::uint32_t extent =
     (std::max)({std::uint32_t(high.x - low.x), std::uint32_t(high.y - low.y), std::uint32_t(high.z - low.z)});
   while((extent >> frame.shift) >> curve_bits)
     ++frame.shift;
+  if(edge > 0 && double(extent) / edge < double((1 << (curve_bits - 1)) - 1)) {
+    frame.cells_per_step = 1 / edge;
+    frame.shift = (std::max)(std::ilogb(edge), 0);
+  }
   return frame;
 }
 
@@ -192,6 +223,8 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point
   typename Backend::Sort_table order(n);
   backend.for_each(n, Write_codes<Table>{point, frame, order.view()});
   backend.sort(order);
+  if(frame.has_surfels())
+    return order; // the points of a surfel need no order
   const auto place = backend.compact(n, Is_tied<Table>{order.view(), std::uint32_t(n)});
   if(place.size() == 0)
     return order;

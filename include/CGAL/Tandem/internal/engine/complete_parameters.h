@@ -57,7 +57,7 @@ template <class Backend>
 void set_scale(Backend& backend, Import& in, bool has_offset, Parameters& p)
 {
   complete_parameters(backend, in, has_offset, p);
-  choose_grid(in, p.maximum_distance);
+  choose_grid(in, p);
 }
 
 } // namespace internal

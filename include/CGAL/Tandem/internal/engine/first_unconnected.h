@@ -9,8 +9,10 @@
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
-#include <CGAL/Tandem/internal/cloud/cells.h>
+#include <CGAL/Tandem/internal/engine/connect_cloud.h>
 #include <CGAL/Tandem/internal/engine/engine_api.h>
+#include <CGAL/Tandem/internal/engine/make_options.h>
+#include <CGAL/Tandem/internal/engine/sort_points.h>
 #include <CGAL/Tandem/internal/finish/Seams.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 
@@ -61,18 +63,20 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-// The neighbors of the point i that have another shape, or one where it has none.
-inline void count_links(std::uint32_t i, const std::uint32_t* row, std::size_t k, const std::uint32_t* label,
-                        Score_counts& counts)
+// The neighbors of surfel i that have another shape, or one where it has none, for each of its points.
+inline void count_links(const Cloud_view& cloud, std::uint32_t i, const std::uint32_t* label, Score_counts& counts)
 {
-  for(std::size_t j = 0; j < k && row[j] != no_index; ++j)
+  const std::uint32_t* row = cloud.row(i);
+  for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
     if(label[row[j]] != label[i])
-      ++(label[i] == free_label || label[row[j]] == free_label ? counts.free_links : counts.links);
+      (label[i] == free_label || label[row[j]] == free_label ? counts.free_links : counts.links) +=
+        cloud.surfels.points(i).size();
 }
 
-// Of a result: neighbors of a point, and shapes.
+// Of a result: how it was made, and the number of its shapes.
 struct Label_graph {
-  std::size_t k, shapes;
+  const Parameters& parameters;
+  std::size_t shapes;
 };
 
 // The imported points in the order of the engine: the sorted table of their codes.
@@ -80,7 +84,7 @@ template <class Backend>
 typename Backend::Sort_table sort_import(Backend& backend, const Import& in)
 {
   return sort_along_curve(
-    backend, in.point.data(), std::uint32_t(in.size()), make_code_frame(in.low, in.high),
+    backend, in.point.data(), std::uint32_t(in.size()), make_code_frame(in.low, in.high, in.surfel_edge),
     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
 }
 
@@ -145,47 +149,62 @@ std::size_t first_of_two_roots(const Ranks<Backend>& ranks, const Labeled_compon
   return unconnected;
 }
 
-// The first shape whose points are not one component, or the number of shapes; and the links of the score, of all ranks.
-// labels: by imported point of this rank, -1 = none; ranks have whole leaves of the octree.
+// The label of each surfel, which is that of its points in shapes. `mixed` becomes the least label of a shape whose
+// points share a surfel with those of another one: no result has such surfels.
 template <class Backend>
-std::size_t first_unconnected_here(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
+std::vector<std::uint32_t> surfel_labels(const Sorted_cloud<Backend>& cloud, const std::vector<std::int32_t>& labels,
+                                         std::size_t& mixed)
+{
+  std::vector<std::uint32_t> label(cloud.size_with_ghosts(), free_label);
+  const Surfels_view surfels = cloud.surfels();
+  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p) {
+    const std::int32_t s = labels[cloud.order.data()[p]];
+    std::uint32_t& of_surfel = label[surfels.of_point(p)];
+    if(s >= 0 && of_surfel != free_label && of_surfel != std::uint32_t(s))
+      mixed = (std::min)({mixed, std::size_t(s), std::size_t(of_surfel)});
+    else if(s >= 0)
+      of_surfel = std::uint32_t(s);
+  }
+  return label;
+}
+
+// The first shape whose surfels are not one component, or the number of shapes; and the links of the score, of all
+// ranks. labels: by imported point of this rank, -1 = none; ranks have whole leaves of the octree.
+template <class Backend>
+std::size_t first_unconnected_here(Backend& backend, Import& in, const std::vector<std::int32_t>& labels,
                                    const Label_graph& graph, Score_counts& counts)
 {
-  const std::size_t k = graph.k, shapes = graph.shapes;
-  const std::uint32_t n = std::uint32_t(in.size());
-  const auto order = sort_import(backend, in);
-  Sorted_cloud<Backend> cloud;
-  cloud.k = int(k);
-  cloud.point.reset(n);
-  cloud.neighbor.reset(n * k);
-  for(std::uint32_t i = 0; i < n; ++i)
-    cloud.point[i] = in.point[order.view().index(i)];
-  find_neighbors(backend, cloud.point.data(), n, cloud.k, cloud.neighbor.data());
-  Ranks<Backend> ranks(backend);
-  ranks.connect(cloud, 1);
-  std::vector<std::uint32_t> label(cloud.size_with_ghosts()), component;
-  for(std::uint32_t i = 0; i < n; ++i)
-    label[i] = labels[order.view().index(i)] < 0 ? free_label : std::uint32_t(labels[order.view().index(i)]);
+  Labeled_cloud<Backend> points(backend);
+  Sorted_cloud<Backend>& cloud = points.cloud;
+  const Ranks<Backend>& ranks = points.ranks;
+  cloud.k = int(graph.parameters.k_neighbors);
+  sort_points(backend, in, graph.parameters.cell_size, cloud, points.cells);
+  connect_cloud(points, in, make_options(in, graph.parameters).tight);
+  std::size_t mixed = graph.shapes;
+  std::vector<std::uint32_t> label = surfel_labels(cloud, labels, mixed), component;
   ranks.refresh(label.data(), Rings::inner);
   Parents parents(label.size());
-  for(std::uint32_t i = 0; i < n; ++i) {
-    parents.unite_around(i, cloud.neighbor.data() + i * k, k, label.data());
-    count_links(i, cloud.neighbor.data() + i * k, k, label.data(), counts);
+  const Cloud_view view = cloud.view();
+  for(std::uint32_t i = 0; i < view.size; ++i) {
+    parents.unite_around(i, view.row(i), std::size_t(view.k), label.data());
+    count_links(view, i, label.data(), counts);
   }
   counts.links = std::int64_t(ranks.total(std::size_t(counts.links)));
   counts.free_links = std::int64_t(ranks.total(std::size_t(counts.free_links)));
   for(std::uint32_t i = 0; i < label.size(); ++i)
     component.push_back(parents.root(i));
   Seams<Backend> seams(backend, ranks);
-  seams.find(cloud.view(), label.data(), component.data());
-
-  return first_of_two_roots<Backend>(ranks, {label, component, seams}, n, shapes);
+  seams.find(view, label.data(), component.data());
+  std::size_t first = first_of_two_roots<Backend>(ranks, {label, component, seams}, view.size, graph.shapes);
+  for(const std::uint64_t m : ranks.gather(std::vector<std::uint64_t>{mixed}))
+    first = (std::min)(first, std::size_t(m));
+  return first;
 }
 
 // The first shape whose points are not one component, or the number of shapes; and the links of the score. labels: by
 // imported point, -1 = none.
 template <class Backend>
-std::size_t first_unconnected(Backend& backend, const Import& in, const std::vector<std::int32_t>& labels,
+std::size_t first_unconnected(Backend& backend, Import& in, const std::vector<std::int32_t>& labels,
                               const Label_graph& graph, Score_counts& counts)
 {
   static_assert(!Ranks<Backend>::are_many, "many ranks need the overload of mpi.h");

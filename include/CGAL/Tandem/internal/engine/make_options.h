@@ -41,13 +41,19 @@ inline Growth_options make_growth_options(const Parameters& p, const Tolerance& 
   using namespace tuning::growth;
   const std::size_t core_size = (std::min)({(std::max)(p.k_neighbors / neighbors_per_core_point + 1, std::size_t(3)),
                                             p.cell_size / cell_points_per_core_point, p.minimum_region_size});
-  return {tolerance, young_seeds_in_flight, seed_tries, std::uint32_t(core_size), p.cell_size};
+  return {tolerance,
+          young_seeds_in_flight,
+          seed_tries,
+          std::uint32_t(core_size),
+          std::int64_t((std::max)(core_size, p.minimum_region_size)),
+          p.cell_size};
 }
 
 static_assert(smallest_angle_deg > 2 * tuning::exactness::packing_margin_deg, "exact normals would not fit");
 
 // The options of a detection. `certain` is what an integer test accepts without doubt: tighter by all roundings of
-// distance and angle. `exact` is in the caller's units, hence not divided by the step.
+// distance and angle; `possible` is what the exact test may accept, wider by them. `exact` is in the caller's units,
+// hence not divided by the step.
 inline Options make_options(const Import& in, const Parameters& p)
 {
   Options o;
@@ -69,6 +75,9 @@ inline Options make_options(const Import& in, const Parameters& p)
   // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.
   const double certain_distance = (std::max)(o.maximum_distance - distance_margin(in.grid), -1.);
   o.certain = make_tolerance(certain_distance, cosine_deg(certain_angle));
+  const double possible_angle = (std::min)(p.maximum_angle + tuning::exactness::packing_margin_deg, 90.);
+  const double possible_distance = (std::min)(o.maximum_distance + distance_margin(in.grid), double(1 << 30));
+  o.possible = make_tolerance(possible_distance, cosine_deg(possible_angle));
   o.exact = {p.maximum_distance, std::fma(1.0, cosine, tuning::exactness::rounded_normal_margin)};
   o.regularity_period = int((std::min)(p.regularity_period, std::size_t(1) << 30));
   o.has_estimated_normals = !in.has_normals;

@@ -11,12 +11,12 @@
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/engine/Stage_timer.h>
 #include <CGAL/Tandem/internal/engine/Tandem_state.h>
+#include <CGAL/Tandem/internal/engine/connect_cloud.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
 #include <CGAL/Tandem/internal/engine/sort_points.h>
 #include <CGAL/Tandem/internal/growth/find_border.h>
 #include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
-#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
 namespace CGAL {
@@ -50,12 +50,11 @@ void clear_labels(Labeled_cloud<Backend>& points)
 template <class Backend>
 bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters, Stage_times& times, Progress& progress)
 {
-  const std::size_t n = in.size();
   Labeled_cloud<Backend>& points = t.points;
   Backend& backend = points.backend;
   t.options = make_options(in, parameters);
   points.cloud.k = int(parameters.k_neighbors);
-  if(points.ranks.total(n) == 0)
+  if(points.ranks.total(in.size()) == 0)
     return false;
   Stage_timer sort(times.sort);
   sort_points(backend, in, parameters.cell_size, points.cloud, points.cells);
@@ -65,10 +64,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
     return false;
 
   Stage_timer search(times.neighbors);
-  points.cloud.neighbor.reset(n * parameters.k_neighbors);
-  find_neighbors(backend, points.cloud.point.data(), std::uint32_t(n), points.cloud.k, points.cloud.neighbor.data());
-  in.drop_upload(); // the values come back while a device searches
-  points.ranks.connect(points.cloud, in.has_normals ? 1 : 3);
+  connect_cloud(points, in, t.options.tight);
   backend.wait();
   search.stop();
 
@@ -86,7 +82,7 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   find_border(points);
   t.seeds = order_seeds(points, {t.options.growth.tolerance, t.options.tight, parameters.cell_size});
   clear_labels(points);
-  t.peak_bytes = n * host_bytes_per_point(points.cloud.k, in) + 8 * points.border.point.size();
+  t.peak_bytes = host_bytes(points.cloud, in) + 8 * points.border.point.size();
   progress.show_rounds(0);
   return true;
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/cloud/cells.h>
+#include <CGAL/Tandem/internal/cloud/make_surfels.h>
 
 #include <vector>
 
@@ -30,41 +31,29 @@ typename Backend::template Buffer<Grid_point> import_points(Backend& backend, Im
   }
 }
 
-// Moves the points to their places in the curve.
-template <class Table>
-struct Gather_sorted {
-  Table sorted;             // by position: the code, and the imported point
-  const Grid_point* source; // by imported point
-  std::uint32_t* order;     // by position, as is the next one
-  Grid_point* point;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    order[i] = sorted.index(i);
-    point[i] = source[order[i]];
-  }
-};
-
-// Ties of the curve are broken by the given values. So the order of the caller's range has no influence on shapes. Only
-// ties need the values on the host.
+// Ties of the curve are surfels. Without surfels they are broken by the given values, which only ties need on the host.
+// So the order of the caller's range has no influence on shapes.
 template <class Backend>
 void sort_points(Backend& backend, Import& in, std::size_t cell_size, Sorted_cloud<Backend>& cloud,
                  typename Backend::template Buffer<Range>& cells)
 {
   const std::size_t n = in.size();
   const auto imported = import_points(backend, in);
-  const Code_frame frame = make_code_frame(in.low, in.high);
+  const Code_frame frame = make_code_frame(in.low, in.high, in.surfel_edge);
   const auto sorted = sort_along_curve(
     backend, imported.data(), n, frame,
     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, [&] { in.drop_upload(); }));
   const std::vector<Range> ranges = split_cells(backend, sorted, frame, cell_size);
   cells = to_buffer(backend, ranges);
+  cloud.order.reset(n);
+  auto& point = frame.has_surfels() ? cloud.all_points : cloud.point;
+  point.reset(n);
+  using Table = typename Backend::Sort_table::View;
+  backend.for_each(n, Gather_points<Table>{sorted.view(), imported.data(), nullptr, cloud.order.data(), point.data()});
+  if(frame.has_surfels())
+    make_surfels(backend, sorted, cloud, cells);
   if constexpr(Stage_overrides<Backend>::expects_cells)
     Stage_overrides<Backend>::expect_cells(backend, cells);
-  cloud.order.reset(n);
-  cloud.point.reset(n);
-  using Table = typename Backend::Sort_table::View;
-  backend.for_each(n, Gather_sorted<Table>{sorted.view(), imported.data(), cloud.order.data(), cloud.point.data()});
 }
 
 } // namespace internal

@@ -15,8 +15,11 @@
 #include <CGAL/Tandem/internal/finish/group_points.h>
 #include <CGAL/Tandem/internal/finish/large_components.h>
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
+#include <CGAL/Tandem/internal/finish/surfel_labels.h>
 #include <CGAL/Tandem/internal/rounds/Shape_relations.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
+
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -91,24 +94,6 @@ struct Number_points {
   CGAL_TANDEM_HD void operator()(std::size_t i) const { component[i] = number[component[i]]; }
 };
 
-// From the sorted cloud to the order of the imported points.
-struct Write_shapes {
-  const std::uint32_t* shape;
-  const std::uint32_t* order;
-  std::int32_t* shape_of;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { shape_of[order[i]] = std::int32_t(shape[i]); }
-};
-
-// Estimated normals, in the order of the imported points.
-struct Write_normals {
-  const Grid_point* point;
-  const std::uint32_t* order;
-  std::uint32_t* normal;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { normal[order[i]] = point[i].normal; }
-};
-
 // One extraction: the steps in the order of extract(), with the tables that they share.
 template <class Backend>
 class Shape_extractor {
@@ -126,6 +111,7 @@ public:
   {
     take_entries();
     check_points();
+    adopt_surfels(points_, {plane_.data(), options_.certain}, label_, point_label_);
     drop_slabs();
     Engine_result result;
     name_shapes(result);
@@ -159,8 +145,11 @@ private:
       return rounded(relations.planes[std::size_t(relations.plane_of[i])]);
     });
     const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
-    check_exactly(backend_, {points_.cloud.point.data(), order(), label_.data(), points_.cloud.size()}, plane_.data(),
-                  options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
+    spread_labels(points_, label_.data(), {plane_.data(), options_.possible}, in_.has_normals, point_label_);
+    std::uint32_t* const checked = point_label_.size() > 0 ? point_label_.data() : label_.data();
+    check_exactly(backend_, {points_.cloud.surfels().point, order(), checked, points_.cloud.number_of_points()},
+                  plane_.data(), options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
+    free_rejected(points_, labels(), label_.data());
     points_.ranks.refresh(label_.data(), Rings::inner);
   }
 
@@ -188,7 +177,7 @@ private:
     Buffer<std::uint32_t> component(label_.size());
     auto seams = find_components(points_, options_.growth.cell_size, label_.data(), component.data());
     const std::vector<Component> components =
-      large_components(points_, options_.minimum_region_size, label_.data(), component.data(), seams);
+      large_components(points_, options_.minimum_region_size, labels(), component.data(), seams);
     number_groups(components, result);
     auto number = filled_buffer(backend_, n, no_index);
     const auto named = to_buffer(backend_, components);
@@ -197,10 +186,11 @@ private:
     number.release();
     points_.ranks.refresh(component.data(), Rings::inner);
     measure_shapes(component.data(), result);
-    Buffer<std::int32_t> shape_of(n);
-    backend_.for_each(n, Write_shapes{component.data(), order(), shape_of.data()});
+    auto shape_of = filled_buffer(backend_, points_.cloud.number_of_points(), std::int32_t(-1));
+    backend_.for_each(n, Write_shapes{labels(), component.data(), order(), shape_of.data()});
     component.release();
     label_.release();
+    point_label_.release();
     take_points(backend_, std::move(shape_of), components.size(), result);
   }
 
@@ -228,7 +218,7 @@ private:
     auto sums = filled_buffer(backend_, Point_measures::size, std::uint64_t(0));
     const Score_item item = {1, options_.growth.tolerance.distance};
     backend_.template for_each_cell<Measure_scratch>(
-      points_.number_of_cells(), Measure_points<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(),
+      points_.number_of_cells(), Measure_points<Backend>{points_.cloud.view(), points_.cells.data(), labels(),
                                                          plane_.data(), shape, item, opposed_sums.data(), sums.data()});
     points_.ranks.sum(opposed_sums.data(), opposed_sums.size());
     points_.ranks.sum(sums.data(), sums.size());
@@ -261,13 +251,18 @@ private:
 
   void write_normals(Engine_result& result)
   {
-    const std::size_t n = points_.cloud.size();
+    const std::size_t n = points_.cloud.number_of_points();
     Buffer<std::uint32_t> normal(n);
-    backend_.for_each(n, Write_normals{points_.cloud.point.data(), order(), normal.data()});
+    backend_.for_each(n, Write_normals{points_.cloud.surfels().point, order(), normal.data()});
     result.normal = on_host<std::uint32_t>(std::move(normal));
   }
 
   const std::uint32_t* order() const { return points_.cloud.order.data(); }
+
+  Labels_of_points labels() const
+  {
+    return {points_.cloud.surfels(), label_.data(), point_label_.size() > 0 ? point_label_.data() : nullptr};
+  }
 
   Labeled_cloud<Backend>& points_;
   Backend& backend_;
@@ -275,7 +270,8 @@ private:
   const Options& options_;
   const Shape_relations& relations_;
   const Import& in_;
-  Buffer<std::uint32_t> label_; // entry of the relations; the others are by entry
+  Buffer<std::uint32_t> label_;       // of surfels: entry of the relations
+  Buffer<std::uint32_t> point_label_; // of points: the same, or none; empty without surfels. The others are by entry
   Buffer<Plane> plane_;
   Buffer<std::uint8_t> is_crisp_;
   std::vector<Coefficients> coefficients_;

@@ -37,7 +37,7 @@ void free_small_components(Labeled_cloud<Backend>& points, Shape_table<Backend>&
   const std::size_t n = points.cloud.size();
   typename Backend::template Buffer<std::uint32_t> component(points.cloud.size_with_ghosts());
   auto seams = find_components(points, options.growth.cell_size, points.label(), component.data());
-  const auto size = component_sizes(points, points.label(), component.data(), seams);
+  const auto size = component_sizes(points, {points.cloud.surfels(), points.label(), nullptr}, component.data(), seams);
   const Labels_view labels = points.change_labels(true); // lists may have shapes without points
   shapes.lose_moments();
   points.backend.for_each(

@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 #define CGAL_TANDEM_INTERNAL_FINISH_LARGE_COMPONENTS_H
 
+#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
 #include <CGAL/Tandem/internal/finish/Seams.h>
 #include <CGAL/Tandem/internal/shapes/Count_scratch.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
@@ -23,7 +24,7 @@ namespace internal {
 template <class Backend>
 struct Count_components {
   const Range* cells;
-  const std::uint32_t* label;
+  Labels_of_points labels;
   const std::uint32_t* component;
   std::uint32_t* size;
 
@@ -33,8 +34,10 @@ struct Count_components {
     const Range cell = cells[c];
     scratch.clear(block);
     block.for_each(cell.size(), [&](std::uint32_t at) {
-      if(label[cell.first + at] < first_mark)
-        scratch.template add<Backend>(block, component[cell.first + at], size);
+      std::uint32_t points = 0;
+      labels.for_each_point(cell.first + at, [&](std::uint32_t) { ++points; });
+      if(points > 0)
+        scratch.template add<Backend>(block, component[cell.first + at], points, size);
     });
     scratch.template flush<Backend>(block, size);
   }
@@ -66,12 +69,12 @@ struct Gather_components {
 // By root: the number of labeled points of its component; 0 for all other entries.
 template <class Backend>
 typename Backend::template Buffer<std::uint32_t> component_sizes(Labeled_cloud<Backend>& points,
-                                                                 const std::uint32_t* label,
+                                                                 const Labels_of_points& labels,
                                                                  const std::uint32_t* component, Seams<Backend>& seams)
 {
   auto size = filled_buffer(points.backend, points.cloud.size(), std::uint32_t(0));
   points.backend.template for_each_cell<Count_scratch>(
-    points.number_of_cells(), Count_components<Backend>{points.cells.data(), label, component, size.data()});
+    points.number_of_cells(), Count_components<Backend>{points.cells.data(), labels, component, size.data()});
   seams.sum_sizes(size.size(), size.data());
   return size;
 }
@@ -79,15 +82,16 @@ typename Backend::template Buffer<std::uint32_t> component_sizes(Labeled_cloud<B
 // By falling number of points, then by position of the root: they are found in that order.
 template <class Backend>
 std::vector<Component> large_components(Labeled_cloud<Backend>& points, std::int64_t minimum_size,
-                                        const std::uint32_t* label, const std::uint32_t* component,
+                                        const Labels_of_points& labels, const std::uint32_t* component,
                                         Seams<Backend>& seams)
 {
   Backend& backend = points.backend;
   const std::size_t n = points.cloud.size();
-  const auto size = component_sizes(points, label, component, seams);
-  const auto root = backend.compact(n, Is_large_root{label, component, size.data(), std::uint64_t(minimum_size)});
+  const auto size = component_sizes(points, labels, component, seams);
+  const auto root =
+    backend.compact(n, Is_large_root{labels.label, component, size.data(), std::uint64_t(minimum_size)});
   typename Backend::template Buffer<Component> buffer(root.size());
-  backend.for_each(root.size(), Gather_components{root.data(), label, size.data(), buffer.data()});
+  backend.for_each(root.size(), Gather_components{root.data(), labels.label, size.data(), buffer.data()});
   std::vector<Component> components = seams.join_large(to_vector(backend, buffer));
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.size > b.size; });

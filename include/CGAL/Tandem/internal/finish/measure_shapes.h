@@ -8,10 +8,9 @@
 #ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
 
-#include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 #include <CGAL/Tandem/internal/shapes/Count_scratch.h>
-#include <CGAL/Tandem/internal/shapes/Labels.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -22,8 +21,8 @@ struct Point_measures {
   enum : std::size_t { distance, fit, links, free_links, size };
 };
 
-// The sums of one cell, before they are added to those of all cells. A point adds at most 2^15 to one of them, and a
-// cell has at most 2^16 points, so they fit 32 bits.
+// The sums of one cell, before they are added to those of all cells. A point adds at most 2^15 to one of them, so those
+// of 2^16 points fit 32 bits. A cell of few, heavy surfels may have more points.
 struct Measure_scratch {
   Count_scratch opposed;
   std::uint32_t sum[Point_measures::size];
@@ -35,9 +34,9 @@ template <class Backend>
 struct Measure_points {
   Cloud_view cloud;
   const Range* cells;
-  const std::uint32_t* label;
+  Labels_of_points labels;
   const Plane* plane;         // by label
-  const std::uint32_t* shape; // of each point, and of ghosts; no_index if there is none
+  const std::uint32_t* shape; // of each surfel, and of ghosts; no_index if there is none
   Score_item item;            // of all points
   std::uint64_t* opposed;     // by shape
   std::uint64_t* sum;         // Point_measures
@@ -46,18 +45,21 @@ struct Measure_points {
   CGAL_TANDEM_HD void operator()(Block& block, Measure_scratch& scratch, std::uint32_t c) const
   {
     const Range cell = cells[c];
+    const std::uint32_t points = cloud.surfels.points(cell.last - 1).last - cloud.surfels.points(cell.first).first;
+    const bool is_heavy = points > 1u << 16;
     scratch.opposed.clear(block);
     block.for_each(Point_measures::size, [&](std::uint32_t m) { scratch.sum[m] = 0; });
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
-      count_links(block, scratch, i);
-      if(shape[i] == no_index)
-        return;
-      const std::uint64_t share = item.share_of(signed_distance(plane[label[i]], cloud.point[i]));
-      block.add(scratch.sum[Point_measures::distance], std::uint32_t(share));
-      block.add(scratch.sum[Point_measures::fit], std::uint32_t(Score::weight_at(item, share)));
-      if(is_opposed(i))
-        scratch.opposed.template add<Backend>(block, shape[i], opposed);
+      std::uint64_t of_surfel[Point_measures::size] = {0, 0, 0, 0};
+      count_links(i, of_surfel);
+      if(shape[i] != no_index)
+        measure(block, scratch, i, of_surfel);
+      for(std::size_t m = 0; m < Point_measures::size; ++m)
+        if(is_heavy)
+          Backend::atomic_add(sum[m], of_surfel[m]);
+        else if(of_surfel[m] > 0)
+          block.add(scratch.sum[m], std::uint32_t(of_surfel[m]));
     });
     scratch.opposed.template flush<Backend>(block, opposed);
     block.for_each(Point_measures::size,
@@ -66,27 +68,30 @@ struct Measure_points {
 
 private:
   template <class Block>
-  CGAL_TANDEM_HD void count_links(Block& block, Measure_scratch& scratch, std::uint32_t i) const
+  CGAL_TANDEM_HD void measure(Block& block, Measure_scratch& scratch, std::uint32_t i, std::uint64_t* of_surfel) const
   {
-    std::uint32_t links = 0, free_links = 0;
+    const Plane& p = plane[labels.label[i]];
+    std::uint32_t number_opposed = 0;
+    labels.for_each_point(i, [&](std::uint32_t at) {
+      const std::uint64_t share = item.share_of(signed_distance(p, cloud.surfels.point[at]));
+      of_surfel[Point_measures::distance] += share;
+      of_surfel[Point_measures::fit] += std::uint64_t(Score::weight_at(item, share));
+      number_opposed += normal_product(p, decode_normal(cloud.surfels.point[at].normal)) < 0;
+    });
+    if(number_opposed > 0)
+      scratch.opposed.template add<Backend>(block, shape[i], number_opposed, opposed);
+  }
+
+  CGAL_TANDEM_HD void count_links(std::uint32_t i, std::uint64_t* of_surfel) const
+  {
+    const std::uint32_t points = cloud.surfels.points(i).size();
     const std::uint32_t* row = cloud.row(i);
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       if(shape[row[j]] == shape[i])
         continue;
-      if(shape[i] == no_index || shape[row[j]] == no_index)
-        ++free_links;
-      else
-        ++links;
+      const bool is_free = shape[i] == no_index || shape[row[j]] == no_index;
+      of_surfel[is_free ? Point_measures::free_links : Point_measures::links] += points;
     }
-    if(links > 0)
-      block.add(scratch.sum[Point_measures::links], links);
-    if(free_links > 0)
-      block.add(scratch.sum[Point_measures::free_links], free_links);
-  }
-
-  CGAL_TANDEM_HD bool is_opposed(std::uint32_t i) const
-  {
-    return normal_product(plane[label[i]], decode_normal(cloud.point[i].normal)) < 0;
   }
 };
 

@@ -17,13 +17,13 @@ namespace Tandem {
 namespace internal {
 
 // Neighbors of the points of one shape, without those in other crisp shapes: those within epsilon of its plane, and all
-// of them. Each point has up to 64, so the sums need 64 bits.
+// of them. Each point has up to 64, those of its surfel, so the sums need 64 bits.
 namespace neighbor_counts {
 enum Count { near, all, size };
 } // namespace neighbor_counts
 
 // The counts of one cell, by id of the shape modulo `slots`. The first shape that claims a slot keeps it for this cell.
-// 32 bits suffice, since a cell has at most 2^16 points of 64 neighbors.
+// 32 bits suffice for surfels of at most 2^10 points, as a cell has at most 2^16 of them with 64 neighbors.
 struct Neighbor_scratch {
   static constexpr std::uint32_t slots = 64;
   std::uint32_t shape[slots];
@@ -59,11 +59,11 @@ struct Count_neighbors {
 
 private:
   // Directly to the sums of all cells: at the end of a cell, and for a shape whose slot another shape has.
-  CGAL_TANDEM_HD void add(std::uint32_t s, std::uint32_t near, std::uint32_t all) const
+  CGAL_TANDEM_HD void add(std::uint32_t s, std::uint64_t near, std::uint64_t all) const
   {
     std::uint64_t* const c = counts + std::size_t(s) * neighbor_counts::size;
-    Backend::atomic_add(c[neighbor_counts::near], std::uint64_t(near));
-    Backend::atomic_add(c[neighbor_counts::all], std::uint64_t(all));
+    Backend::atomic_add(c[neighbor_counts::near], near);
+    Backend::atomic_add(c[neighbor_counts::all], all);
   }
 
   template <class Block>
@@ -81,6 +81,11 @@ private:
       all += is_counted;
       near += is_counted && is_near(plane[s], cloud.point[row[j]], distance);
     }
+    const std::uint32_t points = cloud.surfels.points(i).size();
+    if(points > 1u << 10)
+      return add(s, std::uint64_t(near) * points, std::uint64_t(all) * points);
+    near *= points;
+    all *= points;
     const std::uint32_t slot = s % Neighbor_scratch::slots;
     const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, s);
     if(owner != no_index && owner != s)

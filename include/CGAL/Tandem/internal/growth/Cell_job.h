@@ -43,8 +43,9 @@ struct Trial {
   std::uint32_t at, seed; // the seed among the candidates, and the point
   bool is_candidate;      // still: no shape that has begun meanwhile may reach it
   Plane plane;            // of the seed, then of the core
-  Cell_moments sums;      // of what fits the first ...
-  std::uint32_t count;    // ... and the second
+  Cell_moments sums;      // of the points of what fits the first ...
+  std::uint32_t count;    // ... and the surfels that fit the second, ...
+  std::uint32_t points;   // ... and their points
   std::uint32_t lost;     // points, of the seed and its neighbors, that shapes have taken since
 };
 // Of the blocks of all back ends: what the scratch memory has room for.

@@ -91,10 +91,10 @@ public:
   CGAL_TANDEM_HD void add_deltas(std::uint32_t first, std::uint32_t last)
   {
     s_.table.clear(block_);
-    const Cell_sums sums = {base(), shapes_.delta};
+    const Cell_sums sums = {cloud_.surfels, base(), shapes_.delta};
     block_.for_each(last - first, [&](std::uint32_t at) {
       const std::uint32_t i = queued(first + at);
-      s_.table.template add<Backend>(block_, label_[i], cloud_.point[i], 1, sums);
+      s_.table.template add<Backend>(block_, label_[i], i, 1, sums);
     });
     s_.table.template flush<Backend>(block_, sums);
   }

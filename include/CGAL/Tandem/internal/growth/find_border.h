@@ -14,9 +14,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The scratch memory of bodies whose lanes share nothing.
-struct No_scratch {};
-
 // Whether the points of a cell have a neighbor in another one. Only its own row counts, since proposals are
 // made along that row.
 struct Mark_border {

@@ -88,7 +88,7 @@ private:
           continue;
         if(s_.trial[next].lost > 0)
           break; // to be tried again
-        if(s_.trial[next].count < options_.core_size) {
+        if(!has_core(s_.trial[next])) {
           --tries;
           continue;
         }
@@ -141,12 +141,12 @@ private:
       at, job_.seed_count, Block::lookahead, [&](std::uint32_t c) { return is_candidate(job_.seed[c]); },
       [&](std::uint32_t i, std::uint32_t c) {
         const std::uint32_t seed = job_.seed[c];
-        s_.trial[i] = {c, seed, true, own_plane(cloud_.point[seed]), Cell_moments(), 0, 0};
+        s_.trial[i] = {c, seed, true, own_plane(cloud_.point[seed]), Cell_moments(), 0, 0, 0};
       });
-    for_each_of_cores(size, [&](Trial& trial, const Grid_point& p) {
-      Cell_moments sums;
-      sums.add(std::int64_t(p.x) - o.x, std::int64_t(p.y) - o.y, std::int64_t(p.z) - o.z);
-      block_.add_moments(trial.sums, sums);
+    for_each_of_cores(size, [&](Trial& trial, std::uint32_t q) {
+      Shape_run run;
+      run.add(cloud_.surfels, q, o, 1);
+      block_.add_moments(trial.sums, run.moments);
     });
     block_.for_each(size, [&](std::uint32_t i) {
       Trial& trial = s_.trial[i];
@@ -155,8 +155,17 @@ private:
       const Scatter scatter = make_scatter(shifted(trial.sums, o.x, o.y, o.z));
       trial.plane = make_plane(fit_plane(scatter).normal, scatter.centroid);
     });
-    for_each_of_cores(size, [&](Trial& trial, const Grid_point&) { block_.append(trial.count); });
+    for_each_of_cores(size, [&](Trial& trial, std::uint32_t q) {
+      block_.append(trial.count);
+      block_.add(trial.points, cloud_.surfels.points(q).size());
+    });
     return size;
+  }
+
+  CGAL_TANDEM_HD bool has_core(const Trial& trial) const
+  {
+    return trial.count >= options_.core_size ||
+           (trial.count >= 3 && std::int64_t(trial.points) >= options_.core_points);
   }
 
   // Corrects the later trials [first, last) when a shape has started: it may reach their seed, or have taken points of
@@ -174,7 +183,7 @@ private:
     });
   }
 
-  // f(trial, point), by one lane each, for the free points near the seed that fit the plane of a trial. Many lanes have
+  // f(trial, q), by one lane each, for the free points q near the seed that fit the plane of a trial. Many lanes have
   // one trial in common, so f has to add atomically.
   template <class F>
   CGAL_TANDEM_HD void for_each_of_cores(std::uint32_t size, F f)
@@ -184,7 +193,7 @@ private:
       Trial& trial = s_.trial[at / width];
       const std::uint32_t q = near_seed(trial.seed, at % width);
       if(is_in_core(q, trial.plane))
-        f(trial, cloud_.point[q]);
+        f(trial, q);
     });
   }
 

@@ -138,10 +138,11 @@ std::size_t grow_cells(Labeled_cloud<Backend>& points, Shape_table<Backend>& sha
   return ids;
 }
 
-// Whether a cell has many untried seeds: as many as the smallest shape has points, or more than a share of its points.
+// Whether a cell has many untried seeds: of as many points as the smallest shape has, or of more than a share of its points.
 // Then faces may still be missing there; a few seeds in clutter are not worth a pass. See the manual, "Growth".
 template <class Backend>
 struct Find_untried_cells {
+  Surfels_view surfels;
   const std::uint32_t* label; // by position, as is the next one
   const std::uint8_t* state;
   const Range* cells;
@@ -153,11 +154,12 @@ struct Find_untried_cells {
   CGAL_TANDEM_HD void operator()(Block& block, std::uint32_t& untried, std::uint32_t c) const
   {
     const std::uint32_t first = cells[c].first + seeds.cursor[c];
-    const std::uint32_t share = cells[c].size() / tuning::loop::points_per_untried_point + 1;
+    const std::uint32_t points = surfels.points(cells[c].last - 1).last - surfels.points(cells[c].first).first;
+    const std::uint32_t share = points / tuning::loop::points_per_untried_point + 1;
     block.single([&] { untried = 0; });
     block.for_each(seeds.count[c] - seeds.cursor[c], [&](std::uint32_t at) {
       if(is_untried(label, state, seeds.seed[first + at]))
-        block.append(untried);
+        block.add(untried, surfels.points(seeds.seed[first + at]).size());
     });
     block.single([&] {
       if(untried >= (share < smallest_shape ? share : smallest_shape))
@@ -174,8 +176,8 @@ std::size_t count_untried_cells(Labeled_cloud<Backend>& points, Seeds<Backend>& 
   const std::uint32_t smallest =
     std::uint32_t((std::min)({minimum_region_size, std::int64_t(points.total_points()), std::int64_t(first_mark)}));
   points.backend.template for_each_cell<std::uint32_t>(
-    points.number_of_cells(), Find_untried_cells<Backend>{points.label(), points.state(), points.cells.data(),
-                                                          seeds.view(), smallest, found.data()});
+    points.number_of_cells(), Find_untried_cells<Backend>{points.cloud.surfels(), points.label(), points.state(),
+                                                          points.cells.data(), seeds.view(), smallest, found.data()});
   return points.ranks.total(to_vector(points.backend, found).front());
 }
 

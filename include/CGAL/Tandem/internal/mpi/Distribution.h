@@ -26,10 +26,7 @@ struct Write_code {
   Code_frame frame;
   std::uint64_t* code;
 
-  void operator()(std::size_t i) const
-  {
-    code[i] = frame.code(to_grid(grid.grid, grid.inverse_step, grid.coordinates[i], no_normal));
-  }
+  void operator()(std::size_t i) const { code[i] = frame.code(grid.at(i)); }
 };
 
 template <class Host>
@@ -39,7 +36,7 @@ public:
   Distribution(Mpi_backend<Host>& backend, const Import& in, std::size_t cell_size)
     : backend_(backend), communicator_(backend.communicator())
   {
-    const Code_frame frame = make_code_frame(in.low, in.high);
+    const Code_frame frame = make_code_frame(in.low, in.high, in.surfel_edge);
     Host_buffer<std::uint64_t> code(in.size());
     backend_.for_each(in.size(), Write_code{place_on_grid(in, nullptr), frame, code.data()});
     const std::vector<std::uint64_t> begin =
@@ -62,6 +59,7 @@ public:
     own.has_normals = in.has_normals;
     own.box = in.box;
     own.grid = in.grid;
+    own.surfel_edge = in.surfel_edge;
     own.low = in.low;
     own.high = in.high;
     own.total = in.total;

@@ -71,15 +71,13 @@ std::unique_ptr<Detection_engine> make_engine(Mpi_backend<Local>& backend, Impor
 
 // Connectivity is checked on the points of each rank and their ghosts.
 template <class Local>
-std::size_t first_unconnected(Mpi_backend<Local>& backend, const Import& in, const std::vector<std::int32_t>& labels,
+std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const std::vector<std::int32_t>& labels,
                               const Label_graph& graph, Score_counts& counts)
 {
   if(in.total.points == 0)
     return graph.shapes;
-  Distribution<Local> distribution(backend, in, Parameters().cell_size);
+  Distribution<Local> distribution(backend, in, graph.parameters.cell_size);
   Import own = distribution.distribute(in);
-  own.point.reset(own.size());
-  backend.for_each(own.size(), place_on_grid(own, own.point.data()));
   const auto own_labels = distribution.distribute_values([&](std::size_t i) { return labels[i]; });
   return first_unconnected_here(backend, own, own_labels, graph, counts);
 }

@@ -81,8 +81,9 @@ public:
       cloud.neighbor = extended<std::uint32_t>(*backend_, cloud.neighbor, own + ghost_rows.size());
       write_to(*backend_, ghost_rows, cloud.neighbor.data() + own);
     }
-    cloud.ghosts = ghosts_->size();
     cloud.first = first_position(n);
+    cloud.first_of_points = first_position(std::uint32_t(cloud.number_of_points()));
+    cloud.ghosts = ghosts_->size();
     cloud.point = extended<Grid_point>(*backend_, cloud.point, n + cloud.ghosts);
     refresh(cloud.point.data(), Rings::all);
   }

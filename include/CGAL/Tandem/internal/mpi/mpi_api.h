@@ -34,7 +34,7 @@ std::unique_ptr<Detection_engine> make_cuda_engine(Mpi_backend<Parallel_host>& h
 
 // The one of engine/first_unconnected.h for a result over many ranks, in the library as well.
 template <class Local>
-std::size_t first_unconnected(Mpi_backend<Local>& backend, const Import& in, const std::vector<std::int32_t>& labels,
+std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const std::vector<std::int32_t>& labels,
                               const Label_graph& graph, Score_counts& counts);
 
 } // namespace internal

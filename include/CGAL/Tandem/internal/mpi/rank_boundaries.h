@@ -89,7 +89,7 @@ private:
 
   bool is_leaf(const Boundary_leaf& leaf) const
   {
-    return internal::is_leaf(leaf.level, frame_.shift, leaf.total, cell_size_);
+    return internal::is_leaf(frame_, leaf.level, leaf.total, cell_size_);
   }
 
   // Whether all are leaves.

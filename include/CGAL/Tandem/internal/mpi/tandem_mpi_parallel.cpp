@@ -13,7 +13,7 @@ namespace internal {
 using Backend = Mpi_backend<Tbb_backend>;
 
 template std::unique_ptr<Detection_engine> make_engine(Backend&, Import&, const Parameters&, Progress&);
-template std::size_t first_unconnected(Backend&, const Import&, const std::vector<std::int32_t>&, const Label_graph&,
+template std::size_t first_unconnected(Backend&, Import&, const std::vector<std::int32_t>&, const Label_graph&,
                                        Score_counts&);
 template void complete_parameters(Backend&, const Import&, bool, Parameters&);
 template void set_scale(Backend&, Import&, bool, Parameters&);

@@ -16,6 +16,9 @@
 #include <CGAL/Tandem/internal/neighbors/Cloud_measure.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -26,7 +29,7 @@ struct Sampled_leaf {
 };
 
 // A sample of about tuning::estimation::sampled_points points of all ranks, in the order of the curve. Whole cells are
-// taken at a constant stride, since neighbors of a point must be in the sample as well.
+// taken at a constant stride, since neighbors of a point must be in the sample as well. Copies of a point count once.
 template <class Backend>
 std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
 {
@@ -65,6 +68,10 @@ std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_po
         sample.push_back(all[Ranks<Backend>::are_many ? order.view().index(first + i) : first + i]);
     first += leaf.points;
   }
+  const auto are_copies = [](const Grid_point& a, const Grid_point& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  };
+  sample.erase(std::unique(sample.begin(), sample.end(), are_copies), sample.end());
   return sample;
 }
 

@@ -53,19 +53,22 @@ struct Keyed_point {
   Grid_point point;
 };
 
+// Of the points, each at the place of its surfel.
 struct Take_sampled {
   Cloud_view cloud;
   const std::uint32_t* label;
   const std::uint32_t* bound; // by shape
 
-  CGAL_TANDEM_HD bool has(std::uint32_t i) const
+  CGAL_TANDEM_HD bool has(std::uint32_t p) const
   {
-    const std::uint32_t most = label[i] < first_mark ? bound[label[i]] : 0;
-    return most > 0 && hash_of_position(i + cloud.first) <= most;
+    const std::uint32_t s = label[cloud.surfels.of_point(p)];
+    const std::uint32_t most = s < first_mark ? bound[s] : 0;
+    return most > 0 && hash_of_position(p + cloud.first_point) <= most;
   }
-  CGAL_TANDEM_HD Keyed_point take(std::uint32_t i) const
+  CGAL_TANDEM_HD Keyed_point take(std::uint32_t p) const
   {
-    return {std::uint64_t(label[i]) << 32 | hash_of_position(i + cloud.first), cloud.point[i]};
+    const std::uint32_t i = cloud.surfels.of_point(p);
+    return {std::uint64_t(label[i]) << 32 | hash_of_position(p + cloud.first_point), cloud.point[i]};
   }
 };
 
@@ -110,7 +113,7 @@ Sorted_samples<Backend> sorted_samples(Labeled_cloud<Backend>& points, std::size
 {
   Backend& backend = points.backend;
   using View = typename Backend::Sort_table::View;
-  const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.size(),
+  const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.number_of_points(),
                                                  Take_sampled{points.cloud.view(), points.label(), bound});
   const std::size_t n = keyed.size();
   typename Backend::Sort_table table(n);

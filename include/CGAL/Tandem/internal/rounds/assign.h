@@ -192,7 +192,7 @@ struct Apply_chosen {
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
   {
     const Range cell = cells[c];
-    const Cell_sums changes = {cloud.point[cell.first], change};
+    const Cell_sums changes = {cloud.surfels, cloud.point[cell.first], change};
     table.clear(block);
     block.for_each(cell.size(), [&](std::uint32_t at) {
       const std::uint32_t i = cell.first + at;
@@ -201,9 +201,9 @@ struct Apply_chosen {
         return;
       labels.label[i] = s;
       if(old < first_mark)
-        table.template add<Backend>(block, old, cloud.point[i], -1, changes);
+        table.template add<Backend>(block, old, i, -1, changes);
       if(s < first_mark)
-        table.template add<Backend>(block, s, cloud.point[i], 1, changes);
+        table.template add<Backend>(block, s, i, 1, changes);
     });
     table.template flush<Backend>(block, changes);
   }

@@ -128,7 +128,7 @@ private:
     std::uint32_t result = 0;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
       result += label[row[j]] == label[i] && is_nearer(parts.second, parts.first, cloud.point[row[j]]) != is_second;
-    return result;
+    return result * cloud.surfels.edge_weight(i);
   }
 };
 

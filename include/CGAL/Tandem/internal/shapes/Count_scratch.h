@@ -30,16 +30,16 @@ struct Count_scratch {
     });
   }
 
-  // Counts one point, by one lane. total: by key, shared by all cells.
+  // Counts so many points, by one lane. total: by key, shared by all cells.
   template <class Backend, class Block, class Total>
-  CGAL_TANDEM_HD void add(Block& block, std::uint32_t k, Total* total)
+  CGAL_TANDEM_HD void add(Block& block, std::uint32_t k, std::uint32_t points, Total* total)
   {
     const std::uint32_t slot = k % slots;
     const std::uint32_t owner = block.exchange_if(key[slot], no_index, k);
     if(owner == no_index || owner == k)
-      block.append(count[slot]);
+      block.add(count[slot], points);
     else
-      Backend::atomic_add(total[k], Total(1));
+      Backend::atomic_add(total[k], Total(points));
   }
 
   // Adds the slots to the table of all cells. Called by all lanes, after the last add(): one atomic addition for each

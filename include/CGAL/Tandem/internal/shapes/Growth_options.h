@@ -19,8 +19,9 @@ struct Growth_options {
   Tolerance tolerance;     // epsilon and alpha
   int seeds_in_flight;     // most shapes that may be growing in a cell for a new one to begin; rises after young rounds
   int seed_tries;          // candidates that may fail in one pass
-  std::uint32_t core_size; // fewest points that a shape begins with
-  std::size_t cell_size;   // most points of a cell
+  std::uint32_t core_size; // fewest surfels that a shape begins with ...
+  std::int64_t core_points; // ... unless at least three have so many points
+  std::size_t cell_size;    // most surfels of a cell
 };
 
 // Points of a cell, at most. The queue has two bytes a point, so that of a small cell fits into fast memory. The

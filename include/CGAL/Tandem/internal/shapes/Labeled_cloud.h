@@ -92,7 +92,7 @@ struct Labeled_cloud {
   explicit Labeled_cloud(Backend& backend) : backend(backend), ranks(backend) {}
 
   // The number of points of all ranks.
-  std::size_t total_points() const { return ranks.total(cloud.size()); }
+  std::size_t total_points() const { return ranks.total(cloud.number_of_points()); }
   std::size_t total_cells() const { return ranks.total(cells.size()); }
 
   std::size_t number_of_cells() const { return cells.size(); }

@@ -60,18 +60,23 @@ struct Shape_run {
   Cell_moments moments;
   Box box;
 
-  // base: any point of the cell, the same for all runs. sign: 1 for a point that comes, -1 for one that goes. The box
-  // grows with both: it bounds what has changed.
-  CGAL_TANDEM_HD void add(const Grid_point& p, const Grid_point& base, int sign)
+  // The points of surfel i. base: any point of the cell, the same for all runs. sign: 1 for points that come, -1 for
+  // points that go. The box grows with both: it bounds what has changed.
+  CGAL_TANDEM_HD void add(const Surfels_view& surfels, std::uint32_t i, const Grid_point& base, int sign)
   {
-    moments.add(std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z, sign);
-    box.add(p);
+    const Range points = surfels.points(i);
+    for(std::uint32_t at = points.first; at < points.last; ++at) {
+      const Grid_point& p = surfels.point[at];
+      moments.add(std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z, sign);
+      box.add(p);
+    }
   }
 };
 
 // The sums of all shapes, as a cell adds to them. Its moments are relative to one of its points: there the products fit
 // 64 bits (see cell_extent_bits). They are shifted to the origin of the grid once for each shape and cell.
 struct Cell_sums {
+  const Surfels_view& surfels;
   const Grid_point& base;
   Shared_moments* sum; // by shape
 
@@ -128,13 +133,13 @@ struct Moment_table {
     block.add_box(box[slot], run.box);
   }
 
-  // Adds a single point, by one lane.
+  // Adds the points of surfel i to shape s, by one lane.
   template <class Backend, class Block>
-  CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, const Grid_point& p, int sign, const Cell_sums& target)
+  CGAL_TANDEM_HD void add(Block& block, std::uint32_t s, std::uint32_t i, int sign, const Cell_sums& target)
   {
     Shape_run run;
     run.shape = s;
-    run.add(p, target.base, sign);
+    run.add(target.surfels, i, target.base, sign);
     add<Backend>(block, run, target);
   }
 

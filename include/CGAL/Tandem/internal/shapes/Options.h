@@ -50,7 +50,7 @@ struct Options {
   std::int64_t minimum_related_size;  // smaller shapes get no relations in the loop
   std::int64_t minimum_fragment_size; // smaller shapes are dissolved when they stop growing
   Tolerance tight;                    // of the second criterion of seeds
-  Tolerance certain;                  // bounds within which the exact check is not needed
+  Tolerance certain, possible;        // bounds within which the exact check is not needed, and beyond which it fails
   Exact_bounds exact;                 // in the caller's units
   int regularity_period;              // in rounds
   bool has_estimated_normals;         // none were given

@@ -95,6 +95,7 @@ private:
     if(s >= first_mark || !is_selected[s] || (state[i] & interior_bit))
       return;
     const std::uint32_t* row = cloud.row(i);
+    const std::uint32_t points = cloud.surfels.edge_weight(i);
     bool all_same = true;
     std::uint32_t last = s, edges = 0; // in a row to neighbors of shape `last`
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
@@ -105,7 +106,7 @@ private:
         last = t;
         edges = 0;
       }
-      ++edges;
+      edges += points;
     }
     count(block, scratch, s, last, edges);
     if(all_same)

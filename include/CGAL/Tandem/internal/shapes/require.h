@@ -117,7 +117,7 @@ struct Sum_moments {
     if(cell.size() == 0)
       return;
     const Grid_point& base = cloud.point[cell.first];
-    const Cell_sums sums = {base, sum};
+    const Cell_sums sums = {cloud.surfels, base, sum};
     const auto add = [&](const Shape_run& run) { table.template add<Backend>(block, run, sums); };
     table.clear(block);
     block.template accumulate<Shape_run>(
@@ -131,7 +131,7 @@ struct Sum_moments {
           run = Shape_run();
           run.shape = label[i];
         }
-        run.add(cloud.point[i], base, 1);
+        run.add(cloud.surfels, i, base, 1);
       },
       add);
     table.template flush<Backend>(block, sums);

@@ -95,7 +95,7 @@ struct Update_points {
       return;
     relabel_list(block, lists[c], change.target, scratch.labels);
     const Range cell = cells[c];
-    const Cell_sums losses = {cloud.point[cell.first], loss};
+    const Cell_sums losses = {cloud.surfels, cloud.point[cell.first], loss};
     Moment_table& table = scratch.table;
     table.clear(block);
     block.for_each(cell.size(), [&](std::uint32_t at) {
@@ -110,7 +110,7 @@ struct Update_points {
       } else if(change.checks(old) && !fits(change.plane[s], cloud.point[i], change.tolerance)) {
         labels.label[i] = labels.state[i] & detached_bit ? locked_label : free_label;
         labels.state[i] = std::uint8_t((labels.state[i] | detached_bit) & ~(frontier_bit | interior_bit));
-        table.template add<Backend>(block, s, cloud.point[i], -1, losses);
+        table.template add<Backend>(block, s, i, -1, losses);
       } else if(s != old) {
         labels.label[i] = s;
       }

@@ -6,6 +6,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_CLOUD_H
 
+#include <CGAL/Tandem/internal/base/tuning/Share.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -25,6 +27,26 @@ constexpr double minimum_steps_per_distance = 16;
 constexpr double maximum_distance_per_extent = 4;
 
 } // namespace grid
+
+// Points that detection takes together. See make_surfels.h and join_surfels.h.
+namespace surfels {
+
+// Surfels join, and neighbors are searched again, where more than this share of them would: in heaps that are smaller
+// than a cell .35 to .7 of them do, on scanned surfaces .2 to .24. Smaller: a second search that gains nothing.
+constexpr Share joined = {3, 10};
+
+} // namespace surfels
+
+// Whether given normals have a side. See keep_to_sides.h.
+namespace orientation {
+
+// They have where this share of close neighbors on one plane agrees. All do where normals are oriented, .82 where a tenth
+// of them is wrong, half of them where they are not oriented.
+constexpr Share agreement = {3, 4};
+// Surfels of which one is looked at. Larger: less time, and chance decides in small clouds.
+constexpr std::size_t surfels_per_sampled = 8;
+
+} // namespace orientation
 
 // What is estimated where the caller gives no value. Measured on nine clouds of all kinds of scanners: eight come
 // within a factor of 2 of what was chosen by hand.

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points that lie in a heap may still be several surfels, cut by the cells. Such surfels join the heaviest of them, so
+// that a heap is one neighbor and not many. See the manual, "Surfels".
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_JOIN_SURFELS_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_JOIN_SURFELS_H
+
+#include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/base/tuning/cloud.h>
+#include <CGAL/Tandem/internal/cloud/make_surfels.h>
+#include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Which surfel i would join: the heaviest of its cell among itself and its neighbors of the same side from whose center
+// the points of both are less than the edge of a surfel. Ties go to the first one.
+struct Surfel_targets {
+  Cloud_view cloud;
+  std::int64_t edge; // of the cells of surfels, in steps, rounded down
+
+  CGAL_TANDEM_HD std::uint32_t target(std::uint32_t i, const Range& cell) const
+  {
+    std::uint32_t best = i;
+    const std::uint32_t* row = cloud.row(i);
+    // Where all points are so near, their rounded centroid is as well, and rows ascend.
+    for(int j = 0; j < cloud.k && row[j] != no_index && is_near(cloud.point[row[j]], cloud.point[i], 2); ++j)
+      if(row[j] >= cell.first && row[j] < cell.last && is_heavier(row[j], best) &&
+         side_of(cloud.point[row[j]].normal) == side_of(cloud.point[i].normal) && covers(row[j], i) &&
+         covers(row[j], row[j]))
+        best = row[j];
+    return best;
+  }
+
+private:
+  CGAL_TANDEM_HD bool is_heavier(std::uint32_t a, std::uint32_t b) const
+  {
+    const std::uint32_t wa = cloud.surfels.points(a).size(), wb = cloud.surfels.points(b).size();
+    return wa != wb ? wa > wb : a < b;
+  }
+
+  // Whether two points are less than the edge apart, or less than so many steps more.
+  CGAL_TANDEM_HD bool is_near(const Grid_point& p, const Grid_point& q, std::int64_t more = 0) const
+  {
+    const std::int64_t x = std::int64_t(q.x) - p.x, y = std::int64_t(q.y) - p.y, z = std::int64_t(q.z) - p.z;
+    return x * x + y * y + z * z < (edge + more) * (edge + more);
+  }
+
+  CGAL_TANDEM_HD bool covers(std::uint32_t center, std::uint32_t i) const
+  {
+    const Range points = cloud.surfels.points(i);
+    for(std::uint32_t p = points.first; p < points.last; ++p)
+      if(!is_near(cloud.point[center], cloud.surfels.point[p]))
+        return false;
+    return true;
+  }
+};
+
+struct Choose_target {
+  Surfel_targets targets;
+  const Range* cells;
+  std::uint32_t* target;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, No_scratch&, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(cell.size(),
+                   [&](std::uint32_t at) { target[cell.first + at] = targets.target(cell.first + at, cell); });
+  }
+};
+
+// A surfel whose target itself joins another one stays.
+struct Stays_surfel {
+  const std::uint32_t* target;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t i) const { return target[i] == i || target[target[i]] != target[i]; }
+};
+
+template <class View>
+struct Write_joined {
+  const std::uint32_t* surfel;
+  const std::uint32_t* target;
+  View table;
+
+  CGAL_TANDEM_HD void operator()(std::size_t p) const
+  {
+    const std::uint32_t i = surfel[p];
+    table.set(p, Stays_surfel{target}(i) ? i : target[i], std::uint32_t(p));
+  }
+};
+
+// From ranges of surfels to ranges of points.
+struct Points_of_cell {
+  Surfels_view surfels;
+  Range* cell;
+
+  CGAL_TANDEM_HD void operator()(std::size_t c) const
+  {
+    cell[c] = {surfels.points(cell[c].first).first, surfels.points(cell[c].last - 1).last};
+  }
+};
+
+// Joins them where that is worth a second search of neighbors; returns whether it has. The rows are those of before.
+// edge: of the cells of surfels, in steps.
+template <class Backend>
+bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
+                  typename Backend::template Buffer<Range>& cells, double edge)
+{
+  using View = typename Backend::Sort_table::View;
+  if(!cloud.has_surfels())
+    return false;
+  typename Backend::template Buffer<std::uint32_t> target(cloud.size());
+  backend.template for_each_cell<No_scratch>(
+    cells.size(), Choose_target{{cloud.view(), std::int64_t(edge)}, cells.data(), target.data()});
+  const std::size_t staying = ranks.total(backend.compact(cloud.size(), Stays_surfel{target.data()}).size());
+  const std::size_t all = ranks.total(cloud.size());
+  if(!tuning::surfels::joined.is_exceeded(std::int64_t(all - staying), std::int64_t(all)))
+    return false;
+  const std::size_t n = cloud.number_of_points();
+  typename Backend::Sort_table table(n);
+  backend.for_each(n, Write_joined<View>{cloud.surfel.data(), target.data(), table.view()});
+  backend.sort(table);
+  backend.for_each(cells.size(), Points_of_cell{cloud.surfels(), cells.data()});
+  typename Backend::template Buffer<std::uint32_t> order(n);
+  typename Backend::template Buffer<Grid_point> point(n);
+  backend.for_each(
+    n, Gather_points<View>{table.view(), cloud.all_points.data(), cloud.order.data(), order.data(), point.data()});
+  cloud.order = std::move(order);
+  cloud.all_points = std::move(point);
+  cloud.ghosts = 0;
+  make_surfels(backend, table, cloud, cells);
+  return true;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_JOIN_SURFELS_H

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where given normals are oriented, points of the other side of a thin wall are no neighbors. Changes rows of the
+// neighbor graph. See the manual, "Sides of Walls".
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_KEEP_TO_SIDES_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_KEEP_TO_SIDES_H
+
+#include <CGAL/Tandem/internal/backend/Ranks.h>
+#include <CGAL/Tandem/internal/base/tuning/cloud.h>
+#include <CGAL/Tandem/internal/cloud/Cloud.h>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Which neighbors have the side of a point. Integers and exact doubles, so that all back ends decide alike.
+class Own_side {
+public:
+  CGAL_TANDEM_HD explicit Own_side(const Grid_point& p)
+    : point_(p), normal_(decode_normal(p.normal)), squared_length_(product(normal_, normal_))
+  {}
+
+  // Of the normals: positive if they make less than a right angle.
+  CGAL_TANDEM_HD std::int64_t dot(const Grid_point& q) const { return product(normal_, decode_normal(q.normal)); }
+
+  // Whether normals with this dot product make less than 45 degrees, or more than 135.
+  CGAL_TANDEM_HD bool are_aligned(const Grid_point& q, std::int64_t dot) const
+  {
+    const Int_vector n = decode_normal(q.normal);
+    return 2 * dot * dot > squared_length_ * product(n, n);
+  }
+
+  // Whether the neighbor is within a distance, in steps, of the plane through the point with its normal.
+  CGAL_TANDEM_HD bool is_near(const Grid_point& q, double distance) const
+  {
+    const double along =
+      double(std::int64_t(normal_.x) * (q.x - point_.x) + std::int64_t(normal_.y) * (q.y - point_.y) +
+             std::int64_t(normal_.z) * (q.z - point_.z));
+    return along * along <= distance * distance * double(squared_length_);
+  }
+
+private:
+  CGAL_TANDEM_HD static std::int64_t product(const Int_vector& u, const Int_vector& v) // at most 2^30
+  {
+    return std::int64_t(u.x) * v.x + std::int64_t(u.y) * v.y + std::int64_t(u.z) * v.z;
+  }
+
+  const Grid_point& point_;
+  Int_vector normal_;
+  std::int64_t squared_length_;
+};
+
+// Counts the neighbors within a small distance of the plane of a point: those of the same side, and the opposite ones.
+// A pair of surfels counts as often as the smaller one has points. Of a sample by position in the cloud of all ranks.
+struct Count_sides {
+  Cloud_view cloud;
+  const std::uint32_t* weight; // points of each surfel, and of ghosts
+  double distance;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i, std::int64_t* sum) const
+  {
+    if((i + cloud.first) % tuning::orientation::surfels_per_sampled != 0)
+      return;
+    const std::uint32_t* row = cloud.row(std::uint32_t(i));
+    const Own_side side(cloud.point[i]);
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const Grid_point& q = cloud.point[row[j]];
+      const std::int64_t dot = side.dot(q);
+      if(!side.are_aligned(q, dot) || !side.is_near(q, distance))
+        continue;
+      sum[dot < 0] += weight[i] < weight[row[j]] ? weight[i] : weight[row[j]];
+    }
+  }
+};
+
+struct Write_weight {
+  Surfels_view surfels;
+  std::uint32_t* weight;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { weight[i] = surfels.points(std::uint32_t(i)).size(); }
+};
+
+// Takes the neighbors of the opposite side out of the row of a point, but those close to its plane: on one surface,
+// normals may be wrong.
+struct Drop_opposite {
+  Cloud_view cloud;
+  double distance;
+  std::uint32_t* neighbor;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    const Own_side side(cloud.point[i]);
+    std::uint32_t* const row = neighbor + i * std::size_t(cloud.k);
+    int kept = 0, j = 0;
+    for(; j < cloud.k && row[j] != no_index; ++j) {
+      const Grid_point& q = cloud.point[row[j]];
+      const std::int64_t dot = side.dot(q);
+      if(dot >= 0 || !side.are_aligned(q, dot) || side.is_near(q, distance))
+        row[kept++] = row[j];
+    }
+    for(; kept < j; ++kept)
+      row[kept] = no_index;
+  }
+};
+
+// Whether normals agree in side with most of their neighbors is decided for the whole cloud.
+template <class Backend>
+void keep_to_sides(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& sorted, const Tolerance& tight)
+{
+  const double distance = double(tight.distance) / normal_scale;
+  const Cloud_view cloud = sorted.view();
+  typename Backend::template Buffer<std::uint32_t> weight(sorted.size_with_ghosts());
+  backend.for_each(cloud.size, Write_weight{cloud.surfels, weight.data()});
+  ranks.refresh(weight.data(), Rings::inner);
+  const auto own = backend.template sum<2>(cloud.size, Count_sides{cloud, weight.data(), distance});
+  const std::size_t same = ranks.total(std::size_t(own[0])), opposite = ranks.total(std::size_t(own[1]));
+  if(same > 0 && tuning::orientation::agreement.is_reached(std::int64_t(same), std::int64_t(same + opposite)))
+    backend.for_each(cloud.size, Drop_opposite{cloud, distance, sorted.neighbor.data()});
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_KEEP_TO_SIDES_H
