@@ -25,7 +25,8 @@ struct Options {
   std::string output, output_directory, labels, planes, report, vg, polygons, mesh, mesh_method, view;
   std::string columns, classes; // of the inputs
   std::string colors;           // of the output: shape, input or empty
-  std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity;
+  std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
+    surfel_size;
   std::optional<long long> mesh_planes, mesh_seconds, minimum_region_size, k_neighbors, cell_size, threads,
     estimate_normals;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;

@@ -56,6 +56,7 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   p.angle_tolerance = o.angle_tolerance.value_or(p.angle_tolerance);
   p.simplicity = o.simplicity.value_or(p.simplicity);
   p.regularity = o.regularity.value_or(p.regularity);
+  p.surfel_size = o.surfel_size.value_or(p.surfel_size);
   p.k_neighbors = count_of(o.k_neighbors, p.k_neighbors);
   p.cell_size = count_of(o.cell_size, p.cell_size);
   p.regularize_parallelism = o.regularize_parallelism;

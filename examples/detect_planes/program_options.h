@@ -95,6 +95,9 @@ inline void add_detection_options(po::options_description& all, Options& o)
   add("regularity", number(o.regularity)->value_name("R"),
       "what a degree of freedom is worth in smallest sizes of a shape, from 0, planes that follow their points, to 10, "
       "as many relations as possible (default: 0.1)");
+  add("surfel-size", number(o.surfel_size)->value_name("R"),
+      "edge of the cells whose points are taken as one while shapes grow, as a share of the maximum distance, from 0, "
+      "each point by itself, to 0.55 (default: 0.55)");
   add("k-neighbors", count(o.k_neighbors)->value_name("K"),
       "number of neighbors of a point, from 3 to 64 (default: 12)");
   add("cell-size", count(o.cell_size)->value_name("N"),

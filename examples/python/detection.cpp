@@ -138,6 +138,7 @@ Parameters parameters_of(const Settings& s)
   p.minimum_region_size = count(minimum_region_size_range, s.minimum_region_size, 0);
   p.simplicity = s.simplicity.value_or(p.simplicity);
   p.regularity = s.regularity.value_or(p.regularity);
+  p.surfel_size = s.surfel_size.value_or(p.surfel_size);
   p.k_neighbors = count(k_neighbors_range, s.k_neighbors, p.k_neighbors);
   p.cell_size = count(cell_size_range, s.cell_size, p.cell_size);
   p.regularize_parallelism = s.regularize_parallelism;

@@ -31,7 +31,8 @@ struct Cloud {
 
 // What is not given is left to the library.
 struct Settings {
-  std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity;
+  std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
+    surfel_size;
   std::optional<long long> minimum_region_size, k_neighbors, cell_size, threads;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;

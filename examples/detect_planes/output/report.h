@@ -108,6 +108,7 @@ inline Json json_of(const CGAL::Tandem::Parameters& p)
                {"minimum_region_size", p.minimum_region_size},
                {"simplicity", p.simplicity},
                {"regularity", p.regularity},
+               {"surfel_size", p.surfel_size},
                {"k_neighbors", p.k_neighbors},
                {"cell_size", p.cell_size},
                {"regularize_parallelism", p.regularize_parallelism},

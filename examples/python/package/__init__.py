@@ -62,6 +62,7 @@ def detect_planes(
     minimum_region_size: Optional[int] = None,
     simplicity: Optional[float] = None,
     regularity: Optional[float] = None,
+    surfel_size: Optional[float] = None,
     k_neighbors: Optional[int] = None,
     cell_size: Optional[int] = None,
     regularize_parallelism: bool = True,
@@ -95,6 +96,8 @@ def detect_planes(
                              and larger shapes; None: 0.04
         regularity           what a degree of freedom is worth in minimum_region_size, in [0, 10]: larger, more
                              relations; None: 0.1
+        surfel_size          edge of the cells whose points are taken as one while shapes grow, as a share of
+                             maximum_distance, in [0, 0.55]; 0: each point by itself; None: 0.55
         k_neighbors          number of neighbors of a point, in [3, 64]; None: 12
         cell_size            largest number of points of an octree cell, in [64, 65536]; None: 8192
         regularize_parallelism, regularize_orthogonality, regularize_coplanarity
@@ -129,6 +132,7 @@ def detect_planes(
     settings.minimum_region_size = _count("minimum_region_size", minimum_region_size)
     settings.simplicity = _number("simplicity", simplicity)
     settings.regularity = _number("regularity", regularity)
+    settings.surfel_size = _number("surfel_size", surfel_size)
     settings.k_neighbors = _count("k_neighbors", k_neighbors)
     settings.cell_size = _count("cell_size", cell_size)
     settings.threads = _count("threads", threads)

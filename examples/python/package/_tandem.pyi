@@ -50,6 +50,7 @@ class Settings:
     minimum_region_size: Optional[int]
     simplicity: Optional[float]
     regularity: Optional[float]
+    surfel_size: Optional[float]
     k_neighbors: Optional[int]
     cell_size: Optional[int]
     threads: Optional[int]

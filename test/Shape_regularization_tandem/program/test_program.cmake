@@ -113,7 +113,7 @@ expect(0 "shapes +3 in" far.ply ${epsilon} --output far_out.ply)
 expect(0 "shapes +3 in" far_out.ply ${epsilon})
 expect(0 "^$" cube.ply ${epsilon} --quiet)
 expect(0 "shapes +3 in" cube.ply ${epsilon} --no-parallelism --no-orthogonality --no-coplanarity --angle-tolerance 0
-       --simplicity 0.05 --regularity 0.2 --k-neighbors 10 --cell-size 512 --maximum-angle 20 --maximum-offset 0.002 --minimum-region-size 50)
+       --simplicity 0.05 --regularity 0.2 --surfel-size 0.3 --k-neighbors 10 --cell-size 512 --maximum-angle 20 --maximum-offset 0.002 --minimum-region-size 50)
 
 # Directions, also such as look like options
 expect(0 "hash +[0-9a-f]+" cube.ply ${epsilon} --fixed-direction 0,0,1 --symmetry-direction "1, 0, 0")
@@ -258,6 +258,7 @@ endforeach()
 foreach(value IN ITEMS -1 nan inf 1e9)
   expect(2 ": --simplicity is [^ ]*, must be in .0, 1. " cube.ply --simplicity ${value})
   expect(2 ": --regularity is [^ ]*, must be in .0, 10. " cube.ply --regularity ${value})
+  expect(2 ": --surfel-size is [^ ]*, must be in .0, 0.55. " cube.ply --surfel-size ${value})
 endforeach()
 expect(2 ": --cell-size is -1, must be in .64, 65536. " cube.ply --cell-size -1)
 expect(2 ": --cell-size is 1, must be in .64, 65536. " cube.ply --cell-size 1)

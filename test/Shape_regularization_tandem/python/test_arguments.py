@@ -107,13 +107,13 @@ class Parameters(unittest.TestCase):
             ("angle_tolerance", 45), ("maximum_offset", -1), ("minimum_region_size", 2), ("minimum_region_size", -3),
             ("minimum_region_size", 10**30), ("k_neighbors", 0), ("k_neighbors", 65), ("cell_size", 1), ("threads", 0),
             ("simplicity", -1), ("simplicity", np.nan), ("simplicity", 1e9), ("regularity", -1), ("regularity", np.nan),
-            ("regularity", 1e9), ("threads", -1), ("backend", "fast"), ("backend", None)):
+            ("regularity", 1e9), ("surfel_size", -1), ("surfel_size", 1), ("threads", -1), ("backend", "fast"), ("backend", None)):
             with self.subTest(name=name, value=value), self.assertRaisesRegex(ValueError, f"^{name} is"):
                 tandem.detect_planes(np.zeros((1, 3)), **{name: value})
 
     def test_huge_numbers(self):
         for name in ("maximum_distance", "maximum_angle", "angle_tolerance", "maximum_offset", "minimum_region_size",
-                     "simplicity", "regularity", "k_neighbors", "cell_size", "threads"):
+                     "simplicity", "regularity", "surfel_size", "k_neighbors", "cell_size", "threads"):
             for value in (10**400, -10**400, 10**5000, Fraction(10**400), 2**63, -2**63 - 1, 10**30):
                 fits = isinstance(value, int) and abs(value) < 10**31 and name in ("maximum_distance", "maximum_offset")
                 is_count = name in ("minimum_region_size", "k_neighbors", "cell_size", "threads")
@@ -141,7 +141,7 @@ class Parameters(unittest.TestCase):
 
     def test_they_are_used(self):
         given = {"maximum_distance": np.float32(0.05), "maximum_angle": 20, "angle_tolerance": 5, "maximum_offset": 0,
-                 "minimum_region_size": np.int64(200), "simplicity": 0.05, "regularity": 1,
+                 "minimum_region_size": np.int64(200), "simplicity": 0.05, "regularity": 1, "surfel_size": 0.25,
                  "k_neighbors": 15, "cell_size": 4096,
                  "regularize_parallelism": False, "regularize_orthogonality": False, "regularize_coplanarity": False,
                  "fixed_directions": [(0, 1, 0)], "symmetry_direction": (0, 0, 2)}
