@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Surfels against a map of cubes, on several back ends and for shuffled points: which points they have, where they are,
-// their normals, and the cells that they are in. And no surfel, joined or not, has points of two layers that are 1.1
-// epsilon apart.
+// their normals, and the cells that they are in. No surfel, joined or not, has points of two layers that are 1.1
+// epsilon apart, and none points of two shapes in a valid result.
 
 #undef NDEBUG
 
 #include "testing/body_fixture.h"
+#include "testing/change_table.h"
 
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
 
@@ -206,6 +208,25 @@ bool test_layers(Given given, std::uint64_t seed)
   return points.cloud.size() < before;
 }
 
+// Two squares of one plane that are apart. Each surfel has many points; one of each square changes its shape.
+void test_mixed_surfels()
+{
+  scenes::Random random(4);
+  Cloud cloud;
+  for(int i = 0; i < 20000; ++i)
+    add(cloud, {random.uniform() + 3 * (i % 2), random.uniform(), 0}, {0, 0, 1});
+  const Shapes shapes = detect_valid("two squares", cloud, make_parameters(.1, 100));
+  check_counts("two squares", shapes, 2, 1, 1);
+  const auto maps = CGAL::parameters::point_map(::First<Kernel>()).normal_map(::Second<Kernel>());
+  for(std::size_t i = 0; i < 200; i += 2) {
+    Shapes::Data data = shapes.data();
+    change_table(data.shape_of, [&](std::vector<std::int32_t>& labels) { std::swap(labels[i], labels[i + 1]); });
+    std::string why;
+    CHECK_AT(!is_valid_result(cloud, Shapes(data), maps, &why) && why.find("not connected") != std::string::npos,
+             "shapes of one surfel exchange points: " + why);
+  }
+}
+
 // A cloud too wide for surfels has none, and far points need no more than 64 bits.
 void test_wide_frames()
 {
@@ -231,6 +252,7 @@ int main()
     for(const Given given : {Given::normals, Given::nothing})
       joined += test_layers(given, seed);
   CHECK_AT(joined > 20, "surfels were joined in " + std::to_string(joined) + " of 80 clouds");
+  test_mixed_surfels();
   test_wide_frames();
   return report();
 }

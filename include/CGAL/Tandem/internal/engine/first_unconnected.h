@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connected components and links for the check of a result. Neighbors are searched again, on points that are sorted as
-// in the engine, since positions break ties between neighbors at equal distance.
+// Connected components and links for the check of a result. The graph is made again, by the functions that the engine
+// calls, since positions break ties between neighbors at equal distance.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
@@ -79,16 +79,7 @@ struct Label_graph {
   std::size_t shapes;
 };
 
-// The imported points in the order of the engine: the sorted table of their codes.
-template <class Backend>
-typename Backend::Sort_table sort_import(Backend& backend, const Import& in)
-{
-  return sort_along_curve(
-    backend, in.point.data(), std::uint32_t(in.size()), make_code_frame(in.low, in.high, in.surfel_edge),
-    make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
-}
-
-// The k nearest neighbors of each imported point, as imported points.
+// The k nearest neighbors of each imported point, as imported points, without surfels.
 template <class Backend>
 std::vector<std::uint32_t> import_neighbors(Backend& backend, const Import& in, std::size_t k)
 {
@@ -96,7 +87,9 @@ std::vector<std::uint32_t> import_neighbors(Backend& backend, const Import& in, 
   std::vector<std::uint32_t> neighbor(n * k), result(n * k);
   if(n == 0)
     return result;
-  const auto order = sort_import(backend, in);
+  const auto order =
+    sort_along_curve(backend, in.point.data(), n, make_code_frame(in.low, in.high),
+                     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
   std::vector<Grid_point> point(n);
   for(std::uint32_t i = 0; i < n; ++i)
     point[i] = in.point[order.view().index(i)];

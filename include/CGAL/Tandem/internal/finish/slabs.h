@@ -23,7 +23,7 @@ enum Count { near, all, size };
 } // namespace neighbor_counts
 
 // The counts of one cell, by id of the shape modulo `slots`. The first shape that claims a slot keeps it for this cell.
-// 32 bits suffice for surfels of at most 2^10 points, as a cell has at most 2^16 of them with 64 neighbors.
+// 32 bits suffice for surfels of less than 2^10 points, as a cell has at most 2^16 of them with 64 neighbors.
 struct Neighbor_scratch {
   static constexpr std::uint32_t slots = 64;
   std::uint32_t shape[slots];
@@ -82,7 +82,7 @@ private:
       near += is_counted && is_near(plane[s], cloud.point[row[j]], distance);
     }
     const std::uint32_t points = cloud.surfels.points(i).size();
-    if(points > 1u << 10)
+    if(points >= 1u << 10)
       return add(s, std::uint64_t(near) * points, std::uint64_t(all) * points);
     near *= points;
     all *= points;

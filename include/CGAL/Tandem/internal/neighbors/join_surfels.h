@@ -111,7 +111,7 @@ bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Ba
                   typename Backend::template Buffer<Range>& cells, double edge)
 {
   using View = typename Backend::Sort_table::View;
-  if(!cloud.has_surfels())
+  if(!cloud.has_surfels()) // the same on all ranks
     return false;
   typename Backend::template Buffer<std::uint32_t> target(cloud.size());
   backend.template for_each_cell<No_scratch>(
