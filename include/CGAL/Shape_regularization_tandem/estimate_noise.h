@@ -16,8 +16,8 @@ namespace Tandem {
 \ingroup PkgShapeRegularizationTandemRef
 
 \brief measures the noise of points, from which `estimate_parameters()` estimates `maximum_distance`: a quantile, over
-the points, of the root mean square distance of a point and its nearest neighbors to their plane. It is 0 where there
-are no points. The manual has the numbers: \ref Tandem_parameters_estimated.
+the surfaces, of the root mean square distance of points to the planes of their neighborhoods. It is 0 where there is no
+surface. The manual has the numbers: \ref Tandem_parameters_estimated.
 
 It is in the header `CGAL/Shape_regularization_tandem/estimate_noise.h`, which `CGAL/Shape_regularization_tandem.h` does
 not include: it is never compiled beforehand.

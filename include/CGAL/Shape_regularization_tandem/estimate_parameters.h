@@ -8,6 +8,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/method.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
+#include <CGAL/Tandem/Distance_estimate.h>
 #include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
@@ -19,21 +20,23 @@ namespace Tandem {
 
 \brief estimates the parameters of a detection from the points.
 
-- `maximum_distance` is the larger of a multiple of the noise and one of the spacing of the points. It is between 1e-270
-  and 1e270, as it has to be.
+- `maximum_distance` follows the spacing of the points, between two multiples of their noise. It is between 1e-270 and
+  1e270, as it has to be.
 - `maximum_offset` is `maximum_distance`.
 - `minimum_region_size` grows with the square root of the number of points.
 
 The manual has the numbers, and how noise and spacing are measured: \ref Tandem_parameters_estimated.
 
-A stray point far from all others raises the estimate, which is at least a small share of the extent: remove such points
-before, or give `maximum_distance`. The estimate is computed on the host, whatever the tag.
+Copies of a point count once, and up to a hundredth of the points do not count if they are far from all others. Where given
+normals have sides, the two sides of a thin wall count each by itself. The estimate is computed on the host, whatever the
+tag.
 
 Points with coordinates that are not finite, and points whose given normal is null or not finite, do not count. The
 estimate does not depend on the order of the points. All lengths are in the units of the points.
 
 \param points a range of points
 \param np as those of `detect_planes()`. Parameters that are given are kept, and checked.
+\param estimate where it is not null, gets what is to be said of an estimated `maximum_distance`
 
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
 \throw std::length_error more than 2^31 points (of one process)
@@ -41,7 +44,8 @@ estimate does not depend on the order of the points. All lengths are in the unit
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-Parameters estimate_parameters(const PointRange& points, const NamedParameters& np = NamedParameters())
+Parameters estimate_parameters(const PointRange& points, const NamedParameters& np = NamedParameters(),
+                               Distance_estimate* estimate = nullptr)
 {
   const internal::Round_to_nearest rounding;
   return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
@@ -52,7 +56,9 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
       internal::check_given_parameters(p);
       internal::check_same_parameters(ranks, p);
       const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
-      internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
+      const Distance_estimate said = internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
+      if(estimate != nullptr)
+        *estimate = said;
       return p;
     });
   });

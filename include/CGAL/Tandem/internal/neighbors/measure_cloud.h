@@ -1,167 +1,127 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Spacing and noise of a cloud, from a sample of its octree cells, to estimate parameters that are not set. The
-// sample does not depend on the order of the points. Where noise exceeds the spacing, the nearest neighbors of a point
-// form a ball instead of a disk. They do not show the noise, so the sample is thinned until they reach farther.
+// Spacing and noise of a cloud, from a sample, to estimate parameters that are not set. See the manual, "Estimated
+// Parameters".
 
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
 
-#include <CGAL/Tandem/internal/backend/Ranks.h>
-#include <CGAL/Tandem/internal/base/Moments.h>
-#include <CGAL/Tandem/internal/base/tuning/cloud.h>
-#include <CGAL/Tandem/internal/cloud/Import.h>
-#include <CGAL/Tandem/internal/cloud/cells.h>
-#include <CGAL/Tandem/internal/neighbors/Cloud_measure.h>
-#include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
+#include <CGAL/Tandem/internal/neighbors/Patch_curve.h>
+#include <CGAL/Tandem/internal/neighbors/noise_field.h>
+#include <CGAL/Tandem/internal/neighbors/sample_cells.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// A leaf of the octree of which a cell is in a sample.
-struct Sampled_leaf {
-  std::uint64_t first_cell, points;
+// What is found of one patch.
+struct Patch_measure {
+  double noise = -1, spacing = 0; // in grid steps; -1: no surface
+  double places_per_point = 1;
+  std::size_t first = 0, exact = 0, measured = 0;
+  bool has_sheets = false, bends = false, is_flat = false;
 };
 
-// A sample of about tuning::estimation::sampled_points points of all ranks, in the order of the curve. Whole cells are
-// taken at a constant stride, since neighbors of a point must be in the sample as well. Copies of a point count once.
 template <class Backend>
-std::vector<Grid_point> sample_cells(Backend& backend, const Host_buffer<Grid_point>& point)
+std::vector<Patch_measure> measure_patches(Backend& backend, const std::vector<Plane_level>& levels)
 {
-  using namespace tuning::estimation;
-  const Ranks<Backend> ranks(backend);
-  Box box;
-  for(const Grid_point& p : point)
-    box.add(p);
-  for(const Box& part : ranks.gather(std::vector<Box>{box}))
-    box.add(part);
-  const Code_frame frame = make_code_frame(box);
-  auto order = sort_along_curve(backend, point.data(), point.size(), frame);
-  const std::vector<Octant> leaves = find_leaves(backend, order, frame, sampled_cell_size);
-  const std::uint64_t stride = (ranks.total(point.size()) + sampled_points - 1) / sampled_points;
-  std::vector<Sampled_leaf> chosen;
-  std::vector<Grid_point> own;
-  std::uint64_t cell = 0;
-  for(const Octant& leaf : leaves) {
-    const std::uint64_t end = cell + leaf.number_of_cells(sampled_cell_size);
-    if((cell + stride - 1) / stride * stride < end) {
-      chosen.push_back({cell, leaf.total});
-      for(std::uint32_t i = leaf.own.first; i < leaf.own.last; ++i)
-        own.push_back(point[order.view().index(i)]);
+  const std::size_t size = tuning::estimation::patch_size;
+  std::vector<Patch_measure> measure(levels.empty() ? 0 : (levels[0].plane.size() + size - 1) / size);
+  backend.for_each_piece(measure.size(), 64, [&](std::size_t first, std::size_t last) {
+    Patch_curve curve(levels);
+    for(std::size_t i = first; i < last; ++i) {
+      curve.follow(i);
+      measure[i] = {curve.noise(),      curve.spacing(), curve.places_per_point(),
+                    curve.first(),      curve.exact(),   curve.measured(),
+                    curve.has_sheets(), curve.bends(),   curve.is_flat()};
     }
-    cell = end;
-  }
-  // A leaf of several cells is cut when all of its points are here.
-  const std::vector<Grid_point> all = ranks.gather(std::move(own));
-  if constexpr(Ranks<Backend>::are_many)
-    order = sort_along_curve(backend, all.data(), all.size(), frame);
-  std::vector<Grid_point> sample;
-  std::size_t first = 0;
-  for(const Sampled_leaf& leaf : chosen) {
-    for(std::uint64_t i = 0; i < leaf.points; ++i)
-      if((leaf.first_cell + i / sampled_cell_size) % stride == 0)
-        sample.push_back(all[Ranks<Backend>::are_many ? order.view().index(first + i) : first + i]);
-    first += leaf.points;
-  }
-  const auto are_copies = [](const Grid_point& a, const Grid_point& b) {
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-  };
-  sample.erase(std::unique(sample.begin(), sample.end(), are_copies), sample.end());
-  return sample;
-}
-
-inline double grid_distance(const Grid_point& a, const Grid_point& b)
-{
-  const std::int64_t x = std::int64_t(a.x) - b.x, y = std::int64_t(a.y) - b.y, z = std::int64_t(a.z) - b.z;
-  return std::sqrt(double(std::uint64_t(x * x) + std::uint64_t(y * y) + std::uint64_t(z * z)));
-}
-
-// The measure of point i, in grid steps, from its row of neighbors.
-inline Cloud_measure measure_neighborhood(const Grid_point* point, std::uint32_t i, const std::uint32_t* row)
-{
-  Moments moments;
-  moments.add(point[i]);
-  double sum = 0;
-  int spaced = 0;
-  for(int j = 0; j < tuning::estimation::noise_neighbors && row[j] != no_index; ++j) {
-    moments.add(point[row[j]]);
-    if(j < tuning::estimation::spacing_neighbors) {
-      sum += grid_distance(point[i], point[row[j]]);
-      ++spaced;
-    }
-  }
-  const Eigen_system e = eigen_system(make_scatter(moments).matrix);
-  const double smallest = e.value[0] > 0 ? e.value[0] : 0;
-  return {spaced > 0 ? sum / spaced : 0, std::sqrt(smallest / double(moments.count)),
-          e.value[1] > 0 ? std::sqrt(smallest / e.value[1]) : 0};
-}
-
-// The q-quantile of the values, which are reordered, in linear time.
-inline double quantile(std::vector<double>& values, double q)
-{
-  const auto nth = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
-
-// The measure of a sample, by quantiles over its points, in grid steps. A point of one cell may lack neighbors in cells
-// that are not sampled; these few hardly change medians and quartiles.
-template <class Backend>
-Cloud_measure measure_sample(Backend& backend, const std::vector<Grid_point>& sample)
-{
-  std::vector<std::uint32_t> neighbor(sample.size() * tuning::estimation::noise_neighbors);
-  find_neighbors(backend, sample.data(), std::uint32_t(sample.size()), tuning::estimation::noise_neighbors,
-                 neighbor.data());
-  std::vector<double> spacing(sample.size()), noise(sample.size()), thickness(sample.size());
-  backend.for_each(sample.size(), [&](std::size_t i) {
-    const Cloud_measure m =
-      measure_neighborhood(sample.data(), std::uint32_t(i), neighbor.data() + i * tuning::estimation::noise_neighbors);
-    spacing[i] = m.spacing;
-    noise[i] = m.noise;
-    thickness[i] = m.thickness;
   });
-  using namespace tuning::estimation;
-  return {quantile(spacing, spacing_quantile), quantile(noise, noise_quantile),
-          quantile(thickness, thickness_quantile)};
+  return measure;
 }
 
-// One point of so many of the sample, in the order of the curve. Of every fourth point the spacing on a surface is twice
-// as wide.
-inline std::vector<Grid_point> thinned(const std::vector<Grid_point>& sample)
+// What shows a surface only over far larger radii than others do is clutter.
+inline void drop_clutter(std::vector<Patch_measure>& patches)
 {
-  std::vector<Grid_point> thin;
-  for(std::size_t i = 0; i < sample.size(); i += tuning::estimation::thinning)
-    thin.push_back(sample[i]);
-  return thin;
+  std::vector<double> first;
+  for(const Patch_measure& p : patches)
+    if(p.noise >= 0)
+      first.push_back(double(p.first));
+  const auto last = std::size_t(quantile(first, .5)) + tuning::estimation::late_levels;
+  for(Patch_measure& p : patches)
+    if(p.first > last)
+      p.noise = -1;
 }
 
-// The measure of an import, in the units of its coordinates; zeros if all points are equal, or closer than any epsilon.
-// It works on a grid of its own, since epsilon is not known yet. The spacing is that of the cloud before it is thinned.
+// The statistics of the patches, in grid steps.
+inline Cloud_measure summarize(const std::vector<Patch_measure>& patches)
+{
+  using namespace tuning::estimation;
+  std::vector<double> noise, spacing, spacing_in_space, places_per_point;
+  std::size_t exact = 0, measured = 0, sheets = 0, bends = 0;
+  for(const Patch_measure& p : patches) {
+    if(p.noise < 0) {
+      spacing_in_space.push_back(p.spacing);
+      continue;
+    }
+    noise.push_back(p.noise);
+    spacing.push_back(p.spacing);
+    places_per_point.push_back(p.places_per_point);
+    exact += p.exact;
+    measured += p.measured;
+    sheets += p.has_sheets;
+    bends += p.bends;
+  }
+  Cloud_measure m;
+  m.spacing = quantile(spacing.empty() ? spacing_in_space : spacing, .5);
+  m.places = noise.empty() ? 1 : quantile(places_per_point, .5);
+  m.noise = quantile(noise, noise_quantile);
+  m.largest_noise = quantile(noise, .9);
+  const auto share = [](std::size_t part, std::size_t all) { return all > 0 ? double(part) / double(all) : 0; };
+  m.exact = share(exact, measured);
+  m.sheets = share(sheets, noise.size());
+  m.bends = share(bends, noise.size());
+  return m;
+}
+
+// The measure of an import, in the units of its coordinates. It works on a grid of its own, since epsilon is not known
+// yet.
 template <class Backend>
 Cloud_measure measure_cloud(Backend& backend, const Import& in)
 {
-  if(!(in.box.extent() > smallest_length))
-    return Cloud_measure();
   using namespace tuning::estimation;
-  const Grid grid = make_grid(in.box, std::ldexp(in.box.extent(), measured_distance_bits)); // up to 2^27 steps
-  const double inverse_step = 1 / grid.step;
-  Host_buffer<Grid_point> point(in.size());
-  in.download_values();
-  backend.for_each(in.size(),
-                   [&](std::size_t i) { point[i] = to_grid(grid, inverse_step, in.position(i), no_normal); });
-  std::vector<Grid_point> sample = sample_cells(backend, point);
-  Cloud_measure measure = measure_sample(backend, sample);
-  const double spacing = measure.spacing;
-  for(int i = 0; i < maximum_thinnings && measure.thickness > ball_thickness && sample.size() > minimum_sample; ++i) {
-    sample = thinned(sample);
-    measure = measure_sample(backend, sample);
-  }
-  return {spacing * grid.step, measure.noise * grid.step, measure.thickness};
+  const Coordinate_box box = box_of_most(backend, in);
+  Cloud_measure m;
+  m.extent = (std::max)(box.extent(), 0.);
+  if(!(m.extent > smallest_length))
+    return m;
+  const Grid grid = make_grid(box, std::ldexp(m.extent, measured_distance_bits)); // up to 2^27 steps
+  const Cell_sample sample = sample_cells(backend, points_in_box(backend, in, grid, box));
+  std::vector<Patch_measure> patches = measure_patches(backend, measure_planes(backend, sample.point));
+  drop_clutter(patches);
+  m = summarize(patches);
+  m.extent = box.extent();
+  m.places *= double(in.total.points) / sample.points_per_point;
+  if(m.spacing == 0) // too few places, or all on a line
+    m.spacing = m.extent / (grid.step * std::sqrt(m.places));
+  for(double* length : {&m.spacing, &m.noise, &m.largest_noise})
+    *length *= grid.step;
+  std::vector<Patch_noise> flat;
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    if(patches[i].noise >= 0) {
+      const Grid_point& p = sample.point[(std::min)(i * patch_size + patch_size / 2, sample.point.size() - 1)];
+      m.patch.push_back({{std::fma(p.x, grid.step, grid.origin.x), std::fma(p.y, grid.step, grid.origin.y),
+                          std::fma(p.z, grid.step, grid.origin.z)},
+                         patches[i].noise * grid.step});
+      if(patches[i].is_flat)
+        flat.push_back(m.patch.back());
+    }
+  measure_variation(backend, std::move(flat), m);
+  return m;
 }
 
 } // namespace internal

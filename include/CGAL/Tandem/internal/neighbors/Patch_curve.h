@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The noise of a patch, from its residuals over growing radii. They are flat where they are noise, jump where a second
+// surface comes in, and start at zero and rise to those of a tilted plane where depth is in steps.
+
+#ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_PATCH_CURVE_H
+#define CGAL_TANDEM_INTERNAL_NEIGHBORS_PATCH_CURVE_H
+
+#include <CGAL/Tandem/internal/neighbors/Local_plane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// The q-quantile of the values, which are reordered, in linear time; 0 if there are none.
+inline double quantile(std::vector<double>& values, double q)
+{
+  if(values.empty())
+    return 0;
+  const auto nth = values.begin() + std::ptrdiff_t(q * double(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+// The patches of a sample: so many points along the curve each. Evaluates one after the other, on one thread.
+class Patch_curve {
+public:
+  explicit Patch_curve(const std::vector<Plane_level>& levels) : levels_(levels) {}
+
+  // Follows the curve of a patch.
+  void follow(std::size_t patch);
+
+  bool has_surface() const { return noise_ >= 0; }
+  // The level that shows it first.
+  std::size_t first() const { return first_; }
+  // In grid steps. Copies count once in the spacing, which is that of space where there is no surface.
+  double noise() const { return noise_; }
+  double spacing() const { return spacing_; }
+  // Places of a point there.
+  double places_per_point() const { return places_per_point_; }
+  bool has_sheets() const { return has_sheets_; }
+  bool bends() const { return bends_; }
+  // Whether the residual is the same over several radii.
+  bool is_flat() const { return flat_ > 1; }
+
+  // How many of the smallest neighborhoods have no residual against the noise, and how many there are.
+  std::size_t exact() const { return exact_; }
+  std::size_t measured() const { return measured_; }
+
+private:
+  // Medians over the planes of a patch at one level.
+  struct Summary {
+    double residual = 0, thickness = 0;
+    bool is_measured = false;
+
+    // Thin against its width, or at least not much thicker than the neighborhood before, which is smaller.
+    bool is_surface(const Summary& before) const
+    {
+      using namespace tuning::estimation;
+      return is_measured &&
+             (thickness < surface_thickness || (thickness < flat_thickness && residual < flat_step * before.residual));
+    }
+  };
+
+  // The planes of a patch at a level: at least one, that of the point before.
+  Range planes(std::size_t level) const
+  {
+    const Plane_level& l = levels_[level];
+    const auto at = [&](std::size_t p) {
+      const std::size_t step = std::size_t(1) << (2 * l.thinnings);
+      return std::uint32_t((std::min)((p * tuning::estimation::patch_size + step - 1) / step, l.plane.size()));
+    };
+    const Range range = {at(patch_), at(patch_ + 1)};
+    return range.size() > 0 ? range : Range{range.first - 1, range.first};
+  }
+
+  template <class F>
+  double median(std::size_t level, F f)
+  {
+    value_.clear();
+    const Range range = planes(level);
+    for(std::uint32_t i = range.first; i < range.last; ++i)
+      if(levels_[level].plane[i].places > 0)
+        value_.push_back(f(i));
+    return quantile(value_, .5);
+  }
+
+  Summary summary(std::size_t level)
+  {
+    const std::vector<Local_plane>& plane = levels_[level].plane;
+    Summary s;
+    s.residual = median(level, [&](std::uint32_t i) { return plane[i].residual; });
+    s.thickness = median(level, [&](std::uint32_t i) { return plane[i].thickness; });
+    s.is_measured = 2 * value_.size() >= planes(level).size();
+    return s;
+  }
+
+  // By how many of its residuals the planes of a level leave those of the first one along their radius.
+  double tilt(std::size_t level)
+  {
+    const Plane_level &coarse = levels_[level], &fine = levels_[first_];
+    return median(level, [&](std::uint32_t i) {
+      const Local_plane& p = coarse.plane[i];
+      const Local_plane& q = fine.plane[std::size_t(i) << (2 * (coarse.thinnings - fine.thinnings))];
+      const double cosine = q.places > 0 ? dot(p.normal, q.normal) : 1;
+      return p.radius * std::sqrt((std::max)(1 - cosine * cosine, 0.)) / (std::max)(p.residual, 1e-9);
+    });
+  }
+
+  // The mean distance of a point to its six nearest neighbors, if there are so many in a disk.
+  double spacing(std::size_t level)
+  {
+    const std::vector<Local_plane>& plane = levels_[level].plane;
+    return median(level, [&](std::uint32_t i) { return 1.73 * plane[i].radius / std::sqrt(plane[i].places - 1.); });
+  }
+
+  void count_exact();
+
+  const std::vector<Plane_level>& levels_;
+  std::vector<double> value_;
+  std::size_t patch_ = 0, first_ = 0, exact_ = 0, measured_ = 0;
+  int flat_ = 0; // levels
+  double noise_ = -1, spacing_ = 0, places_per_point_ = 1;
+  bool has_sheets_ = false, bends_ = false;
+};
+
+// Only planes along the surface count: points of one scan line may lie on a plane across it.
+inline void Patch_curve::count_exact()
+{
+  using namespace tuning::estimation;
+  const Plane_level& surface = levels_[first_];
+  const Range range = planes(0);
+  for(std::uint32_t i = range.first; i < range.last; ++i) {
+    const Local_plane& p = levels_[0].plane[i];
+    const Local_plane& q = surface.plane[i >> (2 * surface.thinnings)];
+    if(p.places == 0 || q.places == 0)
+      continue;
+    ++measured_;
+    exact_ +=
+      p.residual < step_flatness * noise_ && p.thickness < step_flatness && std::fabs(dot(p.normal, q.normal)) > .7;
+  }
+}
+
+inline void Patch_curve::follow(std::size_t patch)
+{
+  using namespace tuning::estimation;
+  patch_ = patch;
+  noise_ = -1;
+  spacing_ = 0;
+  exact_ = measured_ = 0;
+  flat_ = 0;
+  has_sheets_ = bends_ = false;
+  double first_residual = 0, sum = 0, last = 0;
+  int bent = 0;
+  Summary before;
+  bool was_thick = false, has_left = false, has_steps = false;
+  for(std::size_t l = 0; l < levels_.size() && !has_steps; ++l) {
+    const Summary s = summary(l);
+    if(spacing_ == 0)
+      spacing_ = spacing(l);
+    const bool is_surface = s.is_surface(before);
+    before = s;
+    if(!is_surface) {
+      was_thick = has_left = has_surface();
+      continue;
+    }
+    if(!has_surface()) {
+      first_ = l;
+      spacing_ = spacing(l);
+      places_per_point_ = median(l, [&](std::uint32_t i) { return levels_[l].places_per_point(i); });
+      first_residual = noise_ = s.residual;
+    }
+    if(!has_left && s.residual <= flat_growth * first_residual) {
+      sum += s.residual;
+      noise_ = sum / ++flat_;
+    } else {
+      has_left = true;
+      has_steps = first_residual < step_flatness * s.residual &&
+                  levels_[l].thinnings <= levels_[first_].thinnings + step_thinnings && tilt(l) >= step_tilt;
+      if(has_steps)
+        noise_ = s.residual;
+      has_sheets_ |= was_thick && last > flat_growth * first_residual && s.residual < flat_growth * last;
+      bent = !was_thick && s.residual > 2 * last ? bent + 1 : 0;
+      bends_ |= bent == 2;
+    }
+    last = s.residual;
+  }
+  if(has_surface())
+    count_exact();
+  if(measured_ > 0 && step_neighborhoods.is_reached(std::int64_t(exact_), std::int64_t(measured_)))
+    noise_ *= step_margin;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_NEIGHBORS_PATCH_CURVE_H
