@@ -18,14 +18,14 @@ namespace Tandem {
 namespace internal {
 
 extern template class Engine<Sequential_backend>;
-extern template void complete_parameters(Sequential_backend&, const Import&, bool, Parameters&);
-extern template void set_scale(Sequential_backend&, Import&, bool, Parameters&);
+extern template Distance_estimate complete_parameters(Sequential_backend&, const Import&, bool, Parameters&);
+extern template std::string set_scale(Sequential_backend&, Import&, bool, Parameters&);
 extern template void find_neighbors(Sequential_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
 extern template Shapes_data export_shapes(Sequential_backend&, const Import&, const Parameters&, const Engine_result&);
 #ifdef CGAL_LINKED_WITH_TBB
 extern template class Engine<Tbb_backend>;
-extern template void complete_parameters(Tbb_backend&, const Import&, bool, Parameters&);
-extern template void set_scale(Tbb_backend&, Import&, bool, Parameters&);
+extern template Distance_estimate complete_parameters(Tbb_backend&, const Import&, bool, Parameters&);
+extern template std::string set_scale(Tbb_backend&, Import&, bool, Parameters&);
 extern template void find_neighbors(Tbb_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
 extern template Shapes_data export_shapes(Tbb_backend&, const Import&, const Parameters&, const Engine_result&);
 #endif

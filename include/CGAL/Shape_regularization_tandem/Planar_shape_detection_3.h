@@ -20,6 +20,7 @@
 #include <chrono>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Tandem {
@@ -92,7 +93,7 @@ public:
       internal::Stop_watch watch;
       in_ =
         internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Execution::Upload());
-      internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
+      estimate_note_ = internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
       import_time_ = watch.lap();
       if(progress_.show(0) && in_.total.points >= parameters_.minimum_region_size)
         engine_ = Execution::start(backend_, in_, parameters_, progress_);
@@ -149,6 +150,7 @@ public:
         internal::export_shapes(backend, in_, parameters_, engine_ ? engine_->result() : internal::Engine_result());
       Statistics& statistics = data.statistics;
       statistics.is_cancelled = is_cancelled();
+      statistics.estimate_note = estimate_note_;
       statistics.backend = engine_ ? engine_->name() : Backend::name();
       Stage_times& times = statistics.times;
       times.sort += import_time_;
@@ -203,6 +205,7 @@ private:
   Parameters parameters_;
   internal::Progress progress_;
   internal::Import in_;
+  std::string estimate_note_;
   double import_time_ = 0;
   bool is_finished_ = false;
   bool has_thrown_ = false;

@@ -108,6 +108,9 @@ public:
   /// they have no orientation, and this is `plane(s)`.
   Plane_3 oriented_plane(std::size_t s) const { return is_flipped(s) ? planes_[s].opposite() : planes_[s]; }
 
+  /// how well the points of shape `s` determine its plane
+  const Plane_uncertainty& uncertainty(std::size_t s) const { return data_.uncertainty[s]; }
+
   /// the number of points of shape `s`; with `Mpi_tag`, of all processes
   std::size_t size(std::size_t s) const { return data_.size[s]; }
 

@@ -34,13 +34,13 @@ again. Of times, rounds, bytes, estimated normals and the name of the back end i
 Other parameters for the same shapes, and whether it was cancelled, cannot be told from the points.
 
 Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time
-of a detection. Distances and angles are evaluated in double; beyond `maximum_distance` a point may be only by
+of a detection. Distances and angles are evaluated in double; beyond its tolerance a point may be only by
 the rounding of that evaluation, 8 units in the last place of its largest term.
 
 \param points the range that the shapes were detected in
 \param shapes the shapes
-\param np the named parameters of the detection, of which only `point_map`, `normal_map`, `geom_traits` and
-`communicator` are read. A result of `Mpi_tag` needs the communicator, and is checked by all of its processes.
+\param np the named parameters of the detection, of which only `point_map`, `normal_map`, `maximum_distance_map`,
+`geom_traits` and `communicator` are read. The maps have to be those of the detection. A result of `Mpi_tag` needs the communicator, and is checked by all of its processes.
 \param why if it is not null, gets the first violation that was found: what, and for which point or shape
 */
 template <class PointRange, class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -52,6 +52,7 @@ enum angle_tolerance_t { angle_tolerance };
 enum cell_size_t { cell_size };
 enum communicator_t { communicator };
 enum fixed_directions_t { fixed_directions };
+enum maximum_distance_map_t { maximum_distance_map };
 enum regularity_t { regularity };
 enum settings_t { settings };
 enum simplicity_t { simplicity };
@@ -68,6 +69,7 @@ enum surfel_size_t { surfel_size };
   X(geom_traits, geom_traits_t)                                                                                        \
   X(callback, callback_t)                                                                                              \
   X(maximum_distance, maximum_distance_t)                                                                              \
+  X(maximum_distance_map, maximum_distance_map_t)                                                                      \
   X(maximum_angle, maximum_angle_t)                                                                                    \
   X(angle_tolerance, angle_tolerance_t)                                                                                \
   X(maximum_offset, maximum_offset_t)                                                                                  \

@@ -8,6 +8,7 @@
 
 #include <CGAL/Tandem/Coefficients.h>
 #include <CGAL/Tandem/Parameters.h>
+#include <CGAL/Tandem/Plane_uncertainty.h>
 #include <CGAL/Tandem/Shared_table.h>
 #include <CGAL/Tandem/Statistics.h>
 
@@ -33,11 +34,12 @@ struct Shapes_data {
   std::vector<int> parallel_group;                    // of each shape
   std::vector<int> coplanar_group;                    // of each shape
   std::vector<std::pair<int, int>> orthogonal_groups; // pairs of parallel groups, first < second, sorted
-  std::vector<int> fixed_direction;    // of each parallel group: which of the fixed directions it has, or -1
-  std::vector<int> symmetry_group;     // of each parallel group, -1 without an axis
-  std::vector<char> is_flipped;        // of each shape: the majority of the normals is opposite to its plane
-  Shared_table<std::int32_t> shape_of; // of each item of the range, -1 = none
-  Shared_table<std::uint32_t> normal;  // of each item, packed; empty if normals were given
+  std::vector<int> fixed_direction;           // of each parallel group: which of the fixed directions it has, or -1
+  std::vector<int> symmetry_group;            // of each parallel group, -1 without an axis
+  std::vector<char> is_flipped;               // of each shape: the majority of the normals is opposite to its plane
+  std::vector<Plane_uncertainty> uncertainty; // of each shape
+  Shared_table<std::int32_t> shape_of;        // of each item of the range, -1 = none
+  Shared_table<std::uint32_t> normal;         // of each item, packed; empty if normals were given
   Parameters parameters;
   Statistics statistics;
   Point_groups points; // of the shapes, until Planar_shapes_3 takes them

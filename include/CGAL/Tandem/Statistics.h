@@ -48,13 +48,34 @@ struct Result_score {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
+Why points have no shape: each valid point without one is counted once, by the first of these that holds for it. Planes,
+neighbors and tolerances are those of the result; \ref Tandem_method_free_points tells them exactly.
+*/
+struct Free_points {
+  std::size_t without_normal = 0;    ///< no normal could be estimated: the neighbors are on a line or in one place
+  std::size_t misfit = 0;            ///< within twice the tolerances of the plane of a shape that is next to the point
+  std::size_t without_neighbors = 0; ///< no neighbor fits the plane through the point with its normal
+  std::size_t in_small_regions = 0;  ///< more than half of the neighbors fit that plane; and all points of a cloud of
+                                     ///< less than `minimum_region_size`
+  std::size_t clutter = 0;           ///< the others: at most half do
+
+  /// all of them
+  std::size_t total() const { return without_normal + misfit + without_neighbors + in_small_regions + clutter; }
+};
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
 What a detection did, in numbers.
 */
 struct Statistics {
   std::size_t number_of_points = 0;              ///< items of the input range
   std::size_t number_of_ignored_coordinates = 0; ///< points with a coordinate that is not finite
   std::size_t number_of_ignored_normals = 0;     ///< points whose given normal is null or not finite
+  std::size_t number_of_ignored_tolerances = 0;  ///< points whose given tolerance is not positive
+  std::size_t number_of_far_points = 0;          ///< points left out, since they are too far from all others
   std::size_t number_of_assigned_points = 0;     ///< points that belong to a shape
+  Free_points free_points;                       ///< valid points that belong to none, by reason
   std::size_t number_of_shapes = 0;              ///< connected pieces of planes
   std::size_t number_of_directions = 0;          ///< parallel groups: distinct directions of the shapes
   std::size_t number_of_planes = 0;              ///< coplanar groups: distinct planes of the shapes
@@ -79,10 +100,17 @@ struct Statistics {
   bool is_grid_coarse = false;        ///< whether `grid_step` exceeds `maximum_distance` / 1024: the extent is large
   bool has_estimated_normals = false; ///< whether normals were estimated, because none were given
   bool is_cancelled = false;          ///< whether the callback ended the detection early
-  std::string backend;                ///< the name of the back end that executed: "sequential", "parallel", ...
+  /// a sentence on `maximum_distance`, where it was estimated and one value for all points is a compromise: there are steps
+  /// of depth, surfaces close behind others, noise that varies, or surfaces that bend. Otherwise empty
+  std::string estimate_note;
+  std::string backend; ///< the name of the back end that executed: "sequential", "parallel", ...
 
-  /// the number of points with an invalid position or normal, which belong to no shape
-  std::size_t number_of_ignored_points() const { return number_of_ignored_coordinates + number_of_ignored_normals; }
+  /// the number of points with an invalid position, normal or tolerance, or too far away, which belong to no shape
+  std::size_t number_of_ignored_points() const
+  {
+    return number_of_ignored_coordinates + number_of_ignored_normals + number_of_ignored_tolerances +
+           number_of_far_points;
+  }
 };
 
 } // namespace Tandem

@@ -131,6 +131,20 @@ void test_shapes(Corruptions& c)
   c.check_rejected("fit", "score.fit", [](Data& d) { d.statistics.score.fit *= 1.02; });
   c.check_rejected("links", "score.links", [](Data& d) { d.statistics.score.links -= .5; });
   c.check_rejected("freedom", "score.freedom", [](Data& d) { d.statistics.score.freedom += 1; });
+  c.check_rejected("free points", "sum of free_points", [](Data& d) { ++d.statistics.free_points.misfit; });
+  c.check_rejected("reasons", "free_points.", [](Data& d) {
+    ++d.statistics.free_points.misfit;
+    --d.statistics.free_points.clutter;
+  });
+  c.check_rejected("centroid", "centroid of", [](Data& d) { d.uncertainty[1].centroid[0] += .001; });
+  c.check_rejected("noise", "noise of", [](Data& d) { d.uncertainty[1].noise += .001; });
+  c.check_rejected("offset", "offset_deviation", [](Data& d) { d.uncertainty[1].offset_deviation *= 1.01; });
+  for(std::size_t k = 0; k < 6; ++k)
+    c.check_rejected("covariance", "normal_covariance", [k](Data& d) {
+      const auto& covariance = d.uncertainty[1].normal_covariance;
+      d.uncertainty[1].normal_covariance[k] += .02 * (covariance[0] + covariance[3] + covariance[5]);
+    });
+  c.check_rejected("angle", "normal_covariance", [](Data& d) { d.uncertainty[1].angle_deg *= 1.01; });
   c.check_rejected("number of shapes", "number_of_shapes", [](Data& d) { ++d.statistics.number_of_shapes; });
 }
 
@@ -155,6 +169,7 @@ void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
         if(std::fabs((points[i].first - CGAL::ORIGIN) * axis - middle) < .12) {
           labels[i] = -1;
           --d.statistics.number_of_assigned_points;
+          ++d.statistics.free_points.clutter;
           --d.size[0];
           d.statistics.score.fit -= fit;
         }

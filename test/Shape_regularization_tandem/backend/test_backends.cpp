@@ -10,7 +10,6 @@
 #include "testing/host_backends.h"
 
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
-#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 using namespace CGAL::Tandem::internal;
 
@@ -61,7 +60,7 @@ private:
     };
     std::sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
     const auto order =
-      sort_along_curve(backend_, point.data(), point.size(), frame,
+      sort_along_curve(backend_, {point.data(), point.size()}, frame,
                        make_tie_order([](std::uint32_t i, std::uint32_t j) { return i > j; }, Nothing()));
     for(std::size_t i = 0; i < order.size(); ++i)
       got.push_back(order.view().index(i));
@@ -156,11 +155,12 @@ private:
       if(f_.label[i] < first_mark)
         ++expected[component[i]];
     }
-    const Labels_of_points labels = {f_.cloud.surfels, f_.label.data(), nullptr};
     backend_.template for_each_cell<Count_scratch>(
-      f_.cells.size(), Count_components<Backend>{f_.cells.data(), labels, component.data(), size.data()});
+      f_.cells.size(), Count_components<Backend>{f_.cells.data(), labels_of_points(), component.data(), size.data()});
     check_lists(size, expected, name_ + ": sizes of components");
   }
+
+  Labels_of_points labels_of_points() const { return {f_.cloud.surfels, f_.label.data(), nullptr}; }
 
   // Points that the integers leave open are decided by the caller's coordinates.
   void test_exact_check()
@@ -174,18 +174,20 @@ private:
                        double(p.d) / normal_scale});
     std::vector<double> coordinates(3 * std::size_t(n)), normals(coordinates.size(), 1);
     std::vector<std::uint32_t> origin(n), label = f_.label, expected = label;
+    const std::vector<std::uint8_t> level = f_.mixed_levels();
     std::size_t rejected = 0;
     for(std::uint32_t i = 0; i < n; ++i) {
       origin[i] = n - 1 - i;
       const double p[3] = {double(f_.point[i].x), double(f_.point[i].y), double(f_.point[i].z)};
       std::copy(p, p + 3, &coordinates[3 * std::size_t(origin[i])]);
-      if(label[i] < first_mark && !fits(f_.plane[label[i]], f_.point[i], certain) &&
-         !bounds.is_near(plane[label[i]], {p[0], p[1], p[2]})) {
+      if(label[i] < first_mark && !fits(f_.plane[label[i]], f_.point[i], certain.at(level[i])) &&
+         !bounds.is_near(plane[label[i]], {p[0], p[1], p[2]}, level[i])) {
         expected[i] = locked_label;
         ++rejected;
       }
     }
-    check_exactly(backend_, {f_.point.data(), origin.data(), label.data(), n}, f_.plane.data(), certain,
+    const Surfels_view points = {f_.point.data(), nullptr, nullptr, level.data()};
+    check_exactly(backend_, {points, origin.data(), label.data(), n}, f_.plane.data(), certain,
                   {{{coordinates.data(), false}, {normals.data(), false}}, plane.data(), bounds});
     check_lists(label, expected, name_ + ": exact check");
     CHECK_AT(rejected > 20 || n < 100, name_ + ": " + std::to_string(rejected) + " points rejected");
@@ -199,6 +201,7 @@ private:
     std::vector<std::uint32_t> shape(n, no_index);
     std::vector<std::uint64_t> opposed(labels, 0), sums(labels), found(Point_measures::size, 0);
     std::vector<std::uint64_t> expected(Point_measures::size, 0);
+    const std::vector<std::uint8_t> level = f_.mixed_levels();
     for(std::uint32_t i = 0; i < n; ++i)
       if(f_.label[i] < first_mark && f_.label[i] % 2 == 0)
         shape[i] = f_.label[i];
@@ -211,19 +214,21 @@ private:
       }
       if(label == no_index)
         continue;
-      const double exact = double(f_.distance(label, i)) / double(f_.tolerance.distance);
-      const double units = double(Score_item::tolerance_units);
-      const double share = std::floor((std::min)(exact, 1.) * units + .5);
-      expected[Point_measures::distance] += std::uint64_t(share);
-      expected[Point_measures::fit] += std::uint64_t(4096 - std::floor(4096 * share * share / units / units + .5));
+      const double units = double(Score_item::tolerance_units), exact = double(f_.distance(label, i));
+      const auto share = [&](const Tolerance& t) {
+        return std::floor((std::min)(exact / double(t.distance), 1.) * units + .5);
+      };
+      const double own = share(f_.tolerance.at(level[i]));
+      expected[Point_measures::distance] += std::uint64_t(share(f_.tolerance));
+      expected[Point_measures::fit] += std::uint64_t(4096 - std::floor(4096 * own * own / units / units + .5));
       const Int_vector m = decode_normal(f_.point[i].normal);
       sums[label] +=
         double(f_.plane[label].nx) * m.x + double(f_.plane[label].ny) * m.y + double(f_.plane[label].nz) * m.z < 0;
     }
-    const Labels_of_points of_points = {f_.cloud.surfels, f_.label.data(), nullptr};
-    const Score_item item = {1, f_.tolerance.distance};
-    const Measure_points<Backend> body = {f_.cloud, f_.cells.data(), of_points,   f_.plane.data(), shape.data(),
-                                          item,     opposed.data(),  found.data()};
+    Cloud_view cloud = f_.cloud;
+    cloud.surfels.level = level.data();
+    const Measure_points<Backend> body = {cloud,        f_.cells.data(), labels_of_points(), f_.plane.data(),
+                                          shape.data(), f_.tolerance,    opposed.data(),     found.data()};
     backend_.template for_each_cell<Measure_scratch>(f_.cells.size(), body);
     check_lists(opposed, sums, name_ + ": opposed normals");
     check_lists(found, expected, name_ + ": distances, fit, and links");
@@ -253,44 +258,12 @@ private:
   const Fixture& f_;
 };
 
-// All that can be used, up to the largest and down to the smallest numbers, wherever it is among others.
-template <class Value>
-void test_values()
-{
-  using Limits = std::numeric_limits<Value>;
-  const Value large = (Limits::max)(), small = Limits::denorm_min(), infinite = Limits::infinity();
-  for(std::size_t points : {1, 2, 7, 8, 9, 40})
-    for(std::size_t i = 0; i < 3 * points; ++i) {
-      std::vector<Value> v(3 * points, Value(1));
-      for(Value value : {large, -large, small, -small, Value(0)}) {
-        v[i] = value;
-        CHECK(are_finite(v.data(), v.size()) && !has_null(v.data(), v.size()));
-        const Coordinate_box box = box_around(v.data(), v.size());
-        for(std::size_t c = 0; c < 3; ++c) {
-          const Value other = points > 1 || c != i % 3 ? Value(1) : value;
-          CHECK(box.low[c] == double(c == i % 3 ? (std::min)(value, other) : other));
-          CHECK(box.high[c] == double(c == i % 3 ? (std::max)(value, other) : other));
-        }
-      }
-      for(Value value : {Limits::quiet_NaN(), infinite, -infinite}) {
-        v[i] = value;
-        CHECK(!are_finite(v.data(), v.size()));
-      }
-      std::fill_n(v.begin() + std::ptrdiff_t(i / 3 * 3), 3, Value(0));
-      CHECK(has_null(v.data(), v.size()));
-      v[i] = -small;
-      CHECK(!has_null(v.data(), v.size()));
-    }
-}
-
 int main()
 {
   on_host_backends([](auto backend, const std::string& name) {
     for(const std::string& wrong : Backend_operations<decltype(backend)>(backend).run())
       CHECK_AT(false, name + ": " + wrong);
   });
-  test_values<float>();
-  test_values<double>();
   test_on_all_backends<Backend_steps>();
   test_on<Backend_steps>(Reverse_backend());
   return report();

@@ -19,7 +19,7 @@ void check_cells(const std::vector<Grid_point>& points, std::size_t cell_size, c
 {
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(points.data(), points.size());
-  auto order = sort_along_curve(backend, points.data(), points.size(), frame);
+  auto order = sort_along_curve(backend, {points.data(), points.size()}, frame);
   const std::vector<Range> cells = split_cells(backend, order, frame, cell_size);
   std::vector<int> seen(points.size(), 0);
   for(const auto& entry : order)
@@ -87,7 +87,7 @@ void test_exact_check()
     const std::uint32_t origin = 0;
     std::uint32_t label = 0;
     const Plane integer = rounded(plane);
-    check_exactly(backend, {&g, &origin, &label, 1}, &integer, options.certain,
+    check_exactly(backend, {{&g, nullptr, nullptr}, &origin, &label, 1}, &integer, options.certain,
                   {{{p, false}, {normal, false}}, &c, options.exact});
     const long double e =
       (long double)(c[0]) * p[0] + (long double)(c[1]) * p[1] + (long double)(c[2]) * p[2] + (long double)(c[3]);
@@ -110,7 +110,7 @@ void test_zero_offset()
   Grid grid = {};
   grid.step = .5;
   grid.origin = {7, 0, 1};
-  const auto c = to_caller({{0, 0, 1}, -2}, grid);
+  const auto c = to_caller(Regular_plane{{0, 0, 1}, -2}, grid);
   CHECK(c[2] == 1 && c[3] == 0 && !std::signbit(c[3]));
 }
 

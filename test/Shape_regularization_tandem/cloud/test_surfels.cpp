@@ -80,17 +80,18 @@ void test_against_map(Backend& backend, const std::string& name, const Points& p
 {
   const Box box = box_of(points);
   const Grid_point low = {box.low[0], box.low[1], box.low[2], 0}, high = {box.high[0], box.high[1], box.high[2], 0};
-  const Code_frame frame = make_code_frame(low, high, edge);
+  const Code_frame frame = make_code_frame(low, high, {edge});
   const std::size_t n = points.size();
   const auto input = to_buffer(backend, points);
-  const auto sorted = sort_along_curve(backend, input.data(), n, frame);
+  const auto sorted = sort_along_curve(backend, {input.data(), n}, frame);
   Sorted_cloud<Backend> cloud;
   auto cells = to_buffer(backend, split_cells(backend, sorted, frame, 64));
   cloud.order.reset(n);
   cloud.all_points.reset(n);
   using Table = typename Backend::Sort_table::View;
-  backend.for_each(
-    n, Gather_points<Table>{sorted.view(), input.data(), nullptr, cloud.order.data(), cloud.all_points.data()});
+  backend.for_each(n, Gather_points<Table>{sorted.view(),
+                                           {input.data(), nullptr, nullptr},
+                                           {cloud.all_points.data(), cloud.order.data(), nullptr}});
   make_surfels(backend, sorted, cloud, cells);
 
   std::map<Key, std::vector<Grid_point>> expected;
@@ -143,14 +144,16 @@ std::vector<std::array<std::int64_t, 5>> listed_surfels(const Points& points, do
   Sequential_backend backend;
   const Box box = box_of(points);
   const Code_frame frame =
-    make_code_frame({box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}, edge);
-  const auto sorted = sort_along_curve(backend, points.data(), points.size(), frame);
+    make_code_frame({box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}, {edge});
+  const auto sorted = sort_along_curve(backend, {points.data(), points.size()}, frame);
   Sorted_cloud<Sequential_backend> cloud;
   auto cells = to_buffer(backend, split_cells(backend, sorted, frame, 64));
   cloud.order.reset(points.size());
   cloud.all_points.reset(points.size());
-  backend.for_each(points.size(), Gather_points<Host_sort_table::View>{sorted.view(), points.data(), nullptr,
-                                                                       cloud.order.data(), cloud.all_points.data()});
+  backend.for_each(points.size(),
+                   Gather_points<Host_sort_table::View>{sorted.view(),
+                                                        {points.data(), nullptr, nullptr},
+                                                        {cloud.all_points.data(), cloud.order.data(), nullptr}});
   make_surfels(backend, sorted, cloud, cells);
   std::vector<std::array<std::int64_t, 5>> list;
   for(std::uint32_t i = 0; i < cloud.size(); ++i) {
@@ -231,10 +234,10 @@ void test_mixed_surfels()
 void test_wide_frames()
 {
   const Grid_point low = {-(1 << 28), 0, 0, 0}, high = {(1 << 28) - 8, 5, 5, 0};
-  CHECK_AT(make_code_frame(low, high, 600).has_surfels(), "2^29 steps of cubes of 600");
-  CHECK_AT(!make_code_frame(low, high, 500).has_surfels(), "2^29 steps of cubes of 500");
-  CHECK_AT(!make_code_frame(low, high, 0).has_surfels(), "no surfels");
-  const Code_frame frame = make_code_frame(low, high, 600);
+  CHECK_AT(make_code_frame(low, high, {600}).has_surfels(), "2^29 steps of cubes of 600");
+  CHECK_AT(!make_code_frame(low, high, {500}).has_surfels(), "2^29 steps of cubes of 500");
+  CHECK_AT(!make_code_frame(low, high, {0}).has_surfels(), "no surfels");
+  const Code_frame frame = make_code_frame(low, high, {600});
   CHECK_AT(frame.code(low) != frame.code(high) && frame.code(high) >> 63 == 0, "codes of both ends");
 }
 

@@ -132,7 +132,7 @@ void test_twins(std::vector<Grid_point> points, int expected)
 {
   Sequential_backend backend;
   int prepared = 0, early = 0, questions = 0;
-  sort_along_curve(backend, points.data(), points.size(), make_code_frame(points.data(), points.size()),
+  sort_along_curve(backend, {points.data(), points.size()}, make_code_frame(points.data(), points.size()),
                    make_tie_order(
                      [&](std::uint32_t i, std::uint32_t j) {
                        early += prepared == 0;

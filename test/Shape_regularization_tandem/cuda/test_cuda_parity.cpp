@@ -10,6 +10,7 @@
 #include "testing/cuda_support.h"
 #include "testing/patches_cloud.h"
 #include "testing/random_case.h"
+#include "testing/tolerances.h"
 
 #include <cstdlib>
 #include <limits>
@@ -24,6 +25,8 @@ void check_same_result(const Shapes& device, const Shapes& host, const std::stri
   check_equal(a.number_of_rounds, b.number_of_rounds, name + ": rounds");
   check_equal(a.number_of_ignored_coordinates, b.number_of_ignored_coordinates, name + ": ignored coordinates");
   check_equal(a.number_of_ignored_normals, b.number_of_ignored_normals, name + ": ignored normals");
+  check_equal(a.number_of_ignored_tolerances, b.number_of_ignored_tolerances, name + ": ignored tolerances");
+  check_equal(a.number_of_far_points, b.number_of_far_points, name + ": far points");
   check_equal(a.is_grid_coarse, b.is_grid_coarse, name + ": coarse grid");
 }
 
@@ -184,6 +187,27 @@ void test_rounds()
   compare_rounds<Second<Kernel>>("patches", make_patches_cloud(500, .02), make_parameters(.05, 100)); // several passes
 }
 
+// Points with tolerances of their own, of several octaves; few have none.
+void test_tolerances()
+{
+  scenes::Random random(6);
+  Corridor corridor(320, 240, 5, random);
+  corridor.cloud[7].first = Kernel::Point_3(0, 0, 0);
+  for(const double least : {0., .002})
+    for(const Given given : {Given::normals, Given::nothing})
+      for(const double surfel_size : {.55, 0.}) {
+        const Range_tolerance map = {least, .0065};
+        Parameters parameters;
+        parameters.surfel_size = surfel_size;
+        const std::string name =
+          "tolerances from " + std::to_string(least) + (given == Given::normals ? "" : ", own normals");
+        const Shapes host = detect_with_tolerances(corridor.cloud, parameters, map, given);
+        check_same_result(detect_with_tolerances<Cuda_tag>(corridor.cloud, parameters, map, given), host, name);
+        check_equal(host.statistics().number_of_ignored_tolerances, std::size_t(least == 0), name);
+        CHECK_AT(host.number_of_shapes() >= 5, name);
+      }
+}
+
 // However the device is stopped, the shapes are those of the host stopped there.
 void test_cancellation()
 {
@@ -226,6 +250,7 @@ int main(int argc, char** argv)
   test_scenes();
   test_options();
   test_bad_input();
+  test_tolerances();
   test_cancellation();
   return report();
 }

@@ -12,6 +12,7 @@
 #include "testing/Late_backend.h"
 #include "testing/patches_cloud.h"
 #include "testing/random_case.h"
+#include "testing/tolerances.h"
 
 #include <cstdlib>
 
@@ -29,11 +30,10 @@ struct Shuffled_traits : Sequential_traits<Normal_map> {
   std::uint64_t seed;
 };
 
-// Returns the number of shapes.
-template <class Normal_map>
-std::size_t compare(const std::string& name, const Cloud& cloud, const Parameters& parameters, std::uint64_t seed)
+// Returns the number of shapes. list: named parameters.
+template <class Normal_map, class List>
+std::size_t compare_lists(const std::string& name, const Cloud& cloud, const List& list, std::uint64_t seed)
 {
-  const auto list = CGAL::Tandem::parameters::settings(parameters).point_map(Point_map()).normal_map(Normal_map());
   CGAL::Tandem::Planar_shape_detection_3<Sequential_traits<Normal_map>> expected(cloud, list);
   CGAL::Tandem::Planar_shape_detection_3<Shuffled_traits<Normal_map>> shuffled(cloud, list,
                                                                                Shuffled_traits<Normal_map>(seed));
@@ -51,6 +51,24 @@ std::size_t compare(const std::string& name, const Cloud& cloud, const Parameter
   shuffled.finish();
   check_same(shuffled.shapes(), expected.shapes(), name + ", seed " + std::to_string(seed) + ", after the end game");
   return expected.shapes().number_of_shapes();
+}
+
+template <class Normal_map>
+std::size_t compare(const std::string& name, const Cloud& cloud, const Parameters& parameters, std::uint64_t seed)
+{
+  return compare_lists<Normal_map>(
+    name, cloud, CGAL::Tandem::parameters::settings(parameters).point_map(Point_map()).normal_map(Normal_map()), seed);
+}
+
+// Points with tolerances of their own, of several octaves.
+void test_tolerances(std::uint64_t seed)
+{
+  scenes::Random random(seed);
+  const Corridor corridor(100, 80, 5, random);
+  const auto list =
+    CGAL::Tandem::parameters::point_map(Point_map()).cell_size(500).maximum_distance_map(Range_tolerance{.002, .0065});
+  CHECK(compare_lists<Second<Kernel>>("tolerances", corridor.cloud, list.normal_map(Second<Kernel>()), seed) >= 4);
+  CHECK(compare_lists<CGAL::Default>("tolerances without normals", corridor.cloud, list, seed) >= 4);
 }
 
 void test(const std::string& name, const scenes::Options& options, double epsilon, std::size_t minimum,
@@ -92,6 +110,8 @@ int main(int argc, char** argv)
   test("staircase", scene_options(3000, .001, .05), .01, 30, 3);
   test("indoor", scene_options(10000, .0005, .05), .03, 40, 2);
   test("slope", scene_options(4000, .001), .03, 50, 3);
+  test_tolerances(1);
+  test_tolerances(2);
   // several passes
   CHECK(compare<Second<Kernel>>("patches", make_patches_cloud(200, .02), make_parameters(.05, 100), 1) >= 2);
   test_random_cases();

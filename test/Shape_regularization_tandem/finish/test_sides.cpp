@@ -115,7 +115,7 @@ private:
   // it is at most a share of the mean of the absolute values.
   double mean_side(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
   {
-    const double epsilon = double(f_.tolerance.distance);
+    const double epsilon = double(f_.tolerance_of(i).distance);
     double sum = 0, size = 0;
     const auto add = [&](std::uint32_t q) {
       if(f_.label[q] != s)
@@ -148,7 +148,7 @@ private:
     f_.for_each_neighbor(i, [&](std::uint32_t q) {
       const std::uint32_t t = f_.label[q];
       if(own >= first_mark || t >= first_mark || !seen.insert(t).second ||
-         f_.distance(t, i) > std::uint64_t(f_.tolerance.distance) || is_aligned_naively(best, t))
+         f_.distance(t, i) > std::uint64_t(f_.tolerance_of(i).distance) || is_aligned_naively(best, t))
         return;
       const double of_best = mean_side(i, best, t), of_t = mean_side(i, t, best);
       const double to_t = double(signed_distance(f_.plane[t], f_.point[i])),
@@ -273,7 +273,7 @@ void test_clutter()
 
 int main()
 {
-  test_on_all_backends<Side_bodies>();
+  test_with_levels_on_all_backends<Side_bodies>();
   test_edge(90, .814);
   test_edge(135, .856);
   test_given_normals();

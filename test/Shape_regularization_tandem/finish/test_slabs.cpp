@@ -53,11 +53,11 @@ private:
             return;
           std::uint64_t* const c = expected.data() + std::size_t(label[i]) * neighbor_counts::size;
           ++c[neighbor_counts::all];
-          c[neighbor_counts::near] += is_near(plane[label[i]], f_.point[q], f_.tolerance.distance);
+          c[neighbor_counts::near] += is_near(plane[label[i]], f_.point[q], f_.tolerance_of(i).distance);
         });
     backend_.template for_each_cell<Neighbor_scratch>(
       f_.cells.size(), Count_neighbors<Backend>{f_.cloud, f_.cells.data(), label.data(), plane.data(), is_crisp.data(),
-                                                counts.data(), f_.tolerance.distance});
+                                                counts.data(), f_.tolerance});
     check_lists(counts, expected, where + ": neighbors");
   }
 
@@ -101,7 +101,7 @@ void test_slabs()
 
 int main()
 {
-  test_on_all_backends<Slabs_of_fixture>();
+  test_with_levels_on_all_backends<Slabs_of_fixture>();
   test_bound();
   test_slabs();
   return report();

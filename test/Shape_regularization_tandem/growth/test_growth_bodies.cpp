@@ -9,6 +9,7 @@
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
+#include <CGAL/Tandem/internal/shapes/Seeds.h>
 
 #include <map>
 #include <set>
@@ -25,11 +26,35 @@ public:
 
   void run()
   {
+    test_planarity();
     test_propose();
     test_growth();
   }
 
 private:
+  // How planar the surface is within the own tolerance of each point, and the same within tighter bounds.
+  void test_planarity()
+  {
+    const Tolerance tight = {f_.tolerance.distance / 3, (f_.tolerance.squared_cosine + (std::int64_t(1) << 32)) / 2};
+    std::size_t differing = 0;
+    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
+      const Plane own = own_plane(f_.point[i]);
+      const Tolerance at = f_.tolerance_of(i), tight_at = f_.level.empty() ? tight : tight.at(f_.level[i]);
+      int all = 0, fitting = 0, close = 0, within_epsilon = 0;
+      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+        ++all;
+        fitting += fits(own, f_.point[q], at);
+        close += fits(own, f_.point[q], tight_at);
+        within_epsilon += fits(own, f_.point[q], f_.tolerance);
+      });
+      const Planarity p = planarity(f_.cloud, i, f_.tolerance, tight);
+      CHECK_AT(p.all == all && p.fitting == fitting && p.close == close, name_ + ": planarity");
+      differing += fitting != within_epsilon;
+    }
+    CHECK_AT(f_.cloud.size < 1000 || (differing > 50) == !f_.level.empty(),
+             name_ + ": own tolerances matter at " + std::to_string(differing));
+  }
+
   void test_propose()
   {
     std::vector<std::uint32_t> border, proposal, expected;
@@ -96,7 +121,7 @@ private:
     std::vector<Shared_moments> delta(plane.size()), expected_delta(plane.size());
     for(std::size_t i = 0; i < label.size(); ++i)
       if(label[i] != expected[i])
-        add_point(expected_delta[expected[i]], f_.point[i], 1);
+        add_point(expected_delta[expected[i]], f_.point[i], 1, f_.level_of(i));
     // No points of the border, no seeds.
     const std::vector<Range> border(f_.cells.size(), Range{0, 0});
     const std::vector<std::uint32_t> none(f_.cells.size(), 0);
@@ -124,6 +149,6 @@ private:
 
 int main()
 {
-  test_on_all_backends<Growth_bodies>();
+  test_with_levels_on_all_backends<Growth_bodies>();
   return report();
 }

@@ -8,6 +8,7 @@
 #undef NDEBUG
 
 #include "testing/mpi_cases.h"
+#include "testing/tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
@@ -149,6 +150,34 @@ void test_estimates(const Ranks& ranks, std::size_t points)
   CHECK_AT(own == expected, c.text(ranks) + ": estimated parameters");
 }
 
+// Points with tolerances of their own: the results of a single process, and few points that are too far for the grid.
+void test_tolerances(const Ranks& ranks)
+{
+  scenes::Random random(4);
+  Cloud cloud = Corridor(80, 60, 5, random).cloud;
+  cloud[5].first = Kernel::Point_3(1e9, 1e9, 0);
+  cloud[9].first = Kernel::Point_3(0, 0, 0);
+  const Range_tolerance map = {0, .0065};
+  for(const Deal deal : {Deal::random, Deal::odd})
+    for(const Given given : {Given::normals, Given::nothing}) {
+      Parameters parameters = with_cells(Parameters(), 200);
+      parameters.minimum_region_size = 30;
+      const Dealt_case c = {{"tolerances", cloud, parameters, given}, deal};
+      const Cloud part = c.part(ranks);
+      const auto detect_part = [&](const auto& list) {
+        const auto with_ranks = list.communicator(ranks);
+        Shapes shapes = CGAL::Tandem::detect_planes<Mpi_tag<CGAL::Sequential_tag>>(part, with_ranks);
+        std::string why;
+        CHECK_AT(CGAL::Tandem::is_valid_result(part, shapes, with_ranks, &why), c.text(ranks) + ": " + why);
+        return shapes;
+      };
+      const Shapes shapes = with_tolerances(parameters, map, given, detect_part);
+      const Shapes expected = detect_with_tolerances(c.whole(ranks), parameters, map, given);
+      check_same_on_ranks(ranks, shapes, &expected, 0, c.text(ranks));
+      CHECK_AT(expected.number_of_shapes() >= 4 && expected.statistics().number_of_far_points == 1, c.text(ranks));
+    }
+}
+
 int main(int argc, char** argv)
 {
   const boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
@@ -165,6 +194,7 @@ int main(int argc, char** argv)
   compare_with_one(world, border_cases(world, stride));
   test_threads(world);
   test_communicators(world);
+  test_tolerances(world);
   if(!are_few) {
     test_wall(world);
     test_estimates(world, 2000);

@@ -170,7 +170,7 @@ private:
       shape[s].plane_number = !is_of_one_plane_ || s % 10 == 9 ? -1 : int(s / 2);
     for(std::uint32_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark) {
-        shape[label[i]].moments.add(f_.point[i], 1);
+        shape[label[i]].moments.add(f_.point[i], 1, f_.level_of(i));
         shape[label[i]].box.add(f_.point[i]);
       }
     return shape;
@@ -271,6 +271,6 @@ int main()
 {
   test_marks();
   test_ties();
-  test_on_all_backends<Assignments>();
+  test_with_levels_on_all_backends<Assignments>();
   return report();
 }

@@ -39,7 +39,7 @@ private:
     std::vector<std::vector<Sampled_point>> all(n);
     for(std::uint32_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark)
-        all[label[i]].push_back({hash_of_position(first + i), f_.point[i]});
+        all[label[i]].push_back({hash_of_position(first + i), f_.level_of(i), f_.point[i]});
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
     points.cloud.first = first;
@@ -129,7 +129,7 @@ void test_many(Backend& backend, const std::string& name)
 
 int main()
 {
-  test_on_all_backends<Samples>();
+  test_with_levels_on_all_backends<Samples>();
   test_merge({0, 0});
   test_merge({0, 5, 0, 1});
   test_merge({1, 63, 64});

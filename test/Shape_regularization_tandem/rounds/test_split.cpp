@@ -62,7 +62,7 @@ private:
     for(std::uint32_t i = 0; i < label_.size(); ++i) {
       const std::uint32_t hash = hash_of_position(first_ + i);
       if(label_[i] == id && hash <= sample_bound(shape, Split_gain::sample_size))
-        sample.push_back({hash, f_.point[i]});
+        sample.push_back({hash, f_.level_of(i), f_.point[i]});
     }
     std::sort(sample.begin(), sample.end(), [](const auto& a, const auto& b) { return a.hash < b.hash; });
     return sample;
@@ -121,7 +121,7 @@ public:
         test(first, name_ + ", " + std::to_string(joined) + " faces");
       }
     if(f_.point.size() >= 1000)
-      CHECK_AT(accepted_ > 2 && refused_ > 0,
+      CHECK_AT(accepted_ > (f_.level.empty() ? 2 : 1) && refused_ > 0,
                name_ + ": " + std::to_string(accepted_) + " splits, " + std::to_string(refused_) + " refused");
   }
 
@@ -146,7 +146,7 @@ private:
     std::vector<Shape> shape(f_.plane.size());
     for(std::uint32_t i = 0; i < label_.size(); ++i)
       if(label_[i] < first_mark) {
-        shape[label_[i]].moments.add(f_.point[i], 1);
+        shape[label_[i]].moments.add(f_.point[i], 1, f_.level_of(i));
         shape[label_[i]].box.add(f_.point[i]);
       }
     for(Shape& s : shape)
@@ -215,7 +215,7 @@ private:
     std::vector<Fitted_moments> sum(shapes.size);
     for(std::uint32_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark)
-        sum[label[i]].moments.add(f_.point[i], 1);
+        sum[label[i]].moments.add(f_.point[i], 1, f_.level_of(i));
     CHECK_AT(shapes.has_moments(), where + ": moments have to be made again");
     require(points, shapes, tables::fits | tables::lists);
     for(std::uint32_t id = 0; id < shapes.size; ++id) {
@@ -251,6 +251,7 @@ private:
 
 int main()
 {
-  on_host_backends([](auto backend, const std::string&) { test_on<Splits>(std::move(backend)); });
+  for(const Levels levels : {Levels::none, Levels::mixed})
+    on_host_backends([&](auto backend, const std::string&) { test_on<Splits>(std::move(backend), levels); });
   return report();
 }

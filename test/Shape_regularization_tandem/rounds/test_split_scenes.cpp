@@ -116,7 +116,7 @@ Sorted_scene sorted(const Scene& scene, int k)
   Sorted_scene s;
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(unsorted.data(), unsorted.size());
-  auto order = sort_along_curve(backend, unsorted.data(), unsorted.size(), frame);
+  auto order = sort_along_curve(backend, {unsorted.data(), unsorted.size()}, frame);
   s.fixture.cells = split_cells(backend, order, frame, 512);
   for(const Host_sort_table::Entry& o : order) {
     s.fixture.point.push_back(unsorted[o.index]);
@@ -201,7 +201,7 @@ void test_gain(const std::string& name, const Scene& scene, bool is_any)
   std::vector<Sampled_point> sample;
   for(const Truth& t : scene) {
     shape.moments.add(t.point);
-    sample.push_back({std::uint32_t(sample.size()), t.point});
+    sample.push_back({std::uint32_t(sample.size()), 0, t.point});
   }
   refit(shape);
   double most = 0;

@@ -6,7 +6,7 @@
 
 #undef NDEBUG
 
-#include "testing/fragments.h"
+#include "testing/random_shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +16,6 @@
 #include <vector>
 
 using namespace CGAL::Tandem::internal;
-
-struct Points {
-  Grid_points point;
-  Fitted_moments fitted;
-  Shape_sample sample;
-
-  void finish(std::uint32_t first_position)
-  {
-    for(const Grid_point& p : point)
-      fitted.moments.add(p, 1);
-    refit(fitted);
-    sample = sample_of(point, first_position);
-  }
-  std::int64_t size() const { return std::int64_t(point.size()); }
-};
 
 // Of points with one plane.
 struct Value {
@@ -118,23 +103,6 @@ private:
   Options options_;
 };
 
-// Up to 64 points of a square on a plane, with noise; some normals lean too much for the plane.
-Points random_shape(int n, int x, std::mt19937& random)
-{
-  const auto uniform = [&](double low, double high) { return low + (high - low) * double(random() % 100000) / 100000; };
-  const double slope_x = uniform(-.1, .1), slope_y = uniform(-.05, .05), height = uniform(-1, 1) * maximum_distance;
-  const double noise = uniform(0, .6) * maximum_distance;
-  const bool has_outliers = random() % 2 == 0;
-  Points s;
-  for(int i = 0; i < n; ++i) {
-    const double u = uniform(-500, 500), v = uniform(-500, 500);
-    const double lean = has_outliers && random() % 12 == 0 ? .45 : 0; // 24 degrees, and the slope
-    s.point.push_back({x + int(u), int(v), int(slope_x * u + slope_y * v + height + uniform(-noise, noise)),
-                       encode_normal({lean - slope_x, -slope_y, 1})});
-  }
-  return s;
-}
-
 void test_whole_samples()
 {
   int accepted = 0, rejected = 0, taken = 0, close = 0, small_loses = 0;
@@ -175,6 +143,44 @@ void test_whole_samples()
   for(int count : {accepted, rejected, taken, small_loses})
     CHECK_AT(count > 100, std::to_string(count) + " of a kind");
   CHECK_AT(close < 5000, std::to_string(close) + " are close");
+}
+
+// Points of one tolerance are as points of epsilon: the verdict is that of points which are larger by the same factor.
+void test_levels()
+{
+  int accepted = 0, rejected = 0, taken = 0;
+  std::mt19937 random(12);
+  for(int repetition = 0; repetition < 12000; ++repetition) {
+    const Union_gain gain(union_options(int(random() % 4 == 0 ? 200 : 20)));
+    const int octaves = int(random() % 3), n = 3 + int(random() % 62), m = 3 + int(random() % 62);
+    Points small[2] = {random_shape((std::max)(n, m), 0, random), random_shape((std::min)(n, m), 1000, random)};
+    Points large[2] = {small[0], small[1]};
+    for(std::uint32_t side : {0u, 1u}) {
+      const int factor = 1 << octaves;
+      for(Grid_point& p : small[side].point)
+        p = {p.x / factor, p.y / factor, p.z / factor, p.normal};
+      for(std::size_t i = 0; i < small[side].point.size(); ++i) {
+        const Grid_point& p = small[side].point[i];
+        large[side].point[i] = {p.x * factor, p.y * factor, p.z * factor, p.normal};
+      }
+      large[side].finish(side * 64);
+      small[side].finish(side * 64, std::uint8_t(8 * octaves));
+    }
+    const std::uint32_t links = random() % 30;
+    const auto verdict = [&](const Points* p) {
+      return gain.verdict({p[0].fitted, p[0].sample}, {p[1].fitted, p[1].sample}, links);
+    };
+    const Verdict expected = verdict(large), got = verdict(small);
+    const std::string where = std::to_string(octaves) + " octaves, case " + std::to_string(repetition);
+    check_equal(got.is_accepted, expected.is_accepted, where + ": is accepted");
+    check_equal(got.is_taken, expected.is_taken, where + ": is taken");
+    CHECK_AT(std::fabs(got.gain - expected.gain) < 2, where + ": gain");
+    accepted += octaves > 0 && expected.is_accepted;
+    taken += octaves > 0 && expected.is_taken;
+    rejected += octaves > 0 && !expected.is_accepted;
+  }
+  for(int count : {accepted, rejected, taken})
+    CHECK_AT(count > 100, std::to_string(count) + " of a kind, with levels");
 }
 
 // Points of two areas side by side, at a distance in epsilons: f(x, y) of the second one. Noise is uniform, of so many
@@ -262,6 +268,7 @@ void test_unions(Backend& backend, const std::string& name)
 int main()
 {
   test_whole_samples();
+  test_levels();
   test_surfaces();
   test_dissolved();
   on_body_backends([](auto backend, const std::string& name) { test_unions(backend, name); });

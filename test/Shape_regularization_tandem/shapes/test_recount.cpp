@@ -34,7 +34,7 @@ private:
     std::vector<Shared_moments> sum(f_.plane.size()), expected(f_.plane.size());
     for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
       if(f_.label[i] < first_mark)
-        add_point(expected[f_.label[i]], f_.point[i], 1);
+        add_point(expected[f_.label[i]], f_.point[i], 1, f_.level_of(i));
     backend_.template for_each_cell<Moment_table>(
       f_.cells.size() * parts, Sum_moments<Backend>{f_.cloud, f_.parts_view(parts), f_.label.data(), sum.data()});
     check_moments(sum, expected, name_ + ": sums");
@@ -54,7 +54,7 @@ private:
     }
     for(std::uint32_t i = 0; i < f_.cloud.size; ++i)
       if(f_.label[i] < first_mark)
-        add_point(expected[f_.label[i]], f_.point[i], 1);
+        add_point(expected[f_.label[i]], f_.point[i], 1, f_.level_of(i));
     Shape_table<Backend> shapes = make_table(backend_, shape);
     shapes.lose_moments();
     require(points, shapes, tables::moments | tables::lists);
@@ -76,6 +76,6 @@ private:
 
 int main()
 {
-  test_on_all_backends<Recount>();
+  test_with_levels_on_all_backends<Recount>();
   return report();
 }

@@ -63,7 +63,8 @@ public:
   Counts counts;
 
 private:
-  bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane_[s], f_.point[i], tolerance_); }
+  Tolerance tolerance_of(std::uint32_t i) const { return f_.level.empty() ? tolerance_ : tolerance_.at(f_.level[i]); }
+  bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane_[s], f_.point[i], tolerance_of(i)); }
 
   // The weight of the point, half a point for all of its links, and the bonus for one point more than at the beginning.
   std::int64_t worth(const Labels& label, std::uint32_t i, std::uint32_t s) const
@@ -71,7 +72,7 @@ private:
     std::int64_t links = 0;
     f_.for_each_neighbor(i, [&](std::uint32_t j) { links += label[j] == s; });
     const std::int64_t distance = signed_distance(plane_[s], f_.point[i]), points = shape_[s].moments.count;
-    return Score::weight({1, tolerance_.distance}, distance) + links * (Score::unit / 2) / f_.cloud.k +
+    return Score::weight({1, tolerance_of(i).distance}, distance) + links * (Score::unit / 2) / f_.cloud.k +
            (points > 0 ? score_.point_bonus(points) : 0);
   }
 

@@ -34,8 +34,11 @@ struct Fixture {
   std::vector<Plane> plane;
   std::vector<std::uint32_t> label;
   std::vector<std::uint8_t> state;
+  std::vector<std::uint8_t> level; // of tolerances of points; empty: all have that above
 
-  bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane[s], point[i], tolerance); }
+  std::uint8_t level_of(std::uint32_t i) const { return level.empty() ? std::uint8_t(0) : level[i]; }
+  Tolerance tolerance_of(std::uint32_t i) const { return level.empty() ? tolerance : tolerance.at(level[i]); }
+  bool fits(std::uint32_t s, std::uint32_t i) const { return internal::fits(plane[s], point[i], tolerance_of(i)); }
 
   // A pass over so many parts of each cell.
   Cells_view parts_view(std::uint32_t parts) const { return {cells.data(), lists.data(), parts}; }
@@ -57,13 +60,27 @@ struct Fixture {
     return planes;
   }
 
+  // Of tolerances of points: most are those of the detection.
+  std::vector<std::uint8_t> mixed_levels() const
+  {
+    std::vector<std::uint8_t> levels(point.size());
+    for(std::size_t i = 0; i < levels.size(); ++i)
+      levels[i] = std::uint8_t(i % 3 == 0 ? i % 23 : 0);
+    return levels;
+  }
+  void set_levels()
+  {
+    level = mixed_levels();
+    cloud.level = cloud.surfels.level = level.data();
+  }
+
   // So many shapes, with the points of their labels.
   std::vector<Shape> shapes_of_labels(std::size_t n) const
   {
     std::vector<Shape> shape(n);
     for(std::uint32_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark) {
-        shape[label[i]].moments.add(point[i], 1);
+        shape[label[i]].moments.add(point[i], 1, level_of(i));
         shape[label[i]].box.add(point[i]);
       }
     return shape;
@@ -97,7 +114,7 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   Fixture f;
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(unsorted.data(), size);
-  auto order = sort_along_curve(backend, unsorted.data(), size, frame);
+  auto order = sort_along_curve(backend, {unsorted.data(), size}, frame);
   f.cells = split_cells(backend, order, frame, cell_size);
   scenes::Random random(9);
   for(const scenes::Truth_face& face : scene.faces)
@@ -127,6 +144,8 @@ std::size_t take_cloud(const Fixture& f, Labeled_cloud<Backend>& points)
   points.cloud.k = f.cloud.k;
   points.cloud.point = to_buffer(points.backend, f.point);
   points.cloud.neighbor = to_buffer(points.backend, f.neighbor);
+  points.cloud.has_levels = !f.level.empty();
+  points.cloud.level = to_buffer(points.backend, f.level);
   points.cells = to_buffer(points.backend, f.cells);
   std::size_t cell_size = 0;
   for(const Range& cell : f.cells)
@@ -162,7 +181,8 @@ void check_lists(const std::vector<T>& got, const std::vector<T>& expected, cons
 
 inline bool are_equal(const Moments& a, const Moments& b)
 {
-  return a.count == b.count && std::equal(a.sum, a.sum + 3, b.sum) && std::equal(a.product, a.product + 6, b.product);
+  return a.count == b.count && a.squared_tolerances == b.squared_tolerances && std::equal(a.sum, a.sum + 3, b.sum) &&
+         std::equal(a.product, a.product + 6, b.product);
 }
 
 inline void check_moments(const std::vector<Shared_moments>& got, const std::vector<Shared_moments>& expected,
@@ -188,18 +208,21 @@ void check_moments(const Shape_table<Backend>& shapes, const std::vector<Shared_
   CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), name + ": deltas that stay");
 }
 
-inline void add_point(Shared_moments& target, const Grid_point& p, int sign)
+inline void add_point(Shared_moments& target, const Grid_point& p, int sign, std::uint8_t level = 0)
 {
   Moments m;
-  m.add(p, sign);
+  m.add(p, sign, level);
   Box box;
   box.add(p);
   atomic_add<Sequential_backend>(target, m, box);
 }
 
+// Whether points have tolerances of their own.
+enum class Levels { none, mixed };
+
 // Bodies<Backend>(backend, name, fixture).run() on some scenes.
 template <template <class> class Bodies, class Backend>
-void test_on(Backend backend)
+void test_on(Backend backend, Levels levels = Levels::none)
 {
   struct Case {
     const char* scene;
@@ -212,8 +235,11 @@ void test_on(Backend backend)
                         {"indoor", 6000, 16, 300},
                         {"cube", 12, 12, 64}}; // rows that end early
   for(const Case& c : cases) {
-    const Fixture fixture = make_fixture(c.scene, c.points, c.k, c.cell_size);
-    const std::string name = std::string(Backend::name()) + ", " + c.scene;
+    Fixture fixture = make_fixture(c.scene, c.points, c.k, c.cell_size);
+    if(levels == Levels::mixed)
+      fixture.set_levels();
+    const std::string name =
+      std::string(Backend::name()) + ", " + c.scene + (levels == Levels::mixed ? ", own tolerances" : "");
     Bodies<Backend>(backend, name, fixture).run();
   }
 }
@@ -232,6 +258,14 @@ template <template <class> class Bodies>
 void test_on_all_backends()
 {
   on_body_backends([](auto backend, const std::string&) { test_on<Bodies>(backend); });
+}
+
+// The same, and once more with tolerances of points.
+template <template <class> class Bodies>
+void test_with_levels_on_all_backends()
+{
+  test_on_all_backends<Bodies>();
+  on_body_backends([](auto backend, const std::string&) { test_on<Bodies>(backend, Levels::mixed); });
 }
 
 } // namespace internal

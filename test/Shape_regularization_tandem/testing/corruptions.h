@@ -19,6 +19,14 @@
 #include <utility>
 #include <vector>
 
+namespace CGAL {
+namespace Tandem {
+
+inline bool operator==(const Plane_uncertainty& a, const Plane_uncertainty& b) { return a.centroid == b.centroid; }
+
+} // namespace Tandem
+} // namespace CGAL
+
 // Numbers all corruptions, and makes one of them: that of the number `target`.
 class Corruption {
 public:
@@ -26,8 +34,8 @@ public:
 
   Corruption(Data& data, std::size_t target) : target_(target)
   {
-    auto& [coefficients, size, parallel, coplanar, orthogonal, fixed, symmetry, flipped, shape_of, normal, parameters,
-           statistics, points] = data;
+    auto& [coefficients, size, parallel, coplanar, orthogonal, fixed, symmetry, flipped, uncertainty, shape_of, normal,
+           parameters, statistics, points] = data;
     visit("coefficients", coefficients);
     visit("size", size);
     visit("parallel_group", parallel);
@@ -36,6 +44,7 @@ public:
     visit("fixed_direction", fixed);
     visit("symmetry_group", symmetry);
     visit("is_flipped", flipped);
+    visit("uncertainty", uncertainty);
     visit("shape_of", shape_of);
     visit("normal", normal);
     visit_fields("parameters.", parameters);
@@ -75,12 +84,21 @@ private:
 
   void visit_fields(const std::string& of, CGAL::Tandem::Statistics& s)
   {
-    auto& [points, coordinates, normals, assigned, shapes, directions, planes, pairs, coverage, distance, freedom,
-           complexity, score, rounds, times, bytes, step, is_coarse, has_estimated, is_cancelled, backend] = s;
+    auto& [points, coordinates, normals, tolerances, far_points, assigned, free_points, shapes, directions, planes,
+           pairs, coverage, distance, freedom, complexity, score, rounds, times, bytes, step, is_coarse, has_estimated,
+           is_cancelled, note, backend] = s;
     visit(of + "number_of_points", points);
     visit(of + "number_of_ignored_coordinates", coordinates);
     visit(of + "number_of_ignored_normals", normals);
+    visit(of + "number_of_ignored_tolerances", tolerances);
+    visit(of + "number_of_far_points", far_points);
     visit(of + "number_of_assigned_points", assigned);
+    auto& [without_normal, misfit, without_neighbors, in_small_regions, clutter] = free_points;
+    visit(of + "free_points.without_normal", without_normal);
+    visit(of + "free_points.misfit", misfit);
+    visit(of + "free_points.without_neighbors", without_neighbors);
+    visit(of + "free_points.in_small_regions", in_small_regions);
+    visit(of + "free_points.clutter", clutter);
     visit(of + "number_of_shapes", shapes);
     visit(of + "number_of_directions", directions);
     visit(of + "number_of_planes", planes);
@@ -102,6 +120,7 @@ private:
     visit(of + "is_grid_coarse", is_coarse);
     visit(of + "has_estimated_normals", has_estimated);
     visit(of + "is_cancelled", is_cancelled);
+    visit(of + "estimate_note", note);
     visit(of + "backend", backend);
   }
 
@@ -151,6 +170,16 @@ private:
     const Number most = (std::numeric_limits<Number>::max)(), least = (std::numeric_limits<Number>::min)();
     for(const Number wrong : std::set<Number>{least, Number(x - 1), Number(x + 1), Number(most / 2), most})
       set(field, x, wrong);
+  }
+
+  void visit(const std::string& field, CGAL::Tandem::Plane_uncertainty& u)
+  {
+    auto& [centroid, noise, covariance, deviation, angle] = u;
+    visit(field + ".centroid", centroid);
+    visit(field + ".noise", noise);
+    visit(field + ".normal_covariance", covariance);
+    visit(field + ".offset_deviation", deviation);
+    visit(field + ".angle_deg", angle);
   }
 
   void visit(const std::string& field, std::pair<int, int>& pair)

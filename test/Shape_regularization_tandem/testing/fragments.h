@@ -52,19 +52,20 @@ inline Shape_sample least_of(std::vector<Sampled_point> all)
   return sample;
 }
 
-// Points in the order of their positions.
-inline Shape_sample sample_of(const Grid_points& points, std::uint32_t first_position = 0)
+// Points in the order of their positions, all of one tolerance.
+inline Shape_sample sample_of(const Grid_points& points, std::uint32_t first_position = 0, std::uint8_t level = 0)
 {
   std::vector<Sampled_point> all;
   for(const Grid_point& p : points)
-    all.push_back({hash_of_position(first_position++), p});
+    all.push_back({hash_of_position(first_position++), level, p});
   return least_of(all);
 }
 
 inline bool are_equal(const Shape_sample& a, const Shape_sample& b)
 {
   return a.size == b.size && std::equal(a.item, a.item + a.size, b.item, [](const auto& p, const auto& q) {
-           return p.hash == q.hash && p.point.x == q.point.x && p.point.y == q.point.y && p.point.z == q.point.z;
+           return p.hash == q.hash && p.level == q.level && p.point.x == q.point.x && p.point.y == q.point.y &&
+                  p.point.z == q.point.z;
          });
 }
 

@@ -271,11 +271,14 @@ private:
     }
     expect(t.number_of_points == cloud_.size(), "statistics: points", t.number_of_points);
     expect(t.number_of_assigned_points == assigned, "statistics: assigned points", t.number_of_assigned_points);
+    expect(20 * t.number_of_far_points <= usable_.size(), "statistics: far points", t.number_of_far_points);
+    expect(t.free_points.total() + t.number_of_far_points + assigned == usable_.size(), "statistics: free points",
+           t.free_points.total());
     expect(t.number_of_shapes == shapes_.number_of_shapes(), "statistics: shapes", t.number_of_shapes);
     expect(t.number_of_ignored_coordinates == coordinates, "bad data: points that are not finite",
            t.number_of_ignored_coordinates);
-    expect(t.number_of_ignored_points() == cloud_.size() - usable_.size(), "bad data: ignored points",
-           t.number_of_ignored_points());
+    expect(t.number_of_ignored_points() - t.number_of_far_points == cloud_.size() - usable_.size(),
+           "bad data: ignored points", t.number_of_ignored_points());
   }
 
   const Cloud& cloud_;

@@ -21,13 +21,13 @@ namespace internal {
 
 // What the library has compiled is tested, although the precompiled header defines it, too.
 using Sequential_ranks = Mpi_backend<Sequential_backend>;
-extern template void complete_parameters(Sequential_ranks&, const Import&, bool, Parameters&);
-extern template void set_scale(Sequential_ranks&, Import&, bool, Parameters&);
+extern template Distance_estimate complete_parameters(Sequential_ranks&, const Import&, bool, Parameters&);
+extern template std::string set_scale(Sequential_ranks&, Import&, bool, Parameters&);
 extern template Shapes_data export_shapes(Sequential_ranks&, const Import&, const Parameters&, const Engine_result&);
 #ifdef CGAL_LINKED_WITH_TBB
 using Tbb_ranks = Mpi_backend<Tbb_backend>;
-extern template void complete_parameters(Tbb_ranks&, const Import&, bool, Parameters&);
-extern template void set_scale(Tbb_ranks&, Import&, bool, Parameters&);
+extern template Distance_estimate complete_parameters(Tbb_ranks&, const Import&, bool, Parameters&);
+extern template std::string set_scale(Tbb_ranks&, Import&, bool, Parameters&);
 extern template Shapes_data export_shapes(Tbb_ranks&, const Import&, const Parameters&, const Engine_result&);
 #endif
 
@@ -137,10 +137,13 @@ inline void add_parameters(Words& words, const Parameters& p)
 // All but times, memory, and the name of the back end.
 inline void add_statistics(Words& words, const CGAL::Tandem::Statistics& s)
 {
-  words.insert(words.end(), {s.number_of_points, s.number_of_ignored_coordinates, s.number_of_ignored_normals,
-                             s.number_of_assigned_points, s.number_of_shapes, s.number_of_directions,
-                             s.number_of_planes, s.number_of_orthogonal_pairs, s.degrees_of_freedom, s.number_of_rounds,
-                             s.is_grid_coarse, s.has_estimated_normals, s.is_cancelled});
+  words.insert(words.end(),
+               {s.number_of_points, s.number_of_ignored_coordinates, s.number_of_ignored_normals,
+                s.number_of_ignored_tolerances, s.number_of_far_points, s.number_of_assigned_points, s.number_of_shapes,
+                s.number_of_directions, s.number_of_planes, s.number_of_orthogonal_pairs, s.degrees_of_freedom,
+                s.number_of_rounds, s.is_grid_coarse, s.has_estimated_normals, s.is_cancelled});
+  const CGAL::Tandem::Free_points& f = s.free_points;
+  words.insert(words.end(), {f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter});
   for(const double x : {s.coverage, s.mean_distance, s.complexity, s.grid_step, s.score.fit, s.score.links,
                         s.score.size, s.score.price, s.score.freedom})
     words.push_back(to_word(x));
@@ -162,6 +165,12 @@ inline Words common_words(const Shapes& shapes)
   add_sized(words, data.fixed_direction);
   add_sized(words, data.symmetry_group);
   add_sized(words, data.is_flipped);
+  for(const auto& u : data.uncertainty) {
+    for(const double x : {u.centroid[0], u.centroid[1], u.centroid[2], u.noise, u.offset_deviation, u.angle_deg})
+      words.push_back(to_word(x));
+    for(const double x : u.normal_covariance)
+      words.push_back(to_word(x));
+  }
   words.push_back(data.orthogonal_groups.size());
   for(const auto& pair : data.orthogonal_groups)
     words.push_back(std::uint64_t(pair.first) << 32 | std::uint64_t(pair.second));

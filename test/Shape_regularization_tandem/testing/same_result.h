@@ -35,6 +35,11 @@ inline std::vector<std::uint64_t> shape_bits(const Shapes& shapes)
     const std::size_t last = all.size();
     all.insert(all.end(), {0, 0, 0, 0, shapes.parallel_group(s), shapes.coplanar_group(s), shapes.is_flipped(s)});
     std::memcpy(&all[last], &shapes.coefficients(s), 4 * sizeof(double));
+    const CGAL::Tandem::Plane_uncertainty& u = shapes.uncertainty(s);
+    for(const double x : {u.centroid[0], u.centroid[1], u.centroid[2], u.noise, u.offset_deviation, u.angle_deg})
+      all.push_back(bits(x));
+    for(const double x : u.normal_covariance)
+      all.push_back(bits(x));
   }
   for(const auto& pair : shapes.orthogonal_groups())
     all.insert(all.end(), {std::uint64_t(pair.first), std::uint64_t(pair.second)});
@@ -43,6 +48,8 @@ inline std::vector<std::uint64_t> shape_bits(const Shapes& shapes)
                          shapes.statistics().number_of_rounds, bits(shapes.statistics().mean_distance),
                          bits(shapes.statistics().score.fit), bits(shapes.statistics().score.links),
                          bits(shapes.statistics().score.freedom)});
+  const CGAL::Tandem::Free_points& f = shapes.statistics().free_points;
+  all.insert(all.end(), {f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter});
   return all;
 }
 

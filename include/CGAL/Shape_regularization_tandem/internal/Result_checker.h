@@ -8,9 +8,12 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/common_hash.h>
 #include <CGAL/Shape_regularization_tandem/internal/relation_violation.h>
 #include <CGAL/Shape_regularization_tandem/internal/statistics_violation.h>
-#include <CGAL/Tandem/internal/base/listed_parameters.h>
+#include <CGAL/Shape_regularization_tandem/internal/uncertainty_violation.h>
+#include <CGAL/Tandem/internal/cloud/choose_grid.h>
+#include <CGAL/Tandem/internal/cloud/far_points.h>
 #include <CGAL/Tandem/internal/engine/first_unconnected.h>
 
 #include <algorithm>
@@ -39,8 +42,10 @@ public:
   bool check(Backend& backend)
   {
     const Ranks<Backend> ranks(backend);
-    return passes_on_all(ranks, check_here()) && check_same(ranks) && passes_on_all(ranks, check_sums(ranks)) &&
-           check_connectivity(backend) && passes(listing_violation(data_));
+    return passes_on_all(ranks, check_parameters()) && check_same(ranks) && passes_on_all(ranks, place(ranks)) &&
+           passes_on_all(ranks, check_here()) && passes_on_all(ranks, check_sums(ranks)) &&
+           passes_on_all(ranks, check_connectivity(backend)) && passes(listing_violation(data_)) &&
+           passes(uncertainty_violation(data_, in_.grid, sums_of_all(ranks, plane_sums_)));
   }
 
   const std::string& violation() const { return violation_; }
@@ -66,19 +71,29 @@ private:
 
   bool check_here()
   {
-    return check_parameters() && check_tables() && check_labels() && check_lists() && passes(plane_violation(data_)) &&
+    return check_tables() && check_labels() && check_lists() && passes(plane_violation(data_)) &&
            passes(group_violation(shapes_)) && passes(orthogonality_violation(data_)) && check_points();
   }
 
-  // There is a detection with these parameters.
+  // There is a detection with these parameters ...
   bool check_parameters()
   {
     try {
       Tandem::check_parameters(data_.parameters);
-      choose_grid(in_, data_.parameters);
       return true;
     } catch(const std::invalid_argument& refusal) {
       return fail(refusal.what());
+    }
+  }
+
+  // ... and a grid for the points.
+  template <class Ranks>
+  bool place(const Ranks& ranks)
+  {
+    try {
+      drop_far_points(ranks, in_, data_.parameters.maximum_distance);
+      choose_grid(in_, data_.parameters);
+      return true;
     } catch(const std::range_error& refusal) {
       return fail(refusal.what());
     }
@@ -92,7 +107,7 @@ private:
   {
     const std::size_t n = data_.coefficients.size();
     if(data_.size.size() != n || data_.parallel_group.size() != n || data_.coplanar_group.size() != n ||
-       data_.is_flipped.size() != n)
+       data_.is_flipped.size() != n || data_.uncertainty.size() != n)
       return fail("the tables of the shapes differ in size");
     if(data_.shape_of.size() != in_.number_of_items)
       return fail("there are " + to_text(data_.shape_of.size()) + " shape indices for " + to_text(in_.number_of_items) +
@@ -106,7 +121,7 @@ private:
     return true;
   }
 
-  // Partition: each point has a shape of the result or none. Points without position or normal have none.
+  // Partition: each point has a shape of the result or none. Points that were left out have none.
   bool check_labels()
   {
     for(std::size_t i = 0; i < data_.shape_of.size(); ++i)
@@ -146,6 +161,8 @@ private:
   {
     const double cosine = std::cos(data_.parameters.maximum_angle * (3.14159265358979323846 / 180));
     sides_.assign(2 * data_.coefficients.size(), 0);
+    rounding_ = rounding_of_distances(data_, in_);
+    plane_sums_.assign(data_.coefficients.size(), {});
     for(std::size_t i = 0; i < in_.size(); ++i) {
       const std::size_t item = in_.item_of(i);
       if(data_.shape_of[item] < 0)
@@ -156,7 +173,9 @@ private:
       const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
       const double distance = std::fabs(x + y + z + c[3]);
       const double largest = (std::max)({std::fabs(x), std::fabs(y), std::fabs(z), std::fabs(c[3])});
-      if(!(distance <= data_.parameters.maximum_distance + 8 * 2.3e-16 * largest))
+      const double epsilon = data_.parameters.maximum_distance;
+      const double tolerance = in_.has_tolerances ? (std::min)(in_.tolerances[i], epsilon) : epsilon;
+      if(!(distance <= tolerance + 8 * 2.3e-16 * largest))
         return fail(numbered("too far from its plane is point", item) + ": " + to_text(distance) +
                     " from the plane of " + numbered("shape", s));
       const Vector n = in_.has_normals ? in_.normal(i) : unpacked_normal(data_.normal[item]);
@@ -165,20 +184,22 @@ private:
       if(!(std::fabs(aligned) >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
         return fail(numbered("too oblique is the normal of point", item) + ": the cosine is " +
                     to_text(std::fabs(aligned)) + " with that of " + numbered("shape", s));
-      measure(s, distance, aligned);
+      measure(s, {distance, in_.has_tolerances ? epsilon * level_factor(level_of(tolerance, epsilon)) : epsilon},
+              aligned);
+      plane_sums_[s].add(p, data_.uncertainty[s], distance, in_.grid.step);
     }
     return true;
   }
 
   // The method decides on sides with normals that are packed, and turned a little by that.
-  void measure(std::size_t s, double distance, double aligned)
+  void measure(std::size_t s, const Measured_distance& distance, double aligned)
   {
     constexpr double packing = 2e-4;
     ++sums_.assigned;
-    const double share = (std::min)(distance / data_.parameters.maximum_distance, 1.);
-    const std::uint64_t units = std::uint64_t(share * double(Score_item::tolerance_units) + .5);
-    sums_.distance += units;
-    sums_.fit += std::uint64_t(Score::weight_at({1, 0}, units));
+    sums_.distance += distance.share_of(data_.parameters.maximum_distance);
+    sums_.fit += std::uint64_t(Score::weight_at({1, 0}, distance.share_of(distance.tolerance)));
+    const double error = 2 * rounding_ < distance.tolerance ? 2 * rounding_ / distance.tolerance : 1;
+    sums_.fit_error += std::uint64_t(std::ldexp(error, 20)) + 1;
     sides_[2 * s] += aligned < -packing;
     sides_[2 * s + 1] += aligned < packing;
   }
@@ -187,28 +208,9 @@ private:
   template <class Ranks>
   bool check_same(const Ranks& ranks)
   {
-    std::uint64_t h = 0;
-    Shapes::add_to_hash(h, data_.coefficients);
-    const auto add = [&](const auto& list) {
-      Shapes::add_to_hash(h, list.size());
-      for(const auto& x : list)
-        Shapes::add_to_hash(h, std::uint64_t(x));
-    };
-    add(data_.size);
-    add(data_.parallel_group);
-    add(data_.coplanar_group);
-    add(data_.is_flipped);
-    add(data_.fixed_direction);
-    add(data_.symmetry_group);
-    for(const auto& pair : data_.orthogonal_groups)
-      add(std::vector<int>{pair.first, pair.second});
-    for(const auto& parameter : listed(data_.parameters))
-      Shapes::add_to_hash(h, {{parameter.second, 0, 0, 0}});
-    add(std::vector<std::size_t>{data_.statistics.number_of_rounds, data_.statistics.is_cancelled});
-    const Result_score& score = data_.statistics.score;
-    Shapes::add_to_hash(h, {{score.fit, score.links, score.size, score.price}, {score.freedom, 0, 0, 0}});
-    const std::vector<std::uint64_t> all = ranks.gather(std::vector<std::uint64_t>{h});
-    return std::count(all.begin(), all.end(), h) == std::ptrdiff_t(all.size()) ||
+    const std::uint64_t own = common_hash<Shapes>(data_);
+    const std::vector<std::uint64_t> all = ranks.gather(std::vector<std::uint64_t>{own});
+    return std::count(all.begin(), all.end(), own) == std::ptrdiff_t(all.size()) ||
            fail("the processes have different shapes or parameters");
   }
 
@@ -225,6 +227,7 @@ private:
     sums_.assigned = ranks.total(sums_.assigned);
     sums_.distance = ranks.total(sums_.distance);
     sums_.fit = ranks.total(sums_.fit);
+    sums_.fit_error = ranks.total(sums_.fit_error);
     sums_.peak_bytes = ranks.total(data_.statistics.peak_bytes);
     return check_sizes(size) && check_sides(size) && passes(count_violation(data_, in_, sums_)) &&
            passes(cost_violation(data_.statistics, in_, sums_));
@@ -257,17 +260,19 @@ private:
   }
 
   // Connectivity: the surfels of each shape are one component. Two surfels are adjacent if one is a neighbor of the
-  // other, or both are neighbors of one surfel. And the links of the score.
+  // other, or both are neighbors of one surfel. And what is counted in the neighbor graph.
   template <class Backend>
   bool check_connectivity(Backend& backend)
   {
-    std::vector<std::int32_t> label;
-    for(std::size_t i = 0; i < in_.size(); ++i)
-      label.push_back(data_.shape_of[in_.item_of(i)]);
-    const std::size_t shapes = data_.coefficients.size();
-    Score_counts counts;
-    const std::size_t s = first_unconnected(backend, in_, label, {data_.parameters, shapes}, counts);
-    return s == shapes ? passes(link_violation(data_, counts)) : fail(numbered("not connected is shape", s));
+    Labeled_points points = {data_.parameters, data_.coefficients, {}, {}};
+    for(std::size_t i = 0; i < in_.size(); ++i) {
+      points.shape.push_back(data_.shape_of[in_.item_of(i)]);
+      if(!in_.has_normals)
+        points.normal.push_back(data_.normal[in_.item_of(i)]);
+    }
+    Graph_counts counts;
+    const std::size_t s = first_unconnected(backend, in_, points, counts);
+    return s == points.shapes() ? passes(graph_violation(data_, counts)) : fail(numbered("not connected is shape", s));
   }
 
   // The points as they were imported, and the result in two forms: planes of the kernel, and plain tables.
@@ -275,8 +280,10 @@ private:
   const Shapes& shapes_;
   const Shapes_data& data_;
   Point_sums sums_;
+  double rounding_ = 0;              // of distances
   std::vector<std::uint64_t> sides_; // of each shape: the normals that are surely, and those that may be opposite
-  std::string violation_;            // empty as long as every check has passed
+  std::vector<Plane_sums> plane_sums_;
+  std::string violation_; // empty as long as every check has passed
 };
 
 } // namespace internal

@@ -100,7 +100,12 @@ typename Traits::Normal_map normal_map_of(const typename Traits::Point_range& po
 template <class Traits, class NP>
 Item_reader<Traits> reader_of(const typename Traits::Point_range& points, const NP& np, const Traits& traits)
 {
-  return Item_reader<Traits>(traits, point_map_of<Traits>(points, np), normal_map_of<Traits>(points, np));
+  typename Item_reader<Traits>::Tolerance_of tolerance_of;
+  if constexpr(Is_given<internal_np::maximum_distance_map_t, NP>::value)
+    tolerance_of = [&points, map = parameter<internal_np::maximum_distance_map_t>(np, 0)](std::size_t i) {
+      return CGAL::to_double(get(map, *(points.begin() + std::ptrdiff_t(i))));
+    };
+  return Item_reader<Traits>(traits, point_map_of<Traits>(points, np), normal_map_of<Traits>(points, np), tolerance_of);
 }
 
 // The traits of that geometry and, where processes work together, of the communicator of the named parameters.

@@ -7,7 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H
 
-#include <CGAL/Tandem/internal/engine/make_options.h>
+#include <CGAL/Tandem/internal/engine/first_unconnected.h>
 #include <CGAL/Tandem/internal/finish/measure_relations.h>
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
 
@@ -23,7 +23,20 @@ namespace internal {
 // Sums over the points of all ranks, of which no order changes a bit.
 struct Point_sums {
   std::uint64_t assigned = 0, distance = 0, fit = 0; // the latter two in units of Score_item and Score
+  std::uint64_t fit_error = 0; // what rounding of distances may change of the latter, in 2^-20 points
   std::uint64_t peak_bytes = 0;
+};
+
+// The distance of a point to its plane, and what it may be.
+struct Measured_distance {
+  double value, tolerance;
+
+  // In units of the score.
+  std::uint64_t share_of(double length) const
+  {
+    const double share = value < length ? value / length : 1;
+    return std::uint64_t((value > 0 ? share : 0) * double(Score_item::tolerance_units) + .5);
+  }
 };
 
 // A number of the statistics, and what it should be.
@@ -53,6 +66,14 @@ inline Statistic count_of(const char* name, std::size_t found, std::size_t expec
   return {name, double(found), double(expected), 0};
 }
 
+// How far a distance on the grid may be from the exact one, with a share of epsilon that is rounded.
+inline double rounding_of_distances(const Shapes_data& data, const Import& in)
+{
+  const double epsilon = data.parameters.maximum_distance;
+  return (std::min)(distance_margin(in.grid) * in.grid.step + 2 * epsilon / double(Score_item::tolerance_units),
+                    epsilon);
+}
+
 // What the points, the grid and the relations say.
 inline std::string count_violation(const Shapes_data& data, const Import& in, const Point_sums& sums)
 {
@@ -69,12 +90,15 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
   const double epsilon = data.parameters.maximum_distance;
   const double unit = epsilon / double(Score_item::tolerance_units);
   const double mean = sums.assigned > 0 ? double(sums.distance) / assigned * unit : 0;
-  const double rounding = (std::min)(distance_margin(in.grid) * in.grid.step + 2 * unit, epsilon);
+  const double rounding = rounding_of_distances(data, in);
   return first_violation({
     count_of("number_of_points", t.number_of_points, in.total.items),
     count_of("number_of_ignored_coordinates", t.number_of_ignored_coordinates, in.total.ignored_coordinates),
     count_of("number_of_ignored_normals", t.number_of_ignored_normals, in.total.ignored_normals),
+    count_of("number_of_ignored_tolerances", t.number_of_ignored_tolerances, in.total.ignored_tolerances),
+    count_of("number_of_far_points", t.number_of_far_points, in.total.far_points),
     count_of("number_of_assigned_points", t.number_of_assigned_points, sums.assigned),
+    count_of("the sum of free_points", t.free_points.total(), in.total.points - sums.assigned),
     count_of("number_of_shapes", t.number_of_shapes, r.number_of_shapes),
     count_of("number_of_directions", t.number_of_directions, r.number_of_directions),
     count_of("number_of_planes", t.number_of_planes, r.number_of_planes),
@@ -86,19 +110,36 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
     {"complexity", t.complexity, r.complexity, 0},
     {"coverage", t.coverage, in.total.items > 0 ? assigned / points : 0, 0},
     {"mean_distance", t.mean_distance, mean, rounding},
-    {"score.fit", t.score.fit, r.score.fit, (2 * rounding / epsilon + 1. / Score::unit) * assigned},
+    {"score.fit", t.score.fit, r.score.fit, std::ldexp(double(sums.fit_error), -20) + assigned / double(Score::unit)},
     {"score.size", t.score.size, r.score.size, 0},
     {"score.price", t.score.price, r.score.price, 0},
     {"score.freedom", t.score.freedom, r.score.freedom, 0},
   });
 }
 
-// The links are counted again in the neighbor graph.
-inline std::string link_violation(const Shapes_data& data, const Score_counts& counts)
+// The links, and the reasons of points without a shape, are counted again in the neighbor graph. A detection that was
+// cancelled before it had shapes may have had no graph, and no reasons.
+inline std::string graph_violation(const Shapes_data& data, const Graph_counts& counts)
 {
   const Score score(data.parameters);
-  const double expected = to_points({0, score.links(counts.links, counts.free_links), 0, 0, 0}).links;
-  return first_violation({{"score.links", data.statistics.score.links, expected, 0}});
+  const double links = to_points({0, score.links(counts.score.links, counts.score.free_links), 0, 0, 0}).links;
+  const Statistics& t = data.statistics;
+  const Free_points& found = t.free_points;
+  Free_points expected = counts.free_points;
+  if(t.number_of_shapes == 0 && expected.total() < data.parameters.minimum_region_size) {
+    expected = Free_points();
+    expected.in_small_regions = counts.free_points.total();
+  }
+  const std::string wrong_links = first_violation({{"score.links", t.score.links, links, 0}});
+  if(!wrong_links.empty() || (t.is_cancelled && t.number_of_shapes == 0))
+    return wrong_links;
+  return first_violation({
+    count_of("free_points.without_normal", found.without_normal, expected.without_normal),
+    count_of("free_points.misfit", found.misfit, expected.misfit),
+    count_of("free_points.without_neighbors", found.without_neighbors, expected.without_neighbors),
+    count_of("free_points.in_small_regions", found.in_small_regions, expected.in_small_regions),
+    count_of("free_points.clutter", found.clutter, expected.clutter),
+  });
 }
 
 // Seconds, rounds and bytes cannot be measured again.

@@ -26,10 +26,12 @@ struct Moment_sums {
   std::int64_t count = 0;
   std::int64_t sum[3] = {0, 0, 0};
   Product product[6] = {0, 0, 0, 0, 0, 0}; // xx xy xz yy yz zz
+  Product squared_tolerances = 0;          // sum of squared_level(); as wide as that, so that there is no padding
 
   CGAL_TANDEM_HD void operator+=(const Moment_sums& m)
   {
     count += m.count;
+    squared_tolerances += m.squared_tolerances;
     for(int i = 0; i < 3; ++i)
       sum[i] += m.sum[i];
     for(int i = 0; i < 6; ++i)
@@ -40,9 +42,10 @@ struct Moment_sums {
 // Moments of points of one cell, relative to one of them: see cell_extent_bits for why 64 bits suffice. add() with sign
 // -1 takes a point out, here and below.
 struct Cell_moments : Moment_sums<std::int64_t> {
-  CGAL_TANDEM_HD void add(std::int64_t x, std::int64_t y, std::int64_t z, int sign = 1)
+  CGAL_TANDEM_HD void add(std::int64_t x, std::int64_t y, std::int64_t z, int sign = 1, std::uint8_t level = 0)
   {
     count += sign;
+    squared_tolerances += sign * squared_level(level);
     sum[0] += sign * x;
     sum[1] += sign * y;
     sum[2] += sign * z;
@@ -57,10 +60,11 @@ struct Cell_moments : Moment_sums<std::int64_t> {
 
 // Moments of any points, in grid coordinates: products of up to 2^56 times 2^35 points need 128 bits.
 struct Moments : Moment_sums<Int128> {
-  CGAL_TANDEM_HD void add(const Grid_point& p, int sign = 1)
+  CGAL_TANDEM_HD void add(const Grid_point& p, int sign = 1, std::uint8_t level = 0)
   {
     const std::int64_t c[3] = {p.x, p.y, p.z};
     count += sign;
+    squared_tolerances += sign * squared_level(level);
     for(int i = 0, k = 0; i < 3; ++i) {
       sum[i] += sign * c[i];
       for(int j = i; j < 3; ++j, ++k)
@@ -76,6 +80,7 @@ CGAL_TANDEM_HD inline Moments shifted(const Cell_moments& m, std::int64_t ox, st
   const std::int64_t o[3] = {ox, oy, oz};
   Moments r;
   r.count = m.count;
+  r.squared_tolerances = m.squared_tolerances;
   for(int i = 0, k = 0; i < 3; ++i) {
     r.sum[i] = m.sum[i] + m.count * o[i];
     for(int j = i; j < 3; ++j, ++k)
@@ -85,12 +90,33 @@ CGAL_TANDEM_HD inline Moments shifted(const Cell_moments& m, std::int64_t ox, st
   return r;
 }
 
+// The mean squared tolerance of the points, in epsilons: 1 where all have that of the detection.
+CGAL_TANDEM_HD inline double squared_tolerance(const Moments& m)
+{
+  return m.squared_tolerances > 0 ? double(m.squared_tolerances) / (double(m.count) * double(squared_level_unit)) : 1;
+}
+
 // Centroid (grid steps) and scatter matrix (steps^2), the sum of (p - centroid)(p - centroid)' over count points.
 struct Scatter {
   double count;
   Vector centroid;
   Symmetric_matrix matrix;
+  double squared_tolerance = 1; // see above
+
+  // In sums of squared distances of several shapes: points count less where they have large tolerances.
+  CGAL_TANDEM_HD double weight() const { return count / squared_tolerance; }
 };
+
+CGAL_TANDEM_HD inline Symmetric_matrix operator/(const Symmetric_matrix& m, double divisor)
+{
+  return {m.xx / divisor, m.xy / divisor, m.xz / divisor, m.yy / divisor, m.yz / divisor, m.zz / divisor};
+}
+
+// With distances in units of the tolerance of the points, in epsilons.
+CGAL_TANDEM_HD inline Scatter weighted(const Scatter& s)
+{
+  return {s.weight(), s.centroid, s.matrix / s.squared_tolerance};
+}
 
 // Far from the origin, products are huge against the scatter. So they are moved to the rounded centroid as integers,
 // before anything becomes a double. Null moments give a null matrix.
@@ -98,6 +124,7 @@ CGAL_TANDEM_HD inline Scatter make_scatter(const Moments& m)
 {
   Scatter s;
   s.count = double(m.count);
+  s.squared_tolerance = squared_tolerance(m);
   const std::int64_t n = m.count > 0 ? m.count : 1;
   std::int64_t o[3]; // the centroid, rounded: sums about it are small and exact
   double rest[3];    // centroid - o, times count; below count

@@ -8,8 +8,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TYPES_H
 #define CGAL_TANDEM_INTERNAL_BASE_TYPES_H
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
   (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -56,7 +59,7 @@ constexpr double normal_scale = double(std::int64_t(1) << normal_bits);
 
 // Coordinates stay within +-2^28, so that n.p + d fits int64 (28 + 28 + log2(3) + 1 < 63).
 
-// A cell is at most 2^23 steps wide and has at most 2^16 points. Products of two coordinates relative to a point of the
+// A cell is at most 2^23 steps wide, but for surfels that stick out by up to 2^16 steps, and has at most 2^16 points. Products of two coordinates relative to a point of the
 // cell then sum to at most 2^62.
 constexpr int cell_extent_bits = 23;
 
@@ -74,11 +77,77 @@ struct Range {
   CGAL_TANDEM_HD std::uint32_t size() const { return last - first; }
 };
 
+// Tolerances of points are levels: 0 is epsilon, and each further one is smaller by a factor of 2^(1/8). A tolerance is
+// rounded down to a level, which takes one byte a point.
+constexpr int levels_per_octave = 8;
+
+// Of tolerances below all others, which no distance is within.
+constexpr std::uint8_t no_level = 255;
+
+// The tolerance of a level, in epsilons.
+CGAL_TANDEM_HD inline double level_factor(std::uint8_t level)
+{
+  constexpr double root[levels_per_octave] = {1,
+                                              0.91700404320467123,
+                                              0.84089641525371454,
+                                              0.77110541270397041,
+                                              0.70710678118654752,
+                                              0.64841977732550483,
+                                              0.59460355750136053,
+                                              0.54525386633262883};
+  const std::uint64_t exponent = std::uint64_t(1023 - level / levels_per_octave)
+                                 << 52; // no division: this is called often
+  double power;
+  std::memcpy(&power, &exponent, sizeof(power));
+  return level == no_level ? 0 : root[level % levels_per_octave] * power;
+}
+
+// The octave that it is in: its tolerance is at least 2^-octave epsilons, and less than twice that.
+CGAL_TANDEM_HD inline int octave_of(std::uint8_t level) { return (level + levels_per_octave - 1) / levels_per_octave; }
+
+// Its square, in 2^-24, so that sums over 2^38 points fit 64 bits; at least 1, so that only the sum of no point is 0.
+constexpr std::int64_t squared_level_unit = std::int64_t(1) << 24;
+
+CGAL_TANDEM_HD inline std::int64_t squared_level(std::uint8_t level)
+{
+  constexpr std::int64_t root[4] = {squared_level_unit, 14107900, 11863283, 9975792};
+  const std::int64_t square = level < no_level ? root[level % 4] >> level / 4 : 0;
+  return square > 1 ? square : 1;
+}
+
+// The smallest level that does not exceed a tolerance.
+inline std::uint8_t level_of(double tolerance, double epsilon)
+{
+  if(!(tolerance < epsilon))
+    return 0;
+  const double quotient = tolerance / epsilon; // its octave is certain up to one
+  const int octave = quotient > 0 ? -std::ilogb(quotient) - 2 : no_level;
+  int level = (std::min)((std::max)(octave, 0) * levels_per_octave, int(no_level));
+  while(level < no_level && !(epsilon * level_factor(std::uint8_t(level)) <= tolerance))
+    ++level;
+  return std::uint8_t(level);
+}
+
+// The bounds of fits(). distance: epsilon in grid steps times 2^28. squared_cosine: cos^2(alpha) times 2^32.
+struct Tolerance {
+  std::int64_t distance;
+  std::int64_t squared_cosine;
+  std::int64_t margin = 0; // part of the distance that is the same for points of smaller tolerances
+
+  // That of a point with a tolerance of its own. It is never 0, so that distances can be divided by it.
+  CGAL_TANDEM_HD Tolerance at(std::uint8_t level) const
+  {
+    const std::int64_t scaled = std::int64_t(double(distance - margin) * level_factor(level));
+    return {(scaled > 1 ? scaled : 1) + margin, squared_cosine, margin};
+  }
+};
+
 // The points that surfels stand for, surfel by surfel. Without surfels each point is one, and both tables are null.
 struct Surfels_view {
-  const Grid_point* point;     // all points
-  const std::uint32_t* first;  // by surfel: its first point; one entry more is the end
-  const std::uint32_t* surfel; // by point
+  const Grid_point* point;             // all points
+  const std::uint32_t* first;          // by surfel: its first point; one entry more is the end
+  const std::uint32_t* surfel;         // by point
+  const std::uint8_t* level = nullptr; // by point, of its tolerance; null: all have that of a detection
 
   CGAL_TANDEM_HD Range points(std::uint32_t i) const
   {
@@ -91,6 +160,11 @@ struct Surfels_view {
     return n < most ? n : most;
   }
   CGAL_TANDEM_HD std::uint32_t of_point(std::uint32_t p) const { return surfel != nullptr ? surfel[p] : p; }
+  CGAL_TANDEM_HD std::uint8_t level_of_point(std::uint32_t p) const { return level != nullptr ? level[p] : 0; }
+  CGAL_TANDEM_HD Tolerance tolerance_of_point(std::uint32_t p, const Tolerance& most) const
+  {
+    return level != nullptr ? most.at(level[p]) : most;
+  }
 };
 
 // A callback without effect.
@@ -139,12 +213,6 @@ CGAL_TANDEM_HD inline Int_vector decode_normal(std::uint32_t code)
 struct Plane {
   std::int32_t nx, ny, nz;
   std::int64_t d;
-};
-
-// The bounds of fits(). distance: epsilon in grid steps times 2^28. squared_cosine: cos^2(alpha) times 2^32.
-struct Tolerance {
-  std::int64_t distance;
-  std::int64_t squared_cosine;
 };
 
 // The signed distance to the plane, in 2^-28 grid steps.

@@ -22,11 +22,26 @@ struct Grid {
   bool is_coarse = false; // the step is larger than epsilon / 1024, because of the extent of the cloud
 };
 
+// The cells whose points are one surfel. Where points have tolerances of their own, cells are smaller in each octave.
+struct Surfel_cells {
+  double edge = 0; // of the largest ones, in steps; 0: each point is a surfel
+  int octaves = 0; // of smaller ones
+
+  double smallest_edge() const { return std::ldexp(edge, -octaves); }
+};
+
 // The plane in the caller's coordinates, with the same normal. It is 0. - fma(...) and not -fma(...): where g++ fuses
 // the negation, the sign of a zero would change.
 inline Coefficients to_caller(const Regular_plane& p, const Grid& grid)
 {
   return {p.normal.x, p.normal.y, p.normal.z, 0. - std::fma(grid.step, p.offset, dot(p.normal, grid.origin))};
+}
+
+// The same plane on the grid.
+inline Regular_plane to_grid(const Coefficients& c, const Grid& grid)
+{
+  const Vector normal = {c[0], c[1], c[2]};
+  return {normal, -(c[3] + dot(normal, grid.origin)) / grid.step};
 }
 
 // What the stages work on: surfels in the order of the curve, as points with a normal, and their neighbor graph. Tables
@@ -38,11 +53,22 @@ struct Cloud_view {
   std::uint32_t size;
   int k;
   Surfels_view surfels;
-  std::uint32_t ghosts = 0;      // of other ranks, which follow the own ones: see Ranks.h
-  std::uint32_t first = 0;       // position of the first one in the cloud of all ranks, lower 32 bits
-  std::uint32_t first_point = 0; // the same of its first point
+  std::uint32_t ghosts = 0;            // of other ranks, which follow the own ones: see Ranks.h
+  std::uint32_t first = 0;             // position of the first one in the cloud of all ranks, lower 32 bits
+  std::uint32_t first_point = 0;       // the same of its first point
+  const std::uint8_t* level = nullptr; // by surfel: that of its smallest tolerance; null: all have that of a detection
 
   CGAL_TANDEM_HD const std::uint32_t* row(std::uint32_t i) const { return neighbor + std::size_t(i) * std::size_t(k); }
+
+  CGAL_TANDEM_HD std::uint8_t level_of(std::uint32_t i) const { return level != nullptr ? level[i] : 0; }
+  CGAL_TANDEM_HD Tolerance tolerance_of(std::uint32_t i, const Tolerance& most) const
+  {
+    return level != nullptr ? most.at(level[i]) : most;
+  }
+  CGAL_TANDEM_HD bool fits(const Plane& plane, std::uint32_t i, const Tolerance& most) const
+  {
+    return internal::fits(plane, point[i], tolerance_of(i, most));
+  }
 };
 
 // Owns the tables of a Cloud_view, where the functors of the back end run: 16 + 4 k bytes a surfel, and 4 bytes a point,
@@ -59,8 +85,8 @@ struct Sorted_cloud {
 
   Surfels_view surfels() const
   {
-    return has_surfels() ? Surfels_view{all_points.data(), first_point.data(), surfel.data()}
-                         : Surfels_view{point.data(), nullptr, nullptr};
+    return has_surfels() ? Surfels_view{all_points.data(), first_point.data(), surfel.data(), all_levels()}
+                         : Surfels_view{point.data(), nullptr, nullptr, levels()};
   }
 
   Cloud_view view() const
@@ -72,14 +98,21 @@ struct Sorted_cloud {
             surfels(),
             std::uint32_t(ghosts),
             first,
-            has_surfels() ? first_of_points : first};
+            has_surfels() ? first_of_points : first,
+            levels()};
   }
+
+  // Null where all points have the tolerance of the detection.
+  const std::uint8_t* levels() const { return has_levels ? level.data() : nullptr; }
+  const std::uint8_t* all_levels() const { return has_levels ? level_of_point.data() : nullptr; }
 
   Buffer<Grid_point> point;
   Buffer<std::uint32_t> neighbor;
-  Buffer<std::uint32_t> order;               // by point: its position in the import
-  Buffer<Grid_point> all_points;             // these three as in Surfels_view, ...
-  Buffer<std::uint32_t> first_point, surfel; // ... and empty without surfels
+  Buffer<std::uint32_t> order;                // by point: its position in the import
+  Buffer<Grid_point> all_points;              // these three as in Surfels_view, ...
+  Buffer<std::uint32_t> first_point, surfel;  // ... and empty without surfels
+  bool has_levels = false;                    // points have tolerances of their own
+  Buffer<std::uint8_t> level, level_of_point; // these by surfel and by point; the latter is empty without surfels
   int k = 0;
   std::size_t ghosts = 0; // these two as those of Cloud_view
   std::uint32_t first = 0, first_of_points = 0;

@@ -19,12 +19,14 @@ namespace Tandem {
 namespace internal {
 
 // The level of octants that are not split, however many points they have: that of the curve, or the one with as many
-// surfels as a cell may have, each cube of them with all six sides.
+// surfels as a cell may have, each cube of them with all six sides. Larger cubes are at most a seventh more within the
+// octant, and one of each size around it.
 inline int last_level(const Code_frame& frame, std::size_t cell_size)
 {
   int level = curve_bits;
+  const std::size_t around = 6 * std::size_t(frame.octaves);
   if(frame.has_surfels())
-    for(std::size_t surfels = 6 * 8; surfels <= cell_size; surfels *= 8)
+    for(std::size_t cubes = 8; 6 * cubes + (around > 0 ? around + cubes : 0) <= cell_size; cubes *= 8)
       level = level == curve_bits ? curve_bits - 2 : level - 1;
   return level;
 }

@@ -37,14 +37,17 @@ CGAL_TANDEM_HD inline std::int32_t rounded_mean(std::int64_t sum, std::int64_t n
 // points does not matter.
 struct Make_surfel {
   const Grid_point* all;
-  const std::uint32_t* first; // by surfel, and the end
-  std::uint32_t* surfel;      // by point
-  Grid_point* point;          // by surfel
+  const std::uint32_t* first;     // by surfel, and the end
+  const std::uint8_t* all_levels; // of tolerances; null: all points have that of the detection
+  std::uint32_t* surfel;          // by point
+  Grid_point* point;              // by surfel
+  std::uint8_t* level;            // by surfel: of its smallest tolerance
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const std::uint32_t size = first[i + 1] - first[i];
     std::int64_t sum[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
+    std::uint8_t smallest = 0;
     for(std::uint32_t p = first[i]; p < first[i + 1]; ++p) {
       const Int_vector n = decode_normal(all[p].normal);
       sum[0] += all[p].x;
@@ -54,7 +57,11 @@ struct Make_surfel {
       normal[1] += n.y;
       normal[2] += n.z;
       surfel[p] = std::uint32_t(i);
+      if(all_levels != nullptr && all_levels[p] > smallest)
+        smallest = all_levels[p];
     }
+    if(all_levels != nullptr)
+      level[i] = smallest;
     point[i] = all[first[i]];
     if(size == 1)
       return;
@@ -77,20 +84,31 @@ struct Place_cell {
   }
 };
 
+// Points, with their places in the import and the levels of their tolerances, which may be null.
+template <class Point, class Index, class Level>
+struct Point_tables {
+  Point* point;
+  Index* order;
+  Level* level;
+};
+
+using Source_tables = Point_tables<const Grid_point, const std::uint32_t, const std::uint8_t>;
+using Target_tables = Point_tables<Grid_point, std::uint32_t, std::uint8_t>;
+
 // Moves the points to their places in the curve, or from one order to the next.
 template <class Table>
 struct Gather_points {
   Table sorted;
-  const Grid_point* source;
-  const std::uint32_t* source_order; // null: the source is in the order of the import
-  std::uint32_t* order;              // by position, as is the next one
-  Grid_point* point;
+  Source_tables from; // without an order: that of the import
+  Target_tables to;
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const std::uint32_t at = sorted.index(i);
-    order[i] = source_order != nullptr ? source_order[at] : at;
-    point[i] = source[at];
+    to.order[i] = from.order != nullptr ? from.order[at] : at;
+    to.point[i] = from.point[at];
+    if(from.level != nullptr)
+      to.level[i] = from.level[at];
   }
 };
 
@@ -109,8 +127,9 @@ void make_surfels(Backend& backend, const typename Backend::Sort_table& sorted, 
   backend.for_each(1, Fill<std::uint32_t>{cloud.first_point.data() + size, std::uint32_t(n)});
   cloud.surfel.reset(n);
   cloud.point.reset(size);
-  backend.for_each(
-    size, Make_surfel{cloud.all_points.data(), cloud.first_point.data(), cloud.surfel.data(), cloud.point.data()});
+  cloud.level.reset(cloud.has_levels ? size : 0);
+  backend.for_each(size, Make_surfel{cloud.all_points.data(), cloud.first_point.data(), cloud.all_levels(),
+                                     cloud.surfel.data(), cloud.point.data(), cloud.level.data()});
   backend.for_each(cells.size(), Place_cell{cloud.surfel.data(), cells.data()});
 }
 

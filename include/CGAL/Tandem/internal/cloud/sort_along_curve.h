@@ -37,19 +37,21 @@ CGAL_TANDEM_HD inline std::uint32_t side_of(std::uint32_t normal)
 // Unsigned differences to the low corner cannot overflow: the cloud has at most 2^29 steps.
 //
 // With surfels the root has 2^20 of their cells a side, and a finest octant is the part of a cell with normals to one
-// side. 2^shift is at least half the edge of a cell then.
+// side. 2^shift is at least half the edge of a cell then. Points of small tolerances are in the smallest cells; in each
+// octave of larger ones, cells are twice as wide.
 struct Code_frame {
   std::int32_t low[3];
   int shift;
-  double cells_per_step = 0; // 0: no surfels
+  double cells_per_step = 0; // the smallest ones; 0: no surfels
+  int octaves = 0;           // widths of cells, but one
 
   CGAL_TANDEM_HD bool has_surfels() const { return cells_per_step > 0; }
 
-  CGAL_TANDEM_HD std::uint64_t code(const Grid_point& p) const
+  // level: of the tolerance of the point.
+  CGAL_TANDEM_HD std::uint64_t code(const Grid_point& p, std::uint8_t level = 0) const
   {
     if(has_surfels())
-      return (hilbert_code(2 * cell(p.x, 0), 2 * cell(p.y, 1), 2 * cell(p.z, 2)) & ~std::uint64_t(7)) |
-             side_of(p.normal);
+      return surfel_code(hilbert_code(2 * cell(p.x, 0), 2 * cell(p.y, 1), 2 * cell(p.z, 2)), side_of(p.normal), level);
     return hilbert_code(std::uint32_t(p.x - low[0]) >> shift, std::uint32_t(p.y - low[1]) >> shift,
                         std::uint32_t(p.z - low[2]) >> shift);
   }
@@ -64,23 +66,35 @@ struct Code_frame {
   }
 
 private:
+  // From the code of the smallest cell around a point: that of its own cell, and its side as the octant below. Digits of
+  // 6 below that are the mark of larger cells.
+  CGAL_TANDEM_HD std::uint64_t surfel_code(std::uint64_t code, std::uint32_t side, std::uint8_t level) const
+  {
+    const int octave = octave_of(level) < octaves ? octave_of(level) : octaves;
+    const int bits = 3 * (octaves - octave);
+    const std::uint64_t below = std::uint64_t(1) << bits;
+    return (code & ~(8 * below - 1)) | std::uint64_t(side) << bits | (below - 1) / 7 * 6;
+  }
+
   CGAL_TANDEM_HD std::uint32_t cell(std::int32_t x, int axis) const
   {
     return std::uint32_t(double(std::uint32_t(x - low[axis])) * cells_per_step);
   }
 };
 
-// The smallest frame around all points between two corners. edge: of the cells of surfels, in steps; 0: none. There are
-// no surfels either where there would be more than 2^20 cells a side.
-inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high, double edge = 0)
+// The smallest frame around all points between two corners. There are no surfels where there would be more than 2^20 of
+// the smallest cells a side.
+inline Code_frame make_code_frame(const Grid_point& low, const Grid_point& high, const Surfel_cells& surfels = {})
 {
   Code_frame frame = {{low.x, low.y, low.z}, 0};
   const std::uint32_t extent =
     (std::max)({std::uint32_t(high.x - low.x), std::uint32_t(high.y - low.y), std::uint32_t(high.z - low.z)});
   while((extent >> frame.shift) >> curve_bits)
     ++frame.shift;
+  const double edge = surfels.smallest_edge();
   if(edge > 0 && double(extent) / edge < double((1 << (curve_bits - 1)) - 1)) {
     frame.cells_per_step = 1 / edge;
+    frame.octaves = surfels.octaves;
     frame.shift = (std::max)(std::ilogb(edge), 0);
   }
   return frame;
@@ -106,10 +120,21 @@ inline Code_frame make_code_frame(const Grid_point* point, std::size_t n)
 template <class Table>
 struct Write_codes {
   const Grid_point* point;
+  const std::uint8_t* level; // null: all are 0
   Code_frame frame;
   Table order;
 
-  CGAL_TANDEM_HD void operator()(std::size_t i) const { order.set(i, frame.code(point[i]), std::uint32_t(i)); }
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    order.set(i, frame.code(point[i], level != nullptr ? level[i] : 0), std::uint32_t(i));
+  }
+};
+
+// Points before the sort.
+struct Unsorted_points {
+  const Grid_point* point;
+  std::size_t size;
+  const std::uint8_t* level = nullptr; // of their tolerances; null: all are 0
 };
 
 // Whether the key at position i of the sorted table equals one beside it. Sorts of back ends need not be stable, so the
@@ -213,15 +238,16 @@ void sort_tied(Backend& backend, std::vector<Tied_point>& tied, const Ties& ties
                  [&](const Tied_point& a, const Tied_point& b) { return ties.precedes(a.index, b.index); });
 }
 
-// The indices of `point`, sorted by code. The back end sorts by the code only. The few ties go to the host and back.
+// The indices of points, sorted by code. The back end sorts by the code only. The few ties go to the host and back.
 // With a total order of ties the result does not depend on the order of the points.
 template <class Backend, class Ties = Tie_order<>>
-typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point* point, std::size_t n,
-                                              const Code_frame& frame, const Ties& ties = Ties())
+typename Backend::Sort_table sort_along_curve(Backend& backend, const Unsorted_points& points, const Code_frame& frame,
+                                              const Ties& ties = Ties())
 {
   using Table = typename Backend::Sort_table::View;
+  const std::size_t n = points.size;
   typename Backend::Sort_table order(n);
-  backend.for_each(n, Write_codes<Table>{point, frame, order.view()});
+  backend.for_each(n, Write_codes<Table>{points.point, points.level, frame, order.view()});
   backend.sort(order);
   if(frame.has_surfels())
     return order; // the points of a surfel need no order
@@ -229,7 +255,7 @@ typename Backend::Sort_table sort_along_curve(Backend& backend, const Grid_point
   if(place.size() == 0)
     return order;
   typename Backend::template Buffer<Tied_point> buffer(place.size());
-  backend.for_each(place.size(), Gather_tied<Table>{order.view(), point, frame, place.data(), buffer.data()});
+  backend.for_each(place.size(), Gather_tied<Table>{order.view(), points.point, frame, place.data(), buffer.data()});
   std::vector<Tied_point> tied = to_vector(backend, buffer);
   sort_tied(backend, tied, ties);
   const auto sorted = to_buffer(backend, tied);

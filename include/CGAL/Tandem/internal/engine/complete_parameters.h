@@ -6,32 +6,20 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_COMPLETE_PARAMETERS_H
 
+#include <CGAL/Tandem/Distance_estimate.h>
 #include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/internal/cloud/choose_grid.h>
+#include <CGAL/Tandem/internal/cloud/far_points.h>
 #include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// The epsilon that is estimated: from the noise or the spacing, whichever gives more.
-template <class Backend>
-double estimate_maximum_distance(Backend& backend, const Import& in)
-{
-  using namespace tuning::estimation;
-  const Cloud_measure measure = measure_cloud(backend, in);
-  const Coordinate_box& box = in.box;
-  const double estimate = (std::max)(distance_per_noise * measure.noise, distance_per_spacing * measure.spacing);
-  const double smallest = std::ldexp(box.extent(), minimum_distance_bits); // so that the grid can hold the cloud
-  if(box.extent() > 0)
-    return bounded_length((std::max)(estimate, smallest));
-  double largest = 0; // all points are equal: any positive length
-  for(int c = 0; c < 3; ++c)
-    largest = (std::max)(largest, std::fabs(box.low[c]));
-  return largest > 1e-200 ? bounded_length(smallest_distance * largest) : 1;
-}
 
 inline std::size_t estimate_minimum_region_size(std::size_t points)
 {
@@ -39,25 +27,109 @@ inline std::size_t estimate_minimum_region_size(std::size_t points)
   return (std::max)(minimum_region_size, std::size_t(std::llround(region_size_per_root * std::sqrt(double(points)))));
 }
 
-// Estimates the parameters that are 0, and checks all of them.
-template <class Backend>
-void complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p)
+// Whether there is more noise than that of rounding, and most of it is not that of surfaces that bend.
+inline bool has_noise(const Cloud_measure& m)
 {
+  using namespace tuning::estimation;
+  return m.noise > least_noise_per_spacing * m.spacing && m.bends < bent_share;
+}
+
+// The epsilon for a cloud: from the spacing, but between two multiples of the noise.
+inline double distance_for(const Cloud_measure& m)
+{
+  using namespace tuning::estimation;
+  const double root4 = std::sqrt(std::sqrt(m.places)), root16 = std::sqrt(std::sqrt(root4));
+  const double spaced = distance_per_spacing * root4 * root16 * m.spacing;
+  const double most = has_noise(m) ? distance_per_largest_noise * m.largest_noise : spaced;
+  return (std::max)(distance_per_noise * m.noise, (std::min)(spaced, most));
+}
+
+// The same, as long as it has to be.
+inline double estimate_maximum_distance(const Import& in, const Cloud_measure& m)
+{
+  using namespace tuning::estimation;
+  if(m.extent > 0) {
+    const double smallest = std::ldexp(m.extent, minimum_distance_bits); // so that the grid can hold the cloud
+    return bounded_length((std::max)(distance_for(m), smallest));
+  }
+  double largest = 0; // all points are equal: any positive length
+  for(int c = 0; c < 3; ++c)
+    largest = (std::max)(largest, std::fabs(in.box.low[c]));
+  return largest > 1e-200 ? bounded_length(smallest_distance * largest) : 1;
+}
+
+// What is to be said of the epsilon of a cloud. Of several reasons the first one counts.
+inline Distance_estimate describe_compromise(const Cloud_measure& m)
+{
+  using namespace tuning::estimation;
+  const auto percent = [](double share) { return to_text(std::lround(100 * share)) + " %"; };
+  if(m.places < minimum_places)
+    return {};
+  if(m.patch.empty())
+    return {"No surface was found to measure the noise on: there may be none, or the noise exceeds the size of the "
+            "faces."};
+  if(has_noise(m) && m.exact > compromise_share)
+    return {percent(m.exact) +
+            " of the points lie exactly on planes with their nearest neighbors, but not with more of "
+            "them: coordinates are in steps, which the estimated maximum_distance is meant to cover."};
+  if(m.sheets > compromise_share)
+    return {percent(m.sheets) + " of the surfaces have another one close to them, which the estimated maximum_distance "
+                                "takes for a surface of its own, not for noise."};
+  if(has_noise(m) && m.varies)
+    return {"The noise varies from " + to_text(m.low_noise) + " to " + to_text(m.high_noise) +
+              " over the cloud: a tolerance for each point fits better than the one that was estimated.",
+            true};
+  return {};
+}
+
+// The largest distance where points have tolerances of their own: no more than the largest one, and, if it is not given,
+// what nearly all of them do not exceed. Infinite ones do not count; if all are, it is estimated.
+template <class Ranks>
+void bound_by_tolerances(const Ranks& ranks, const Import& in, Parameters& p)
+{
+  if(p.maximum_distance != 0) {
+    p.maximum_distance = (std::min)(p.maximum_distance, bounded_length(in.largest_tolerance));
+    return;
+  }
+  std::vector<double> finite;
+  for(const double t : in.tolerances)
+    if(std::isfinite(t))
+      finite.push_back(t);
+  if(ranks.total(finite.size()) > 0)
+    p.maximum_distance = bounded_length(quantile_of_all(
+      ranks, finite.size(), [&](std::size_t i) { return finite[i]; }, tuning::grid::tolerances_within));
+}
+
+// Estimates the parameters that are 0, and checks all of them. Returns what is to be said of them.
+template <class Backend>
+Distance_estimate complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p)
+{
+  Distance_estimate estimate;
+  if(in.has_tolerances && in.total.points > 0)
+    bound_by_tolerances(Ranks<Backend>(backend), in, p);
+  if(p.maximum_distance == 0 && in.total.points > 0) {
+    const Cloud_measure measure = measure_cloud(backend, in);
+    p.maximum_distance = estimate_maximum_distance(in, measure);
+    estimate = describe_compromise(measure);
+  }
   if(p.maximum_distance == 0)
-    p.maximum_distance = in.total.points > 0 ? estimate_maximum_distance(backend, in) : 1;
+    p.maximum_distance = 1;
   if(!has_offset)
     p.maximum_offset = p.maximum_distance;
   if(p.minimum_region_size == 0)
     p.minimum_region_size = estimate_minimum_region_size(std::size_t(in.total.points));
   check_parameters(p);
+  return estimate;
 }
 
 // Completes the parameters, as above, and chooses the grid of the points.
 template <class Backend>
-void set_scale(Backend& backend, Import& in, bool has_offset, Parameters& p)
+std::string set_scale(Backend& backend, Import& in, bool has_offset, Parameters& p)
 {
-  complete_parameters(backend, in, has_offset, p);
+  std::string note = complete_parameters(backend, in, has_offset, p).note;
+  drop_far_points(Ranks<Backend>(backend), in, p.maximum_distance);
   choose_grid(in, p);
+  return note;
 }
 
 } // namespace internal

@@ -34,7 +34,7 @@ void connect_cloud(Labeled_cloud<Backend>& points, Import& in, const Tolerance& 
 {
   const int rings = in.has_normals ? 1 : 3;            // normals are estimated from neighbors of neighbors
   find_rows(points, rings, [&] { in.drop_upload(); }); // the values come back while a device searches
-  if(join_surfels(points.backend, points.ranks, points.cloud, points.cells, in.surfel_edge))
+  if(join_surfels(points.backend, points.ranks, points.cloud, points.cells, in.surfel_cells))
     find_rows(points, rings);
   if(in.has_normals)
     keep_to_sides(points.backend, points.ranks, points.cloud, tight);

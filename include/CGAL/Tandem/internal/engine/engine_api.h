@@ -7,6 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_API_H
 #define CGAL_TANDEM_INTERNAL_ENGINE_ENGINE_API_H
 
+#include <CGAL/Tandem/Distance_estimate.h>
 #include <CGAL/Tandem/Plane_relations.h>
 #include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Tandem/internal/regularity/relations.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -23,10 +25,10 @@ namespace internal {
 // Besides make_engine():
 
 template <class Backend>
-void complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p);
+Distance_estimate complete_parameters(Backend& backend, const Import& in, bool has_offset, Parameters& p);
 
 template <class Backend>
-void set_scale(Backend& backend, Import& in, bool has_offset, Parameters& p);
+std::string set_scale(Backend& backend, Import& in, bool has_offset, Parameters& p);
 
 template <class Backend>
 void find_neighbors(Backend& backend, const Grid_point* point, std::uint32_t n, int k, std::uint32_t* neighbor);

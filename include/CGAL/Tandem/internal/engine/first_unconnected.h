@@ -14,6 +14,7 @@
 #include <CGAL/Tandem/internal/engine/make_options.h>
 #include <CGAL/Tandem/internal/engine/sort_points.h>
 #include <CGAL/Tandem/internal/finish/Seams.h>
+#include <CGAL/Tandem/internal/finish/explain_free_points.h>
 #include <CGAL/Tandem/internal/score/Score.h>
 
 #include <vector>
@@ -73,10 +74,20 @@ inline void count_links(const Cloud_view& cloud, std::uint32_t i, const std::uin
         cloud.surfels.points(i).size();
 }
 
-// Of a result: how it was made, and the number of its shapes.
-struct Label_graph {
+// Of a result: how it was made, its planes, and what it says of the imported points.
+struct Labeled_points {
   const Parameters& parameters;
-  std::size_t shapes;
+  const std::vector<Coefficients>& planes;
+  std::vector<std::int32_t> shape;   // by imported point, -1 = none
+  std::vector<std::uint32_t> normal; // the same, packed; empty if normals were given
+
+  std::size_t shapes() const { return planes.size(); }
+};
+
+// What is counted in the neighbor graph.
+struct Graph_counts {
+  Score_counts score; // links only
+  Free_points free_points;
 };
 
 // The k nearest neighbors of each imported point, as imported points, without surfels.
@@ -88,7 +99,7 @@ std::vector<std::uint32_t> import_neighbors(Backend& backend, const Import& in, 
   if(n == 0)
     return result;
   const auto order =
-    sort_along_curve(backend, in.point.data(), n, make_code_frame(in.low, in.high),
+    sort_along_curve(backend, {in.point.data(), n}, make_code_frame(in.low, in.high),
                      make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
   std::vector<Grid_point> point(n);
   for(std::uint32_t i = 0; i < n; ++i)
@@ -161,47 +172,76 @@ std::vector<std::uint32_t> surfel_labels(const Sorted_cloud<Backend>& cloud, con
   return label;
 }
 
-// The first shape whose surfels are not one component, or the number of shapes; and the links of the score, of all
-// ranks. labels: by imported point of this rank, -1 = none; ranks have whole leaves of the octree.
+// Surfels and points get the estimated normals of a result. In a result, all points of a surfel have one.
 template <class Backend>
-std::size_t first_unconnected_here(Backend& backend, Import& in, const std::vector<std::int32_t>& labels,
-                                   const Label_graph& graph, Score_counts& counts)
+void take_normals(const Ranks<Backend>& ranks, const std::vector<std::uint32_t>& normal, Sorted_cloud<Backend>& cloud)
+{
+  const Surfels_view surfels = cloud.surfels();
+  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p) {
+    const std::uint32_t n = normal[cloud.order.data()[p]];
+    cloud.point.data()[surfels.of_point(p)].normal = n;
+    if(cloud.has_surfels())
+      cloud.all_points.data()[p].normal = n;
+  }
+  ranks.refresh(cloud.point.data(), Rings::inner);
+}
+
+// The reasons why points have no shape. label: by surfel, with ghosts.
+template <class Backend>
+Free_points count_free_points(Labeled_cloud<Backend>& points, const Import& in, const Labeled_points& result,
+                              const std::vector<std::uint32_t>& label)
+{
+  Sorted_cloud<Backend>& cloud = points.cloud;
+  if(!in.has_normals) // on all ranks, also where one has no points
+    take_normals(points.ranks, result.normal, cloud);
+  std::vector<std::uint32_t> point_label;
+  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p)
+    point_label.push_back(std::uint32_t(result.shape[cloud.order.data()[p]])); // -1 becomes free_label
+  static_assert(free_label == no_index && free_label == std::uint32_t(-1), "a free surfel has no shape");
+  const Final_shapes shapes = {{cloud.surfels(), label.data(), point_label.data()}, label.data()};
+  return explain_free_points(points, shapes, result.planes, in.grid,
+                             make_options(in, result.parameters).growth.tolerance);
+}
+
+// The first shape whose surfels are not one component, or the number of shapes; and what is counted in the graph, of all
+// ranks. The points are those of this rank; ranks have whole leaves of the octree.
+template <class Backend>
+std::size_t first_unconnected_here(Backend& backend, Import& in, const Labeled_points& result, Graph_counts& counts)
 {
   Labeled_cloud<Backend> points(backend);
   Sorted_cloud<Backend>& cloud = points.cloud;
   const Ranks<Backend>& ranks = points.ranks;
-  cloud.k = int(graph.parameters.k_neighbors);
-  sort_points(backend, in, graph.parameters.cell_size, cloud, points.cells);
-  connect_cloud(points, in, make_options(in, graph.parameters).tight);
-  std::size_t mixed = graph.shapes;
-  std::vector<std::uint32_t> label = surfel_labels(cloud, labels, mixed), component;
+  cloud.k = int(result.parameters.k_neighbors);
+  sort_points(backend, in, result.parameters.cell_size, cloud, points.cells);
+  connect_cloud(points, in, make_options(in, result.parameters).tight);
+  std::size_t mixed = result.shapes();
+  std::vector<std::uint32_t> label = surfel_labels(cloud, result.shape, mixed), component;
   ranks.refresh(label.data(), Rings::inner);
   Parents parents(label.size());
   const Cloud_view view = cloud.view();
   for(std::uint32_t i = 0; i < view.size; ++i) {
     parents.unite_around(i, view.row(i), std::size_t(view.k), label.data());
-    count_links(view, i, label.data(), counts);
+    count_links(view, i, label.data(), counts.score);
   }
-  counts.links = std::int64_t(ranks.total(std::size_t(counts.links)));
-  counts.free_links = std::int64_t(ranks.total(std::size_t(counts.free_links)));
+  counts.score.links = std::int64_t(ranks.total(std::size_t(counts.score.links)));
+  counts.score.free_links = std::int64_t(ranks.total(std::size_t(counts.score.free_links)));
+  counts.free_points = count_free_points(points, in, result, label);
   for(std::uint32_t i = 0; i < label.size(); ++i)
     component.push_back(parents.root(i));
   Seams<Backend> seams(backend, ranks);
   seams.find(view, label.data(), component.data());
-  std::size_t first = first_of_two_roots<Backend>(ranks, {label, component, seams}, view.size, graph.shapes);
+  std::size_t first = first_of_two_roots<Backend>(ranks, {label, component, seams}, view.size, result.shapes());
   for(const std::uint64_t m : ranks.gather(std::vector<std::uint64_t>{mixed}))
     first = (std::min)(first, std::size_t(m));
   return first;
 }
 
-// The first shape whose points are not one component, or the number of shapes; and the links of the score. labels: by
-// imported point, -1 = none.
+// The first shape whose points are not one component, or the number of shapes; and what is counted in the graph.
 template <class Backend>
-std::size_t first_unconnected(Backend& backend, Import& in, const std::vector<std::int32_t>& labels,
-                              const Label_graph& graph, Score_counts& counts)
+std::size_t first_unconnected(Backend& backend, Import& in, const Labeled_points& result, Graph_counts& counts)
 {
   static_assert(!Ranks<Backend>::are_many, "many ranks need the overload of mpi.h");
-  return in.total.points == 0 ? graph.shapes : first_unconnected_here(backend, in, labels, graph, counts);
+  return in.total.points == 0 ? result.shapes() : first_unconnected_here(backend, in, result, counts);
 }
 
 } // namespace internal

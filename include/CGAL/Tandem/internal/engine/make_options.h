@@ -20,11 +20,14 @@ namespace Tandem {
 namespace internal {
 
 // The bounds of a test of points; the distance is in grid steps. The result is rounded to integers once, so that all
-// tests of points are exact.
-inline Tolerance make_tolerance(double distance, double cosine)
+// tests of points are exact. epsilon: the part of the distance that is less for points of smaller tolerances.
+inline Tolerance make_tolerance(double distance, double cosine, double epsilon)
 {
-  return {std::int64_t(llrint(distance * normal_scale)), std::int64_t(llrint(cosine * cosine * 4294967296.0))};
+  const std::int64_t units = llrint(distance * normal_scale);
+  return {units, std::int64_t(llrint(cosine * cosine * 4294967296.0)),
+          units - std::int64_t(llrint(epsilon * normal_scale))};
 }
+inline Tolerance make_tolerance(double distance, double cosine) { return make_tolerance(distance, cosine, distance); }
 
 // The largest error of an integer distance, in steps: of rounded points and planes, and of an origin far from zero,
 // whose offset is rounded in the caller's coordinates.
@@ -74,10 +77,10 @@ inline Options make_options(const Import& in, const Parameters& p)
   const double certain_angle = (std::max)(p.maximum_angle - tuning::exactness::packing_margin_deg, 0.);
   // Far from zero the margin may exceed epsilon, even all integers: then no distance is certain.
   const double certain_distance = (std::max)(o.maximum_distance - distance_margin(in.grid), -1.);
-  o.certain = make_tolerance(certain_distance, cosine_deg(certain_angle));
+  o.certain = make_tolerance(certain_distance, cosine_deg(certain_angle), o.maximum_distance);
   const double possible_angle = (std::min)(p.maximum_angle + tuning::exactness::packing_margin_deg, 90.);
   const double possible_distance = (std::min)(o.maximum_distance + distance_margin(in.grid), double(1 << 30));
-  o.possible = make_tolerance(possible_distance, cosine_deg(possible_angle));
+  o.possible = make_tolerance(possible_distance, cosine_deg(possible_angle), o.maximum_distance);
   o.exact = {p.maximum_distance, std::fma(1.0, cosine, tuning::exactness::rounded_normal_margin)};
   o.regularity_period = int((std::min)(p.regularity_period, std::size_t(1) << 30));
   o.has_estimated_normals = !in.has_normals;

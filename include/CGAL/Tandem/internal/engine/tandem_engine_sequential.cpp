@@ -14,8 +14,8 @@ namespace internal {
 
 template class Engine<Sequential_backend>;
 template std::unique_ptr<Detection_engine> make_engine(Sequential_backend&, Import&, const Parameters&, Progress&);
-template void complete_parameters(Sequential_backend&, const Import&, bool, Parameters&);
-template void set_scale(Sequential_backend&, Import&, bool, Parameters&);
+template Distance_estimate complete_parameters(Sequential_backend&, const Import&, bool, Parameters&);
+template std::string set_scale(Sequential_backend&, Import&, bool, Parameters&);
 template void find_neighbors(Sequential_backend&, const Grid_point*, std::uint32_t, int, std::uint32_t*);
 template Shapes_data export_shapes(Sequential_backend&, const Import&, const Parameters&, const Engine_result&);
 template Point_groups group_points(Sequential_backend&, const std::int32_t*, std::size_t, std::size_t);

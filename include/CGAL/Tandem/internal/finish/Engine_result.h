@@ -25,6 +25,7 @@ struct Engine_shape {
   int plane_group;    // coplanar group
   std::size_t size;   // points
   bool is_flipped;    // most of the given normals of its points are opposite to the plane
+  Plane_uncertainty uncertainty = {};
 };
 
 // Tables of points are indexed by imported points: the valid items of the caller's range, in its order. Shapes and
@@ -36,12 +37,21 @@ struct Engine_result {
   Shared_table<std::uint32_t> normal;  // per imported point, the packed normal, if normals were estimated
   double mean_distance = 0;            // of the points to their planes, in epsilons
   Score_counts counts;
+  Free_points free_points; // of all ranks
   std::size_t rounds = 0;
   bool is_cancelled = false;
   bool is_coarse = false;
   Stage_times times;
   std::size_t peak_bytes = 0;
 };
+
+inline std::vector<Coefficients> planes_of(const Engine_result& result)
+{
+  std::vector<Coefficients> planes;
+  for(const Engine_shape& shape : result.shapes)
+    planes.push_back(shape.plane);
+  return planes;
+}
 
 } // namespace internal
 } // namespace Tandem

@@ -19,15 +19,27 @@ struct Labels_of_points {
   const std::uint32_t* label;       // by surfel
   const std::uint32_t* point_label; // by point; null: all have those of their surfels
 
+  // Whether point p of surfel i has its label.
+  CGAL_TANDEM_HD bool has(std::uint32_t i, std::uint32_t p) const
+  {
+    return label[i] < first_mark && (point_label == nullptr || point_label[p] == label[i]);
+  }
+
   // f(p) for the points of surfel i that have its label.
   template <class F>
   CGAL_TANDEM_HD void for_each_point(std::uint32_t i, F f) const
   {
     const Range points = surfels.points(i);
     for(std::uint32_t p = points.first; p < points.last; ++p)
-      if(label[i] < first_mark && (point_label == nullptr || point_label[p] == label[i]))
+      if(has(i, p))
         f(p);
   }
+};
+
+// The shapes of a result, as functors read them.
+struct Final_shapes {
+  Labels_of_points labels;
+  const std::uint32_t* shape; // of each surfel, and of ghosts; no_index if there is none
 };
 
 } // namespace internal

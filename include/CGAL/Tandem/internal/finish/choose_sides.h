@@ -205,7 +205,7 @@ private:
   // Whether point i of shape s is within epsilon of shape t, and on its side of their edge.
   CGAL_TANDEM_HD bool is_beyond(std::uint32_t i, std::uint32_t s, std::uint32_t t) const
   {
-    const std::int64_t epsilon = view.tolerance.distance;
+    const std::int64_t epsilon = view.cloud.tolerance_of(i, view.tolerance).distance;
     const Plane plane_s = view.plane[s], plane_t = view.plane[t];
     const Grid_point p = view.cloud.point[i];
     if(!is_near(plane_t, p, epsilon))

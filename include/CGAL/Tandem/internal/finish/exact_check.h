@@ -26,25 +26,25 @@ struct Caller_view {
 // Whether the filter fails for a labeled point. The reduced bounds cover the rounding of the point, of its normal and
 // of the plane. So a point that fits within them passes the exact test, too.
 struct Is_uncertain {
-  const Grid_point* point;
+  Surfels_view points;
   const std::uint32_t* label;
   const Plane* plane; // by shape
   Tolerance certain;  // epsilon and alpha, less all rounding: see tuning::exactness
 
   CGAL_TANDEM_HD bool operator()(std::uint32_t i) const
   {
-    return label[i] < first_mark && !fits(plane[label[i]], point[i], certain);
+    return label[i] < first_mark && !fits(plane[label[i]], points.point[i], points.tolerance_of_point(i, certain));
   }
 };
 
 // What the host needs of a point to test it. The normal is the packed one, for clouds with estimated normals.
 struct Uncertain_point {
-  std::uint32_t shape, origin, normal; // origin: the imported point
+  std::uint32_t shape, origin, normal, level; // origin: the imported point; level: of its tolerance
 };
 
 // Item i is the i-th uncertain point, at position place[i] of the sorted cloud.
 struct Gather_uncertain {
-  const Grid_point* point;
+  Surfels_view points;
   const std::uint32_t* label;
   const std::uint32_t* origin;
   const std::uint32_t* place;
@@ -52,7 +52,7 @@ struct Gather_uncertain {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    uncertain[i] = {label[place[i]], origin[place[i]], point[place[i]].normal};
+    uncertain[i] = {label[place[i]], origin[place[i]], points.point[place[i]].normal, points.level_of_point(place[i])};
   }
 };
 
@@ -80,14 +80,15 @@ struct Check_exactly {
     // An estimated normal is what the result reports for the point: its packed value.
     const Vector normal =
       caller.normals.data != nullptr ? normalized(caller.normals[u.origin]) : unpacked_normal(u.normal);
-    return bounds.is_near(plane[u.shape], caller.coordinates[u.origin]) && bounds.is_aligned(plane[u.shape], normal);
+    return bounds.is_near(plane[u.shape], caller.coordinates[u.origin], std::uint8_t(u.level)) &&
+           bounds.is_aligned(plane[u.shape], normal);
   }
 };
 
 // The points that are tested, in the order of the sorted cloud. The labels are those of the extraction, so a test
 // between two rounds changes no label of the loop.
 struct Points_to_check {
-  const Grid_point* point;
+  Surfels_view of_surfels;
   const std::uint32_t* origin; // the imported points
   std::uint32_t* label;
   std::size_t size;
@@ -99,10 +100,10 @@ template <class Backend>
 void check_exactly(Backend& backend, const Points_to_check& points, const Plane* plane, const Tolerance& certain,
                    const Check_exactly& check)
 {
-  const auto place = backend.compact(points.size, Is_uncertain{points.point, points.label, plane, certain});
+  const auto place = backend.compact(points.size, Is_uncertain{points.of_surfels, points.label, plane, certain});
   typename Backend::template Buffer<Uncertain_point> buffer(place.size());
   backend.for_each(place.size(),
-                   Gather_uncertain{points.point, points.label, points.origin, place.data(), buffer.data()});
+                   Gather_uncertain{points.of_surfels, points.label, points.origin, place.data(), buffer.data()});
   const std::vector<Uncertain_point> uncertain = to_vector(backend, buffer);
   const auto is_rejected = backend.template make_buffer<std::uint8_t>(
     uncertain.size(), [&](std::size_t i) { return std::uint8_t(!check.is_within(uncertain[i])); });

@@ -68,10 +68,23 @@ inline Shapes_data start_export(const Import& in, const Parameters& parameters)
   data.statistics.number_of_points = std::size_t(in.total.items);
   data.statistics.number_of_ignored_coordinates = std::size_t(in.total.ignored_coordinates);
   data.statistics.number_of_ignored_normals = std::size_t(in.total.ignored_normals);
+  data.statistics.number_of_ignored_tolerances = std::size_t(in.total.ignored_tolerances);
+  data.statistics.number_of_far_points = std::size_t(in.total.far_points);
   data.statistics.grid_step = in.grid.step;
   data.statistics.is_grid_coarse = in.grid.is_coarse;
   data.statistics.has_estimated_normals = !in.has_normals;
   return data;
+}
+
+// The reasons of the result, and of points that no stage has looked at: the whole cloud is smaller than a shape, or the
+// detection was cancelled before it had neighbors.
+inline Free_points free_points_of(const Import& in, const Parameters& parameters, const Engine_result& result,
+                                  std::size_t assigned)
+{
+  Free_points counts = result.free_points;
+  const std::size_t others = std::size_t(in.total.points) - assigned - counts.total();
+  (in.total.points < parameters.minimum_region_size ? counts.in_small_regions : counts.clutter) += others;
+  return counts;
 }
 
 // The result of an empty cloud is valid, too: no shapes, and shares of 0. The mean distance is in epsilons in the
@@ -87,8 +100,10 @@ Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& 
     data.parallel_group.push_back(shape.direction);
     data.coplanar_group.push_back(shape.plane_group);
     data.is_flipped.push_back(shape.is_flipped);
+    data.uncertainty.push_back(shape.uncertainty);
     statistics.number_of_assigned_points += shape.size;
   }
+  statistics.free_points = free_points_of(in, parameters, result, statistics.number_of_assigned_points);
   relate_groups(data);
   data.shape_of = by_item(backend, in, result.shape_of, std::int32_t(-1));
   data.points = {result.points.first, to_items(backend, in, result.points.position)};

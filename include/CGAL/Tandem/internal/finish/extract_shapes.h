@@ -12,8 +12,10 @@
 #include <CGAL/Tandem/internal/finish/slabs.h>
 #include <CGAL/Tandem/internal/finish/components.h>
 #include <CGAL/Tandem/internal/finish/exact_check.h>
+#include <CGAL/Tandem/internal/finish/explain_free_points.h>
 #include <CGAL/Tandem/internal/finish/group_points.h>
 #include <CGAL/Tandem/internal/finish/large_components.h>
+#include <CGAL/Tandem/internal/finish/measure_planes.h>
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
 #include <CGAL/Tandem/internal/finish/surfel_labels.h>
 #include <CGAL/Tandem/internal/rounds/Shape_relations.h>
@@ -44,7 +46,8 @@ struct Mark_crisp {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const double distance = tuning::moves::crisp_rms * maximum_distance;
-    is_crisp[i] = shape[id[i]].fit.smallest < distance * distance * shape[id[i]].scatter.count;
+    const Scatter& scatter = shape[id[i]].scatter;
+    is_crisp[i] = shape[id[i]].fit.smallest < distance * distance * (scatter.count * scatter.squared_tolerance);
   }
 };
 
@@ -147,7 +150,7 @@ private:
     const Caller_view caller = {in_.coordinates.view(), in_.normals.view()};
     spread_labels(points_, label_.data(), {plane_.data(), options_.possible}, in_.has_normals, point_label_);
     std::uint32_t* const checked = point_label_.size() > 0 ? point_label_.data() : label_.data();
-    check_exactly(backend_, {points_.cloud.surfels().point, order(), checked, points_.cloud.number_of_points()},
+    check_exactly(backend_, {points_.cloud.surfels(), order(), checked, points_.cloud.number_of_points()},
                   plane_.data(), options_.certain, Check_exactly{caller, coefficients_.data(), options_.exact});
     free_rejected(points_, labels(), label_.data());
     points_.ranks.refresh(label_.data(), Rings::inner);
@@ -161,7 +164,7 @@ private:
     backend_.template for_each_cell<Neighbor_scratch>(
       points_.number_of_cells(),
       Count_neighbors<Backend>{points_.cloud.view(), points_.cells.data(), label_.data(), plane_.data(),
-                               is_crisp_.data(), sums.data(), options_.growth.tolerance.distance});
+                               is_crisp_.data(), sums.data(), options_.growth.tolerance});
     points_.ranks.sum(sums.data(), sums.size());
     const std::vector<std::uint64_t> counts = to_vector(backend_, sums);
     const auto is_dropped = backend_.template make_buffer<std::uint8_t>(
@@ -186,6 +189,9 @@ private:
     number.release();
     points_.ranks.refresh(component.data(), Rings::inner);
     measure_shapes(component.data(), result);
+    const Final_shapes shapes = {labels(), component.data()};
+    result.free_points = explain_free_points(points_, shapes, planes_of(result), in_.grid, options_.growth.tolerance);
+    measure_planes(points_, shapes, in_.grid, options_.exact.maximum_distance, result.shapes);
     auto shape_of = filled_buffer(backend_, points_.cloud.number_of_points(), std::int32_t(-1));
     backend_.for_each(n, Write_shapes{labels(), component.data(), order(), shape_of.data()});
     component.release();
@@ -216,10 +222,10 @@ private:
   {
     auto opposed_sums = filled_buffer(backend_, result.shapes.size(), std::uint64_t(0));
     auto sums = filled_buffer(backend_, Point_measures::size, std::uint64_t(0));
-    const Score_item item = {1, options_.growth.tolerance.distance};
     backend_.template for_each_cell<Measure_scratch>(
-      points_.number_of_cells(), Measure_points<Backend>{points_.cloud.view(), points_.cells.data(), labels(),
-                                                         plane_.data(), shape, item, opposed_sums.data(), sums.data()});
+      points_.number_of_cells(),
+      Measure_points<Backend>{points_.cloud.view(), points_.cells.data(), labels(), plane_.data(), shape,
+                              options_.growth.tolerance, opposed_sums.data(), sums.data()});
     points_.ranks.sum(opposed_sums.data(), opposed_sums.size());
     points_.ranks.sum(sums.data(), sums.size());
     const auto opposed = to_vector(backend_, opposed_sums);

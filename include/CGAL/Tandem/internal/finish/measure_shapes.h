@@ -37,9 +37,9 @@ struct Measure_points {
   Labels_of_points labels;
   const Plane* plane;         // by label
   const std::uint32_t* shape; // of each surfel, and of ghosts; no_index if there is none
-  Score_item item;            // of all points
-  std::uint64_t* opposed;     // by shape
-  std::uint64_t* sum;         // Point_measures
+  Tolerance tolerance;
+  std::uint64_t* opposed; // by shape
+  std::uint64_t* sum;     // Point_measures
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Measure_scratch& scratch, std::uint32_t c) const
@@ -73,9 +73,12 @@ private:
     const Plane& p = plane[labels.label[i]];
     std::uint32_t number_opposed = 0;
     labels.for_each_point(i, [&](std::uint32_t at) {
-      const std::uint64_t share = item.share_of(signed_distance(p, cloud.surfels.point[at]));
+      const std::int64_t distance = signed_distance(p, cloud.surfels.point[at]);
+      const std::uint64_t share = Score_item{1, tolerance.distance}.share_of(distance);
       of_surfel[Point_measures::distance] += share;
-      of_surfel[Point_measures::fit] += std::uint64_t(Score::weight_at(item, share));
+      const Score_item item = {1, cloud.surfels.tolerance_of_point(at, tolerance).distance};
+      const bool is_own = item.tolerance != tolerance.distance;
+      of_surfel[Point_measures::fit] += std::uint64_t(Score::weight_at(item, is_own ? item.share_of(distance) : share));
       number_opposed += normal_product(p, decode_normal(cloud.surfels.point[at].normal)) < 0;
     });
     if(number_opposed > 0)

@@ -40,7 +40,7 @@ struct Count_neighbors {
   const Plane* plane;           // by shape, as are these
   const std::uint8_t* is_crisp; // its points are close to its plane, unlike those of slabs
   std::uint64_t* counts;        // neighbor_counts::size each
-  std::int64_t distance;        // epsilon, in 2^-28 grid steps
+  Tolerance tolerance;
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Neighbor_scratch& scratch, std::uint32_t c) const
@@ -74,6 +74,7 @@ private:
       return;
     const std::uint32_t* row = cloud.row(i);
     std::uint32_t near = 0, all = 0;
+    const std::int64_t distance = cloud.tolerance_of(i, tolerance).distance;
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const std::uint32_t other = label[row[j]];
       // A neighbor in another crisp shape is not counted: it may lie on the other side of a thin plate.

@@ -21,7 +21,11 @@ struct Bounded_planes {
   const Plane* plane;
   Tolerance tolerance;
 
-  CGAL_TANDEM_HD bool hold(std::uint32_t label, const Grid_point& p) const { return fits(plane[label], p, tolerance); }
+  // point p of a surfel
+  CGAL_TANDEM_HD bool hold(std::uint32_t label, const Surfels_view& surfels, std::uint32_t p) const
+  {
+    return fits(plane[label], surfels.point[p], surfels.tolerance_of_point(p, tolerance));
+  }
 };
 
 // Points take the label of their surfel, if they may be within its tolerances, and its normal where normals are
@@ -39,7 +43,7 @@ struct Spread_surfel {
     if(estimated != nullptr)
       estimated[p].normal = cloud.point[i].normal;
     point_label[p] =
-      label[i] >= first_mark || possible.hold(label[i], cloud.surfels.point[p]) ? label[i] : locked_label;
+      label[i] >= first_mark || possible.hold(label[i], cloud.surfels, std::uint32_t(p)) ? label[i] : locked_label;
   }
 };
 
@@ -103,14 +107,14 @@ struct Adopt_surfel {
       last = t;
       std::uint32_t held = 0;
       for(std::uint32_t p = points.first; p < points.last; ++p)
-        held += certain.hold(t, cloud.surfels.point[p]);
+        held += certain.hold(t, cloud.surfels, p);
       if(held > most) {
         most = held;
         next[i] = t;
       }
     }
     for(std::uint32_t p = points.first; p < points.last && most > 0; ++p)
-      if(certain.hold(next[i], cloud.surfels.point[p]))
+      if(certain.hold(next[i], cloud.surfels, p))
         point_label[p] = next[i];
   }
 };

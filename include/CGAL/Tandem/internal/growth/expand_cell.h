@@ -128,8 +128,7 @@ protected:
       return;
     const std::uint32_t claim = first_mark | s;
     const std::uint32_t old = label_[q];
-    if(old < first_mark || old <= claim || old == locked_label ||
-       !fits(shapes_.plane[s], cloud_.point[q], options_.tolerance))
+    if(old < first_mark || old <= claim || old == locked_label || !cloud_.fits(shapes_.plane[s], q, options_.tolerance))
       return;
     if(block_.fetch_min(label_[q], claim) == free_label)
       push(q);

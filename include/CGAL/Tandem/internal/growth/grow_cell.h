@@ -126,7 +126,7 @@ private:
     if(!is_untried(i))
       return false;
     for(std::uint32_t a = 0; a < s_.active_count; ++a)
-      if(fits(shapes_.plane[s_.active[a]], cloud_.point[i], options_.tolerance))
+      if(cloud_.fits(shapes_.plane[s_.active[a]], i, options_.tolerance))
         return false; // a shape that is still growing here may reach it
     return true;
   }
@@ -176,7 +176,7 @@ private:
     block_.for_each((last - first) * width, [&](std::uint32_t at) {
       Trial& trial = s_.trial[first + at / width];
       const std::uint32_t j = at % width, q = near_seed(trial.seed, j);
-      if(j == 0 && (label_[q] != free_label || fits(shapes_.plane[shape], cloud_.point[q], options_.tolerance)))
+      if(j == 0 && (label_[q] != free_label || cloud_.fits(shapes_.plane[shape], q, options_.tolerance)))
         trial.is_candidate = false;
       if(this->is_own(q) && label_[q] == shape)
         block_.append(trial.lost);
@@ -208,7 +208,7 @@ private:
   // at this time.
   CGAL_TANDEM_HD bool is_in_core(std::uint32_t q, const Plane& plane) const
   {
-    return this->is_own(q) && label_[q] == free_label && fits(plane, cloud_.point[q], options_.tolerance);
+    return this->is_own(q) && label_[q] == free_label && cloud_.fits(plane, q, options_.tolerance);
   }
 
   // Starts a shape: its core takes the label. The shape grows by one step in this pass: its plane is still uncertain.

@@ -41,7 +41,7 @@ struct Propose {
       if(s >= first_mark || s == last || s == proposal[b])
         continue;
       last = s;
-      if(!fits(plane[s], cloud.point[i], tolerance))
+      if(!cloud.fits(plane[s], i, tolerance))
         continue;
       const std::int64_t e = signed_distance(plane[s], cloud.point[i]);
       const std::int64_t distance = e < 0 ? -e : e;

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_DISTRIBUTION_H
 #define CGAL_TANDEM_INTERNAL_MPI_DISTRIBUTION_H
 
-#include <CGAL/Tandem/internal/cloud/Import.h>
+#include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/finish/group_points.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_backend.h>
 #include <CGAL/Tandem/internal/mpi/rank_boundaries.h>
@@ -23,10 +23,14 @@ namespace internal {
 // The code of an imported point.
 struct Write_code {
   Place_on_grid grid;
+  const Import& in;
   Code_frame frame;
   std::uint64_t* code;
 
-  void operator()(std::size_t i) const { code[i] = frame.code(grid.at(i)); }
+  void operator()(std::size_t i) const
+  {
+    code[i] = frame.code(grid.at(i), in.has_tolerances ? level_of(in.tolerances[i], in.epsilon) : 0);
+  }
 };
 
 template <class Host>
@@ -36,9 +40,9 @@ public:
   Distribution(Mpi_backend<Host>& backend, const Import& in, std::size_t cell_size)
     : backend_(backend), communicator_(backend.communicator())
   {
-    const Code_frame frame = make_code_frame(in.low, in.high, in.surfel_edge);
+    const Code_frame frame = make_code_frame(in.low, in.high, in.surfel_cells);
     Host_buffer<std::uint64_t> code(in.size());
-    backend_.for_each(in.size(), Write_code{place_on_grid(in, nullptr), frame, code.data()});
+    backend_.for_each(in.size(), Write_code{place_on_grid(in, nullptr), in, frame, code.data()});
     const std::vector<std::uint64_t> begin =
       Boundary_search(communicator_, frame, cell_size, in.total.points)(code.data(), in.size());
     Host_buffer<std::int32_t> rank_of(in.size());
@@ -59,13 +63,18 @@ public:
     own.has_normals = in.has_normals;
     own.box = in.box;
     own.grid = in.grid;
-    own.surfel_edge = in.surfel_edge;
+    own.surfel_cells = in.surfel_cells;
+    own.has_tolerances = in.has_tolerances;
+    own.smallest_tolerance = in.smallest_tolerance;
+    own.epsilon = in.epsilon;
     own.low = in.low;
     own.high = in.high;
     own.total = in.total;
     own.count = own.number_of_items = send_values(in.coordinates, own.coordinates);
     if(in.has_normals)
       send_values(in.normals, own.normals);
+    if(in.has_tolerances)
+      own.tolerances = distribute_values([&](std::size_t i) { return in.tolerances[i]; });
     return own;
   }
 

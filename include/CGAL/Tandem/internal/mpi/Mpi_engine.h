@@ -71,15 +71,18 @@ std::unique_ptr<Detection_engine> make_engine(Mpi_backend<Local>& backend, Impor
 
 // Connectivity is checked on the points of each rank and their ghosts.
 template <class Local>
-std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const std::vector<std::int32_t>& labels,
-                              const Label_graph& graph, Score_counts& counts)
+std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const Labeled_points& result,
+                              Graph_counts& counts)
 {
   if(in.total.points == 0)
-    return graph.shapes;
-  Distribution<Local> distribution(backend, in, graph.parameters.cell_size);
+    return result.shapes();
+  Distribution<Local> distribution(backend, in, result.parameters.cell_size);
   Import own = distribution.distribute(in);
-  const auto own_labels = distribution.distribute_values([&](std::size_t i) { return labels[i]; });
-  return first_unconnected_here(backend, own, own_labels, graph, counts);
+  Labeled_points of_own = {result.parameters, result.planes, {}, {}};
+  of_own.shape = distribution.distribute_values([&](std::size_t i) { return result.shape[i]; });
+  if(!in.has_normals)
+    of_own.normal = distribution.distribute_values([&](std::size_t i) { return result.normal[i]; });
+  return first_unconnected_here(backend, own, of_own, counts);
 }
 
 } // namespace internal

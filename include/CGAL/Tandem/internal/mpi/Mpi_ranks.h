@@ -86,6 +86,10 @@ public:
     cloud.ghosts = ghosts_->size();
     cloud.point = extended<Grid_point>(*backend_, cloud.point, n + cloud.ghosts);
     refresh(cloud.point.data(), Rings::all);
+    if(cloud.has_levels) {
+      cloud.level = extended<std::uint8_t>(*backend_, cloud.level, n + cloud.ghosts);
+      refresh(cloud.level.data(), Rings::all);
+    }
   }
 
   std::size_t ghosts(Rings rings) const { return rings == Rings::all ? ghosts_->size() : ghosts_->ring_size(0); }

@@ -103,7 +103,7 @@ struct Finish {
   CGAL_TANDEM_HD bool lies_in_clutter(std::uint32_t i, const Candidate& c) const
   {
     const float e2 = plane_distance2(c, from_center(w, source[i], w.cloud.point[i]));
-    if(e2 <= w.minimum_clutter2 || e2 <= c.smallest)
+    if(e2 <= w.minimum_clutter2(i) || e2 <= c.smallest)
       return false;
     const std::uint32_t* row = w.cloud.row(i);
     int beyond = 0, size = 0;

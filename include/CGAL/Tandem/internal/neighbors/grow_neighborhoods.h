@@ -39,8 +39,22 @@ struct Workspace {
   Candidate* candidate;
   const Grid_point* owner; // by candidate: the point that it comes from
   int k;                   // neighbors in use
-  float flat;              // variance of what is as good as flat
-  float minimum_clutter2;  // squared distance from the plane
+  double flat2;            // variance of what is as good as flat, at epsilon, but for rounding
+  double clutter2;         // least squared distance of clutter from its plane, at epsilon
+
+  CGAL_TANDEM_HD float flat(std::uint32_t i) const
+  {
+    return to_float(std::fma(squared_tolerance(i), flat2, double(rounding_variance)));
+  }
+  CGAL_TANDEM_HD float minimum_clutter2(std::uint32_t i) const { return to_float(squared_tolerance(i) * clutter2); }
+
+private:
+  // Of a point, in epsilons.
+  CGAL_TANDEM_HD double squared_tolerance(std::uint32_t i) const
+  {
+    const double factor = level_factor(cloud.level_of(i));
+    return factor * factor;
+  }
 };
 
 // The workspace of an estimation, for epsilon in grid steps. The tables of neighborhoods are set by the caller.
@@ -53,8 +67,8 @@ inline Workspace make_workspace(const Cloud_view& cloud, Candidate* candidate, d
   w.candidate = candidate;
   w.owner = cloud.point;
   w.k = cloud.k < maximum_neighbors ? cloud.k : maximum_neighbors;
-  w.flat = to_float(exact_product(flat, flat) + rounding_variance);
-  w.minimum_clutter2 = to_float(exact_product(clutter, clutter));
+  w.flat2 = exact_product(flat, flat);
+  w.clutter2 = exact_product(clutter, clutter);
   return w;
 }
 
@@ -112,7 +126,7 @@ CGAL_TANDEM_HD inline void consider(const Workspace& w, std::uint32_t i, const N
   if(!(t.middle > 0))
     return;
   const float unbiased = t.smallest * (points / (points - 3));
-  const float smallest = unbiased > w.flat ? unbiased : w.flat;
+  const float flat = w.flat(i), smallest = unbiased > flat ? unbiased : flat;
   Candidate c = {h.mean, smallest, t.middle, smallest / t.middle / points, no_normal};
   if(w.candidate[i].error2 < no_plane && !(cost(c) < cost(w.candidate[i])))
     return;
@@ -126,7 +140,7 @@ struct Start {
 
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
-    w.candidate[i] = {{0, 0, 0}, w.flat, 0, no_plane, no_normal};
+    w.candidate[i] = {{0, 0, 0}, w.flat(std::uint32_t(i)), 0, no_plane, no_normal};
     w.current[i] = nearest_neighborhood(w, std::uint32_t(i), w.k);
     consider(w, std::uint32_t(i), w.current[i], effective_points(w.k, 1));
   }

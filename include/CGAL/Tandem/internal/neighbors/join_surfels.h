@@ -20,17 +20,18 @@ namespace internal {
 // the points of both are less than the edge of a surfel. Ties go to the first one.
 struct Surfel_targets {
   Cloud_view cloud;
-  std::int64_t edge; // of the cells of surfels, in steps, rounded down
+  Surfel_cells cells;
 
   CGAL_TANDEM_HD std::uint32_t target(std::uint32_t i, const Range& cell) const
   {
     std::uint32_t best = i;
     const std::uint32_t* row = cloud.row(i);
     // Where all points are so near, their rounded centroid is as well, and rows ascend.
-    for(int j = 0; j < cloud.k && row[j] != no_index && is_near(cloud.point[row[j]], cloud.point[i], 2); ++j)
-      if(row[j] >= cell.first && row[j] < cell.last && is_heavier(row[j], best) &&
-         side_of(cloud.point[row[j]].normal) == side_of(cloud.point[i].normal) && covers(row[j], i) &&
-         covers(row[j], row[j]))
+    const std::int64_t edge = edge_of(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index && is_near(cloud.point[row[j]], cloud.point[i], edge + 2); ++j)
+      if(row[j] >= cell.first && row[j] < cell.last && is_heavier(row[j], best) && edge_of(row[j]) == edge &&
+         side_of(cloud.point[row[j]].normal) == side_of(cloud.point[i].normal) && covers(row[j], i, edge) &&
+         covers(row[j], row[j], edge))
         best = row[j];
     return best;
   }
@@ -42,18 +43,25 @@ private:
     return wa != wb ? wa > wb : a < b;
   }
 
-  // Whether two points are less than the edge apart, or less than so many steps more.
-  CGAL_TANDEM_HD bool is_near(const Grid_point& p, const Grid_point& q, std::int64_t more = 0) const
+  // The edge of the cell of a surfel, in steps, rounded down.
+  CGAL_TANDEM_HD std::int64_t edge_of(std::uint32_t i) const
   {
-    const std::int64_t x = std::int64_t(q.x) - p.x, y = std::int64_t(q.y) - p.y, z = std::int64_t(q.z) - p.z;
-    return x * x + y * y + z * z < (edge + more) * (edge + more);
+    const int octave = octave_of(cloud.level_of(i));
+    return std::int64_t(cells.edge) >> (octave < cells.octaves ? octave : cells.octaves);
   }
 
-  CGAL_TANDEM_HD bool covers(std::uint32_t center, std::uint32_t i) const
+  // Whether two points are less than a distance apart.
+  CGAL_TANDEM_HD static bool is_near(const Grid_point& p, const Grid_point& q, std::int64_t distance)
+  {
+    const std::int64_t x = std::int64_t(q.x) - p.x, y = std::int64_t(q.y) - p.y, z = std::int64_t(q.z) - p.z;
+    return x * x + y * y + z * z < distance * distance;
+  }
+
+  CGAL_TANDEM_HD bool covers(std::uint32_t center, std::uint32_t i, std::int64_t edge) const
   {
     const Range points = cloud.surfels.points(i);
     for(std::uint32_t p = points.first; p < points.last; ++p)
-      if(!is_near(cloud.point[center], cloud.surfels.point[p]))
+      if(!is_near(cloud.point[center], cloud.surfels.point[p], edge))
         return false;
     return true;
   }
@@ -105,17 +113,16 @@ struct Points_of_cell {
 };
 
 // Joins them where that is worth a second search of neighbors; returns whether it has. The rows are those of before.
-// edge: of the cells of surfels, in steps.
 template <class Backend>
 bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Backend>& cloud,
-                  typename Backend::template Buffer<Range>& cells, double edge)
+                  typename Backend::template Buffer<Range>& cells, const Surfel_cells& surfel_cells)
 {
   using View = typename Backend::Sort_table::View;
   if(!cloud.has_surfels()) // the same on all ranks
     return false;
   typename Backend::template Buffer<std::uint32_t> target(cloud.size());
-  backend.template for_each_cell<No_scratch>(
-    cells.size(), Choose_target{{cloud.view(), std::int64_t(edge)}, cells.data(), target.data()});
+  backend.template for_each_cell<No_scratch>(cells.size(),
+                                             Choose_target{{cloud.view(), surfel_cells}, cells.data(), target.data()});
   const std::size_t staying = ranks.total(backend.compact(cloud.size(), Stays_surfel{target.data()}).size());
   const std::size_t all = ranks.total(cloud.size());
   if(!tuning::surfels::joined.is_exceeded(std::int64_t(all - staying), std::int64_t(all)))
@@ -127,9 +134,12 @@ bool join_surfels(Backend& backend, const Ranks<Backend>& ranks, Sorted_cloud<Ba
   backend.for_each(cells.size(), Points_of_cell{cloud.surfels(), cells.data()});
   typename Backend::template Buffer<std::uint32_t> order(n);
   typename Backend::template Buffer<Grid_point> point(n);
-  backend.for_each(
-    n, Gather_points<View>{table.view(), cloud.all_points.data(), cloud.order.data(), order.data(), point.data()});
+  typename Backend::template Buffer<std::uint8_t> level(cloud.level_of_point.size());
+  backend.for_each(n, Gather_points<View>{table.view(),
+                                          {cloud.all_points.data(), cloud.order.data(), cloud.all_levels()},
+                                          {point.data(), order.data(), level.data()}});
   cloud.order = std::move(order);
+  cloud.level_of_point = std::move(level);
   cloud.all_points = std::move(point);
   cloud.ghosts = 0;
   make_surfels(backend, table, cloud, cells);

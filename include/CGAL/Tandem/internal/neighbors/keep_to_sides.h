@@ -65,10 +65,11 @@ struct Count_sides {
       return;
     const std::uint32_t* row = cloud.row(std::uint32_t(i));
     const Own_side side(cloud.point[i]);
+    const double own_distance = distance * level_factor(cloud.level_of(std::uint32_t(i)));
     for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
       const Grid_point& q = cloud.point[row[j]];
       const std::int64_t dot = side.dot(q);
-      if(!side.are_aligned(q, dot) || !side.is_near(q, distance))
+      if(!side.are_aligned(q, dot) || !side.is_near(q, own_distance))
         continue;
       sum[dot < 0] += weight[i] < weight[row[j]] ? weight[i] : weight[row[j]];
     }
@@ -92,12 +93,13 @@ struct Drop_opposite {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const Own_side side(cloud.point[i]);
+    const double own_distance = distance * level_factor(cloud.level_of(std::uint32_t(i)));
     std::uint32_t* const row = neighbor + i * std::size_t(cloud.k);
     int kept = 0, j = 0;
     for(; j < cloud.k && row[j] != no_index; ++j) {
       const Grid_point& q = cloud.point[row[j]];
       const std::int64_t dot = side.dot(q);
-      if(dot >= 0 || !side.are_aligned(q, dot) || side.is_near(q, distance))
+      if(dot >= 0 || !side.are_aligned(q, dot) || side.is_near(q, own_distance))
         row[kept++] = row[j];
     }
     for(; kept < j; ++kept)

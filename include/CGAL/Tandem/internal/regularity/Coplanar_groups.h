@@ -50,7 +50,7 @@ private:
   struct Group {
     std::vector<int> members;
     int direction;
-    double offset, weight, largest; // the mean offset of the members, their points, and those of the largest one
+    double offset, weight, largest; // the mean offset of the members, their weight, and the points of the largest one
   };
 
   // Groups of one shape each, by direction, then by offset.
@@ -65,15 +65,16 @@ private:
     groups.reserve(order.size());
     for(const auto& [direction, offset, i] : order)
       groups.push_back(
-        {{i}, direction, offset, shapes_[std::size_t(i)].scatter.count, shapes_[std::size_t(i)].scatter.count});
+        {{i}, direction, offset, shapes_[std::size_t(i)].scatter.weight(), shapes_[std::size_t(i)].scatter.count});
     return groups;
   }
 
   // Unions of unions may move a shape by more than sigma, or at more than its plane is worth. It leaves its group then.
   bool can_move(int shape, double distance) const
   {
-    const double points = shapes_[std::size_t(shape)].scatter.count;
-    return std::fabs(distance) <= options_.maximum_offset && points * (distance * distance) <= options_.price(points);
+    const Scatter& s = shapes_[std::size_t(shape)].scatter;
+    return std::fabs(distance) <= options_.maximum_offset &&
+           s.weight() * (distance * distance) <= options_.price(s.count);
   }
 
   // What two neighbors gain as one: negative beyond sigma, 0 for equal planes where a degree of freedom is worth nothing.

@@ -26,7 +26,7 @@ struct Direction_group {
   std::vector<int> members; // shapes, ascending; never empty between steps, but for given directions
   double sine = 0;
   Symmetric_matrix matrix = {}; // sum of the members' scatter
-  double weight = 0;            // points
+  double weight = 0;            // of the points, by their tolerances
   double largest = 0;           // points of the largest member, which set the price of a degree of freedom
   Eigen_system eigen = {};      // of the matrix
   Vector fitted = {};           // least squares, unconstrained
@@ -44,7 +44,7 @@ struct Direction_group {
     weight = largest = 0;
     for(int i : members) {
       matrix = matrix + shapes[i].scatter.matrix;
-      weight += shapes[i].scatter.count;
+      weight += shapes[i].scatter.weight();
       largest = (std::max)(largest, shapes[i].scatter.count);
     }
     if(is_given)

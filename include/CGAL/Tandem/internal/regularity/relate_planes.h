@@ -7,6 +7,7 @@
 #define CGAL_TANDEM_INTERNAL_REGULARITY_RELATE_PLANES_H
 
 #include <CGAL/Tandem/Plane_relations.h>
+#include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 #include <CGAL/Tandem/internal/regularity/Input_planes.h>
 #include <CGAL/Tandem/internal/regularity/given_directions.h>

@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/internal/backend/Ranks.h>
 #include <CGAL/Tandem/internal/backend/lanes.h>
+#include <CGAL/Tandem/internal/base/ordered_bits.h>
 #include <CGAL/Tandem/internal/base/pairs.h>
 #include <CGAL/Tandem/internal/rounds/Union_gain.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace CGAL {
 namespace Tandem {
@@ -28,16 +28,6 @@ CGAL_TANDEM_HD inline std::uint64_t mixed_ids(std::uint32_t a, std::uint32_t b)
 {
   const std::uint64_t mixed = hash_of_pair(std::uint64_t(a) << 32 | b);
   return hash_of_pair(mixed ^ mixed >> 32);
-}
-
-// Bits that are in the order of the numbers. Both zeros get the same. Never NaN: a pair whose fit is none is rejected.
-CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)
-{
-  constexpr std::uint64_t sign = std::uint64_t(1) << 63;
-  const double one_zero = value + 0.;
-  std::uint64_t bits;
-  std::memcpy(&bits, &one_zero, sizeof(bits));
-  return bits & sign ? ~bits : bits | sign;
 }
 
 // By what a shape chooses one of its pairs: the largest gain, then the largest union, then the mixed ids. Two pairs

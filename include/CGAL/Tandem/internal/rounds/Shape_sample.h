@@ -14,7 +14,7 @@ namespace Tandem {
 namespace internal {
 
 struct Sampled_point {
-  std::uint32_t hash;
+  std::uint32_t hash, level; // level: of its tolerance
   Grid_point point;
 };
 

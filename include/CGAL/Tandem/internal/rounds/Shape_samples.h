@@ -49,7 +49,7 @@ struct Bound_listed {
 
 // key: shape << 32 | hash.
 struct Keyed_point {
-  std::uint64_t key;
+  std::uint64_t key, level; // level: of its tolerance, wide, so that all bytes are defined
   Grid_point point;
 };
 
@@ -68,7 +68,7 @@ struct Take_sampled {
   CGAL_TANDEM_HD Keyed_point take(std::uint32_t p) const
   {
     const std::uint32_t i = cloud.surfels.of_point(p);
-    return {std::uint64_t(label[i]) << 32 | hash_of_position(p + cloud.first_point), cloud.point[i]};
+    return {std::uint64_t(label[i]) << 32 | hash_of_position(p + cloud.first_point), cloud.level_of(i), cloud.point[i]};
   }
 };
 
@@ -92,7 +92,8 @@ struct Put_sampled {
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
     const std::uint64_t s = table.key(at) >> 32;
-    point[at] = {std::uint32_t(table.key(at)), keyed[table.index(at)].point};
+    const Keyed_point& keyed_point = keyed[table.index(at)];
+    point[at] = {std::uint32_t(table.key(at)), std::uint32_t(keyed_point.level), keyed_point.point};
     if(at == 0 || table.key(at - 1) >> 32 != s)
       range[s].first = std::uint32_t(at);
     if(at + 1 == size || table.key(at + 1) >> 32 != s)

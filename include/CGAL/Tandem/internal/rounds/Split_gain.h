@@ -35,6 +35,7 @@ struct Point_sample {
   std::uint32_t size;
 
   CGAL_TANDEM_HD const Grid_point& operator[](std::uint32_t i) const { return point[i].point; }
+  CGAL_TANDEM_HD std::uint8_t level(std::uint32_t i) const { return std::uint8_t(point[i].level); }
 };
 
 // A trial begins with the sides of the points of the sample. Then both sides are fitted, and points go to the nearer
@@ -53,7 +54,8 @@ public:
   // Whether a shape would be worth its price if it took all squared distances away.
   CGAL_TANDEM_HD bool may_split(const Shape& s) const
   {
-    return s.moments.count >= minimum_size_ && per_square_ * s.fit.smallest > -double(score_.price());
+    return s.moments.count >= minimum_size_ &&
+           per_square_ / s.scatter.squared_tolerance * s.fit.smallest > -double(score_.price());
   }
 
   CGAL_TANDEM_HD Split trial(const Shape& s, const Point_sample& sample, int start) const
@@ -110,12 +112,14 @@ private:
     }
     if(start == 5)
       return along * along * s.scatter.count > axes.value[2];
-    return distance > far_ || distance < -far_;
+    const double far = far_ * std::sqrt(s.scatter.squared_tolerance);
+    return distance > far || distance < -far;
   }
 
-  CGAL_TANDEM_HD std::int64_t weight(const Plane& plane, const Grid_point& p) const
+  CGAL_TANDEM_HD std::int64_t weight(const Plane& plane, const Point_sample& sample, std::uint32_t i) const
   {
-    return fits(plane, p, tolerance_) ? Score::weight({1, tolerance_.distance}, signed_distance(plane, p)) : 0;
+    const Tolerance own = tolerance_.at(sample.level(i));
+    return fits(plane, sample[i], own) ? Score::weight({1, own.distance}, signed_distance(plane, sample[i])) : 0;
   }
 
   // Of the split; 0 where it is not certain, or a part is too small.
@@ -125,8 +129,8 @@ private:
     std::int64_t sum = 0, squares = 0, count[2] = {0, 0};
     for(std::uint32_t i = 0; i < sample.size; ++i) {
       const bool second = is_nearer(split.second, split.first, sample[i]);
-      const std::int64_t w = weight(second ? split.second : split.first, sample[i]);
-      const std::int64_t change = w - weight(before, sample[i]);
+      const std::int64_t w = weight(second ? split.second : split.first, sample, i);
+      const std::int64_t change = w - weight(before, sample, i);
       count[second] += w > 0;
       sum += change;
       squares += change * change;

@@ -83,7 +83,7 @@ private:
     if(part.has_misfits)
       return {};
     const double squares = excess(b.fitted.scatter, b.fitted.fit, a.fitted.local);
-    const double gain = std::fma(-per_square_, squares, saved) + part.change +
+    const double gain = std::fma(-per_square(b), squares, saved) + part.change +
                         bonus(a.size(), b.size() - part.misfits, b.size() - part.misfits_before);
     return is_accepted(gain, part.variance, b) ? Verdict{true, true, gain} : Verdict();
   }
@@ -100,11 +100,12 @@ private:
     const Part of_a = compare(a, joint.local);
     if(of_a.has_misfits)
       return {};
-    const double squares = joint.fit.smallest - a.fitted.fit.smallest - b.fitted.fit.smallest;
+    const double squares = std::fma(per_square(a), excess(a.fitted.scatter, a.fitted.fit, joint.local),
+                                    per_square(b) * excess(b.fitted.scatter, b.fitted.fit, joint.local));
     const std::int64_t na = a.size() - of_a.misfits, nb = b.size() - of_b.misfits;
     const double size = double(score_.size_bonus(na + nb) - score_.size_bonus(a.size() - of_a.misfits_before) -
                                score_.size_bonus(b.size() - of_b.misfits_before));
-    const double gain = std::fma(-per_square_, squares, saved) + of_a.change + of_b.change + size;
+    const double gain = saved - squares + of_a.change + of_b.change + size;
     return is_accepted(gain, of_a.variance + of_b.variance, b) ? Verdict{true, false, gain} : Verdict();
   }
 
@@ -124,11 +125,14 @@ private:
     bool has_misfits = s.sample.size == 0;
     for(std::uint32_t i = 0; i < s.sample.size && !has_misfits; ++i) {
       const Grid_point& p = s.sample.item[i].point;
-      const bool is_misfit = !fits(after, p, tolerance_), was_misfit = !fits(before, p, tolerance_);
+      const Tolerance own = tolerance_.at(std::uint8_t(s.sample.item[i].level));
+      const bool is_misfit = !fits(after, p, own), was_misfit = !fits(before, p, own);
       misfits += is_misfit;
       has_misfits = most.is_exceeded(misfits, std::int64_t(s.sample.size));
       misfits_before += was_misfit;
-      const double change = (is_misfit ? surplus(after, p) : 0) - (was_misfit ? surplus(before, p) : 0);
+      const double per_own_square = per_square(s);
+      const double change =
+        (is_misfit ? surplus(after, p, per_own_square) : 0) - (was_misfit ? surplus(before, p, per_own_square) : 0);
       const double of_size = is_misfit == was_misfit ? 0 : is_misfit ? -bonus : bonus;
       const double both = change + of_size;
       sum += change;
@@ -141,10 +145,16 @@ private:
   }
 
   // By how much the squares count a point too low that is worth nothing.
-  CGAL_TANDEM_HD double surplus(const Plane& plane, const Grid_point& p) const
+  CGAL_TANDEM_HD static double surplus(const Plane& plane, const Grid_point& p, double per_square)
   {
     const double e = double(signed_distance(plane, p)) / normal_scale;
-    return std::fma(e * e, per_square_, -double(Score::unit));
+    return std::fma(e * e, per_square, -double(Score::unit));
+  }
+
+  // Units of the score for a squared grid step, by the tolerances of its points.
+  CGAL_TANDEM_HD double per_square(const Sampled_shape& s) const
+  {
+    return per_square_ / s.fitted.scatter.squared_tolerance;
   }
 
   // Whether the gain is certain, and the larger one gains as well: otherwise the smaller one would only be dissolved.
@@ -156,7 +166,7 @@ private:
   // Without its price and links.
   CGAL_TANDEM_HD double worth(const Sampled_shape& s) const
   {
-    return std::fma(-per_square_, s.fitted.fit.smallest, double(Score::unit) * double(s.size())) +
+    return std::fma(-per_square(s), s.fitted.fit.smallest, double(Score::unit) * double(s.size())) +
            double(score_.size_bonus(s.size()));
   }
 
@@ -164,11 +174,12 @@ private:
   // together are worth less than that. Points that would not fit count by their squares here, too.
   CGAL_TANDEM_HD bool are_apart(const Sampled_shape& a, const Sampled_shape& b, double saved) const
   {
-    const double squares = a.fitted.fit.smallest + b.fitted.fit.smallest;
+    const double squares = a.fitted.fit.smallest / a.fitted.scatter.squared_tolerance +
+                           b.fitted.fit.smallest / b.fitted.scatter.squared_tolerance;
     const double most = saved - double(score_.price()) + bonus(a.size(), b.size(), b.size());
     if(std::fma(-per_square_, squares, double(Score::unit) * double(a.size() + b.size())) < most)
       return false;
-    const Symmetric_matrix joint = joint_matrix(a.fitted.scatter, b.fitted.scatter);
+    const Symmetric_matrix joint = joint_matrix(weighted(a.fitted.scatter), weighted(b.fitted.scatter));
     const double rounding = tuning::exactness::eigenvalue_margin * (joint.xx + joint.yy + joint.zz);
     return has_eigenvalues_above(joint,
                                  std::fma(tuning::exactness::bound_factor, squares + most / per_square_, rounding));
@@ -176,7 +187,7 @@ private:
 
   Score score_;
   Tolerance tolerance_;
-  double per_square_; // units of the score for a squared grid step
+  double per_square_; // units of the score for a squared grid step, at epsilon
   double squared_cosine_of_twice_;
 };
 

@@ -49,7 +49,7 @@ struct Leave_misfits {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const std::uint32_t s = label[i];
-    chosen[i] = s < first_mark && !fits(shape[s].plane, cloud.point[i], tolerance) ? free_label : s;
+    chosen[i] = s < first_mark && !cloud.fits(shape[s].plane, i, tolerance) ? free_label : s;
   }
 };
 
@@ -156,8 +156,7 @@ private:
       if(are_of_one_plane(own, t))
         continue;
       const std::int64_t w = worth(i, t, count - n);
-      if((best >= first_mark || w > most || (w == most && t < best)) &&
-         fits(shape[t].plane, cloud.point[i], tolerance)) {
+      if((best >= first_mark || w > most || (w == most && t < best)) && cloud.fits(shape[t].plane, i, tolerance)) {
         most = w;
         best = t;
       }
@@ -173,7 +172,7 @@ private:
   // Of point i in shape s, with so many links to it.
   CGAL_TANDEM_HD std::int64_t worth(std::uint32_t i, std::uint32_t s, std::int64_t links) const
   {
-    const Score_item item = {1, tolerance.distance};
+    const Score_item item = {1, cloud.tolerance_of(i, tolerance).distance};
     return Score::weight(item, signed_distance(shape[s].plane, cloud.point[i])) - score.links(links) + shape[s].bonus;
   }
 };

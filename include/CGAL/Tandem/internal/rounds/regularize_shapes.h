@@ -40,6 +40,7 @@ struct Summarize_shape {
   {
     const Shape& s = shape[id[i]];
     summary[i] = {id[i], {s.scatter, s.fit}};
+    summary[i].fit.scatter.matrix = s.scatter.matrix / s.scatter.squared_tolerance;
     if(!s.is_live())
       summary[i].fit.scatter.count = 0;
   }
@@ -79,8 +80,8 @@ inline void center_planes(const std::vector<Shape_summary>& shapes, Relations& r
   for(std::size_t i = 0; i < shapes.size(); ++i) {
     const Scatter& s = shapes[i].fit.scatter;
     const std::size_t p = std::size_t(r.plane_of[i]);
-    count[p] += s.count;
-    sum[p] = std::fma(s.count, dot(r.planes[p].normal, s.centroid), sum[p]);
+    count[p] += s.weight();
+    sum[p] = std::fma(s.weight(), dot(r.planes[p].normal, s.centroid), sum[p]);
   }
   for(std::size_t p = 0; p < count.size(); ++p)
     if(count[p] > 0)

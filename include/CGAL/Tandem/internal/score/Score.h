@@ -3,7 +3,8 @@
 //
 // What a result is worth, in points: one measure for all decisions, and for all detectors.
 //
-//   S = sum over the points of shapes of 1 - d^2 / epsilon^2           d: distance to the plane; free points count 0
+//   S = sum over the points of shapes of 1 - d^2 / epsilon^2           d: distance to the plane, epsilon: tolerance of
+//                                                                     the point; free points count 0
 //     - beta / k (links between two shapes + 3 links between a shape and a free point)
 //     + mu * sum over shapes of N log2(N / m)                          N points, m: minimum size of a shape
 //     - c m * (number of shapes)
@@ -48,7 +49,7 @@ CGAL_TANDEM_HD inline std::int64_t fixed_log2(std::uint64_t n)
   return (std::int64_t(exponent) << log2_bits) + table[entry] + std::int64_t((between + (1u << 25)) >> 26);
 }
 
-// What a point of the cloud counts: now 1 and epsilon. The tolerance is in 2^-28 grid steps, as signed distances.
+// What a point of the cloud counts, now 1, and its tolerance. That is in 2^-28 grid steps, as signed distances.
 struct Score_item {
   static constexpr std::uint64_t tolerance_units = std::uint64_t(1) << 15;
 
@@ -58,7 +59,7 @@ struct Score_item {
   // little farther than the tolerance on the grid, and counts as that.
   CGAL_TANDEM_HD std::uint64_t share_of(std::int64_t distance) const
   {
-    const std::uint64_t size = std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^(39 + 15)
+    const std::uint64_t size = std::uint64_t(distance < 0 ? -distance : distance) * tolerance_units; // < 2^(45 + 15)
     const std::uint64_t share = (size + std::uint64_t(tolerance) / 2) / std::uint64_t(tolerance);
     return share < tolerance_units ? share : tolerance_units;
   }

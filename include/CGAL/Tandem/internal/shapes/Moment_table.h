@@ -19,6 +19,7 @@ namespace internal {
 // the carry. So the words are right when all threads are done, but not before.
 struct Shared_moments {
   std::int64_t count = 0;
+  std::int64_t squared_tolerances = 0;
   std::int64_t sum[3] = {0, 0, 0};
   std::uint64_t low[6] = {0, 0, 0, 0, 0, 0};
   std::uint64_t high[6] = {0, 0, 0, 0, 0, 0};
@@ -28,6 +29,7 @@ struct Shared_moments {
   {
     Moments m;
     m.count = count;
+    m.squared_tolerances = squared_tolerances;
     for(int i = 0; i < 3; ++i)
       m.sum[i] = sum[i];
     for(int i = 0; i < 6; ++i)
@@ -40,6 +42,7 @@ template <class Backend>
 CGAL_TANDEM_HD void atomic_add(Shared_moments& target, const Moments& m, const Box& box)
 {
   Backend::atomic_add(target.count, m.count);
+  Backend::atomic_add(target.squared_tolerances, std::int64_t(m.squared_tolerances));
   for(int i = 0; i < 3; ++i) {
     Backend::atomic_add(target.sum[i], m.sum[i]);
     Backend::atomic_min(target.box.low[i], box.low[i]);
@@ -60,16 +63,22 @@ struct Shape_run {
   Cell_moments moments;
   Box box;
 
-  // The points of surfel i. base: any point of the cell, the same for all runs. sign: 1 for points that come, -1 for
-  // points that go. The box grows with both: it bounds what has changed.
+  // One point, by its place among those of all surfels. base: any point of the cell, the same for all runs. sign: 1 for
+  // points that come, -1 for points that go. The box grows with both: it bounds what has changed.
+  CGAL_TANDEM_HD void add_point(const Surfels_view& surfels, std::uint32_t at, const Grid_point& base, int sign)
+  {
+    const Grid_point& p = surfels.point[at];
+    moments.add(std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z, sign,
+                surfels.level_of_point(at));
+    box.add(p);
+  }
+
+  // The points of surfel i.
   CGAL_TANDEM_HD void add(const Surfels_view& surfels, std::uint32_t i, const Grid_point& base, int sign)
   {
     const Range points = surfels.points(i);
-    for(std::uint32_t at = points.first; at < points.last; ++at) {
-      const Grid_point& p = surfels.point[at];
-      moments.add(std::int64_t(p.x) - base.x, std::int64_t(p.y) - base.y, std::int64_t(p.z) - base.z, sign);
-      box.add(p);
-    }
+    for(std::uint32_t at = points.first; at < points.last; ++at)
+      add_point(surfels, at, base, sign);
   }
 };
 

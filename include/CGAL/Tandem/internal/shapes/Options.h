@@ -18,17 +18,17 @@ namespace internal {
 
 // The final test of a point, in the caller's coordinates. See the manual, "Exact Check".
 struct Exact_bounds {
-  double maximum_distance;
-  double cosine; // of maximum_angle, raised by what a normal may lose when it is rounded to float
+  double maximum_distance; // of level 0
+  double cosine;           // of maximum_angle, raised by what a normal may lose when it is rounded to float
 
-  // Whether p is within epsilon of the plane for certain: true only if every order of evaluation in double finds the
-  // point within epsilon. The margin is relative to the sum of the terms, which bounds the error of rounding.
-  bool is_near(const Coefficients& c, const Vector& p) const
+  // Whether p is within the tolerance of its level for certain: true only if every order of evaluation in double finds it
+  // so. The margin is relative to the sum of the terms, which bounds the error of rounding.
+  bool is_near(const Coefficients& c, const Vector& p, std::uint8_t level) const
   {
     const double x = c[0] * p.x, y = c[1] * p.y, z = c[2] * p.z;
     const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
     const double e = std::fma(c[0], p.x, std::fma(c[1], p.y, std::fma(c[2], p.z, c[3])));
-    return std::fma(size, tuning::exactness::evaluation_margin, std::fabs(e)) <= maximum_distance;
+    return std::fma(size, tuning::exactness::evaluation_margin, std::fabs(e)) <= maximum_distance * level_factor(level);
   }
 
   // Whether the unit normal n is within alpha of that of the plane. The sign of a normal is ignored.

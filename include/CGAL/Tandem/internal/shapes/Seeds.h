@@ -25,7 +25,7 @@ CGAL_TANDEM_HD inline Plane own_plane(const Grid_point& p)
 
 struct Planarity {
   int all = 0;     // neighbors
-  int fitting = 0; // ... that fit the plane of the point itself
+  int fitting = 0; // ... that fit the plane of the point itself, within its tolerance
   int close = 0;   // ... that do so within tighter bounds
 };
 
@@ -37,6 +37,7 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
   if(cloud.point[i].normal == no_normal)
     return p;
   const Plane plane = own_plane(cloud.point[i]);
+  const std::int64_t near = cloud.tolerance_of(i, tolerance).distance, close = cloud.tolerance_of(i, tight).distance;
   const std::uint32_t* row = cloud.row(i);
   for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
     ++p.all;
@@ -44,8 +45,8 @@ CGAL_TANDEM_HD inline Planarity planarity(const Cloud_view& cloud, std::uint32_t
     const std::int64_t distance = e < 0 ? -e : e;
     const Squared_cosine cosine = squared_cosine(plane, cloud.point[row[j]]);
     // as fits(), twice; no branches, since half of them would be mispredicted
-    p.fitting += int(distance <= tolerance.distance) & int(cosine.is_at_least(tolerance.squared_cosine));
-    p.close += int(distance <= tight.distance) & int(cosine.is_at_least(tight.squared_cosine));
+    p.fitting += int(distance <= near) & int(cosine.is_at_least(tolerance.squared_cosine));
+    p.close += int(distance <= close) & int(cosine.is_at_least(tight.squared_cosine));
   }
   return p;
 }

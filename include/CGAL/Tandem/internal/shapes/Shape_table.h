@@ -196,15 +196,20 @@ struct Put_deltas {
   }
 };
 
-// After a pass over the points of this rank: the sums become those of all ranks. Each has changed few shapes.
+// After a pass over the points of this rank: the sums of n shapes become those of all ranks. Each has changed few shapes.
+template <class Backend>
+void sum_moments(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, Shared_moments* delta)
+{
+  if constexpr(Ranks<Backend>::are_many) {
+    const auto all = collect_of_all<Shape_delta>(backend, ranks, n, Take_deltas{delta});
+    backend.for_each(all.size(), Put_deltas<Backend>{all.data(), delta});
+  }
+}
+
 template <class Backend>
 void sum_deltas(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes)
 {
-  if constexpr(Ranks<Backend>::are_many) {
-    Shared_moments* const delta = shapes.delta.data();
-    const auto all = collect_of_all<Shape_delta>(backend, ranks, shapes.size, Take_deltas{delta});
-    backend.for_each(all.size(), Put_deltas<Backend>{all.data(), delta});
-  }
+  sum_moments(backend, ranks, shapes.size, shapes.delta.data());
 }
 
 struct Count_deltas {

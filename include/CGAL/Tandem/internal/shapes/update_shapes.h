@@ -107,7 +107,7 @@ struct Update_points {
       if(s >= first_mark) {
         labels.label[i] = s;
         labels.state[i] = std::uint8_t((labels.state[i] | tried_seed_bit) & ~(frontier_bit | interior_bit));
-      } else if(change.checks(old) && !fits(change.plane[s], cloud.point[i], change.tolerance)) {
+      } else if(change.checks(old) && !cloud.fits(change.plane[s], i, change.tolerance)) {
         labels.label[i] = labels.state[i] & detached_bit ? locked_label : free_label;
         labels.state[i] = std::uint8_t((labels.state[i] | detached_bit) & ~(frontier_bit | interior_bit));
         table.template add<Backend>(block, s, i, -1, losses);
@@ -201,9 +201,10 @@ struct Apply_plane {
     if(!s.is_live())
       return;
     plane[id] = rounded(s.plane);
-    if(s.history.restart_again(s.box, s.plane, maximum_distance))
+    const double distance = maximum_distance * std::sqrt(squared_tolerance(s.moments));
+    if(s.history.restart_again(s.box, s.plane, distance))
       is_restarted[id] = s.age > 1; // a new shape is on the frontier as a whole
-    is_moved[id] = s.history.check_again(s.box, s.plane, maximum_distance);
+    is_moved[id] = s.history.check_again(s.box, s.plane, distance);
   }
 };
 

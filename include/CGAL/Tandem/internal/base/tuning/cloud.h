@@ -22,6 +22,19 @@ namespace grid {
 constexpr int steps_per_distance_bits = 10;
 // Fewest steps in epsilon where the extent of the cloud asks for a coarser grid. Fewer: rounding changes results.
 constexpr double minimum_steps_per_distance = 16;
+// Extents of the cloud in epsilons, as powers of two: up to the first, the grid is as fine as it should be; beyond the
+// second, there may be none.
+constexpr int fine_extent_bits = 18;
+constexpr int largest_extent_bits = 24;
+// Where the extent is beyond that, points far from the others are left out if they are at most this share, about what
+// does not count in the estimate of epsilon either. Larger: a part of a cloud that is in two places may be lost.
+constexpr Share far_share = {5, 100};
+// Octaves below epsilon in which tolerances of points have a finer grid and smaller surfels. More: a coarser grid of
+// clouds of large extent; sums of distances need more bits.
+constexpr int maximum_octaves = 6;
+// Where points have tolerances and epsilon is not given, so many of them do not exceed it. Larger: few values that stand for
+// none decide on the grid. Smaller: points with the largest tolerances lose some of it.
+constexpr Share tolerances_within = {95, 100};
 // Of planes that were found elsewhere: longer tolerances count as this multiple of the extent of the points. All points
 // are within already; a coarser grid would lose their planes.
 constexpr double maximum_distance_per_extent = 4;
@@ -48,13 +61,23 @@ constexpr std::size_t surfels_per_sampled = 8;
 
 } // namespace orientation
 
-// What is estimated where the caller gives no value. Measured on nine clouds of all kinds of scanners: eight come
-// within a factor of 2 of what was chosen by hand.
+// What is estimated where the caller gives no value. How the noise is measured was chosen on generated clouds of known
+// noise, from a tenth of the spacing to ten times the spacing; how epsilon follows from spacing and noise, on nine clouds
+// of all kinds of scanners, for which it comes within a factor of 1.5 of what was chosen by hand. See measure_cloud.h.
 namespace estimation {
 
-// epsilon, in units of the noise and of the spacing. Larger: fewer and coarser shapes.
-constexpr double distance_per_noise = 7. / 3;
-constexpr double distance_per_spacing = .74;
+// epsilon in units of the noise: at least. Larger: fewer and coarser shapes.
+constexpr double distance_per_noise = 2.5;
+// Above that, epsilon is this multiple of the spacing times the number of points to the power of 5/16: .23 of the spacing
+// for 4000 points, 1.3 for a million. Larger: detail of scans is ignored, and faces at small angles in small clouds become
+// one. Chosen by the nine clouds.
+constexpr double distance_per_spacing = .017;
+// But at most this multiple of the noise of the noisiest tenth. Larger: layers of precise scans become one.
+constexpr double distance_per_largest_noise = 3.8;
+// Less noise than this share of the spacing is that of rounding, which says nothing of epsilon.
+constexpr double least_noise_per_spacing = .01;
+// Nor does that of clouds of which this share of the surfaces bends.
+constexpr double bent_share = .5;
 // epsilon is at least this power of two of the extent, so that the grid can hold the cloud.
 constexpr int minimum_distance_bits = -22;
 // epsilon in units of the largest coordinate where all points are equal, and, for planes that were found elsewhere and
@@ -65,24 +88,73 @@ constexpr std::size_t minimum_region_size = 20;
 constexpr double region_size_per_root = .3;
 // For planes that were found elsewhere: epsilon in units of the rms distance of their points.
 constexpr double distance_per_rms = 2.5;
-// Neighbors whose plane gives the noise of a point, and whose distance gives the spacing.
+
+// Nearest neighbors whose plane is looked at first, and then at each thinning. Fewer: planes are those of chance. More: of
+// two surfaces close to each other, the second one is taken for noise of the first.
+constexpr int few_neighbors = 8;
 constexpr int noise_neighbors = 20;
-constexpr int spacing_neighbors = 6;
+// Neighbors closer to each other than this share of the farthest one's distance are copies of one point. Smaller: copies
+// that were rounded are taken for a surface. Larger: points of a surface are lost.
+constexpr double copy_distance = .1;
+// Places that are enough for the noise about a plane.
+constexpr int minimum_places = 7;
+// Points of the sample, along the curve, of which the median counts. More: noise that varies is mixed; fewer: chance.
+constexpr std::size_t patch_size = 64;
+// Neighborhoods that are thicker than this share of their half-width show no surface. Larger: noise that exceeds the
+// spacing is underestimated, and edges count as noise.
+constexpr double surface_thickness = .3;
+// Thicker ones do if their residual is at most this multiple of that over the radius before, up to such a thickness: it
+// is the noise, which exceeds the spacing.
+constexpr double flat_step = 1.35;
+constexpr double flat_thickness = .6;
+// Patches that show a surface more than so many levels after the median one are clutter. Each level has twice the radius.
+constexpr std::size_t late_levels = 3;
+// Up to this multiple of the first residual, one of a larger radius is noise, too.
+constexpr double flat_growth = 1.5;
+// Steps of depth: surfaces with less than this share of the residual of a plane across, which is farther away along the
+// radius than so many residuals, and so many thinnings away at most.
+constexpr double step_flatness = .001;
+constexpr double step_tilt = 2;
+constexpr int step_thinnings = 3;
+// Where so many of the smallest neighborhoods have none of that residual, it counts this many times: epsilon is .9 of a
+// step then. Smaller: the levels become planes. Larger: so do two steps.
+constexpr Share step_neighborhoods = {1, 4};
+constexpr double step_margin = 1.25;
+// Quantile over the patches: the noise that counts.
+constexpr double noise_quantile = .75;
+// Of tolerances by point: the nearest patches whose median is the noise of a patch, and those that a point mixes. More:
+// smoother, and wrong where the noise changes fast.
+constexpr int smoothed_patches = 7;
+constexpr int mixed_patches = 4;
+// Where the noise varies, tolerances of points are longer by this factor, since noise that exceeds the spacing is measured
+// by up to a fifth too small. Smaller: what is beyond makes planes next to a noisy wall (corridors before a depth camera
+// were right 16 times of 27 with 1, 25 times with 1.2).
+constexpr double local_margin = 1.2;
+// But for that, no tolerance of a point is larger or smaller than that of the cloud by more than this factor.
+constexpr double largest_local_ratio = 8;
+
+// The noise varies where, of patches with the same residual over several radii, the high quantile of the smoothed noise
+// is more than this multiple of the low one: 6.5 to 21 times before depth cameras where one tolerance fails, 4.8 at most
+// in rooms where it does not.
+constexpr double varied_noise = 5.4;
+// The low quantile; the high one is as far from the end. Larger: a small noisy face does not count.
+constexpr double low_noise_quantile = .02;
+// And where of those that differ from the median by more than this factor at most such a share as many differ from their
+// neighbors, too: .03 to .19 before depth cameras, .26 to .6 where vegetation and clutter differ.
+constexpr double same_noise = 1.2;
+constexpr Share differ_in_place = {22, 100};
+// Shares of patches, or of points, above which the estimate is said to be a compromise.
+constexpr double compromise_share = .25;
+
 // Points that are looked at in a large cloud, and points of a sampled cell. More: slower, hardly more precise.
 constexpr std::size_t sampled_points = std::size_t(1) << 17;
 constexpr std::size_t sampled_cell_size = 2048;
 // The epsilon of the grid on which they are measured, as a power of two of the extent.
 constexpr int measured_distance_bits = -16;
-// Quantiles over the points.
-constexpr double spacing_quantile = .5;
-constexpr double noise_quantile = .75;
-constexpr double thickness_quantile = .25;
-// Neighborhoods that are thicker than this share of their half-width are balls: the sample is thinned to
-// one point of so many, at most so often, and not below so many points.
-constexpr double ball_thickness = .4;
-constexpr std::size_t thinning = 4;
-constexpr int maximum_thinnings = 3;
-constexpr std::size_t minimum_sample = 4000;
+// Points at each end of an axis that do not count if the box of the others, with a margin of its width, is smaller than
+// this share of that of all. Then it is tried again.
+constexpr Share far_points = {1, 100};
+constexpr double far_extent = .25;
 
 } // namespace estimation
 

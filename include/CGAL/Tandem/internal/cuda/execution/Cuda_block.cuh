@@ -192,6 +192,7 @@ struct Cuda_block {
     if(!gather_from_peers(&target, m))
       return;
     atomicAdd(atomic_address(target.count), m.count);
+    atomicAdd(atomic_address(target.squared_tolerances), m.squared_tolerances);
     for(int i = 0; i < 3; ++i)
       atomicAdd(atomic_address(target.sum[i]), m.sum[i]);
     for(int i = 0; i < 6; ++i)
@@ -245,6 +246,7 @@ private:
       value += is_added ? other : 0;
     };
     add(m.count);
+    add(m.squared_tolerances);
     for(std::int64_t& value : m.sum)
       add(value);
     for(std::int64_t& value : m.product)

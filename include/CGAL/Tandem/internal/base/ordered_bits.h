@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Doubles as integers of the same order.
+
+#ifndef CGAL_TANDEM_INTERNAL_BASE_ORDERED_BITS_H
+#define CGAL_TANDEM_INTERNAL_BASE_ORDERED_BITS_H
+
+#include <CGAL/Tandem/internal/base/types.h>
+
+#include <cstdint>
+#include <cstring>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// Bits that are in the order of the numbers. Both zeros get the same.
+CGAL_TANDEM_HD inline std::uint64_t ordered_bits(double value)
+{
+  constexpr std::uint64_t sign = std::uint64_t(1) << 63;
+  const double one_zero = value + 0.;
+  std::uint64_t bits;
+  std::memcpy(&bits, &one_zero, sizeof(bits));
+  return bits & sign ? ~bits : bits | sign;
+}
+
+inline double from_ordered_bits(std::uint64_t ordered)
+{
+  const std::uint64_t bits = ordered >> 63 ? ordered & ~(std::uint64_t(1) << 63) : ~ordered;
+  double value;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_BASE_ORDERED_BITS_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Few points that are too far for the grid are left free and counted, and the others have the shapes that they have
+// alone. Where they are many the cloud is refused, as before.
+
+#undef NDEBUG
+
+#include "testing/test_support.h"
+
+#include <CGAL/Tandem/internal/cloud/far_points.h>
+
+#include <algorithm>
+
+using namespace CGAL::Tandem::internal;
+
+// Against a sort.
+void test_quantiles()
+{
+  Sequential_backend backend;
+  const Ranks<Sequential_backend> ranks(backend);
+  scenes::Random random(3);
+  for(std::size_t n = 1; n < 40; ++n) {
+    std::vector<double> values;
+    for(std::size_t i = 0; i < n; ++i)
+      values.push_back(i % 4 == 0 ? std::round(4 * random.gaussian()) : std::ldexp(random.gaussian(), int(i)));
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    for(const tuning::Share& share : {tuning::Share{1, 2}, tuning::Share{99, 100}, tuning::Share{0, 1}})
+      check_equal(quantile_of_all(
+                    ranks, n, [&](std::size_t i) { return values[i]; }, share),
+                  sorted[std::size_t(share.of(std::int64_t(n)))], std::to_string(n) + " values");
+  }
+}
+
+Cloud moved_house()
+{
+  Cloud cloud = to_cloud(scenes::make_scene("house", scene_options(8000)));
+  for(auto& item : cloud)
+    item.first = item.first + Kernel::Vector_3(694386.25, 5155487.5, 380);
+  return cloud;
+}
+
+void test_far_points(std::size_t number, const Kernel::Point_3& where)
+{
+  const std::string name = std::to_string(number) + " far points";
+  const Parameters parameters = make_parameters(.02, 60);
+  Cloud cloud = moved_house();
+  const Shapes alone = detect(cloud, parameters);
+  for(std::size_t i = 0; i < number; ++i)
+    cloud.insert(cloud.begin() + std::ptrdiff_t(i * 90), {where, Kernel::Vector_3(0, 0, 1)});
+  for(const Given given : {Given::normals, Given::nothing}) {
+    const Shapes shapes = detect_valid(name, cloud, parameters, given);
+    check_equal(shapes.statistics().number_of_far_points, number, name);
+    check_equal(shapes.statistics().number_of_ignored_points(), number, name + ": ignored");
+    for(std::size_t i = 0; i < number; ++i)
+      check_equal(shapes.shape_index(i * 90), -1, name);
+    if(given == Given::normals)
+      check_same_planes(shapes, alone, name);
+  }
+}
+
+int main()
+{
+  test_quantiles();
+  test_far_points(20, {0, 0, 0});
+  test_far_points(3, {1e12, -1e9, 1e11});
+  // Copies of one point in another place.
+  Cloud many = moved_house();
+  for(std::size_t i = 0; i < 600; ++i)
+    many.emplace_back(Kernel::Point_3(0, 0, 0), Kernel::Vector_3(0, 0, 1));
+  bool is_refused = false;
+  try {
+    detect(many, make_parameters(.02, 60));
+  } catch(const std::range_error& refusal) {
+    is_refused = std::string(refusal.what()).find("maximum_distance") != std::string::npos;
+  }
+  CHECK_AT(is_refused, "600 of 8600 points are far");
+  return report();
+}
