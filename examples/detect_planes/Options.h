@@ -6,6 +6,8 @@
 #ifndef DETECT_PLANES_OPTIONS_H
 #define DETECT_PLANES_OPTIONS_H
 
+#include "tolerance/Noise_model.h"
+
 #include <array>
 #include <optional>
 #include <stdexcept>
@@ -23,8 +25,10 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 struct Options {
   std::vector<std::string> inputs;
   std::string output, output_directory, labels, planes, report, vg, polygons, mesh, mesh_method, view;
-  std::string columns, classes; // of the inputs
-  std::string colors;           // of the output: shape, input or empty
+  std::string columns, classes;             // of the inputs
+  std::string tolerance_column, noise_text; // of the tolerance of each point
+  std::optional<Noise_model> noise;
+  std::string colors; // of the output: shape, input or empty
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
     surfel_size;
   std::optional<long long> mesh_planes, mesh_seconds, minimum_region_size, k_neighbors, cell_size, threads,
@@ -33,6 +37,9 @@ struct Options {
   std::vector<std::array<double, 3>> fixed_directions;
   std::optional<std::array<double, 3>> symmetry_direction, viewpoint;
   std::string backend = "auto";
+  bool has_local_distances = false; // of --maximum-distance auto-local, or of auto where the noise varies
+  std::string local_note;           // why auto has become auto-local
+  bool ignores_zeros = false;
   bool has_group_for_each_plane = false, has_triangles_only = false, is_oriented = false, is_quiet = false;
   bool wants_help = false, wants_version = false;
 };

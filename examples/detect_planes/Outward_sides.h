@@ -30,7 +30,7 @@ public:
     : options(o), points(cloud.points), ranks(ranks), are_given(run.normals == "given")
   {
     ranks.together([&] {
-      if(are_given && o.viewpoint)
+      if(are_given && o.viewpoint && !o.noise)
         throw std::runtime_error("--viewpoint is for estimated normals, but the input has normals (with "
                                  "--estimate-normals they are estimated)");
     });

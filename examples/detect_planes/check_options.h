@@ -11,6 +11,7 @@
 #include "Options.h"
 #include "file_names.h"
 #include "option_values.h"
+#include "tolerance/tolerance_options.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -131,7 +132,7 @@ inline void check_formats(const Options& o, const Built_with& built)
     throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
   if(!o.colors.empty() && o.output.empty() && o.output_directory.empty())
     throw Usage_error("--colors needs --output or --output-directory");
-  input_settings(o.inputs, o.columns, o.classes);
+  input_settings(o.inputs, o.columns, o.classes, o.tolerance_column);
 }
 
 // Ranges that the library does not know; parameters_of() checks the others.
@@ -157,6 +158,7 @@ inline void check(const Options& o, const Built_with& built)
     throw Usage_error("--mesh-method needs --mesh");
   check_word("mesh-method", o.mesh_method, Built_with().mesh_methods(), built.mesh_methods());
   check_count("mesh-seconds", o.mesh_seconds, 1, 1000000);
+  check_tolerances(o);
   check_dashes(o);
   check_formats(o, built);
   check_directory(o);

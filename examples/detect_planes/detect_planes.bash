@@ -11,6 +11,9 @@ _detect_planes()
       COMPREPLY=($(compgen -W "$("$program" --help | sed -n 's/^ *--backend NAME *\([a-z, ]*\);.*/\1/p' | tr -d ,)" \
         -- "$current"))
       ;;
+    --maximum-distance)
+      COMPREPLY=($(compgen -W "auto auto-local" -- "$current"))
+      ;;
     --mesh-method)
       COMPREPLY=($(compgen -W "$("$program" --help | grep -ow 'kinetic\|polygonal' | sort -u)" -- "$current"))
       ;;

@@ -8,14 +8,17 @@
 #include "Outward_sides.h"
 #include "Thread_limit.h"
 #include "output/Output_files.h"
+#include "cloud_warnings.h"
 #include "detection.h"
 #include "messages.h"
 #include "output/Made_folders.h"
 #include "output/Write_error.h"
 #include "output/summary.h"
+#include "prepare_normals.h"
 #include "mesh/write_mesh.h"
 #include "program_options.h"
 #include "progress.h"
+#include "tolerance/zeros.h"
 #include "ranks/Ranks.h"
 #include "check_options.h"
 #include "ranks/hash_of_all.h"
@@ -29,7 +32,6 @@
 #include <CGAL/Shape_regularization_tandem/version.h>
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/pca_estimate_normals.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -55,40 +57,6 @@ void check_backend(const Options& o)
                              " (--backend auto takes what there is)");
 }
 
-// The plain PCA of K neighbors, for comparisons. Points at infinity have no place in a kd-tree.
-void estimate_normals_by_pca(Point_set& points, unsigned int k)
-{
-  using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
-  std::vector<Item> finite;
-  for(Point_set::Index i : points)
-    if(is_finite(points.point(i)))
-      finite.emplace_back(points.point(i), CGAL::NULL_VECTOR);
-  CGAL::pca_estimate_normals<CGAL::Parallel_if_available_tag>(
-    finite, k,
-    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Item>())
-      .normal_map(CGAL::Second_of_pair_property_map<Item>()));
-  points.add_normal_map();
-  auto next = finite.begin();
-  for(Point_set::Index i : points)
-    points.normal(i) = is_finite(points.point(i)) ? (next++)->second : Kernel::Vector_3(CGAL::NULL_VECTOR);
-}
-
-void prepare_normals(Point_set& points, const Options& o, Run& run)
-{
-  run.normals = points.has_normal_map() ? "given" : "estimated";
-  if(!o.estimate_normals)
-    return;
-  points.remove_normal_map();
-  run.normals = "estimated";
-  if(*o.estimate_normals == by_library)
-    return;
-  CGAL::Real_timer timer;
-  timer.start();
-  estimate_normals_by_pca(points, unsigned(*o.estimate_normals));
-  run.normals = "by PCA of " + std::to_string(*o.estimate_normals) + " neighbors";
-  run.normal_seconds = timer.time();
-}
-
 // Only the points tell whether a given distance is too small for them.
 Shapes detect_on_backend(const Point_set& points, const Options& o, Ranks& ranks)
 try {
@@ -105,9 +73,11 @@ try {
                                    : detect<CGAL::Parallel_if_available_tag>(points, o, progress);
 } catch(const std::range_error& e) {
   const std::string message = e.what(), parameter = "maximum_distance";
-  throw std::runtime_error(message.compare(0, parameter.size(), parameter) == 0
-                             ? "--maximum-distance" + message.substr(parameter.size())
-                             : message);
+  const Cloud_box own = box_of(points, Ranks());
+  throw std::runtime_error((message.compare(0, parameter.size(), parameter) == 0
+                              ? "--maximum-distance" + message.substr(parameter.size())
+                              : message) +
+                           (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
 }
 
 // What the back end that was chosen in the end ran on.
@@ -176,18 +146,34 @@ void make_directory(const Options& o, Ranks& ranks, Made_folders& folders)
 
 // Those that are known before the report is written.
 std::vector<std::string> all_warnings(const Point_set& points, const Shapes& shapes, const Options& o,
-                                      const Ranks& ranks, const Outward_sides& sides)
+                                      const Ranks& ranks, const Run& run)
 {
-  std::vector<std::string> warnings = result_warnings(points, shapes, o.maximum_distance.has_value(), ranks);
+  const Cloud_box box = box_of(points, ranks);
+  std::vector<std::string> warnings = cloud_warnings(points, box, run.tolerance.mean, ranks);
+  const bool has_one_distance = o.maximum_distance && !run.tolerance.is_of_each_point;
+  for(std::string& warning : result_warnings(points, shapes, box, has_one_distance, ranks))
+    warnings.push_back(std::move(warning));
   const std::string of_planes = warning_of_planes(points, shapes, o);
   if(!of_planes.empty())
     warnings.push_back(of_planes);
-  if(*sides.warning() != 0)
-    warnings.emplace_back(sides.warning());
   return warnings;
 }
 
-void run(const Options& o, Ranks& ranks, Made_folders& folders)
+// Where the noise varies, an automatic distance is one for each point.
+void choose_tolerances(const Point_set& points, const Ranks& ranks, Options& o)
+{
+  if(o.maximum_distance || has_tolerance_of_each_point(o))
+    return;
+  const CGAL::Tandem::Distance_estimate estimate = ranks.are_many()
+                                                     ? ranks.estimate_distance(points, o)
+                                                     : estimate_distance<CGAL::Parallel_if_available_tag>(points, o);
+  o.has_local_distances = estimate.noise_varies;
+  if(estimate.noise_varies)
+    o.local_note = estimate.note.substr(0, estimate.note.find(':')) +
+                   ": each point has a tolerance of its own (--maximum-distance D is one for all)";
+}
+
+void run(Options o, Ranks& ranks, Made_folders& folders)
 {
   ranks.together([&] { check_program(o, ranks); });
   const Thread_limit limit(o.threads ? int(*o.threads) : ranks.threads());
@@ -196,24 +182,33 @@ void run(const Options& o, Ranks& ranks, Made_folders& folders)
   Input_cloud cloud;
   const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
   read_inputs(o, rank_of_input, ranks, cloud, run);
+  Hidden_zeros zeros(o.ignores_zeros, cloud.points, ranks);
+  run.zeros = zeros.number_of_all();
   std::optional<Output_files> files;
   make_directory(o, ranks, folders);
   ranks.together([&] {
     files.emplace(o, cloud, ranks.is_first());
     prepare_normals(cloud.points, o, run);
   });
+  ranks.together([&] { choose_tolerances(cloud.points, ranks, o); });
+  ranks.together([&] { prepare_tolerances(o, cloud); });
   Outward_sides sides(o, cloud, ranks, run);
 
   std::optional<Shapes> shapes;
   ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
   name_device(*shapes, limit.threads(), run);
+  run.tolerance = tolerance_facts(cloud.points, o, *shapes, ranks);
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
-  for(const std::string& warning : all_warnings(cloud.points, *shapes, o, ranks, sides)) {
+  std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run);
+  if(*sides.warning() != 0)
+    warnings.emplace_back(sides.warning());
+  for(const std::string& warning : warnings) {
     if(ranks.is_first())
       warn(warning);
     run.warnings.push_back(warning);
   }
+  zeros.show();
   const Shapes& sided = sides(*shapes);
   ranks.together([&] {
     const Progress_line progress(!o.is_quiet && ranks.is_first(), "writing");

@@ -11,8 +11,11 @@
 #include "output/write_results.h"
 #include "progress.h"
 #include "signals.h"
+#include "tolerance/Tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
+#include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,6 +24,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace program {
 
@@ -81,6 +85,35 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   return p;
 }
 
+// With the tolerances of the points, where they have their own.
+template <class Tag, class Named_parameters>
+Shapes detect_with(const Point_set& points, const Named_parameters& np)
+{
+  if(const auto tolerances = find_property<double>(points, tolerance_name))
+    return CGAL::Tandem::detect_planes<Tag>(points, np.maximum_distance_map(*tolerances));
+  return CGAL::Tandem::detect_planes<Tag>(points, np);
+}
+
+// What is said of one distance for all points, if it is to be estimated.
+template <class Tag>
+CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& points, const Options& o)
+{
+  CGAL::Tandem::Distance_estimate estimate;
+  CGAL::Tandem::estimate_parameters<Tag>(points, CGAL::Tandem::parameters::settings(parameters_of(o)), &estimate);
+  return estimate;
+}
+
+template <class Tag>
+void estimate_tolerances(const Point_set& points, const Options& o)
+{
+  Tolerance_map tolerances = *find_property<double>(points, tolerance_name);
+  const std::vector<double> estimated =
+    CGAL::Tandem::estimate_local_distances<Tag>(points, CGAL::Tandem::parameters::settings(parameters_of(o)));
+  auto next = estimated.begin();
+  for(Point_set::Index i : points)
+    tolerances[i] = *next++;
+}
+
 template <class Tag>
 Shapes detect(const Point_set& points, const Options& o, Progress_line& progress)
 {
@@ -91,10 +124,12 @@ Shapes detect(const Point_set& points, const Options& o, Progress_line& progress
     progress.show(share);
     return true;
   };
+  if(o.has_local_distances)
+    estimate_tolerances<Tag>(points, o);
   const auto all = np::settings(parameters_of(o)).callback(callback);
   if(o.maximum_offset)
-    return CGAL::Tandem::detect_planes<Tag>(points, all.maximum_offset(*o.maximum_offset));
-  return CGAL::Tandem::detect_planes<Tag>(points, all);
+    return detect_with<Tag>(points, all.maximum_offset(*o.maximum_offset));
+  return detect_with<Tag>(points, all);
 }
 
 } // namespace program

@@ -79,11 +79,12 @@ inline std::vector<int> parse_classes(const std::string& text)
 
 // Throws std::invalid_argument where the options are wrong, or cannot be meant.
 inline Input_settings input_settings(const std::vector<std::string>& inputs, const std::string& columns,
-                                     const std::string& classes)
+                                     const std::string& classes, const std::string& tolerance = "")
 {
   Input_settings settings;
+  settings.tolerance = tolerance;
   if(!columns.empty()) {
-    settings.columns = parse_columns(columns);
+    settings.columns = parse_columns(columns, tolerance);
     if(std::none_of(inputs.begin(), inputs.end(), is_table))
       throw std::invalid_argument("--columns is for text tables (.xyz, .txt, .csv, .pts or .pwn)");
   }

@@ -22,7 +22,8 @@ inline void add_cloud_options(po::options_description& group, Options& o, const 
   const std::string las = built.laszip ? ".las or .laz" : ".las", all_las = built.laszip ? ".las and .laz" : ".las";
   const std::string output =
     "the input with the normals that were used and the shape of each point (-1: none), its intensity and "
-    "classification kept: .ply or .pcd (binary), .xyz, .txt or .csv (text with a line of names), " +
+    "classification kept, and its tolerance, where each has its own (not in .las): .ply or .pcd (binary), .xyz, .txt "
+    "or .csv (text with a line of names), " +
     las +
     " (the shape as extra bytes, without normals; coordinates on the grid of the first .las input, if all points "
     "fit it, else on one of at most 2e-4 of the maximum distance; points that are not finite are left out)";

@@ -9,6 +9,7 @@
 #include "check_options.h"
 #include "option_values.h"
 #include "output_options.h"
+#include "tolerance/tolerance_options.h"
 
 #include <boost/program_options.hpp>
 
@@ -60,15 +61,20 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
     o.viewpoint = parse_place("viewpoint", text);
   }),
       "the place from which all points were seen, in the coordinates of the input: estimated normals, and the outward "
-      "sides of planes, are those towards it. It is an error for an input with normals of its own, which have a side, "
-      "unless --estimate-normals is given (default: the VIEWPOINT of .pcd files, where it is not "
+      "sides of planes, are those towards it; for --noise the place of the sensor. It is an error for an input with "
+      "normals of its own, which have a side, unless --estimate-normals or --noise is given (default: the VIEWPOINT of "
+      ".pcd files, where it is not "
       "0 0 0 1 0 0 0, which only --oriented uses)");
+  add("ignore-zeros", po::bool_switch(&o.ignores_zeros),
+      "points that are exactly at 0 0 0, as invalid pixels of depth cameras are, have no shape, and nothing depends on "
+      "them");
   all.add(group);
 }
 
 inline void add_detection_options(po::options_description& all, Options& o)
 {
   po::options_description group("Detection (lengths in the units of the input, angles in degrees)");
+  add_tolerance_options(group, o);
   const auto number = [](std::optional<double>& target) {
     return po::value<double>()->notifier([&target](double x) { target = x; });
   };
@@ -79,8 +85,6 @@ inline void add_detection_options(po::options_description& all, Options& o)
     return po::bool_switch()->notifier([&target](bool is_given) { target = !is_given; });
   };
   auto add = group.add_options();
-  add("maximum-distance", number(o.maximum_distance)->value_name("D"),
-      "largest distance of a point to the plane of its shape (default: estimated from noise and spacing)");
   add("maximum-angle", number(o.maximum_angle)->value_name("DEG"),
       "largest angle between the normal of a point and that of its shape, from 0.05 to below 90 (default: 25)");
   add("angle-tolerance", number(o.angle_tolerance)->value_name("DEG"),

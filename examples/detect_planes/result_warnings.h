@@ -6,18 +6,19 @@
 #ifndef DETECT_PLANES_RESULT_WARNINGS_H
 #define DETECT_PLANES_RESULT_WARNINGS_H
 
+#include "cloud_warnings.h"
+#include "output/free_points.h"
 #include "output/write_results.h"
 #include "ranks/Ranks.h"
+#include "sentence.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_noise.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iomanip>
 #include <limits>
 #include <new>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,20 +30,15 @@ constexpr double smallest_share_of_noise = .1;
 // Points that are thicker than the maximum distance fill it, so that their mean distance is half of it.
 constexpr double full_share = .4;
 
-// The longest side of the box of all points; negative if there are none.
-inline double extent_of(const Point_set& points, const Ranks& ranks)
+// Of the points that could be in shapes. Pixels without a measurement could not. These are all at one place, so they are
+// valid, or all are ignored for one reason, as far points are, and no other has as many points.
+inline double share_in_shapes(const CGAL::Tandem::Statistics& s, const Cloud_box& box)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
-  double high[3] = {-infinity, -infinity, -infinity}, low[3] = {infinity, infinity, infinity}, extent = -1;
-  for(Point_set::Index i : points)
-    if(is_finite(points.point(i)))
-      for(int c = 0; c < 3; ++c) {
-        high[c] = (std::max)(high[c], points.point(i)[c]);
-        low[c] = (std::min)(low[c], points.point(i)[c]);
-      }
-  for(int c = 0; c < 3; ++c)
-    extent = (std::max)(extent, ranks.largest(high[c]) + ranks.largest(-low[c]));
-  return extent;
+  const auto zeros = std::size_t(box.zeros);
+  const bool are_valid =
+    zeros > (std::max)({s.number_of_ignored_normals, s.number_of_ignored_tolerances, s.number_of_far_points});
+  const std::size_t none = s.number_of_ignored_points() + (are_zeros_strange(box) && are_valid ? zeros : 0);
+  return s.number_of_points > none ? double(s.number_of_assigned_points) / double(s.number_of_points - none) : 1;
 }
 
 // measure(): the noise of the own points. The smallest of the ranks, infinite where there is no memory to measure it, as
@@ -67,18 +63,12 @@ inline double noise_of(const Point_set& points, const Shapes& shapes, const Rank
   return smallest_noise([&] { return is_thin || points.empty() ? 0. : CGAL::Tandem::estimate_noise(points); }, ranks);
 }
 
-template <class... Words>
-std::string sentence(const Words&... words)
-{
-  std::ostringstream text;
-  text << std::setprecision(4);
-  (text << ... << words);
-  return text.str();
-}
-
 inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tandem::Parameters& p)
 {
   const std::size_t points = s.number_of_points - s.number_of_ignored_points();
+  if(points == 0 && s.number_of_ignored_tolerances > 0)
+    return sentence("no shape was found: none of ", s.number_of_ignored_tolerances,
+                    " points has a positive tolerance (--tolerance-column, --noise)");
   if(points < p.minimum_region_size)
     return sentence("no shape was found: the number of points is ", points, ", and a shape has at least ",
                     p.minimum_region_size, " (--minimum-region-size)");
@@ -88,23 +78,28 @@ inline std::string why_empty(const CGAL::Tandem::Statistics& s, const CGAL::Tand
                   " degrees (--maximum-angle)");
 }
 
+// There are free points. Shares of all points, as those of the summary are.
+inline std::string why_poor(const CGAL::Tandem::Statistics& s)
+{
+  const Free_reason reason = free_reasons(s.free_points).at(0);
+  const auto percent = [&](std::size_t points) { return 100 * double(points) / double(s.number_of_points); };
+  return sentence("only ", percent(s.number_of_assigned_points), " % of the points are in shapes, and ",
+                  percent(reason.points), " % are ", reason.name, ": ", reason.advice);
+}
+
 // Of the whole run, on all ranks.
-inline std::vector<std::string> result_warnings(const Point_set& points, const Shapes& shapes, bool is_distance_given,
-                                                const Ranks& ranks)
+inline std::vector<std::string> result_warnings(const Point_set& points, const Shapes& shapes, const Cloud_box& box,
+                                                bool is_distance_given, const Ranks& ranks)
 {
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   const CGAL::Tandem::Parameters& p = shapes.parameters();
-  const double extent = extent_of(points, ranks);
-  const double noise = is_distance_given ? noise_of(points, shapes, ranks) : 0; // else the distance is twice the noise
+  const double extent = box.extent(), share = share_in_shapes(s, box);
+  const double noise = is_distance_given ? noise_of(points, shapes, ranks) : 0; // estimates cover the noise
   std::vector<std::string> warnings;
   if(s.number_of_shapes == 0)
     warnings.push_back(why_empty(s, p));
-  else if(s.coverage < poor_coverage)
-    warnings.push_back(sentence("only ", 100 * s.coverage,
-                                " % of the points are in shapes: a larger --maximum-distance "
-                                "than ",
-                                p.maximum_distance, ", or a smaller --minimum-region-size than ", p.minimum_region_size,
-                                ", takes more"));
+  else if(share < poor_coverage)
+    warnings.push_back(why_poor(s));
   if(extent > 0 && p.maximum_distance > largest_share_of_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
                                 " is more than a tenth of the extent of the points, ", extent,

@@ -7,10 +7,12 @@
 #define TANDEM_PYTHON_RESULT_H
 
 #include "detection.h"
+#include "dictionaries.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,20 +24,25 @@ namespace py = pybind11;
 
 using Rows = py::array_t<double, py::array::c_style>;
 
-// The shapes, with the normals that they were detected with: an array that nobody else has.
+// What the shapes were detected with beside the points: arrays that nobody else has.
+struct Given {
+  std::optional<Rows> normals, tolerances;
+  std::size_t zeros = 0; // points at 0 0 0, which had no coordinates
+};
+
 class Result {
 public:
-  Result(Shapes shapes, std::optional<Rows> normals) : shapes_(std::move(shapes)), given_normals_(std::move(normals)) {}
+  Result(Shapes shapes, Given given) : shapes_(std::move(shapes)), given_(std::move(given)) {}
 
   const Shapes& shapes() const { return shapes_; }
   std::size_t size() const { return shapes_.statistics().number_of_shapes; }
-  const std::optional<Rows>& given_normals() const { return given_normals_; }
+  const Given& given() const { return given_; }
 
   // Estimated normals are unpacked once, where they are asked for.
   const Rows& normals()
   {
-    if(given_normals_)
-      return *given_normals_;
+    if(given_.normals)
+      return *given_.normals;
     if(!estimated_normals_) {
       estimated_normals_.emplace(std::vector<py::ssize_t>{py::ssize_t(shapes_.labels().size), 3});
       shapes_.copy_estimated_normals(estimated_normals_->mutable_data());
@@ -45,7 +52,8 @@ public:
 
 private:
   Shapes shapes_;
-  std::optional<Rows> given_normals_, estimated_normals_;
+  Given given_;
+  std::optional<Rows> estimated_normals_;
 };
 
 // A read-only array on memory of the object `owner`, which lives as long as the array; of rows, if there are columns.
@@ -89,18 +97,37 @@ inline py::array points_of(const py::object& self, const py::object& index)
   return view<std::uint32_t>(self, result.shapes().points(std::size_t(shape < 0 ? shape + n : shape)));
 }
 
-inline py::dict times(const CGAL::Tandem::Stage_times& t)
+// values(u): so many numbers of each shape, as an array of rows.
+template <class Values>
+py::array_t<double> columns_of(const Result& result, std::vector<py::ssize_t> row, Values values)
 {
-  using namespace py::literals;
-  return py::dict("normals"_a = t.normals, "sort"_a = t.sort, "neighbors"_a = t.neighbors, "growth"_a = t.growth,
-                  "regularity"_a = t.regularity, "finish"_a = t.finish, "total"_a = t.total);
+  row.insert(row.begin(), py::ssize_t(result.size()));
+  py::array_t<double> array(row);
+  double* to = array.mutable_data();
+  const auto table = result.shapes().uncertainties();
+  for(std::size_t s = 0; s < table.size; ++s)
+    for(const double x : values(table.data[s]))
+      *to++ = x;
+  return array;
 }
 
-inline py::dict score(const CGAL::Tandem::Result_score& s)
+inline py::dict uncertainties(const Result& result)
 {
   using namespace py::literals;
-  return py::dict("fit"_a = s.fit, "links"_a = s.links, "size"_a = s.size, "price"_a = s.price, "freedom"_a = s.freedom,
-                  "total"_a = s.total());
+  using Uncertainty = CGAL::Tandem::Plane_uncertainty;
+  const auto numbers = [&](double Uncertainty::*member) {
+    return columns_of(result, {}, [&](const Uncertainty& u) { return std::array<double, 1>{u.*member}; });
+  };
+  return py::dict("centroid"_a = columns_of(result, {3}, [](const Uncertainty& u) { return u.centroid; }),
+                  "noise"_a = numbers(&Uncertainty::noise),
+                  "normal_covariance"_a = columns_of(result, {3, 3},
+                                                     [](const Uncertainty& u) {
+                                                       const auto& c = u.normal_covariance;
+                                                       return std::array<double, 9>{c[0], c[1], c[2], c[1], c[3],
+                                                                                    c[4], c[2], c[4], c[5]};
+                                                     }),
+                  "offset_deviation"_a = numbers(&Uncertainty::offset_deviation),
+                  "angle_deg"_a = numbers(&Uncertainty::angle_deg));
 }
 
 inline py::dict statistics(const Result& result)
@@ -108,15 +135,19 @@ inline py::dict statistics(const Result& result)
   using namespace py::literals;
   const CGAL::Tandem::Statistics& s = result.shapes().statistics();
   return py::dict(
-    "number_of_points"_a = s.number_of_points, "number_of_ignored_coordinates"_a = s.number_of_ignored_coordinates,
-    "number_of_ignored_normals"_a = s.number_of_ignored_normals,
-    "number_of_assigned_points"_a = s.number_of_assigned_points, "number_of_shapes"_a = s.number_of_shapes,
+    "number_of_points"_a = s.number_of_points,
+    "number_of_ignored_coordinates"_a = s.number_of_ignored_coordinates - result.given().zeros,
+    "number_of_ignored_zeros"_a = result.given().zeros, "number_of_ignored_normals"_a = s.number_of_ignored_normals,
+    "number_of_ignored_tolerances"_a = s.number_of_ignored_tolerances,
+    "number_of_far_points"_a = s.number_of_far_points, "number_of_assigned_points"_a = s.number_of_assigned_points,
+    "free_points"_a = free_points(s.free_points), "number_of_shapes"_a = s.number_of_shapes,
     "number_of_directions"_a = s.number_of_directions, "number_of_planes"_a = s.number_of_planes,
     "number_of_orthogonal_pairs"_a = s.number_of_orthogonal_pairs, "coverage"_a = s.coverage,
     "mean_distance"_a = s.mean_distance, "degrees_of_freedom"_a = s.degrees_of_freedom, "complexity"_a = s.complexity,
     "score"_a = score(s.score), "number_of_rounds"_a = s.number_of_rounds, "times"_a = times(s.times),
     "peak_bytes"_a = s.peak_bytes, "grid_step"_a = s.grid_step, "is_grid_coarse"_a = s.is_grid_coarse,
-    "has_estimated_normals"_a = s.has_estimated_normals, "is_cancelled"_a = s.is_cancelled, "backend"_a = s.backend);
+    "has_estimated_normals"_a = s.has_estimated_normals, "is_cancelled"_a = s.is_cancelled,
+    "estimate_note"_a = s.estimate_note, "backend"_a = s.backend);
 }
 
 inline py::tuple triple(const std::array<double, 3>& d) { return py::make_tuple(d[0], d[1], d[2]); }
@@ -198,6 +229,12 @@ inline void add_values(Class& result)
   result
     .def_property_readonly("statistics", &statistics,
                            "dict: counts, quality, memory in bytes, and times in seconds of the detection.")
+    .def_property_readonly(
+      "uncertainties", &uncertainties,
+      "dict of new arrays, by shape: how well its points determine its plane. noise (m,) is that of\n"
+      "a point across the plane, normal_covariance (m, 3, 3) that of the unit normal, in radians,\n"
+      "offset_deviation (m,) the standard deviation of the plane along its normal at the centroid\n"
+      "(m, 3) of the points, and angle_deg (m,) that of the normal where it is largest, in degrees.")
     .def_property_readonly("parameters", &parameters, "dict: the parameters that were used, with what was estimated.")
     .def_property_readonly(
       "maximum_distance", [](const Result& r) { return r.shapes().parameters().maximum_distance; },

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "detection.h"
+#include "maps.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
-#include <CGAL/Iterator_range.h>
-#include <CGAL/Simple_cartesian.h>
-#include <boost/iterator/counting_iterator.hpp>
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
 #endif
@@ -22,7 +21,6 @@ namespace tandem_python {
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Callback;
 using CGAL::Tandem::Parameters;
-using Kernel = CGAL::Simple_cartesian<double>;
 using Planar_shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 
 struct Shapes::Data {
@@ -54,6 +52,10 @@ Table<int> Shapes::parallel_groups() const { return table_of(data_->shapes.data(
 Table<int> Shapes::coplanar_groups() const { return table_of(data_->shapes.data().coplanar_group); }
 Table<int> Shapes::fixed_directions() const { return table_of(data_->shapes.data().fixed_direction); }
 Table<int> Shapes::symmetry_groups() const { return table_of(data_->shapes.data().symmetry_group); }
+Table<CGAL::Tandem::Plane_uncertainty> Shapes::uncertainties() const
+{
+  return table_of(data_->shapes.data().uncertainty);
+}
 Table<char> Shapes::is_flipped() const { return table_of(data_->shapes.data().is_flipped); }
 
 Table<std::uint32_t> Shapes::points(std::size_t shape) const
@@ -75,39 +77,6 @@ const Parameters& Shapes::parameters() const { return data_->shapes.parameters()
 std::uint64_t Shapes::hash() const { return data_->shapes.hash(); }
 
 namespace {
-
-// The points of a cloud are the numbers of its rows ...
-using Row = boost::counting_iterator<std::size_t>;
-using Rows = CGAL::Iterator_range<Row>;
-
-Rows rows_of(const Cloud& cloud) { return Rows(Row(0), Row(cloud.size)); }
-
-// ... and this property map makes points or vectors of them.
-template <class Geometry>
-struct Row_map {
-  using key_type = std::size_t;
-  using value_type = Geometry;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-
-  const double* values;
-
-  friend value_type get(const Row_map& map, std::size_t i)
-  {
-    const double* v = map.values + 3 * i;
-    return value_type(v[0], v[1], v[2]);
-  }
-};
-using Point_map = Row_map<Kernel::Point_3>;
-using Normal_map = Row_map<Kernel::Vector_3>;
-
-// Calls f with the named parameters for the maps of the cloud.
-template <class F>
-auto with_maps(const Cloud& cloud, const F& f)
-{
-  const auto points = np::point_map(Point_map{cloud.points});
-  return cloud.normals != nullptr ? f(points.normal_map(Normal_map{cloud.normals})) : f(points);
-}
 
 // Negative counts do not wrap around, and 0 does not mean that the value is to be estimated.
 std::size_t count(const CGAL::Tandem::Count_range& range, const std::optional<long long>& given, std::size_t otherwise)
@@ -153,7 +122,7 @@ Parameters parameters_of(const Settings& s)
 template <class Tag>
 Planar_shapes detect_with(const Cloud& cloud, const Settings& s, const Callback& callback)
 {
-  return with_maps(cloud, [&](const auto& maps) {
+  return with_all_maps(cloud, [&](const auto& maps) {
     const auto all = maps.settings(parameters_of(s)).callback(callback);
     if(s.maximum_offset)
       return CGAL::Tandem::detect_planes<Tag>(rows_of(cloud), all.maximum_offset(*s.maximum_offset));
@@ -206,6 +175,12 @@ Shapes detect_planes(const Cloud& cloud, const Settings& s, const Callback& call
 Parameters estimate_parameters(const Cloud& cloud)
 {
   return with_maps(cloud, [&](const auto& maps) { return CGAL::Tandem::estimate_parameters(rows_of(cloud), maps); });
+}
+
+std::vector<double> estimate_local_distances(const Cloud& cloud)
+{
+  return with_maps(cloud,
+                   [&](const auto& maps) { return CGAL::Tandem::estimate_local_distances(rows_of(cloud), maps); });
 }
 
 namespace {
@@ -261,7 +236,7 @@ CGAL::Tandem::Plane_relations regularize_planes(const Cloud& cloud, const std::i
 std::string find_violation(const Cloud& cloud, const Shapes& shapes)
 {
   std::string why;
-  with_maps(cloud, [&](const auto& maps) {
+  with_all_maps(cloud, [&](const auto& maps) {
     return CGAL::Tandem::is_valid_result(rows_of(cloud), shapes.data().shapes, maps, &why);
   });
   return why;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/Plane_relations.h>
+#include <CGAL/Tandem/Plane_uncertainty.h>
 #include <CGAL/Tandem/Statistics.h>
 
 #include <array>
@@ -25,7 +26,8 @@ using Coefficients = std::array<double, 4>;
 // The memory is read only while a function runs.
 struct Cloud {
   const double* points = nullptr;
-  const double* normals = nullptr; // null: they are estimated
+  const double* normals = nullptr;    // null: they are estimated
+  const double* tolerances = nullptr; // null: all points have the same
   std::size_t size = 0;
 };
 
@@ -62,6 +64,7 @@ public:
   Table<int> fixed_directions() const; // of each parallel group
   Table<int> symmetry_groups() const;  // of each parallel group
   Table<char> is_flipped() const;      // 0 or 1
+  Table<CGAL::Tandem::Plane_uncertainty> uncertainties() const;
   Table<std::uint32_t> points(std::size_t shape) const;
   void copy_estimated_normals(double* to) const; // three of each point
   const CGAL::Tandem::Statistics& statistics() const;
@@ -77,6 +80,9 @@ private:
 Shapes detect_planes(const Cloud& cloud, const Settings& settings, const CGAL::Tandem::Callback& callback);
 
 CGAL::Tandem::Parameters estimate_parameters(const Cloud& cloud);
+
+// One for each point, NaN for those that are not valid.
+std::vector<double> estimate_local_distances(const Cloud& cloud);
 
 // Changes the planes. There is a label for each point of the cloud, whose normals are not used.
 CGAL::Tandem::Plane_relations regularize_planes(const Cloud& cloud, const std::int32_t* labels,

@@ -13,9 +13,10 @@ namespace tandem_python {
 using Labels = py::array_t<std::int32_t, py::array::c_style>;
 
 // The arrays outlive what is read of them.
-Cloud cloud_of(const Rows& points, const std::optional<Rows>& normals)
+Cloud cloud_of(const Rows& points, const Given& given)
 {
-  return {points.data(), normals ? normals->data() : nullptr, std::size_t(points.shape(0))};
+  const auto data = [](const std::optional<Rows>& rows) { return rows ? rows->data() : nullptr; };
+  return {points.data(), data(given.normals), data(given.tolerances), std::size_t(points.shape(0))};
 }
 
 // Other threads of Python run meanwhile. The function may not touch objects of Python.
@@ -42,18 +43,17 @@ bool report_progress(const py::object& function, double share)
   return is_true != 0;
 }
 
-Result detect(const Rows& points, const std::optional<Rows>& normals, const Settings& settings,
-              const py::object& progress)
+Result detect(const Rows& points, const Given& given, const Settings& settings, const py::object& progress)
 {
-  const Cloud cloud = cloud_of(points, normals);
+  const Cloud cloud = cloud_of(points, given);
   const auto callback = [&progress](double share) { return report_progress(progress, share); };
   const Shapes shapes = without_gil([&] { return detect_planes(cloud, settings, callback); });
-  return Result(shapes, normals);
+  return Result(shapes, given);
 }
 
 py::tuple estimate(const Rows& points, const std::optional<Rows>& normals)
 {
-  const Cloud cloud = cloud_of(points, normals);
+  const Cloud cloud = cloud_of(points, {normals, std::nullopt});
   const CGAL::Tandem::Parameters p = without_gil([&] { return estimate_parameters(cloud); });
   return py::make_tuple(p.maximum_distance, p.maximum_offset, p.minimum_region_size);
 }
@@ -67,12 +67,18 @@ py::array_t<Number> array_of(const Range& values)
   return result;
 }
 
+py::array_t<double> estimate_local(const Rows& points, const std::optional<Rows>& normals)
+{
+  const Cloud cloud = cloud_of(points, {normals, std::nullopt});
+  return array_of<double>(without_gil([&] { return estimate_local_distances(cloud); }));
+}
+
 // The items of a named tuple, in its order.
 py::tuple regularize(const Rows& points, const Labels& labels, const Rows& planes, const Settings& settings)
 {
   std::vector<Coefficients> changed(std::size_t(planes.shape(0)));
   std::copy_n(planes.data(), planes.size(), changed.empty() ? nullptr : changed.front().data());
-  const Cloud cloud = cloud_of(points, std::nullopt);
+  const Cloud cloud = cloud_of(points, {});
   const std::int32_t* const label = labels.data();
   const CGAL::Tandem::Plane_relations r =
     without_gil([&] { return regularize_planes(cloud, label, settings, changed); });
@@ -91,12 +97,17 @@ py::tuple regularize(const Rows& points, const Labels& labels, const Rows& plane
 
 std::string violation(const Rows& points, const Result& result)
 {
-  const Cloud cloud = cloud_of(points, result.given_normals());
+  const Cloud cloud = cloud_of(points, result.given());
   return without_gil([&] { return find_violation(cloud, result.shapes()); });
 }
 
 void add_settings(py::module_& module)
 {
+  py::class_<Given> given(module, "Given", py::module_local());
+  refuse_new(given);
+  module.def("given", [](const std::optional<Rows>& normals, const std::optional<Rows>& tolerances, std::size_t zeros) {
+    return Given{normals, tolerances, zeros};
+  });
   py::class_<Settings> settings(module, "Settings", py::module_local());
   refuse_new(settings);
   module.def("default_settings", [] { return Settings(); });
@@ -130,6 +141,7 @@ PYBIND11_MODULE(_tandem, module)
   add_result(module);
   module.def("detect_planes", &detect);
   module.def("estimate_parameters", &estimate);
+  module.def("estimate_local_distances", &estimate_local);
   module.def("regularize_planes", &regularize);
   module.def("find_violation", &violation);
   module.def("backends", &backends);

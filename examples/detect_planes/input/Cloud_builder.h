@@ -13,7 +13,7 @@ namespace program {
 
 // What the points of a file have beside coordinates.
 struct Fields {
-  bool normal = false, color = false, intensity = false, classification = false;
+  bool normal = false, color = false, intensity = false, classification = false, tolerance = false;
 };
 
 struct Point_row {
@@ -22,6 +22,7 @@ struct Point_row {
   Input_color color = {0, 0, 0};
   float intensity = 0;
   std::uint8_t classification = 0;
+  double tolerance = 0;
 };
 
 // Some writers put channels of 8 bits into 16: 255 becomes 65535.
@@ -41,6 +42,8 @@ public:
       intensities = points.add_property_map<float>(intensity_name).first;
     if(fields.classification)
       classifications = points.add_property_map<std::uint8_t>(classification_name).first;
+    if(fields.tolerance)
+      tolerances = points.add_property_map<double>(tolerance_name).first;
   }
 
   void add(const Point_row& row)
@@ -56,6 +59,8 @@ public:
       intensities[i] = row.intensity;
     if(fields.classification)
       classifications[i] = row.classification;
+    if(fields.tolerance)
+      tolerances[i] = row.tolerance;
   }
 
   // Makes 16 bits of colors that use 8.
@@ -78,6 +83,7 @@ private:
   Point_set::Property_map<Input_color> colors;
   Point_set::Property_map<float> intensities;
   Point_set::Property_map<std::uint8_t> classifications;
+  Point_set::Property_map<double> tolerances;
 };
 
 } // namespace program

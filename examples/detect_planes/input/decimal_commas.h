@@ -62,7 +62,7 @@ class Unclear_commas {
 public:
   explicit Unclear_commas(bool may_be_decimal) : may_be_decimal(may_be_decimal) {}
 
-  void look_at(std::string_view row, const std::array<double, 11>& values)
+  void look_at(std::string_view row, const Row_values& values)
   {
     may_be_decimal = may_be_decimal && has_pairs_of_integers(row, false);
     for(Column c : {Column::red, Column::green, Column::blue})

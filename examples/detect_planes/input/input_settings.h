@@ -19,7 +19,11 @@ namespace program {
 struct Input_settings {
   std::vector<Column> columns; // of text tables; empty: recognized
   std::vector<int> classes;    // only these points; empty: all
+  std::string tolerance;       // the column, property or field that has the tolerance of each point; empty: none has
 };
+
+// Of degrees in place of lengths.
+constexpr const char* advice_on_degrees = "project such coordinates first, to UTM, for example";
 
 // How a LAS file describes its coordinate system.
 enum class Projection { none, geotiff, wkt };

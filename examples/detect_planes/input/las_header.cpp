@@ -3,8 +3,10 @@
 
 #include "input/las_header.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace program {
 
@@ -32,13 +34,13 @@ Las_frame read_frame(const char* bytes)
 
 void check_point_format(const Las_header& h)
 {
-  constexpr std::uint16_t least[11] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
   if(h.point_format > 10)
     throw std::runtime_error("has LAS points of the unknown format " + std::to_string(h.point_format) +
                              ", expected 0 to 10");
-  if(h.record_length < least[h.point_format])
+  const std::size_t least = las_point_size(h.point_format);
+  if(h.record_length < least)
     throw std::runtime_error("has LAS points of " + std::to_string(h.record_length) + " bytes, the format " +
-                             std::to_string(h.point_format) + " needs " + std::to_string(least[h.point_format]));
+                             std::to_string(h.point_format) + " needs " + std::to_string(least));
 }
 
 // What the records hold. If that is both, the flag of the header says which to use.
@@ -54,7 +56,45 @@ Projection projection_of(const std::vector<std::string>& records, bool is_declar
   return has(geotiff_keys) ? Projection::geotiff : Projection::none;
 }
 
-// The records that tell the coordinate system. What comes after a damaged one is left out.
+// Whether a record of the header describes the extra bytes of the points.
+bool describes_bytes(const std::string& record)
+{
+  return record.compare(2, 10, std::string("LASF_Spec\0", 10)) == 0 &&
+         number_at<std::uint16_t>(record.data() + 18) == 4;
+}
+
+// The types are integers of 1, 2, 4 and 8 bytes, each without and with a sign, float and double; in older files two and
+// three numbers of these, too. Bytes of no type are as many as the options say.
+std::size_t size_of_dimension(std::size_t type, std::size_t options)
+{
+  constexpr std::size_t sizes[10] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  if(type == 0 || type > 30)
+    return type == 0 ? options : 0;
+  return ((type - 1) / 10 + 1) * sizes[(type - 1) % 10];
+}
+
+// The extra bytes of points, as far as the record describes them.
+std::vector<Las_dimension> dimensions_of(const std::string& record, const Las_header& h)
+{
+  constexpr std::size_t description = 192, scale_bit = 8, offset_bit = 16;
+  std::vector<Las_dimension> dimensions;
+  std::size_t position = las_point_size(h.point_format);
+  for(std::size_t first = record_header; first + description <= record.size(); first += description) {
+    const char* const d = record.data() + first;
+    const std::size_t type = std::uint8_t(d[2]), options = std::uint8_t(d[3]);
+    const std::size_t size = size_of_dimension(type, options);
+    if(size == 0 || position + size > h.record_length)
+      break;
+    if(type >= 1 && type <= 10)
+      dimensions.push_back({std::string(d + 4, std::find(d + 4, d + 36, '\0')), "UIUIUIUIFF"[type - 1], size, position,
+                            (options & scale_bit) != 0 ? number_at<double>(d + 112) : 1,
+                            (options & offset_bit) != 0 ? number_at<double>(d + 136) : 0});
+    position += size;
+  }
+  return dimensions;
+}
+
+// The records that tell the coordinate system, and the one of extra bytes. What comes after a damaged one is left out.
 std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std::uint64_t end)
 {
   std::vector<std::string> records;
@@ -64,7 +104,7 @@ std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std
     const std::uint16_t length = number_at<std::uint16_t>(record.data() + 20);
     if(length > end - in.position())
       break;
-    if(record.compare(2, 15, "LASF_Projection") != 0) {
+    if(record.compare(2, 15, "LASF_Projection") != 0 && !describes_bytes(record)) {
       in.skip(length);
       continue;
     }
@@ -76,6 +116,43 @@ std::vector<std::string> read_records(Input_buffer& in, std::uint32_t count, std
 }
 
 } // namespace
+
+std::size_t las_point_size(int point_format)
+{
+  constexpr std::size_t sizes[11] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+  return sizes[point_format];
+}
+
+double number_of_type(const char* bytes, char type, std::size_t size)
+{
+  switch(type == 'F' ? 10 + size : type == 'I' ? size : 20 + size) {
+  case 1:
+    return double(number_at<std::int8_t>(bytes));
+  case 2:
+    return double(number_at<std::int16_t>(bytes));
+  case 4:
+    return double(number_at<std::int32_t>(bytes));
+  case 8:
+    return double(number_at<std::int64_t>(bytes));
+  case 14:
+    return double(number_at<float>(bytes));
+  case 18:
+    return number_at<double>(bytes);
+  case 21:
+    return double(number_at<std::uint8_t>(bytes));
+  case 22:
+    return double(number_at<std::uint16_t>(bytes));
+  case 24:
+    return double(number_at<std::uint32_t>(bytes));
+  default:
+    return double(number_at<std::uint64_t>(bytes));
+  }
+}
+
+double value_of(const char* bytes, const Las_dimension& d)
+{
+  return std::fma(number_of_type(bytes, d.type, d.size), d.scale, d.offset);
+}
 
 double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis)
 {
@@ -112,8 +189,12 @@ Las_header read_las_header(Input_buffer& in)
   if(h.first_point < header_size)
     throw std::runtime_error("the points of the LAS file begin in its header");
   in.skip((std::min)(in.left(), header_size - in.position()));
-  h.frame.records =
-    read_records(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left()));
+  for(std::string& record :
+      read_records(in, number_at<std::uint32_t>(bytes + 100), (std::min)(h.first_point, in.position() + in.left())))
+    if(describes_bytes(record))
+      h.dimensions = dimensions_of(record, h);
+    else
+      h.frame.records.push_back(std::move(record));
   constexpr std::uint16_t wkt_bit = 16;
   h.frame.projection = projection_of(h.frame.records, (number_at<std::uint16_t>(bytes + 6) & wkt_bit) != 0);
   return h;

@@ -33,6 +33,21 @@ T number_at(const char* bytes)
   return value;
 }
 
+// A little-endian number of a type that is known at run time: I, U or F, signed, unsigned or real.
+double number_of_type(const char* bytes, char type, std::size_t size);
+
+// A number behind the bytes of the point format, as a record of the header describes it.
+struct Las_dimension {
+  std::string name;
+  char type; // as that of number_of_type()
+  std::size_t size;
+  std::size_t position; // in the record of a point
+  double scale, offset;
+};
+
+// Of the bytes of the dimension.
+double value_of(const char* bytes, const Las_dimension& dimension);
+
 struct Las_header {
   int minor_version = 0;
   int point_format = 0;
@@ -41,6 +56,7 @@ struct Las_header {
   std::uint64_t first_point = 0; // position in the file
   std::uint64_t count = 0;
   Las_frame frame;
+  std::vector<Las_dimension> dimensions;
 
   bool has_color() const { return color_position() > 0; }
 
@@ -57,8 +73,12 @@ Las_header read_las_header(Input_buffer& in);
 // Rounded after each operation, also where the processor could do both at once.
 double place_of_integer(std::int32_t integer, const Las_frame& frame, std::size_t axis);
 
-// The points that LASzip reads.
-void read_laz_points(const std::string& path, const Las_header& header, Cloud_builder& builder);
+// The bytes of a point of this format without extra ones.
+std::size_t las_point_size(int point_format);
+
+// The points that LASzip reads. tolerance: the dimension that has it, or null.
+void read_laz_points(const std::string& path, const Las_header& header, const Las_dimension* tolerance,
+                     Cloud_builder& builder);
 
 } // namespace program
 

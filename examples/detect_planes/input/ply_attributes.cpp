@@ -4,6 +4,7 @@
 #include "input/readers.h"
 
 #include "input/Cloud_builder.h"
+#include "input/find_name.h"
 #include "input/table_columns.h"
 
 #include <functional>
@@ -31,6 +32,12 @@ Get_number find_number_of(const Point_set& points, const std::string& name)
   return get;
 }
 
+Get_number find_any_number(const Point_set& points, const std::string& name)
+{
+  return find_number_of<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t, float,
+                        double>(points, name);
+}
+
 template <class T>
 void remove_property(Point_set& points, const std::string& name)
 {
@@ -53,8 +60,7 @@ Numbers find_numbers(const Point_set& points)
     const Column c = column_of_name(name);
     if(c < Column::red || c == Column::none || numbers[c])
       continue;
-    numbers.of_column[std::size_t(c)] = find_number_of<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
-                                                       std::int32_t, std::uint32_t, float, double>(points, name);
+    numbers.of_column[std::size_t(c)] = find_any_number(points, name);
   }
   return numbers;
 }
@@ -88,6 +94,19 @@ std::vector<Input_color> colors_of(const Point_set& points, const Numbers& numbe
   return colors;
 }
 
+std::vector<double> tolerances_of(const Point_set& points, const std::string& wanted)
+{
+  std::vector<std::string> names;
+  for(const std::string& name : points.properties())
+    if(find_any_number(points, name))
+      names.push_back(name);
+  const Get_number tolerance = find_any_number(points, names[find_name(names, wanted, "property")]);
+  std::vector<double> tolerances;
+  for(Point_set::Index i : points)
+    tolerances.push_back(tolerance(i));
+  return tolerances;
+}
+
 template <class T>
 void add_property(Point_set& points, const char* name, const std::vector<T>& values)
 {
@@ -107,12 +126,15 @@ void remove_properties(Point_set& points)
 
 } // namespace
 
-void convert_attributes(Point_set& points)
+void convert_attributes(const Input_settings& settings, Point_set& points)
 {
   const Numbers numbers = find_numbers(points);
   std::vector<Input_color> colors;
   std::vector<float> intensities;
   std::vector<std::uint8_t> classes;
+  std::vector<double> tolerances;
+  if(!settings.tolerance.empty())
+    tolerances = tolerances_of(points, settings.tolerance);
   if(numbers[Column::red] && numbers[Column::green] && numbers[Column::blue])
     colors = colors_of(points, numbers);
   if(numbers[Column::intensity])
@@ -133,6 +155,8 @@ void convert_attributes(Point_set& points)
     add_property(points, intensity_name, intensities);
   if(!classes.empty())
     add_property(points, classification_name, classes);
+  if(!settings.tolerance.empty())
+    add_property(points, tolerance_name, tolerances);
 }
 
 } // namespace program

@@ -28,6 +28,7 @@ using Input_color = std::array<std::uint16_t, 3>;
 constexpr const char* color_name = "input_color";             // Input_color
 constexpr const char* intensity_name = "intensity";           // float
 constexpr const char* classification_name = "classification"; // std::uint8_t
+constexpr const char* tolerance_name = "tolerance";           // double: of the distance to the plane
 
 template <class T>
 std::optional<Point_set::Property_map<T>> find_property(const Point_set& points, const char* name)

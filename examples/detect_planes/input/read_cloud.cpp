@@ -121,7 +121,7 @@ void read_format(const std::string& path, const Input_settings& settings, Point_
   if(extension == ".pcd")
     return read_pcd(*file, settings, points, notes);
   read_ply_or_off(*file, extension == ".off", points);
-  convert_attributes(points);
+  convert_attributes(settings, points);
   if(!settings.classes.empty())
     keep_classes(settings.classes, points);
 }

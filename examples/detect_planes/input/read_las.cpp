@@ -6,6 +6,7 @@
 
 #include "file_names.h"
 #include "input/Cloud_builder.h"
+#include "input/find_name.h"
 #include "input/las_header.h"
 
 #include <stdexcept>
@@ -28,7 +29,16 @@ Point_row point_of_record(const char* record, const Las_header& h)
 
 namespace {
 
-void read_records(Input_buffer& in, const Las_header& h, Cloud_builder& builder)
+// That of --tolerance-column, or null.
+const Las_dimension* tolerance_of(const Las_header& h, const std::string& wanted)
+{
+  std::vector<std::string> names;
+  for(const Las_dimension& dimension : h.dimensions)
+    names.push_back(dimension.name);
+  return wanted.empty() ? nullptr : &h.dimensions[find_name(names, wanted, "extra dimension")];
+}
+
+void read_records(Input_buffer& in, const Las_header& h, const Las_dimension* tolerance, Cloud_builder& builder)
 {
   std::vector<char> record(h.record_length);
   for(std::uint64_t i = 0; i < h.count; ++i) {
@@ -37,7 +47,10 @@ void read_records(Input_buffer& in, const Las_header& h, Cloud_builder& builder)
         throw Interrupted();
       throw std::runtime_error("unreadable after point " + std::to_string(i) + " of " + std::to_string(h.count));
     }
-    builder.add(point_of_record(record.data(), h));
+    Point_row row = point_of_record(record.data(), h);
+    if(tolerance != nullptr)
+      row.tolerance = value_of(record.data() + tolerance->position, *tolerance);
+    builder.add(row);
   }
 }
 
@@ -59,19 +72,20 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
   const Las_header h = read_las_header(in);
   if(!notes.las_frame)
     notes.las_frame = h.frame;
-  Cloud_builder builder(points, {false, h.has_color(), true, true}, settings.classes);
+  const Las_dimension* const tolerance = tolerance_of(h, settings.tolerance);
+  Cloud_builder builder(points, {false, h.has_color(), true, true, tolerance != nullptr}, settings.classes);
   if(h.is_compressed) {
     if(is_gzip(path))
       throw std::runtime_error("is LAZ within gzip; decompress it with gunzip");
     if constexpr(has_laszip)
-      return read_laz_points(path, h, builder);
+      return read_laz_points(path, h, tolerance, builder);
     throw std::runtime_error("LAZ needs LASzip; decompress with laszip or build Tandem with it");
   }
   check_room(in, h);
   in.skip(h.first_point - in.position());
   if(settings.classes.empty())
     points.reserve(std::size_t(h.count));
-  read_records(in, h, builder);
+  read_records(in, h, tolerance, builder);
 }
 
 } // namespace program

@@ -52,6 +52,15 @@ private:
   laszip_point* point = nullptr;
 };
 
+// The extra bytes begin behind those of the point format.
+double tolerance_of(const laszip_point& p, const Las_header& header, const Las_dimension& tolerance)
+{
+  const std::size_t position = tolerance.position - las_point_size(header.point_format);
+  if(p.num_extra_bytes < 0 || position + tolerance.size > std::size_t(p.num_extra_bytes))
+    throw std::runtime_error("has fewer extra bytes than its header says");
+  return value_of(reinterpret_cast<const char*>(p.extra_bytes) + position, tolerance);
+}
+
 Point_row row_of(const laszip_point& p, const Las_header& header)
 {
   Point_row row;
@@ -67,13 +76,18 @@ Point_row row_of(const laszip_point& p, const Las_header& header)
 
 } // namespace
 
-void read_laz_points(const std::string& path, const Las_header& header, Cloud_builder& builder)
+void read_laz_points(const std::string& path, const Las_header& header, const Las_dimension* tolerance,
+                     Cloud_builder& builder)
 {
   Laszip_reader reader(path);
   for(std::uint64_t i = 0; i < header.count; ++i) {
     if(i % 4096 == 0 && is_interrupted())
       throw Interrupted();
-    builder.add(row_of(reader.next(), header));
+    const laszip_point& point = reader.next();
+    Point_row row = row_of(point, header);
+    if(tolerance != nullptr)
+      row.tolerance = tolerance_of(point, header, *tolerance);
+    builder.add(row);
   }
 }
 

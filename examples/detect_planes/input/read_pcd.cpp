@@ -5,6 +5,7 @@
 
 #include "input/Cloud_builder.h"
 #include "input/decimal_commas.h"
+#include "input/find_name.h"
 #include "input/las_header.h"
 #include "input/lzf.h"
 #include "input/pcd_header.h"
@@ -23,10 +24,19 @@ using Field = Pcd_header::Field;
 // The fields that are used, null where the file has none.
 struct Used_fields {
   std::array<const Field*, 3> point, normal;
-  const Field *color, *intensity, *classification;
+  const Field *color, *intensity, *classification, *tolerance;
 };
 
-Used_fields used_fields(const Pcd_header& h)
+// That of --tolerance-column.
+const Field* tolerance_field(const Pcd_header& h, const std::string& wanted)
+{
+  std::vector<std::string> names;
+  for(const Field& f : h.fields)
+    names.push_back(f.count == 1 ? f.name : "");
+  return wanted.empty() ? nullptr : &h.fields[find_name(names, wanted, "field")];
+}
+
+Used_fields used_fields(const Pcd_header& h, const std::string& tolerance)
 {
   const auto single = [&h](const char* name) {
     const Field* f = h.find(name);
@@ -36,7 +46,8 @@ Used_fields used_fields(const Pcd_header& h)
                       {single("normal_x"), single("normal_y"), single("normal_z")},
                       single("rgb"),
                       single("intensity"),
-                      single("classification")};
+                      single("classification"),
+                      tolerance_field(h, tolerance)};
   if(used.color == nullptr)
     used.color = single("rgba");
   if(used.color != nullptr && used.color->size != 4)
@@ -44,32 +55,6 @@ Used_fields used_fields(const Pcd_header& h)
   if(used.normal[0] == nullptr || used.normal[1] == nullptr || used.normal[2] == nullptr)
     used.normal = {nullptr, nullptr, nullptr};
   return used;
-}
-
-double value_at(const char* bytes, const Field& f)
-{
-  switch(f.type == 'F' ? 10 + f.size : f.type == 'I' ? f.size : 20 + f.size) {
-  case 1:
-    return double(number_at<std::int8_t>(bytes));
-  case 2:
-    return double(number_at<std::int16_t>(bytes));
-  case 4:
-    return double(number_at<std::int32_t>(bytes));
-  case 8:
-    return double(number_at<std::int64_t>(bytes));
-  case 14:
-    return double(number_at<float>(bytes));
-  case 18:
-    return number_at<double>(bytes);
-  case 21:
-    return double(number_at<std::uint8_t>(bytes));
-  case 22:
-    return double(number_at<std::uint16_t>(bytes));
-  case 24:
-    return double(number_at<std::uint32_t>(bytes));
-  default:
-    return double(number_at<std::uint64_t>(bytes));
-  }
 }
 
 Input_color unpacked(std::uint32_t rgb)
@@ -95,6 +80,8 @@ Point_row make_row(const Used_fields& used, Value value, Bits bits)
     row.intensity = float(value(*used.intensity));
   if(used.classification != nullptr)
     row.classification = class_of(value(*used.classification));
+  if(used.tolerance != nullptr)
+    row.tolerance = value(*used.tolerance);
   return row;
 }
 
@@ -117,14 +104,13 @@ template <class Start_of>
 Point_row row_of_bytes(const Used_fields& used, Start_of start_of)
 {
   return make_row(
-    used, [&](const Field& f) { return value_at(start_of(f), f); },
+    used, [&](const Field& f) { return number_of_type(start_of(f), f.type, f.size); },
     [&](const Field& f) { return number_at<std::uint32_t>(start_of(f)); });
 }
 
-void read_binary(Input_buffer& in, const Pcd_header& h, Cloud_builder& builder)
+void read_binary(Input_buffer& in, const Pcd_header& h, const Used_fields& used, Cloud_builder& builder)
 {
   check_room(h.points, in.left() / h.row_size());
-  const Used_fields used = used_fields(h);
   std::vector<char> row(h.row_size());
   for(std::uint64_t i = 0; i < h.points; ++i) {
     if(in.sgetn(row.data(), std::streamsize(row.size())) != std::streamsize(row.size()))
@@ -154,10 +140,9 @@ std::string decompress(Input_buffer& in, const Pcd_header& h)
   return result;
 }
 
-void read_compressed(Input_buffer& in, const Pcd_header& h, Cloud_builder& builder)
+void read_compressed(Input_buffer& in, const Pcd_header& h, const Used_fields& used, Cloud_builder& builder)
 {
   const std::string bytes = decompress(in, h);
-  const Used_fields used = used_fields(h);
   const std::size_t n = std::size_t(h.points);
   for(std::size_t i = 0; i < n; ++i)
     builder.add(
@@ -192,10 +177,10 @@ void parse_row(const Text_row& row, std::vector<double>& values)
     fail_at_row(row.number, "has more than " + std::to_string(values.size()) + " values");
 }
 
-void read_text(Input_buffer& in, Text_lines& lines, const Pcd_header& h, Cloud_builder& builder)
+void read_text(Input_buffer& in, Text_lines& lines, const Pcd_header& h, const Used_fields& used,
+               Cloud_builder& builder)
 {
   check_room(h.points, (in.left() + 1) / (2 * h.row_values())); // a digit and a separator each
-  const Used_fields used = used_fields(h);
   std::vector<double> values(h.row_values());
   for(std::uint64_t i = 0; i < h.points; ++i) {
     if(!lines.next_filled())
@@ -232,20 +217,20 @@ void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& poin
   Input_buffer in(file);
   Text_lines lines(in);
   const Pcd_header h = read_pcd_header(lines);
-  const Used_fields used = used_fields(h);
+  const Used_fields used = used_fields(h, settings.tolerance);
   if(!settings.classes.empty() && used.classification == nullptr)
     throw std::runtime_error("has no field 'classification', which --classes needs");
   note_viewpoint(h.viewpoint, used.normal[0] != nullptr, notes);
-  Cloud_builder builder(
-    points,
-    {used.normal[0] != nullptr, used.color != nullptr, used.intensity != nullptr, used.classification != nullptr},
-    settings.classes);
+  Cloud_builder builder(points,
+                        {used.normal[0] != nullptr, used.color != nullptr, used.intensity != nullptr,
+                         used.classification != nullptr, used.tolerance != nullptr},
+                        settings.classes);
   if(h.data == "binary")
-    read_binary(in, h, builder);
+    read_binary(in, h, used, builder);
   else if(h.data == "binary_compressed")
-    read_compressed(in, h, builder);
+    read_compressed(in, h, used, builder);
   else
-    read_text(in, lines, h, builder);
+    read_text(in, lines, h, used, builder);
 }
 
 } // namespace program

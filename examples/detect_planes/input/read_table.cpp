@@ -4,8 +4,8 @@
 #include "input/readers.h"
 
 #include "file_names.h"
-#include "input/Cloud_builder.h"
 #include "input/decimal_commas.h"
+#include "input/Table_reader.h"
 #include "input/table_columns.h"
 
 #include <filesystem>
@@ -34,7 +34,9 @@ enum class Source { option, header, sample };
 // What stands before the points, and the first of them.
 struct Head {
   Source source = Source::sample;
-  std::vector<Column> columns; // empty: unknown
+  std::vector<Column> columns;    // empty: unknown
+  std::vector<std::string> names; // of a line of names
+  bool is_geographic = false;
   std::optional<std::size_t> count;
   std::vector<Row> rows;
 };
@@ -80,11 +82,17 @@ void read_head_line(const Row& row, Head& head)
     head.rows.push_back(row);
     return;
   }
-  const std::vector<Column> names = columns_of_header(row.text);
-  if(!names.empty() && head.source != Source::option) {
+  const std::vector<std::string> names = names_of_header(row.text);
+  std::vector<Column> columns = columns_of_names(names);
+  const bool is_geographic = columns.empty();
+  if(is_geographic)
+    columns = geographic_columns_of_names(names);
+  if(!columns.empty() && head.source != Source::option) {
     head.source = Source::header;
-    head.columns = names;
-  } else if(!has_note && names.empty()) {
+    head.columns = columns;
+    head.names = names;
+    head.is_geographic = is_geographic;
+  } else if(!has_note && columns.empty()) {
     head.count = parse_count(row, values.size() == 1 ? values[0] : "");
   }
 }
@@ -132,7 +140,7 @@ class Row_parser {
 public:
   Row_parser(std::vector<Column> columns, Source source) : columns(std::move(columns)), source(source) {}
 
-  const std::array<double, 11>& parse(const Row& row)
+  const Row_values& parse(const Row& row)
   {
     Table_values rest(row.text);
     std::string_view value, before;
@@ -166,76 +174,7 @@ private:
 
   std::vector<Column> columns;
   Source source;
-  std::array<double, 11> values = {};
-};
-
-template <class Integer>
-Integer clamped(double x)
-{
-  constexpr double largest = double((std::numeric_limits<Integer>::max)());
-  return x > 0 ? Integer(std::lround((std::min)(x, largest))) : Integer(0); // NaN is 0
-}
-
-// Makes points of rows, and looks whether their normals are some.
-class Table_reader {
-public:
-  Table_reader(const std::vector<Column>& columns, double channel_unit, const std::vector<int>& classes,
-               Point_set& points)
-    : columns(columns), fields{has_column(columns, Column::nx), has_column(columns, Column::red),
-                               has_column(columns, Column::intensity), has_column(columns, Column::classification)},
-      channel_unit(channel_unit), builder(points, fields, classes)
-  {}
-
-  void add(const std::array<double, 11>& values)
-  {
-    Point_row row;
-    for(std::size_t i = 0; i < 3; ++i) {
-      row.point[i] = values[i];
-      row.normal[i] = values[std::size_t(Column::nx) + i];
-      row.color[i] = clamped<std::uint16_t>(channel_unit * values[std::size_t(Column::red) + i]);
-    }
-    row.intensity = float(values[std::size_t(Column::intensity)]);
-    row.classification = clamped<std::uint8_t>(values[std::size_t(Column::classification)]);
-    builder.add(row);
-    ++count;
-    if(fields.normal)
-      look_at_normal(row.normal);
-  }
-
-  std::size_t finish(Input_notes& notes)
-  {
-    if(channel_unit == 1)
-      builder.widen_colors();
-    if(2 * strange > count)
-      notes.warnings.push_back("the normals (nx ny nz, columns " + places() + ") are far from length 1, as " +
-                               std::to_string(example) + "; name the columns by --columns if they are no normals");
-    return count;
-  }
-
-private:
-  void look_at_normal(const double (&n)[3])
-  {
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    if(!(length > 0) || std::fabs(length - 1) <= largest_error_of_length)
-      return;
-    example = strange++ == 0 ? length : example;
-  }
-
-  std::string places() const
-  {
-    std::string text;
-    for(std::size_t c = 0; c < columns.size(); ++c)
-      if(columns[c] == Column::nx || columns[c] == Column::ny || columns[c] == Column::nz)
-        text += (text.empty() ? "" : " ") + std::to_string(c + 1);
-    return text;
-  }
-
-  std::vector<Column> columns;
-  Fields fields;
-  double channel_unit;
-  Cloud_builder builder;
-  std::size_t count = 0, strange = 0;
-  double example = 0;
+  Row_values values = {};
 };
 
 // Channels from 0 to 1 become 16 bits.
@@ -254,6 +193,24 @@ void check_classes(const std::vector<Column>& columns, const Input_settings& set
     throw std::runtime_error("has no classification, which --classes needs (its columns: " + names_of(columns) + ")");
 }
 
+// With the column of --tolerance-column.
+std::vector<Column> columns_of(const Head& head, const Sample& sample, const std::string& path,
+                               const std::string& tolerance)
+{
+  std::vector<Column> columns =
+    head.source == Source::sample ? recognize_columns(sample, input_extension(path)) : head.columns;
+  if(tolerance.empty() || head.source == Source::option)
+    return columns;
+  if(head.source == Source::sample)
+    throw std::runtime_error("has no line of names, of which --tolerance-column takes '" + tolerance +
+                             "' (--columns names them)");
+  columns[find_name(head.names, tolerance, "column")] = Column::tolerance;
+  remove_incomplete(columns);
+  if(!has_coordinates(columns))
+    throw std::runtime_error("the column '" + tolerance + "' of --tolerance-column is a coordinate");
+  return columns;
+}
+
 } // namespace
 
 void read_table(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,
@@ -264,14 +221,13 @@ void read_table(Byte_source& file, const std::string& path, const Input_settings
   const Head head = read_head(table, settings.columns);
   check_pairs(head);
   const Sample sample = sample_of(head.rows);
-  const std::vector<Column> columns =
-    head.source == Source::sample ? recognize_columns(sample, input_extension(path)) : head.columns;
+  const std::vector<Column> columns = columns_of(head, sample, path, settings.tolerance);
   check_classes(columns, settings);
   Row_parser parser(columns, head.source);
   Table_reader reader(columns, channel_unit_of(columns, sample), settings.classes, points);
   Unclear_commas commas(head.source == Source::sample && !head.rows.empty());
   const auto add = [&](const Row& row) {
-    const std::array<double, 11>& values = parser.parse(row);
+    const Row_values& values = parser.parse(row);
     reader.add(values);
     commas.look_at(row.text, values);
   };
@@ -286,6 +242,9 @@ void read_table(Byte_source& file, const std::string& path, const Input_settings
     throw std::runtime_error("has " + std::to_string(count) + " rows of points, " + std::to_string(*head.count) +
                              " announced");
   notes.lines.emplace_back("columns", names_of(columns));
+  if(head.is_geographic)
+    notes.warnings.push_back("x and y are columns of longitude and latitude: planes need lengths, so " +
+                             std::string(advice_on_degrees));
 }
 
 } // namespace program

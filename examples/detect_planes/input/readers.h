@@ -22,9 +22,9 @@ void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& poin
 void read_table(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,
                 Input_notes& notes);
 
-// Of the properties that CGAL's reader makes of a PLY file: color, intensity and classification get the names and types
-// of point_set.h, others are removed, but for the normals.
-void convert_attributes(Point_set& points);
+// Of the properties that CGAL's reader makes of a PLY file: color, intensity, classification and tolerance get the names
+// and types of point_set.h, others are removed, but for the normals.
+void convert_attributes(const Input_settings& settings, Point_set& points);
 
 } // namespace program
 

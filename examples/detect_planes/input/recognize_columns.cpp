@@ -37,6 +37,29 @@ bool is_number(const Sample& rows, std::size_t column)
   return std::none_of(rows.begin(), rows.end(), [=](const auto& row) { return std::isnan(row[column]); });
 }
 
+// Each but for the first of a kind is passed over.
+template <class Column_of>
+std::vector<Column> columns_by(const std::vector<std::string>& names, Column_of column_of)
+{
+  std::vector<Column> columns;
+  for(const std::string& name : names) {
+    const Column c = column_of(name);
+    columns.push_back(has_column(columns, c) ? Column::none : c);
+  }
+  remove_incomplete(columns);
+  return has_coordinates(columns) ? columns : std::vector<Column>();
+}
+
+Column column_of_geographic_name(const std::string& text)
+{
+  const std::string name = plain_name(text);
+  if(is_in(name, {"lon", "long", "longitude"}))
+    return Column::x;
+  if(is_in(name, {"lat", "latitude"}))
+    return Column::y;
+  return is_in(name, {"height", "h", "altitude", "alt", "elevation"}) ? Column::z : column_of_name(text);
+}
+
 void place(std::vector<Column>& columns, std::size_t first, Column name)
 {
   for(int i = 0; i < 3; ++i)
@@ -63,18 +86,24 @@ bool are_real_colors(const Sample& rows, std::size_t first)
   return all_values(rows, first, [](double x) { return x >= 0 && x <= 1; }) && !are_integer_colors(rows, first);
 }
 
-std::vector<Column> columns_of_header(const std::string& line)
+std::vector<std::string> names_of_header(std::string_view line)
 {
-  std::string_view names = line;
-  names.remove_prefix((std::min)(names.find_first_not_of(" \t#/"), names.size()));
-  Table_values rest(names);
-  std::vector<Column> columns;
-  for(std::string_view name; rest.next(name);) {
-    const Column c = column_of_name(name);
-    columns.push_back(has_column(columns, c) ? Column::none : c);
-  }
-  remove_incomplete(columns);
-  return has_coordinates(columns) ? columns : std::vector<Column>();
+  line.remove_prefix((std::min)(line.find_first_not_of(" \t#/"), line.size()));
+  Table_values rest(line);
+  std::vector<std::string> names;
+  for(std::string_view name; rest.next(name);)
+    names.emplace_back(name);
+  return names;
+}
+
+std::vector<Column> columns_of_names(const std::vector<std::string>& names)
+{
+  return columns_by(names, column_of_name);
+}
+
+std::vector<Column> geographic_columns_of_names(const std::vector<std::string>& names)
+{
+  return columns_by(names, column_of_geographic_name);
 }
 
 std::vector<Column> recognize_columns(const Sample& rows, const std::string& extension)

@@ -6,6 +6,8 @@
 #ifndef DETECT_PLANES_TABLE_COLUMNS_H
 #define DETECT_PLANES_TABLE_COLUMNS_H
 
+#include "input/find_name.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -17,11 +19,14 @@
 
 namespace program {
 
-// `none` is passed over.
-enum class Column { x, y, z, nx, ny, nz, red, green, blue, intensity, classification, none };
+// `tolerance` is that of --tolerance-column, `none` is passed over.
+enum class Column { x, y, z, nx, ny, nz, red, green, blue, intensity, classification, tolerance, none };
 
-constexpr std::array<const char*, 12> column_names = {
-  "x", "y", "z", "nx", "ny", "nz", "r", "g", "b", "intensity", "classification", "_"};
+constexpr std::array<const char*, 13> column_names = {
+  "x", "y", "z", "nx", "ny", "nz", "r", "g", "b", "intensity", "classification", "tolerance", "_"};
+
+// The values of a row, by column.
+using Row_values = std::array<double, std::size_t(Column::none)>;
 
 inline const char* name_of(Column c) { return column_names[std::size_t(c)]; }
 
@@ -90,8 +95,8 @@ inline bool remove_incomplete(std::vector<Column>& columns)
   return is_changed;
 }
 
-// The value of --columns.
-inline std::vector<Column> parse_columns(const std::string& text)
+// The value of --columns; tolerance: that of --tolerance-column.
+inline std::vector<Column> parse_columns(const std::string& text, const std::string& tolerance = "")
 {
   std::vector<Column> columns;
   for(auto first = text.begin(); first != text.end();) {
@@ -100,8 +105,8 @@ inline std::vector<Column> parse_columns(const std::string& text)
     first = std::find_if_not(last, text.end(), is_separator);
     if(name.empty())
       continue;
-    const Column c = column_of_name(name);
-    if(c == Column::none && name != "-" && name != "_")
+    const Column c = mean_the_same(name, tolerance) ? Column::tolerance : column_of_name(name);
+    if(c == Column::none && !is_no_name(name))
       throw std::invalid_argument("--columns has '" + name +
                                   "', must be of x y z nx ny nz r g b intensity classification, or _ for a column to "
                                   "pass over");
@@ -113,6 +118,8 @@ inline std::vector<Column> parse_columns(const std::string& text)
     throw std::invalid_argument("--columns must have x, y and z");
   if(remove_incomplete(columns))
     throw std::invalid_argument("--columns must have all three of nx ny nz or of r g b, or none");
+  if(!tolerance.empty() && !has_column(columns, Column::tolerance))
+    throw std::invalid_argument("--columns has no '" + tolerance + "', which --tolerance-column names");
   return columns;
 }
 
@@ -127,8 +134,14 @@ bool are_normals(const Sample& rows, std::size_t first);
 // Channels from 0 to 1, at least one of which is between.
 bool are_real_colors(const Sample& rows, std::size_t first);
 
-// The columns of a line of names, or none if it does not name x, y and z.
-std::vector<Column> columns_of_header(const std::string& line);
+// The words of a line of names.
+std::vector<std::string> names_of_header(std::string_view line);
+
+// The columns of these names, or none if they do not name x, y and z.
+std::vector<Column> columns_of_names(const std::vector<std::string>& names);
+
+// The same for longitude, latitude and height.
+std::vector<Column> geographic_columns_of_names(const std::vector<std::string>& names);
 
 // The columns of a table without a line of names. In a .pts file the intensity comes before the colors, a
 // .pwn file has normals.

@@ -15,7 +15,8 @@ public:
   // `has_shape_colors`: even if the input has colors.
   Output_points(const Point_set& points, const Point_part& part, const Shapes& shapes, bool has_shape_colors)
     : points(points), part(part), shapes(shapes), intensity(find_property<float>(points, intensity_name)),
-      classification(find_property<std::uint8_t>(points, classification_name))
+      classification(find_property<std::uint8_t>(points, classification_name)),
+      tolerance(find_property<double>(points, tolerance_name))
   {
     if(has_shape_colors)
       return;
@@ -56,6 +57,7 @@ public:
   const Shapes& shapes;
   std::optional<Point_set::Property_map<float>> intensity;
   std::optional<Point_set::Property_map<std::uint8_t>> classification;
+  std::optional<Point_set::Property_map<double>> tolerance; // where points have their own
 
 private:
   std::optional<Point_set::Property_map<Input_color>> colors; // of the input

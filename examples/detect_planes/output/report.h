@@ -8,6 +8,7 @@
 
 #include "output/write_results.h"
 #include "messages.h"
+#include "tolerance/Tolerance_facts.h"
 
 #ifdef __unix__
 #include <sys/resource.h>
@@ -16,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iomanip>
 #include <sstream>
@@ -32,7 +34,9 @@ struct Run {
   std::vector<std::string> warnings;                      // of the reading, and of the result
   std::string normals;                                    // "given", "estimated" or how else
   std::string device = "CPU";
-  std::string mesh; // what there is to say about it
+  Tolerance_facts tolerance;
+  std::size_t zeros = 0; // points at 0 0 0 that --ignore-zeros leaves out
+  std::string mesh;      // what there is to say about it
   int threads = 1, ranks = 1;
   std::uint64_t hash = 0;
   std::size_t peak_bytes = 0; // the largest of a process, before the writing
@@ -121,18 +125,33 @@ inline Json json_of(const CGAL::Tandem::Parameters& p)
   return json;
 }
 
+// Those at 0 0 0 that --ignore-zeros leaves out are counted by themselves.
+inline std::size_t not_finite_points(const CGAL::Tandem::Statistics& s, const Run& run)
+{
+  return s.number_of_ignored_coordinates - run.zeros;
+}
+
 inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json& json)
 {
   json["counts"] = {{"points", s.number_of_points},
                     {"ignored", s.number_of_ignored_points()},
-                    {"ignored_coordinates", s.number_of_ignored_coordinates},
+                    {"ignored_coordinates", not_finite_points(s, run)},
+                    {"ignored_zeros", run.zeros},
                     {"ignored_normals", s.number_of_ignored_normals},
+                    {"ignored_tolerances", s.number_of_ignored_tolerances},
+                    {"far", s.number_of_far_points},
                     {"assigned", s.number_of_assigned_points},
                     {"shapes", s.number_of_shapes},
                     {"directions", s.number_of_directions},
                     {"planes", s.number_of_planes},
                     {"orthogonal_pairs", s.number_of_orthogonal_pairs},
                     {"rounds", s.number_of_rounds}};
+  json["free"] = {{"without_normal", s.free_points.without_normal},
+                  {"misfit", s.free_points.misfit},
+                  {"without_neighbors", s.free_points.without_neighbors},
+                  {"in_small_regions", s.free_points.in_small_regions},
+                  {"clutter", s.free_points.clutter},
+                  {"total", s.free_points.total()}};
   json["criteria"] = {{"coverage", s.coverage},
                       {"mean_distance", s.mean_distance},
                       {"degrees_of_freedom", s.degrees_of_freedom},
@@ -145,6 +164,24 @@ inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json&
                      {"final", s.times.finish},  {"total", s.times.total + run.normal_seconds}};
   json["memory"] = {{"engine_peak_bytes", s.peak_bytes},
                     {"process_peak_bytes", (std::max)(run.peak_bytes, peak_process_bytes())}};
+}
+
+// A list for each member, by shape.
+inline Json uncertainties(const Shapes& shapes)
+{
+  Json centroid = Json::array(), noise = centroid, covariance = centroid, deviation = centroid, angle = centroid;
+  for(const CGAL::Tandem::Plane_uncertainty& u : shapes.data().uncertainty) {
+    centroid.push_back(u.centroid);
+    noise.push_back(u.noise);
+    covariance.push_back(u.normal_covariance);
+    deviation.push_back(u.offset_deviation);
+    angle.push_back(u.angle_deg);
+  }
+  return {{"centroid", centroid},
+          {"noise", noise},
+          {"normal_covariance", covariance},
+          {"offset_deviation", deviation},
+          {"angle_deg", angle}};
 }
 
 inline std::string hash_text(const Run& run)
@@ -164,12 +201,18 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
   for(const std::string& warning : run.warnings)
     json["warnings"].push_back(utf8(warning));
   json["parameters"] = json_of(shapes.parameters());
+  json["tolerance"] = {{"source", utf8(run.tolerance.source)},
+                       {"is_of_each_point", run.tolerance.is_of_each_point},
+                       {"minimum", run.tolerance.smallest},
+                       {"maximum", run.tolerance.largest},
+                       {"note", run.tolerance.note}};
   add_figures(s, run, json);
   json["relations"] = {{"parallel_groups", members_of_groups(shapes, &Shapes::parallel_group)},
                        {"orthogonal_pairs", shapes.orthogonal_groups()},
                        {"coplanar_groups", members_of_groups(shapes, &Shapes::coplanar_group)},
                        {"fixed_direction_of_parallel_groups", shapes.data().fixed_direction},
                        {"symmetry_group_of_parallel_groups", shapes.data().symmetry_group}};
+  json["uncertainty"] = uncertainties(shapes);
   write_json(out, json);
   out << '\n';
 }

@@ -6,6 +6,7 @@
 #ifndef DETECT_PLANES_SUMMARY_H
 #define DETECT_PLANES_SUMMARY_H
 
+#include "output/free_points.h"
 #include "output/report.h"
 #include "messages.h"
 
@@ -14,8 +15,24 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace program {
+
+// The points that cannot be in shapes.
+inline void write_left_out(std::ostream& out, const CGAL::Tandem::Statistics& s, const Run& run)
+{
+  const std::pair<std::size_t, const char*> causes[] = {{not_finite_points(s, run), "not finite"},
+                                                        {run.zeros, "at 0 0 0"},
+                                                        {s.number_of_ignored_normals, "without a normal"},
+                                                        {s.number_of_ignored_tolerances, "without a tolerance"},
+                                                        {s.number_of_far_points, "too far away"}};
+  const char* before = "; ignored: ";
+  for(const auto& [count, cause] : causes) {
+    if(count > 0)
+      out << std::exchange(before, ", ") << count << ' ' << cause;
+  }
+}
 
 inline std::string summary(const Shapes& shapes, const Run& run)
 {
@@ -28,21 +45,28 @@ inline std::string summary(const Shapes& shapes, const Run& run)
   write_visible(out, run.short_input);
   out << '\n' << std::setprecision(4);
   row("points") << s.number_of_points << ", normals " << run.normals;
-  if(s.number_of_ignored_points() > 0)
-    out << "; ignored: " << s.number_of_ignored_coordinates << " not finite, " << s.number_of_ignored_normals
-        << " without a normal";
+  write_left_out(out, s, run);
   out << '\n';
   for(const auto& [word, text] : run.notes) {
     write_visible(row(word.c_str()), text);
     out << '\n';
   }
-  row("parameters") << "maximum distance " << p.maximum_distance << ", angle " << p.maximum_angle
+  row("parameters") << "maximum distance " << p.maximum_distance
+                    << (run.tolerance.source == "estimated" ? " (estimated)" : "") << ", angle " << p.maximum_angle
                     << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset << ", at least "
                     << p.minimum_region_size << " points\n";
+  if(!run.tolerance.note.empty())
+    row("estimate") << run.tolerance.note << '\n';
+  if(run.tolerance.is_of_each_point) {
+    row("tolerances") << run.tolerance.smallest << " to " << run.tolerance.largest << ", by ";
+    write_visible(out, run.tolerance.source);
+    out << '\n';
+  }
   row("shapes") << s.number_of_shapes << " in " << s.number_of_planes << " planes of " << s.number_of_directions
                 << " directions, " << s.number_of_orthogonal_pairs << " orthogonal pairs of directions\n";
   row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "
                  << s.complexity << '\n';
+  row("free") << free_text(s) << '\n';
   row("seconds") << s.times.total + run.normal_seconds << " (normals " << s.times.normals + run.normal_seconds
                  << ", sort " << s.times.sort << ", neighbors " << s.times.neighbors << ", growth " << s.times.growth
                  << ", regularity " << s.times.regularity << ", final " << s.times.finish << "), reading "

@@ -31,6 +31,8 @@ void write_attributes(Binary_writer& binary, const Output_points& cloud, Point_s
     binary.write((*cloud.intensity)[i]);
   if(cloud.classification)
     binary.write((*cloud.classification)[i]);
+  if(cloud.tolerance)
+    binary.write((*cloud.tolerance)[i]);
   binary.write(cloud.shape(i));
 }
 
@@ -42,7 +44,8 @@ void write_ply(std::ostream& out, const Output_points& cloud)
     out << "\nproperty " << (is_double ? "double " : "float ") << name;
   out << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
       << (cloud.intensity ? "property float intensity\n" : "")
-      << (cloud.classification ? "property uchar classification\n" : "") << "property int shape\nend_header\n";
+      << (cloud.classification ? "property uchar classification\n" : "")
+      << (cloud.tolerance ? "property double tolerance\n" : "") << "property int shape\nend_header\n";
   Binary_writer binary(out);
   for(Point_set::Index i : cloud.part) {
     write_coordinates(binary, cloud, i, is_double);
@@ -55,16 +58,19 @@ void write_ply(std::ostream& out, const Output_points& cloud)
 void write_pcd(std::ostream& out, const Output_points& cloud)
 {
   const bool is_double = has_double(cloud);
-  const bool has_intensity = bool(cloud.intensity), has_class = bool(cloud.classification);
+  const bool has_intensity = bool(cloud.intensity), has_class = bool(cloud.classification),
+             has_tolerance = bool(cloud.tolerance);
   const std::string size = is_double ? " 8" : " 4";
   std::string sizes;
   for(int i = 0; i < 6; ++i)
     sizes += size;
   out << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z rgb"
-      << (has_intensity ? " intensity" : "") << (has_class ? " classification" : "") << " shape\nSIZE" << sizes << " 4"
-      << (has_intensity ? " 4" : "") << (has_class ? " 1" : "") << " 4\nTYPE F F F F F F F"
-      << (has_intensity ? " F" : "") << (has_class ? " U" : "") << " I\nCOUNT 1 1 1 1 1 1 1"
-      << (has_intensity ? " 1" : "") << (has_class ? " 1" : "") << " 1\nWIDTH " << cloud.part.size()
+      << (has_intensity ? " intensity" : "") << (has_class ? " classification" : "")
+      << (has_tolerance ? " tolerance" : "") << " shape\nSIZE" << sizes << " 4" << (has_intensity ? " 4" : "")
+      << (has_class ? " 1" : "") << (has_tolerance ? " 8" : "") << " 4\nTYPE F F F F F F F"
+      << (has_intensity ? " F" : "") << (has_class ? " U" : "") << (has_tolerance ? " F" : "")
+      << " I\nCOUNT 1 1 1 1 1 1 1" << (has_intensity ? " 1" : "") << (has_class ? " 1" : "")
+      << (has_tolerance ? " 1" : "") << " 1\nWIDTH " << cloud.part.size()
       << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.part.size() << "\nDATA binary\n";
   Binary_writer binary(out);
   for(Point_set::Index i : cloud.part) {
@@ -78,8 +84,8 @@ void write_pcd(std::ostream& out, const Output_points& cloud)
 void write_table(std::ostream& out, const Output_points& cloud, char separator, const char* comment)
 {
   std::string names = "x y z nx ny nz r g b";
-  names +=
-    std::string(cloud.intensity ? " intensity" : "") + (cloud.classification ? " classification" : "") + " shape";
+  names += std::string(cloud.intensity ? " intensity" : "") + (cloud.classification ? " classification" : "") +
+           (cloud.tolerance ? " tolerance" : "") + " shape";
   std::replace(names.begin(), names.end(), ' ', separator);
   out << comment << names << '\n';
   for(Point_set::Index i : cloud.part) {
@@ -93,6 +99,8 @@ void write_table(std::ostream& out, const Output_points& cloud, char separator, 
       write_shortest(out, (*cloud.intensity)[i], separator);
     if(cloud.classification)
       out << int((*cloud.classification)[i]) << separator;
+    if(cloud.tolerance)
+      write_shortest(out, (*cloud.tolerance)[i], separator);
     out << cloud.shape(i) << '\n';
   }
 }

@@ -13,6 +13,8 @@
 #include "progress.h"
 #include "ranks/processes.h"
 
+#include <CGAL/Tandem/Distance_estimate.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -64,7 +66,13 @@ public:
   // How many threads this rank may have, if the ranks of a machine share its processors; 0: no limit.
   virtual int threads() const { return 0; }
 
-  // The shapes of the points of all ranks. Only where there are many.
+  // What is said of one distance for the points of all ranks. Only where there are many, as the next one.
+  virtual CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& /* own */, const Options&) const
+  {
+    throw std::logic_error("there is one process");
+  }
+
+  // The shapes of the points of all ranks.
   virtual Shapes detect(const Point_set& /* own */, const Options&, Progress_line&) const
   {
     throw std::logic_error("there is one process");

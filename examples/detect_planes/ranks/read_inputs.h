@@ -89,7 +89,7 @@ inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input,
   ranks.together([&] { check_inputs(o.inputs, own); });
   ranks.together([&] {
     const Progress_line progress(!o.is_quiet && ranks.is_first(), "reading");
-    read_clouds(o.inputs, own, input_settings(o.inputs, o.columns, o.classes), cloud);
+    read_clouds(o.inputs, own, input_settings(o.inputs, o.columns, o.classes, o.tolerance_column), cloud);
   });
   run.read_seconds = ranks.largest(timer.time());
   run.input = joined(o.inputs, o.inputs.size());

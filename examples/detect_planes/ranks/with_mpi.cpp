@@ -123,6 +123,11 @@ public:
     return (std::max)(int(std::thread::hardware_concurrency()) / machine.size(), 1);
   }
 
+  CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& own, const Options& o) const override
+  {
+    return program::estimate_distance<CGAL::Tandem::Mpi_tag<CGAL::Sequential_tag>>(own, o);
+  }
+
   Shapes detect(const Point_set& own, const Options& o, Progress_line& progress) const override
   {
     using CGAL::Tandem::Mpi_tag;

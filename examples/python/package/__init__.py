@@ -20,11 +20,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _tandem
-from ._arguments import _count, _labels, _normals, _number, _rows, _switch
+from ._arguments import _count, _labels, _normals, _number, _points, _rows, _switch, _tolerances
 from ._tandem import PlanarShapes, __version__
 
 __all__ = ["EstimatedParameters", "PlanarShapes", "PlaneRelations", "__version__", "backends", "detect_planes",
-           "estimate_parameters", "find_violation", "regularize_planes"]
+           "estimate_local_distances", "estimate_parameters", "find_violation", "regularize_planes"]
 
 Progress = Callable[[float], Optional[bool]]
 
@@ -56,6 +56,7 @@ def detect_planes(
     normals: Optional[npt.ArrayLike] = None,
     *,
     maximum_distance: Optional[float] = None,
+    maximum_distance_map: Optional[npt.ArrayLike] = None,
     maximum_angle: Optional[float] = None,
     angle_tolerance: Optional[float] = None,
     maximum_offset: Optional[float] = None,
@@ -70,6 +71,7 @@ def detect_planes(
     regularize_coplanarity: bool = True,
     fixed_directions: Optional[npt.ArrayLike] = None,
     symmetry_direction: Optional[npt.ArrayLike] = None,
+    ignore_zeros: bool = False,
     backend: str = "auto",
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
@@ -84,8 +86,12 @@ def detect_planes(
         points               (n, 3) numbers. A C-contiguous array of float64 is read where it is, others are converted.
                              Do not change it during the call.
         normals              (n, 3) numbers, of any length and orientation, which are copied; None: estimated
-        maximum_distance     largest distance of a point to the plane of its shape, in units of the points; None:
-                             estimated, as estimate_parameters() does
+        maximum_distance     largest distance of a point to the plane of its shape, in units of the points; None: what
+                             nearly all of maximum_distance_map do not exceed, else estimated, as estimate_parameters()
+                             does. More than the largest of maximum_distance_map is the same as that
+        maximum_distance_map (n,) numbers, which are copied: the same for each point, at most maximum_distance. Points
+                             where it is not positive have no shape, and the statistics count them. None: it is
+                             maximum_distance for all. estimate_local_distances() estimates one
         maximum_angle        largest angle between the normal of a point and that of its shape, in degrees, in
                              [0.05, 90); None: 25
         angle_tolerance      angle within which planes are made parallel or orthogonal, in degrees, in [0, 45); None: 8
@@ -107,6 +113,8 @@ def detect_planes(
                              it. Opposite ones, and those less than 1e-9 radians apart, are one. None: there are none
         symmetry_direction   three numbers: such a direction, too; and shapes that make nearly the same angle with it,
                              such as the sides of a roof, make exactly the same. None: there is none
+        ignore_zeros         whether points exactly at 0 0 0, as invalid pixels of depth cameras are, have no shape, and
+                             nothing depends on them. The points are copied then
         backend              "sequential", "parallel" or "cuda"; "auto" takes the fastest of backends(). All of them
                              give the same result.
         threads              largest number of threads; None: all processors
@@ -122,8 +130,8 @@ def detect_planes(
     points, or an extent of the points of more than 2^24 times maximum_distance; TypeError: an argument that is no
     number; MemoryError; RuntimeError: the back end cannot be used here.
     """
-    rows = _rows("points", points)
-    given = _normals(normals, rows)
+    rows, zeros = _points(points, ignore_zeros)
+    given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), zeros)
     settings = _tandem.default_settings()
     settings.maximum_distance = _number("maximum_distance", maximum_distance)
     settings.maximum_angle = _number("maximum_angle", maximum_angle)
@@ -146,14 +154,27 @@ def detect_planes(
     return _tandem.detect_planes(rows, given, settings, progress)
 
 
-def estimate_parameters(points: npt.ArrayLike, normals: Optional[npt.ArrayLike] = None) -> EstimatedParameters:
+def estimate_parameters(
+    points: npt.ArrayLike, normals: Optional[npt.ArrayLike] = None, *, ignore_zeros: bool = False
+) -> EstimatedParameters:
     """Estimates the parameters that detect_planes() uses where they are not given.
 
     Arguments and errors are those of detect_planes(). The estimate follows from the noise and spacing of the points; a
     stray point far away from all others spoils it.
     """
-    rows = _rows("points", points)
+    rows, _ = _points(points, ignore_zeros)
     return EstimatedParameters(*_tandem.estimate_parameters(rows, _normals(normals, rows)))
+
+
+def estimate_local_distances(
+    points: npt.ArrayLike, normals: Optional[npt.ArrayLike] = None, *, ignore_zeros: bool = False
+) -> npt.NDArray[np.float64]:
+    """Estimates a largest distance for each point from the noise around it, for maximum_distance_map of detect_planes().
+
+    Returns an array of shape (n,), NaN for points that are not valid. Arguments and errors are those of detect_planes().
+    """
+    rows, _ = _points(points, ignore_zeros)
+    return _tandem.estimate_local_distances(rows, _normals(normals, rows))
 
 
 def regularize_planes(
@@ -215,7 +236,7 @@ def find_violation(points: npt.ArrayLike, shapes: PlanarShapes) -> Optional[str]
     """
     if not isinstance(shapes, PlanarShapes):
         raise TypeError(f"shapes must be a result of detect_planes(), not {type(shapes).__name__}")
-    rows = _rows("points", points)
+    rows, _ = _points(points, shapes.statistics["number_of_ignored_zeros"] > 0)
     if len(rows) != len(shapes.labels):
         raise ValueError(f"points has {len(rows)} rows, but shapes were detected in {len(shapes.labels)} points")
     return _tandem.find_violation(rows, shapes) or None

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -33,6 +33,15 @@ def _rows(name: str, values: npt.ArrayLike, columns: int = 3) -> npt.NDArray[np.
     return np.require(array, np.float64, ["C", "A", "E"])
 
 
+def _points(values: npt.ArrayLike, ignore_zeros: bool) -> Tuple[npt.NDArray[np.float64], int]:
+    """Rows, and how many are at 0 0 0, where those are ignored: they are NaN in a copy."""
+    rows = _rows("points", values)
+    if not _switch("ignore_zeros", ignore_zeros):
+        return rows, 0
+    is_zero = ~rows.any(axis=1)
+    return np.where(is_zero[:, None], np.nan, rows), int(np.count_nonzero(is_zero))
+
+
 def _normals(values: Optional[npt.ArrayLike], points: npt.NDArray[np.float64]) -> Optional[npt.NDArray[np.float64]]:
     """A copy, since the result keeps it."""
     if values is None:
@@ -41,6 +50,17 @@ def _normals(values: Optional[npt.ArrayLike], points: npt.NDArray[np.float64]) -
     if len(normals) != len(points):
         raise ValueError(f"normals must have a row for each of the {len(points)} points, but it has {len(normals)}")
     return normals.copy()
+
+
+def _tolerances(values: Optional[npt.ArrayLike], points: int) -> Optional[npt.NDArray[np.float64]]:
+    """A copy, since the result keeps it. Masked numbers are NaN."""
+    if values is None:
+        return None
+    array = _numbers("maximum_distance_map", values, "fiu", "numbers")
+    if array.shape != (points,):
+        raise ValueError(f"maximum_distance_map must have a number for each of the {points} points, the shape "
+                         f"({points},), but it has {array.shape}")
+    return np.array(np.ma.filled(array.astype(np.float64), np.nan), np.float64, order="C")
 
 
 def _labels(labels: npt.ArrayLike, points: int, planes: int) -> npt.NDArray[np.int32]:

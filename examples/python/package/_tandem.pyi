@@ -61,16 +61,24 @@ class Settings:
     symmetry_direction: Optional[Tuple[float, float, float]]
     backend: str
 
+class Given: ...
+
+def given(
+    normals: Optional[npt.NDArray[np.float64]], tolerances: Optional[npt.NDArray[np.float64]], zeros: int
+) -> Given: ...
 def default_settings() -> Settings: ...
 def detect_planes(
     points: npt.NDArray[np.float64],
-    normals: Optional[npt.NDArray[np.float64]],
+    given: Given,
     settings: Settings,
     progress: Optional[Callable[[float], Optional[bool]]],
 ) -> PlanarShapes: ...
 def estimate_parameters(
     points: npt.NDArray[np.float64], normals: Optional[npt.NDArray[np.float64]]
 ) -> Tuple[float, float, int]: ...
+def estimate_local_distances(
+    points: npt.NDArray[np.float64], normals: Optional[npt.NDArray[np.float64]]
+) -> npt.NDArray[np.float64]: ...
 def regularize_planes(
     points: npt.NDArray[np.float64],
     labels: npt.NDArray[np.int32],

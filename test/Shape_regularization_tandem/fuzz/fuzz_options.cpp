@@ -32,6 +32,10 @@ void check_parsed(const program::Options& o)
   expect(o.output.empty() || program::is_known_output(o.output), "format of the output");
   expect(is_in(o.threads, 1, 4096), "threads");
   expect(is_in(o.estimate_normals, 0, 1000), "neighbors of the PCA");
+  expect(!o.noise || (std::isfinite(o.noise->c[0]) && std::isfinite(o.noise->c[1]) && std::isfinite(o.noise->c[2])),
+         "noise");
+  expect(int(o.has_local_distances) + int(o.noise.has_value()) + int(!o.tolerance_column.empty()) <= 1,
+         "tolerances of points");
   expect(o.polygons.size() >= 4 || o.polygons.empty(), "format of the mesh");
   expect(o.backend == "auto" || o.backend == "sequential" || o.backend == "parallel" || o.backend == "cuda",
          "back end");

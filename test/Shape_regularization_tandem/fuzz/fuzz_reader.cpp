@@ -55,21 +55,38 @@ void expect(bool is_true, const char* what)
   std::abort();
 }
 
+namespace {
+
+std::size_t read_with(const std::string& path, const program::Input_settings& settings)
+{
+  program::Point_set points;
+  program::Input_notes notes;
+  try {
+    program::read_cloud(path, settings, false, points, notes);
+  } catch(const std::bad_alloc&) {
+    expect(false, "a small file needs more memory than there is");
+  } catch(const std::exception& e) {
+    expect(std::string(e.what()).compare(0, path.size(), path) == 0, e.what()); // names the file
+    return 0;
+  }
+  expect(!points.empty(), "no points, and no exception");
+  const bool has_tolerances = points.has_property_map<double>(program::tolerance_name);
+  expect(has_tolerances == !settings.tolerance.empty(), "tolerances");
+  return points.size();
+}
+
+} // namespace
+
+// With a tolerance, as many points or none.
 std::size_t read_as_file(const std::uint8_t* bytes, std::size_t size, const char* extension, double least_size)
 {
   static const Scratch_file file(extension);
   file.write(bytes, size);
-  program::Point_set points;
-  program::Input_notes notes;
-  try {
-    program::read_cloud(file.path(), {}, false, points, notes);
-  } catch(const std::bad_alloc&) {
-    expect(false, "a small file needs more memory than there is");
-  } catch(const std::exception& e) {
-    expect(std::string(e.what()).compare(0, file.path().size(), file.path()) == 0, e.what()); // names the file
-    return 0;
-  }
-  expect(!points.empty(), "no points, and no exception");
-  expect(double(points.size()) * least_size <= double(size + 1), "more points than the file has room for");
-  return points.size();
+  const std::size_t count = read_with(file.path(), {});
+  program::Input_settings settings;
+  settings.tolerance = "shape";
+  const std::size_t with_tolerance = read_with(file.path(), settings);
+  expect(with_tolerance == 0 || with_tolerance == count, "points depend on the tolerance");
+  expect(double(count) * least_size <= double(size + 1), "more points than the file has room for");
+  return count;
 }

@@ -42,6 +42,28 @@ macro(check_run code pattern what)
   endif()
 endmacro()
 
+# expect_warnings(argument... WARNINGS pattern...): each pattern matches a warning, and there are no others, also with
+# --quiet, and in the report.
+function(expect_warnings)
+  cmake_parse_arguments(PARSE_ARGV 0 given "" "" "WARNINGS")
+  execute_process(COMMAND "${PROGRAM}" ${given_UNPARSED_ARGUMENTS} --quiet --report w.json WORKING_DIRECTORY "${WORK_DIR}"
+                  RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  file(READ "${WORK_DIR}/w.json" report)
+  string(JSON count LENGTH "${report}" warnings)
+  list(LENGTH given_WARNINGS expected)
+  string(REGEX MATCHALL "detect_planes: warning: " lines "${err}")
+  list(LENGTH lines printed)
+  if(NOT "${status}${out}" STREQUAL "0" OR NOT count EQUAL expected OR NOT printed EQUAL expected)
+    complain("${given_UNPARSED_ARGUMENTS}: ${status}, ${count} warnings instead of ${expected}: ${out}${err}")
+  endif()
+  foreach(pattern IN LISTS given_WARNINGS)
+    if(NOT "${err}" MATCHES "${pattern}" OR NOT "${report}" MATCHES "${pattern}")
+      complain("${given_UNPARSED_ARGUMENTS}: no '${pattern}' in: ${err}")
+    endif()
+  endforeach()
+  set(failures ${failures} PARENT_SCOPE)
+endfunction()
+
 macro(expect_equal what value expected)
   if(NOT "${value}" STREQUAL "${expected}")
     complain("${what} is ${value} instead of ${expected}")

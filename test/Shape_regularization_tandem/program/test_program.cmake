@@ -29,7 +29,8 @@ foreach(member IN ITEMS "parameters;maximum_distance;0.004" "parameters;minimum_
         "criteria;coverage" "criteria;mean_distance" "criteria;complexity" "score;fit" "score;total" "seconds;read" "seconds;normals"
         "seconds;sort" "seconds;neighbors" "seconds;growth" "seconds;regularity" "seconds;final" "seconds;total"
         "memory;process_peak_bytes" "backend" "device;CPU" "hash" "relations;parallel_groups"
-        "relations;orthogonal_pairs" "relations;coplanar_groups")
+        "relations;orthogonal_pairs" "relations;coplanar_groups" "free;misfit" "free;total"
+        "uncertainty;centroid;2;2" "uncertainty;normal_covariance;2;5" "uncertainty;noise" "uncertainty;angle_deg")
   list(LENGTH member length)
   set(path ${member})
   if(length EQUAL 3 OR member STREQUAL "device;CPU")
@@ -241,7 +242,7 @@ foreach(option IN ITEMS help version)
   expect(2 "--threads" --${option} --threads)
 endforeach()
 expect(2 "an option is not known.*--a%canonical_option%b" cube.ply --a%canonical_option%b)
-expect(2 "an option is not known.*'%value%'" cube.ply --maximum-distance %value%)
+expect(2 "an option is not known.*'%value%'" cube.ply --maximum-angle %value%)
 expect(2 "maximum-distance" cube.ply --maximum-distance far)
 expect(2 "maximum-distance" cube.ply --maximum-distance)
 foreach(option IN ITEMS "distance is 0" "distance is -1" "distance is nan" "distance is inf" "angle is 0" "angle is 0.005" "angle is 90" "offset is -1")

@@ -145,6 +145,17 @@ file(STRINGS "${WORK_DIR}/warned" expected REGEX "warnings")
 file(STRINGS "${WORK_DIR}/warned_3" found REGEX "warnings")
 expect_equal("warnings" "${found}" "${expected}")
 
+# --- The same tolerances: of the report and of the planes. Points at 0 0 0 are in one tile.
+expect_shell(0 "^$" "{ cat corner.pts; for i in 1 2 3 4 5; do echo 0 0 0; done; } | awk '{ print $1, $2, $3 }' > zeros.xyz")
+foreach(option IN ITEMS "--noise;0.01 + 0.001*r;--viewpoint;4,1.5,2" "--maximum-distance;auto-local")
+  foreach(n IN ITEMS 1 3)
+    expect_ranks(${n} 0 "; ignored: 5 at 0 0 0.*tolerances .* by (noise|auto-local)" zeros.xyz folder/Middle.XYZ last.xyz ${option}
+                 --ignore-zeros --planes tolerances_${n}.planes --report tolerances_${n}.json)
+    expect_shell(0 "^$" "sed -n '/\"tolerance\": {/,/}/p; /\"ignored_zeros\"/p' tolerances_${n}.json > tolerances_${n}.rows")
+  endforeach()
+  expect_shell(0 "^$" "cmp tolerances_1.planes tolerances_3.planes; diff tolerances_1.rows tolerances_3.rows; test -s tolerances_3.rows")
+endforeach()
+
 # --- A rank that gets a signal, once all tiles were read
 file(WRITE "${WORK_DIR}/signals.sh" [=[
 for tile in 0 1 2; do

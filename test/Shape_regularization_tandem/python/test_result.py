@@ -45,6 +45,27 @@ class Guarantees(unittest.TestCase):
         for first, second in shapes.orthogonal_pairs:
             self.assertLessEqual(abs(directions[first] @ directions[second]), 1e-15)
 
+    def test_uncertainties(self):
+        points = room()[0]
+        shapes = shapes_of_room()
+        u = shapes.uncertainties
+        for s, plane in enumerate(shapes.planes):
+            own = points[shapes.points_of(s)]
+            np.testing.assert_allclose(u["centroid"][s], own.mean(axis=0), atol=1e-3 * MAXIMUM_DISTANCE)
+            noise = np.sqrt(((own @ plane[:3] + plane[3]) ** 2).sum() / (len(own) - 3))
+            self.assertAlmostEqual(u["noise"][s], noise, delta=5e-3 * MAXIMUM_DISTANCE)
+            self.assertAlmostEqual(u["offset_deviation"][s], u["noise"][s] / np.sqrt(len(own)))
+            covariance = u["normal_covariance"][s]
+            np.testing.assert_allclose(covariance @ plane[:3], 0, atol=1e-12 * np.trace(covariance))
+            self.assertAlmostEqual(u["angle_deg"][s], np.degrees(np.sqrt(np.linalg.eigvalsh(covariance)[2])))
+
+    def test_free_points(self):
+        shapes = shapes_of_room()
+        reasons = dict(shapes.statistics["free_points"])
+        total = reasons.pop("total")
+        self.assertEqual((total, sum(reasons.values())), (np.count_nonzero(shapes.labels == -1),) * 2)
+        self.assertEqual(list(reasons), ["without_normal", "misfit", "without_neighbors", "in_small_regions", "clutter"])
+
     def test_points_of_shapes(self):
         shapes = shapes_of_room()
         for s in range(len(shapes)):
