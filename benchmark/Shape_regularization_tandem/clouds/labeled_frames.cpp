@@ -78,13 +78,16 @@ struct View {
   std::string name;
   Vec position, target; // in the frame of the office
 };
+const View corner = {"corner", {0.4, 0.4, 1.7}, {4, 3.2, 0.8}}, shelves = {"shelves", {3.2, 0.9, 1.5}, {2.2, 4.5, 0.9}};
 
-Labeled_frame depth_image(const View& view, const Noise& noise)
+const Frame office_frame = Frame().turned({0, 0, 1}, 0.17);
+
+Labeled_frame depth_image(const View& view, const Noise& noise, double step = 0)
 {
   const auto make = [=] {
-    const Frame office = Frame().turned({0, 0, 1}, 0.17);
-    Sensor sensor = camera(office.point(view.position), office.point(view.target));
+    Sensor sensor = camera(office_frame.point(view.position), office_frame.point(view.target));
     sensor.noise = 1e-3 * noise.millimetres;
+    sensor.step = step;
     return scan(scenes::make_office(), sensor);
   };
   return {"camera", "camera-" + view.name + "-" + std::to_string(noise.millimetres) + "mm", make,
@@ -173,13 +176,27 @@ std::vector<Labeled_frame> labeled_frames()
     list.push_back(scanned_room("room", office, 400, noise));
   for(const Noise& noise : noises)
     list.push_back(scanned_room("tilted room", tilted, 400, noise));
-  const View views[] = {{"corner", {0.4, 0.4, 1.7}, {4, 3.2, 0.8}}, {"shelves", {3.2, 0.9, 1.5}, {2.2, 4.5, 0.9}}};
-  for(const View& view : views)
+  for(const View& view : {corner, shelves})
     for(const Noise& noise : noises)
       list.push_back(depth_image(view, noise));
   for(unsigned points : {3000u, 1000u, 300u})
     for(const std::string& kind : scenes::roof_kinds())
       list.push_back(roof(kind, points));
+  return list;
+}
+
+std::vector<Depth_frame> depth_frames()
+{
+  std::vector<Depth_frame> list;
+  for(const View& view : {corner, shelves})
+    for(const int millimetres : {10, 25})
+      for(const double step : {0., .02}) {
+        const double noise = 1e-3 * millimetres;
+        Depth_frame f = {depth_image(view, {millimetres, 0, 0, cosine_8}, step), office_frame.point(view.position),
+                         std::sqrt(noise * noise + step * step / 12)};
+        f.frame.name += step > 0 ? "-steps" : "";
+        list.push_back(f);
+      }
   return list;
 }
 

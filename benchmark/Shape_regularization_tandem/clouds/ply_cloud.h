@@ -25,10 +25,11 @@ using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
 struct Ply_cloud {
   std::vector<Vec> points;
-  std::vector<Vec> normals;        // empty if there are none
-  std::vector<std::int32_t> label; // empty if there is none
-  bool is_double = false;          // how the coordinates were, or shall be, stored
-  std::vector<Color> color = {};   // empty if there is none; written, not read
+  std::vector<Vec> normals;            // empty if there are none
+  std::vector<std::int32_t> label;     // empty if there is none
+  bool is_double = false;              // how the coordinates were, or shall be, stored
+  std::vector<Color> color = {};       // empty if there is none; written, not read
+  std::vector<double> tolerances = {}; // of the points; empty: all have that of the task. For Tandem, in this process
 
   bool has_normals() const { return !normals.empty(); }
   bool has_color() const { return !color.empty(); }

@@ -57,6 +57,13 @@ double noise_of(const Sensor& sensor, double distance)
   return sensor.noise * (sensor.kind == Sensor_kind::camera ? share * share : share);
 }
 
+// Along the ray. The inverse of the depth is rounded, along the axis of the camera.
+double in_steps(const Sensor& sensor, const Ray& ray, double distance)
+{
+  const double step = sensor.step / 9, cosine = dot(ray.direction, sensor.pose.z);
+  return step > 0 ? 1 / (std::round(1 / (step * distance * cosine)) * step * cosine) : distance;
+}
+
 // The pixels that met something, with the index of their point.
 class Image {
 public:
@@ -134,7 +141,7 @@ Scene scan(const Model& model, const Sensor& sensor)
         continue;
       image(int(column), int(row)) = std::int32_t(scene.points.size());
       scene.ideal.push_back(add_scaled(ray.origin, hit.distance, ray.direction));
-      scene.points.push_back(add_scaled(ray.origin, hit.distance + noise, ray.direction));
+      scene.points.push_back(add_scaled(ray.origin, in_steps(sensor, ray, hit.distance + noise), ray.direction));
       scene.label.push_back(hit.label);
     }
   split_faces(image, model, scene);

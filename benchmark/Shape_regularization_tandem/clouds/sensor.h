@@ -27,6 +27,7 @@ struct Sensor {
   double lowest = 0;    // elevation of the first row of a scanner
   double noise = 0;     // sigma at a distance of three units; of an aerial sensor: everywhere
   std::uint64_t seed = 1;
+  double step = 0; // of depth, as a camera measures disparities: at three units, growing with the square
 };
 
 // Without normals; `ideal` has the points without noise, and each face its plane.

@@ -50,12 +50,33 @@ Parameters parameters_of(const Task& task)
   return p;
 }
 
+// The tolerance of an item of the range.
+struct Tolerance_map {
+  using key_type = Point_with_normal;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  const Point_with_normal* first;
+  const double* tolerance;
+
+  friend double get(const Tolerance_map& map, const Point_with_normal& item)
+  {
+    return map.tolerance[&item - map.first];
+  }
+};
+
 template <class Tag>
-Shapes detect(const std::vector<Point_with_normal>& range, const Task& task, bool estimates)
+Shapes detect(const std::vector<Point_with_normal>& range, const std::vector<double>& tolerances, const Task& task,
+              bool estimates)
 {
   namespace np = Tandem::parameters;
   const auto all = np::settings(parameters_of(task)).maximum_offset(task.offset()).point_map(Point_map());
-  return estimates ? detect_planes<Tag>(range, all) : detect_planes<Tag>(range, all.normal_map(Normal_map()));
+  const auto with_normals = [&](const auto& list) {
+    return estimates ? detect_planes<Tag>(range, list) : detect_planes<Tag>(range, list.normal_map(Normal_map()));
+  };
+  return tolerances.empty() ? with_normals(all)
+                            : with_normals(all.maximum_distance_map(Tolerance_map{range.data(), tolerances.data()}));
 }
 
 Run run_of(const Shapes& shapes, bool has_estimated)
@@ -88,9 +109,10 @@ Run detect_step(const Ply_cloud& cloud, const Task& task, const Run&)
   const std::vector<Point_with_normal> range = range_of(cloud);
   const bool estimates = estimates_normals(cloud, task);
   if(std::is_same<Tag, Cuda_tag>::value)
-    detect<Tag>(range, task, estimates); // the first call sets up the device, which is not the method's time
+    detect<Tag>(range, cloud.tolerances, task,
+                estimates); // the first call sets up the device, which is not the method's time
   Meter meter;
-  const Shapes shapes = detect<Tag>(range, task, estimates);
+  const Shapes shapes = detect<Tag>(range, cloud.tolerances, task, estimates);
   const double seconds = meter.lap(), processor = meter.processor();
   const std::size_t bytes = meter.peak_bytes();
   Run run = run_of(shapes, estimates);

@@ -38,7 +38,7 @@ void tandem_neighbors(benchmark::State& state)
   Backend backend;
   for(auto _ : state) {
     const internal::Code_frame frame = internal::make_code_frame(in.point.data(), in.size());
-    const auto order = internal::sort_along_curve(backend, in.point.data(), in.size(), frame);
+    const auto order = internal::sort_along_curve(backend, {in.point.data(), in.size()}, frame);
     typename Backend::template Buffer<internal::Grid_point> sorted(in.size());
     backend.for_each(in.size(), [&](std::size_t i) { sorted[i] = in.point[order.view().index(i)]; });
     typename Backend::template Buffer<std::uint32_t> rows(in.size() * k_neighbors);
