@@ -38,7 +38,8 @@ struct Options {
   std::optional<std::array<double, 3>> symmetry_direction, viewpoint;
   std::string backend = "auto";
   bool has_local_distances = false; // of --maximum-distance auto-local, or of auto where the noise varies
-  std::string local_note;           // why auto has become auto-local
+  double estimated_distance = 0;    // of auto
+  std::string estimate_note;        // what is said of it
   bool ignores_zeros = false;
   bool has_group_for_each_plane = false, has_triangles_only = false, is_oriented = false, is_quiet = false;
   bool wants_help = false, wants_version = false;

@@ -159,7 +159,7 @@ std::vector<std::string> all_warnings(const Point_set& points, const Shapes& sha
   return warnings;
 }
 
-// Where the noise varies, an automatic distance is one for each point.
+// An automatic distance is estimated here, once. Where the noise varies, it is one for each point.
 void choose_tolerances(const Point_set& points, const Ranks& ranks, Options& o)
 {
   if(o.maximum_distance || has_tolerance_of_each_point(o))
@@ -167,10 +167,13 @@ void choose_tolerances(const Point_set& points, const Ranks& ranks, Options& o)
   const CGAL::Tandem::Distance_estimate estimate = ranks.are_many()
                                                      ? ranks.estimate_distance(points, o)
                                                      : estimate_distance<CGAL::Parallel_if_available_tag>(points, o);
-  o.has_local_distances = estimate.noise_varies;
-  if(estimate.noise_varies)
-    o.local_note = estimate.note.substr(0, estimate.note.find(':')) +
-                   ": each point has a tolerance of its own (--maximum-distance D is one for all)";
+  o.estimate_note = with_options(estimate.note);
+  if(estimate.noise_varies) {
+    o.has_local_distances = true;
+    o.estimated_distance = 0; // the tolerances bound it
+    o.estimate_note = estimate.note.substr(0, estimate.note.find(':')) +
+                      ": each point has a tolerance of its own (--maximum-distance D is one for all)";
+  }
 }
 
 void run(Options o, Ranks& ranks, Made_folders& folders)

@@ -80,7 +80,7 @@ inline CGAL::Tandem::Parameters parameters_of(const Options& o)
   } catch(const std::invalid_argument& e) {
     throw option_error(e.what(), o);
   }
-  p.maximum_distance = o.maximum_distance.value_or(0);
+  p.maximum_distance = o.maximum_distance.value_or(o.estimated_distance);
   p.minimum_region_size = count_of(o.minimum_region_size, 0);
   return p;
 }
@@ -94,12 +94,13 @@ Shapes detect_with(const Point_set& points, const Named_parameters& np)
   return CGAL::Tandem::detect_planes<Tag>(points, np);
 }
 
-// What is said of one distance for all points, if it is to be estimated.
+// Estimates one distance for all points; returns what is to be said of it.
 template <class Tag>
-CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& points, const Options& o)
+CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& points, Options& o)
 {
   CGAL::Tandem::Distance_estimate estimate;
-  CGAL::Tandem::estimate_parameters<Tag>(points, CGAL::Tandem::parameters::settings(parameters_of(o)), &estimate);
+  const auto list = CGAL::Tandem::parameters::settings(parameters_of(o));
+  o.estimated_distance = CGAL::Tandem::estimate_parameters<Tag>(points, list, &estimate).maximum_distance;
   return estimate;
 }
 

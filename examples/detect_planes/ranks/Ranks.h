@@ -66,8 +66,8 @@ public:
   // How many threads this rank may have, if the ranks of a machine share its processors; 0: no limit.
   virtual int threads() const { return 0; }
 
-  // What is said of one distance for the points of all ranks. Only where there are many, as the next one.
-  virtual CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& /* own */, const Options&) const
+  // Estimates one distance for the points of all ranks. Only where there are many, as the next one.
+  virtual CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& /* own */, Options&) const
   {
     throw std::logic_error("there is one process");
   }

@@ -123,7 +123,7 @@ public:
     return (std::max)(int(std::thread::hardware_concurrency()) / machine.size(), 1);
   }
 
-  CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& own, const Options& o) const override
+  CGAL::Tandem::Distance_estimate estimate_distance(const Point_set& own, Options& o) const override
   {
     return program::estimate_distance<CGAL::Tandem::Mpi_tag<CGAL::Sequential_tag>>(own, o);
   }

@@ -105,7 +105,7 @@ inline Tolerance_facts tolerance_facts(const Point_set& points, const Options& o
   const double maximum_distance = shapes.parameters().maximum_distance;
   Tolerance_facts facts;
   facts.source = source_of_tolerances(o);
-  facts.note = o.local_note.empty() ? with_options(shapes.statistics().estimate_note) : o.local_note;
+  facts.note = o.estimate_note.empty() ? with_options(shapes.statistics().estimate_note) : o.estimate_note;
   facts.is_of_each_point = has_tolerance_of_each_point(o);
   facts.smallest = facts.mean = facts.largest = maximum_distance;
   if(!facts.is_of_each_point)
