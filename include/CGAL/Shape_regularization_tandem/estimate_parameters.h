@@ -27,8 +27,8 @@ namespace Tandem {
 
 The manual has the numbers, and how noise and spacing are measured: \ref Tandem_parameters_estimated.
 
-Copies of a point count once, and up to a hundredth of the points do not count if they are far from all others. Where given
-normals have sides, the two sides of a thin wall count each by itself. The estimate is computed on the host, whatever the
+Copies of a point count once. Points far from all others do not count where they are at most a hundredth at each end of each
+axis. Where given normals have sides, the two sides of a thin wall count each by itself. The estimate is computed on the host, whatever the
 tag.
 
 Points with coordinates that are not finite, and points whose given normal is null or not finite, do not count. The
