@@ -27,9 +27,9 @@ namespace Tandem {
 
 The manual has the numbers, and how noise and spacing are measured: \ref Tandem_parameters_estimated.
 
-Copies of a point count once. Points far from all others do not count where they are at most a hundredth at each end of each
-axis. Where given normals have sides, the two sides of a thin wall count each by itself. The estimate is computed on the host, whatever the
-tag.
+Copies of a point count once. Points far from all others do not count where they are at most a hundredth at each end of
+each axis. Where given normals have sides, the two sides of a thin wall count each by itself. The estimate is computed
+on the host, whatever the tag.
 
 Points with coordinates that are not finite, and points whose given normal is null or not finite, do not count. The
 estimate does not depend on the order of the points. All lengths are in the units of the points.
@@ -40,7 +40,7 @@ estimate does not depend on the order of the points. All lengths are in the unit
 
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range
 \throw std::length_error more than 2^31 points (of one process)
-\throw std::range_error `maximum_distance` is not given, and the extent of the points is more than 2^24 times 1e270
+\throw std::range_error `maximum_distance` is not given, and more than one point in twenty is beyond 2^24 times 1e270
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,12 @@ inline bool is_inside(const Coordinate_box& box, const Vector& p)
 {
   return box.low[0] <= p.x && p.x <= box.high[0] && box.low[1] <= p.y && p.y <= box.high[1] && box.low[2] <= p.z &&
          p.z <= box.high[2];
+}
+
+inline bool is_inside(const Coordinate_box& box, const Coordinate_box& part)
+{
+  return is_inside(box, Vector{part.low[0], part.low[1], part.low[2]}) &&
+         is_inside(box, Vector{part.high[0], part.high[1], part.high[2]});
 }
 
 // Counts of the points in so many slices of a box, along each axis.
@@ -88,20 +95,32 @@ inline Coordinate_box without_ends(const Coordinate_box& box, const std::vector<
   return inner;
 }
 
+// The box of the points without those that no grid can hold, if they are few.
+template <class Backend>
+Coordinate_box box_within_grids(Backend& backend, const Import& in)
+{
+  const double largest = std::ldexp(largest_length, 24);
+  Coordinate_box box = in.box;
+  for(int c = 0; c < 3; ++c) {
+    box.low[c] = (std::max)(box.low[c], -largest);
+    box.high[c] = (std::min)(box.high[c], largest);
+  }
+  if(is_inside(box, in.box))
+    return in.box;
+  const std::vector<std::uint64_t> count = count_slices(backend, in, box);
+  const std::uint64_t inside = std::accumulate(count.begin(), count.begin() + box_slices, std::uint64_t(0));
+  const auto outside = std::int64_t(in.total.points) - std::int64_t(inside);
+  return tuning::grid::far_share.is_exceeded(outside, std::int64_t(in.total.points)) ? in.box : box;
+}
+
 // The box of the points without few that are far from all others: as long as all but those fit into a box that is much
 // smaller, it is that one. Boxes of other clouds stay as they are.
 template <class Backend>
 Coordinate_box box_of_most(Backend& backend, const Import& in)
 {
   using namespace tuning::estimation;
-  Coordinate_box box = in.box;
   in.download_values();
-  const double largest = std::ldexp(largest_length, 24); // no grid has more
-  for(int c = 0; c < 3; ++c)
-    if(box.low[c] < largest && box.high[c] > -largest) {
-      box.low[c] = (std::max)(box.low[c], -largest);
-      box.high[c] = (std::min)(box.high[c], largest);
-    }
+  Coordinate_box box = box_within_grids(backend, in);
   while(box.extent() > smallest_length && box.extent() < HUGE_VAL) {
     const Coordinate_box inner = without_ends(box, count_slices(backend, in, box));
     if(!(inner.extent() < far_extent * box.extent()))
@@ -116,13 +135,11 @@ template <class Backend>
 Host_buffer<Grid_point> points_in_box(Backend& backend, const Import& in, const Grid& grid, const Coordinate_box& box)
 {
   in.download_values();
-  const bool has_all = is_inside(box, {in.box.low[0], in.box.low[1], in.box.low[2]}) &&
-                       is_inside(box, {in.box.high[0], in.box.high[1], in.box.high[2]});
   const auto place = [&](std::size_t i) {
     const std::uint32_t normal = in.has_normals ? encode_normal(in.normal(i)) : no_normal;
     return to_grid(grid, 1 / grid.step, in.position(i), normal);
   };
-  if(has_all) {
+  if(is_inside(box, in.box)) {
     Host_buffer<Grid_point> point(in.size());
     backend.for_each(in.size(), [&](std::size_t i) { point[i] = place(i); });
     return point;
