@@ -8,6 +8,7 @@
 
 #include "testing/Reverse_backend.h"
 #include "testing/test_support.h"
+#include "testing/work.h"
 
 #include <CGAL/Tandem/internal/backend/concepts.h>
 
@@ -28,6 +29,7 @@ int main()
       const Shapes reverse = detect<Reverse_tag>(cloud, parameters, given);
       CHECK_AT(reverse.hash() == expected.hash(), name);
       CHECK_AT(reverse.statistics().backend == std::string("reverse"), name);
+      check_same_work(reverse.statistics().work, expected.statistics().work, name);
       shapes += expected.number_of_shapes();
     }
   CHECK_AT(shapes > 30, std::to_string(shapes));

@@ -28,6 +28,7 @@ public:
   template <class F>
   void for_each(std::size_t n, F f, std::size_t = 0)
   {
+    counter().add_loop(n);
     while(n > 0)
       f(--n);
   }
@@ -35,6 +36,7 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
+    const One_loop loop(counter(), n);
     for_each((n + grain - 1) / grain, [&](std::size_t p) { f(p * grain, (std::min)((p + 1) * grain, n)); });
   }
 
@@ -47,21 +49,24 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
+    counter().add_cells(cells);
     const auto scratch = std::make_unique<Scratch>();
-    for_each(cells, [&](std::size_t c) {
+    for(std::size_t c = cells; c > 0; --c) {
       Serial_block block;
-      body(block, *scratch, std::uint32_t(c));
-    });
+      body(block, *scratch, std::uint32_t(c - 1));
+    }
   }
 
   void sort(Sort_table& table)
   {
+    counter().add_loop(table.size());
     using Entry = Sort_table::Entry;
     std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t)
   {
+    const One_loop loop(counter(), size);
     for_each(ranges, [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
   }
 

@@ -134,7 +134,7 @@ inline void add_parameters(Words& words, const Parameters& p)
   words.insert(words.end(), {p.minimum_region_size, p.k_neighbors, p.cell_size});
 }
 
-// All but times, memory, and the name of the back end.
+// All but times, work, memory, and the name of the back end.
 inline void add_statistics(Words& words, const CGAL::Tandem::Statistics& s)
 {
   words.insert(words.end(),

@@ -142,6 +142,20 @@ inline std::string graph_violation(const Shapes_data& data, const Graph_counts& 
   });
 }
 
+// What no detection does can be told from what one does only roughly.
+inline std::string work_violation(const Stage_work& stages)
+{
+  const auto& [prepare, rounds, finish] = stages;
+  for(const Work* w : {&prepare, &rounds, &finish}) {
+    const auto& [over_points, over_lists, over_shapes, launches, waits, bytes] = *w;
+    for(const double number :
+        {over_points, over_lists, double(over_shapes), double(launches), double(waits), double(bytes)})
+      if(!(number >= 0 && number < 1e18))
+        return "the work of a stage is " + to_text(number);
+  }
+  return {};
+}
+
 // Seconds, rounds and bytes cannot be measured again.
 inline std::string cost_violation(const Statistics& t, const Import& in, const Point_sums& sums)
 {
@@ -162,6 +176,9 @@ inline std::string cost_violation(const Statistics& t, const Import& in, const P
   if(sums.peak_bytes > most_bytes * in.total.points + other_bytes ||
      (t.number_of_shapes > 0 && sums.peak_bytes < least_bytes * in.total.points))
     return "the tables of " + to_text(in.total.points) + " points had " + to_text(sums.peak_bytes) + " bytes";
+  const std::string wrong_work = work_violation(t.work);
+  if(!wrong_work.empty())
+    return wrong_work;
   return t.backend.empty() ? "there is no back end" : "";
 }
 

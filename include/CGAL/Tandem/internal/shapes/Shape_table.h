@@ -80,6 +80,14 @@ private:
   bool has_fits_ = false;
 };
 
+// Changes the number of ids. Loops of as many items or fewer count as loops over shapes.
+template <class Backend>
+void set_number_of_shapes(Backend& backend, Shape_table<Backend>& shapes, std::size_t n)
+{
+  shapes.size = n;
+  backend.counter().set_shapes(n);
+}
+
 template <class Backend, class F>
 void for_each_shape(Backend& backend, const Shape_table<Backend>& shapes, F f)
 {

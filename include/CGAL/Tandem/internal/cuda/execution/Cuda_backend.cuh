@@ -49,6 +49,7 @@ public:
   {
     if(n == 0)
       return;
+    counter_.add_loop(n);
     const std::size_t lanes = grain < item_lanes ? 32 : item_lanes;
     const std::size_t blocks = (std::min)((n + lanes - 1) / lanes, std::size_t(1) << 20);
     run_items<<<unsigned(blocks), unsigned(lanes), 0, stream_of_thread()>>>(n, f);
@@ -59,6 +60,7 @@ public:
   template <class F>
   void for_each_on_host(std::size_t n, F f, std::size_t few = 256)
   {
+    counter_.add_loop(n);
     host_.for_each_on_host(n, f, few);
   }
 
@@ -68,6 +70,7 @@ public:
   {
     if(cells == 0)
       return;
+    counter_.add_cells(cells);
     if constexpr(sizeof(Scratch) <= shared_bytes)
       run_cells<Scratch><<<unsigned(cells), cell_lanes, sizeof(Scratch), stream_of_thread()>>>(
         cells == order_.size() ? order_.data() : nullptr, body);
@@ -92,7 +95,11 @@ public:
     for_each(cells.size(), Take_indices{order.view(), order_.data()});
   }
 
-  void sort(Sort_table& table) { table.sort(); }
+  void sort(Sort_table& table)
+  {
+    counter_.add_loop(table.size());
+    table.sort();
+  }
 
   // Runs, then passes that double their width; keys change between two buffers. Starts in the buffer from which the
   // last pass ends in `key`.
@@ -100,6 +107,7 @@ public:
   {
     if(ranges == 0)
       return;
+    const One_loop loop(counter_, size);
     std::size_t passes = 0;
     while(keys_of_run << passes < largest)
       ++passes;
@@ -119,6 +127,7 @@ public:
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
+    counter_.add_loop(n);
     constexpr std::size_t large = std::size_t(1) << 18;
     Buffer<std::uint32_t> kept(n);
     const std::size_t size = select(n, is_kept, kept.data());
@@ -136,6 +145,7 @@ public:
   template <class T, class F>
   Buffer<T> collect(std::size_t n, F f)
   {
+    counter_.add_loop(n);
     Buffer<std::uint32_t> found(n);
     Buffer<T> items(select(n, Has_item<F>{f}, found.data()));
     for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()});
@@ -149,6 +159,7 @@ public:
     std::array<std::int64_t, N> total = {};
     if(n == 0)
       return total;
+    counter_.add_loop(n);
     const std::size_t blocks = (std::min)((n + sum_lanes - 1) / sum_lanes, std::size_t(256));
     auto* const sums = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(blocks * N * sizeof(std::int64_t)));
     sum_items<N><<<unsigned(blocks), sum_lanes, 0, stream_of_thread()>>>(n, f, sums);
@@ -163,18 +174,34 @@ public:
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
+    counter_.add_loop(items);
     launch_rounds(maximum_rounds, items, rounds);
   }
 
   template <class T, class F>
   Buffer<T> make_buffer(std::size_t n, F f)
   {
+    counter_.add_loop(n);
     Buffer<T> items(n);
     make_on_device(n, f, items.data());
     return items;
   }
 
   void wait() { synchronize(); }
+
+  Work_counter& counter() { return counter_; }
+
+  // Loops, and what this thread has asked of its devices so far: a difference is of this back end if the thread uses no
+  // other one meanwhile.
+  Work_counts work() const
+  {
+    const Device_work& device = Device_work::of_thread();
+    Work_counts counts = counter_.counts();
+    counts.launches = device.launches;
+    counts.waits = device.waits;
+    counts.bytes_copied = device.bytes_copied;
+    return counts;
+  }
 
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
@@ -217,6 +244,7 @@ public:
 
 private:
   Parallel_host host_;
+  Work_counter counter_;
   Buffer<std::uint32_t> order_; // cells by falling size: see expect_cells()
 
   // What a block has on all devices without a further setting, less the shared variables of Cuda_block.

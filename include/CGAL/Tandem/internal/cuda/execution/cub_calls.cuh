@@ -25,6 +25,7 @@ void with_cub_memory(Call call)
   std::size_t bytes = 0;
   CGAL_TANDEM_CUDA(call(nullptr, bytes));
   Device_buffer<unsigned char> memory(bytes + 1);
+  ++Device_work::of_thread().launches;
   CGAL_TANDEM_CUDA(call(memory.data(), bytes));
 }
 

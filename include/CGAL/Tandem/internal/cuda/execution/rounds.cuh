@@ -52,6 +52,7 @@ void launch_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
   const std::size_t useful =
     (std::max)(items / (item_lanes * items_of_lane), (std::min)(items / item_lanes, small_grid)) + 1;
   void* arguments[] = {&maximum_rounds, &rounds};
+  ++Device_work::of_thread().launches;
   CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
                                                arguments, 0, stream_of_thread()));
 }

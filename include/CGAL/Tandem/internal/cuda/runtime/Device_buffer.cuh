@@ -23,6 +23,13 @@ namespace internal {
 // The stream per thread of the runtime is as fast as own streams, and needs no management.
 inline cudaStream_t stream_of_thread() { return cudaStreamPerThread; }
 
+// Waits until all work that this thread has queued on its current device is done.
+inline void wait_for_stream()
+{
+  ++Device_work::of_thread().waits;
+  CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+}
+
 // A pool for each device, made at its first use. Not the default pools: their settings belong to the caller.
 class Memory_pools {
 public:
@@ -134,7 +141,7 @@ private:
     const std::size_t bytes = size * sizeof(T);
     void* memory = nullptr;
     if(bytes >= large)
-      CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+      wait_for_stream();
     if(bytes > 0)
       CGAL_TANDEM_CUDA(
         cudaMallocFromPoolAsync(&memory, bytes, Memory_pools::of_device(current_device()), stream_of_thread()));

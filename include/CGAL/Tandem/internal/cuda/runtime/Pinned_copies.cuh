@@ -147,10 +147,13 @@ inline void empty_pinned_pieces(std::initializer_list<Copy_to_host> tables)
 {
   constexpr std::size_t maximum = Pinned_pair::bytes / 2; // small, since its two copies follow each other
   std::vector<Copy_to_host> pieces;
-  for(const Copy_to_host& table : tables)
+  for(const Copy_to_host& table : tables) {
+    Device_work::of_thread().bytes_copied += table.bytes;
     for(std::size_t first = 0; first < table.bytes; first += maximum)
       pieces.push_back({static_cast<const char*>(table.source) + first, static_cast<char*>(table.target) + first,
                         (std::min)(maximum, table.bytes - first)});
+  }
+  ++Device_work::of_thread().waits;
   const int device = current_device();
   std::atomic<std::size_t> next(0);
   Parallel_host().for_each_piece((std::min)(pieces.size(), maximum_copying_threads), 1, [&](std::size_t, std::size_t) {

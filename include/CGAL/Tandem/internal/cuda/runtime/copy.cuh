@@ -42,7 +42,7 @@ public:
     static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
   }
 
-  // So many bytes, at most Pinned_block::bytes. Waits for the stream if the block is full.
+  // So many bytes, at most Pinned_block::bytes, for one copy. Waits for the stream if the block is full.
   char* take(std::size_t bytes)
   {
     if(block_ == nullptr)
@@ -51,13 +51,14 @@ public:
       synchronize();
     char* const memory = block_->data() + used_;
     used_ += (bytes + 63) / 64 * 64;
+    Device_work::of_thread().bytes_copied += bytes;
     return memory;
   }
 
   // Waits for the stream. All copies have ended then, so all of the block is free again.
   void synchronize()
   {
-    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+    wait_for_stream();
     used_ = 0;
   }
 

@@ -6,6 +6,8 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH
 
+#include <CGAL/Tandem/internal/cuda/runtime/Device_work.cuh>
+
 #include <cuda_runtime.h>
 
 #include <stdexcept>
@@ -25,6 +27,13 @@ inline void check_cuda(cudaError_t error, const char* expression, const char* fi
                            ") in " + expression + ", " + file + ":" + std::to_string(line));
 }
 
+// Counts a launch, and throws if it has failed.
+inline void check_launch(const char* file, int line)
+{
+  ++Device_work::of_thread().launches;
+  check_cuda(cudaGetLastError(), "a launch", file, line);
+}
+
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL
@@ -33,6 +42,6 @@ inline void check_cuda(cudaError_t error, const char* expression, const char* fi
 #define CGAL_TANDEM_CUDA(expression) ::CGAL::Tandem::internal::check_cuda(expression, #expression, __FILE__, __LINE__)
 
 // After a launch, which returns nothing. Finds failures of the launch, not of the kernel.
-#define CGAL_TANDEM_CUDA_LAUNCHED() CGAL_TANDEM_CUDA(cudaGetLastError())
+#define CGAL_TANDEM_CUDA_LAUNCHED() ::CGAL::Tandem::internal::check_launch(__FILE__, __LINE__)
 
 #endif // CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_CUDA_CHECK_CUH

@@ -39,7 +39,7 @@ public:
       vector_bytes_(coordinates.vector_bytes()), table_{coordinates.bytes(), normals.bytes()},
       value_{Device_buffer<char>(n * vector_bytes_), Device_buffer<char>(normals.bytes() ? n * vector_bytes_ : 0)}
   {
-    CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
+    wait_for_stream();
     const std::size_t threads = (std::max)(std::size_t(1), std::size_t(std::thread::hardware_concurrency()));
     for(std::size_t i = 0; i < (std::min)({threads, maximum_copying_threads, n / maximum_points() + 1}); ++i)
       free_.put(make_pair());
@@ -56,6 +56,7 @@ public:
   int device() const { return device_; }
   const char* coordinates() const { return value_[0].data(); }
   const char* normals() const { return value_[1].data(); } // null if there are none
+  std::size_t bytes() const { return value_[0].size() + value_[1].size(); }
   bool are_in_tables() const { return are_in_tables_; }
 
   // begin() and end() of a piece: those of Cuda_upload.
@@ -155,6 +156,7 @@ inline Device_buffer<Grid_point> import_points_cuda(Cuda_backend& backend, Impor
     in.uploaded = sent;
   }
   const Values_on_device& values = values_of();
+  Device_work::of_thread().bytes_copied += values.bytes(); // also if that was done while the range was read
   Place_on_grid place = place_on_grid(in, point.data());
   place.coordinates.data = values.coordinates();
   place.normals.data = values.normals();
