@@ -27,7 +27,7 @@ void test_kept_pages()
   buffer.release();
   CHECK(Host_buffer<double>(10).data() != memory);
   CHECK(Host_buffer<float>(1900).data() == memory);
-  CHECK(Kept_pages::take(8000).memory == nullptr);
+  CHECK(Kept_pages::kept_bytes() == 0);
   Host_buffer<double> smaller(1000), larger(1100);
   const void* const pages[2] = {smaller.data(), larger.data()};
   smaller.keep_pages();
@@ -53,7 +53,38 @@ void test_kept_pages()
   }
   buffer.release();
   Kept_pages::release();
-  CHECK(Kept_pages::take(160000).memory == nullptr);
+  CHECK(Kept_pages::kept_bytes() == 0);
+}
+
+// Large buffers leave their memory to the next ones as long as a detection lasts, but never more than was in use at one
+// time. Small ones do not, and what others still use at the end is theirs.
+void test_detection()
+{
+  constexpr std::size_t mebibyte = std::size_t(1) << 20;
+  Host_buffer<char> longer(8 * mebibyte);
+  {
+    const Kept_pages::Detection first;
+    Host_buffer<char> buffer(16 * mebibyte);
+    const void* const memory = buffer.data();
+    buffer.reset(15 * mebibyte);
+    CHECK(buffer.data() == memory && Kept_pages::kept_bytes() == 0);
+    buffer.release();
+    CHECK(Kept_pages::kept_bytes() == 16 * mebibyte);
+    Host_buffer<char>(mebibyte).release();
+    CHECK(Kept_pages::kept_bytes() == 16 * mebibyte);
+    {
+      const Kept_pages::Detection second;
+      const Host_buffer<char> other(8 * mebibyte); // no block has this size
+      CHECK(Kept_pages::kept_bytes() == 0);
+    }
+    CHECK(Kept_pages::kept_bytes() == 8 * mebibyte);
+    longer.release();
+    CHECK(Kept_pages::kept_bytes() == 16 * mebibyte);
+    longer.reset(8 * mebibyte);
+  }
+  CHECK(Kept_pages::kept_bytes() == 0);
+  longer.release();
+  CHECK(Kept_pages::kept_bytes() == 0);
 }
 
 // Copies share the items.
@@ -89,6 +120,7 @@ void test_poison()
 int main()
 {
   test_kept_pages();
+  test_detection();
   test_shared_table();
   test_poison();
   return report();

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -50,6 +51,7 @@ private:
   Shape_relations relate_shapes(typename Backend::template Buffer<Link>& links);
   bool is_going_on(std::size_t new_points) const;
 
+  std::optional<Kept_pages::Detection> detection_{std::in_place}; // before the tables, which are freed first
   const Import& in_;
   Progress& progress_;
   Tandem_state<Backend> state_;
@@ -235,6 +237,7 @@ void Engine<Backend>::finish()
     relations_ = end_game(state_.points, state_.shapes, state_.options, progress_);
     final_ = extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
   }
+  detection_.reset();
   is_finished_ = true;
 }
 

@@ -38,11 +38,7 @@ public:
     if(size == 0)
       return;
     const std::size_t bytes = size * sizeof(T);
-    Kept_pages::Block block = Kept_pages::take(bytes);
-    if(block.memory == nullptr)
-      block = {allocate_pages(bytes), bytes};
-    if(block.memory == nullptr)
-      throw std::bad_alloc();
+    const Kept_pages::Block block = Kept_pages::allocate(bytes);
 #ifdef CGAL_TANDEM_POISONS_MEMORY
     std::memset(block.memory, 0xa5, bytes); // so that tests see who reads it
 #endif
@@ -50,8 +46,7 @@ public:
     size_ = size;
   }
 
-  // Makes the buffer give its memory at its end to Kept_pages instead of the system, for the next buffer of about this
-  // size.
+  // Makes the buffer leave its memory at its end to the buffers of about this size of the next call.
   void keep_pages() { data_.get_deleter().is_kept = true; }
 
   // The buffer is empty afterwards.
@@ -78,13 +73,7 @@ private:
     std::size_t bytes = 0;
     bool is_kept = false;
 
-    void operator()(T* memory) const
-    {
-      if(is_kept)
-        Kept_pages::put(memory, bytes);
-      else
-        std::free(memory);
-    }
+    void operator()(T* memory) const { Kept_pages::put({memory, bytes, is_kept}); }
   };
 
   std::unique_ptr<T[], Free> data_;
