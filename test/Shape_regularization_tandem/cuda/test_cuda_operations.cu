@@ -41,6 +41,27 @@ bool groups_as_host(Cuda_backend& cuda, std::size_t points, std::size_t shapes)
          std::equal(expected.position.begin(), expected.position.end(), result.points.position.begin());
 }
 
+struct Add_items {
+  const std::uint32_t* source;
+  std::uint32_t* target;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const { target[i] += source[i]; }
+};
+
+// More loops than one launch takes, of buffers that end before their loop is launched, so that the next ones have their
+// memory.
+bool runs_small_loops(Cuda_backend& cuda)
+{
+  const std::size_t n = 1000;
+  auto sum = filled_buffer(cuda, n, std::uint32_t(0));
+  for(std::uint32_t k = 0; k < 500; ++k) {
+    const auto items = filled_buffer(cuda, n, k);
+    cuda.for_each(n, Add_items{items.data(), sum.data()});
+  }
+  const std::vector<std::uint32_t> result = to_vector(cuda, sum);
+  return std::count(result.begin(), result.end(), 500u * 499 / 2) == std::ptrdiff_t(n);
+}
+
 int main()
 {
   if(!has_device())
@@ -49,6 +70,8 @@ int main()
   std::vector<std::string> wrong = Backend_operations<Cuda_backend>(cuda).run();
   for(const std::string& what : Link_sets<Cuda_backend>(cuda).run())
     wrong.push_back(what);
+  if(!runs_small_loops(cuda))
+    wrong.push_back("small loops");
   for(std::size_t points : {std::size_t(0), std::size_t(1), std::size_t(200000)})
     for(std::size_t shapes :
         {std::size_t(0), std::size_t(1), std::size_t(65535), std::size_t(65536), std::size_t(70000)})

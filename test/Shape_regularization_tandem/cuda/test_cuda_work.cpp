@@ -12,8 +12,8 @@
 using CGAL::Tandem::Stage_work;
 using CGAL::Tandem::Work;
 
-// What a frame of a depth camera took by an earlier count, all three parts together. 300 and 40 are the aim.
-constexpr std::size_t most_launches = 1560, most_waits = 239;
+// All three parts together, about 5 % above the present numbers.
+constexpr std::size_t most_launches = 540, most_waits = 130;
 
 std::size_t launches(const Stage_work& work)
 {
@@ -32,6 +32,7 @@ void test_work(std::size_t points, Given given)
   const std::string name = std::to_string(points) + (given == Given::normals ? " points" : " points, own normals");
   const Cloud cloud = make_cloud("indoor", points);
   const Parameters parameters = make_parameters(.02, 60);
+  detect<Cuda_tag>(cloud, parameters, given); // the first one also asks for the address of each small loop
   const Shapes device = detect<Cuda_tag>(cloud, parameters, given), host = detect(cloud, parameters, given);
   CHECK_AT(device.hash() == host.hash(), name);
   const Stage_work &work = device.statistics().work, &expected = host.statistics().work;

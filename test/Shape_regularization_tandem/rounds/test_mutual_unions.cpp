@@ -7,6 +7,7 @@
 #undef NDEBUG
 
 #include "testing/fragments.h"
+#include "testing/verdict_of.h"
 
 #include <algorithm>
 #include <map>
@@ -57,7 +58,7 @@ private:
 
   Verdict verdict(std::uint32_t a, std::uint32_t b, std::uint32_t links) const
   {
-    return criterion.verdict({whole_.at(a), sample_.at(a)}, {whole_.at(b), sample_.at(b)}, links);
+    return verdict_of(criterion, {whole_.at(a), sample_.at(a)}, {whole_.at(b), sample_.at(b)}, links);
   }
 
   bool unite(const Link_list& links)

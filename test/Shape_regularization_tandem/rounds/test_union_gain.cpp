@@ -7,6 +7,7 @@
 #undef NDEBUG
 
 #include "testing/random_shapes.h"
+#include "testing/verdict_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +121,7 @@ void test_whole_samples()
     const std::uint32_t links = random() % 30;
     bool is_close = false;
     const Verdict expected = slow.verdict(a, b, links, is_close);
-    const Verdict got = gain.verdict({a.fitted, a.sample}, {b.fitted, b.sample}, links);
+    const Verdict got = verdict_of(gain, {a.fitted, a.sample}, {b.fitted, b.sample}, links);
     close += is_close;
     if(is_close && got.is_accepted != expected.is_accepted)
       continue;
@@ -131,7 +132,7 @@ void test_whole_samples()
       CHECK_AT(std::fabs(got.gain - expected.gain) < 2,
                where + ": gains " + std::to_string(got.gain) + " and " + std::to_string(expected.gain));
     if(n == m) { // of equal shapes none is the larger one
-      const Verdict other = gain.verdict({b.fitted, b.sample}, {a.fitted, a.sample}, links);
+      const Verdict other = verdict_of(gain, {b.fitted, b.sample}, {a.fitted, a.sample}, links);
       CHECK_AT(!other.is_accepted || !got.is_accepted || std::fabs(other.gain - got.gain) < 1e-3,
                where + ": gain of the pair in the other order");
     }
@@ -168,7 +169,7 @@ void test_levels()
     }
     const std::uint32_t links = random() % 30;
     const auto verdict = [&](const Points* p) {
-      return gain.verdict({p[0].fitted, p[0].sample}, {p[1].fitted, p[1].sample}, links);
+      return verdict_of(gain, {p[0].fitted, p[0].sample}, {p[1].fitted, p[1].sample}, links);
     };
     const Verdict expected = verdict(large), got = verdict(small);
     const std::string where = std::to_string(octaves) + " octaves, case " + std::to_string(repetition);
@@ -205,7 +206,7 @@ std::pair<Points, Points> areas(int n, double noise, F f, bool are_interleaved =
 bool is_accepted(const std::pair<Points, Points>& s)
 {
   const auto verdict = [](const Points& a, const Points& b) {
-    return criterion.verdict({a.fitted, a.sample}, {b.fitted, b.sample}, 20).is_accepted;
+    return verdict_of(criterion, {a.fitted, a.sample}, {b.fitted, b.sample}, 20).is_accepted;
   };
   const bool result = verdict(s.first, s.second);
   check_equal(verdict(s.second, s.first), result, "the other order");
@@ -247,7 +248,7 @@ void test_dissolved()
   bool is_close = false;
   const Verdict expected = slow.verdict(square, few, 0, is_close);
   CHECK(expected.gain > 2 && !expected.is_accepted && !is_close);
-  CHECK(!Union_gain(options).verdict({square.fitted, square.sample}, {few.fitted, few.sample}, 0).is_accepted);
+  CHECK(!verdict_of(Union_gain(options), {square.fitted, square.sample}, {few.fitted, few.sample}, 0).is_accepted);
 }
 
 // The rules for two shapes hold on every back end.

@@ -159,7 +159,7 @@ public:
     Late_work::add([=] { Shuffled_backend::for_each_cell<Scratch>(cells, body); });
   }
 
-  void sort(Sort_table& table)
+  void sort(Sort_table& table, int = 63)
   {
     using Entry = Host_sort_table::Entry;
     Entry* const first = table.view().entry;

@@ -57,7 +57,7 @@ public:
     }
   }
 
-  void sort(Sort_table& table)
+  void sort(Sort_table& table, int = 63)
   {
     counter().add_loop(table.size());
     using Entry = Sort_table::Entry;

@@ -117,7 +117,7 @@ template <class Backend, class Rounds, class Exchange>
 void run_joint_rounds(Backend& backend, std::size_t maximum_rounds, std::size_t n, const Rounds& rounds,
                       Exchange exchange)
 {
-  const std::size_t lanes = (std::max)((std::min)(n, std::size_t(4096)), std::size_t(1));
+  const std::size_t lanes = ((std::min)(n, std::size_t(4096)) / 32 + 1) * 32; // in whole groups: see Lane_group
   for(std::size_t round = 0; round < maximum_rounds; ++round)
     for(int step = 0; step < Rounds::steps; ++step) {
       backend.for_each(lanes, Run_step<Rounds>{rounds, step, round, lanes},

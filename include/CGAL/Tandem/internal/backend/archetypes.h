@@ -139,7 +139,7 @@ struct Backend {
     static_cast<void>(run);
   }
 
-  void sort(Sort_table&) {}
+  void sort(Sort_table&, int = 63) {}
   void sort_ranges(std::uint64_t*, const Range*, std::size_t, std::size_t, std::size_t) {}
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t, F f)

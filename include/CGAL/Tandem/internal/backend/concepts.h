@@ -117,7 +117,7 @@ struct Has_memory<
 //   concurrency()                                about how many bodies run at the same time
 //   for_each(n, f, grain)                        f(i) for i in [0, n), in any order; so many are worth a thread
 //   for_each_cell<Scratch>(cells, body)          body(block, scratch, c) for c in [0, cells), in any order
-//   sort(table)                                  ascending by key; keys have 63 bits
+//   sort(table, bits)                            ascending by key; keys have so many bits, 63 if that is not given
 //   sort_ranges(key, range, ranges, n, largest)  in each range, ascending; together they are [0, n)
 //   compact(n, is_kept)                          the i with is_kept(i), ascending; is_kept may be called twice
 //   collect<T>(n, f)                             a buffer of f.take(i) of the i with f.has(i), ascending;
@@ -140,6 +140,7 @@ struct Has_execution<
     decltype(std::declval<Backend&>().template for_each_cell<archetypes::Scratch>(std::size_t(0),
                                                                                   archetypes::Cell_body())),
     decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>())),
+    decltype(std::declval<Backend&>().sort(std::declval<typename Backend::Sort_table&>(), 32)),
     decltype(std::declval<Backend&>().sort_ranges(std::declval<std::uint64_t*>(), std::declval<const Range*>(),
                                                   std::size_t(0), std::size_t(0), std::size_t(0))),
     decltype(typename Backend::template Buffer<std::uint32_t>(

@@ -8,6 +8,7 @@
 
 #include <CGAL/Tandem/internal/base/types.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -31,6 +32,16 @@ inline double from_ordered_bits(std::uint64_t ordered)
   double value;
   std::memcpy(&value, &bits, sizeof(value));
   return value;
+}
+
+// The number of bits that hold all numbers up to this one; at least 1. A radix sort takes time for each bit of its
+// keys.
+inline int bits_of(std::size_t largest)
+{
+  int bits = 1;
+  while(largest >> bits)
+    ++bits;
+  return bits;
 }
 
 } // namespace internal

@@ -49,9 +49,12 @@ struct Direction_group {
     }
     if(is_given)
       return;
-    fit();
-    if(members.size() == 1) // the bits of its own fit, from which it is seen whether a shape has been turned
-      set_fit(canonical(shapes[members.front()].fit.normal));
+    if(members.size() != 1)
+      return fit();
+    const Shape_fit& own = shapes[members.front()];
+    const bool is_computed = dot(own.eigen.vector[0], own.eigen.vector[0]) > 0;
+    eigen = is_computed ? own.eigen : eigen_system(matrix);
+    set_fit(canonical(own.fit.normal)); // its bits, from which it is seen whether a shape has been turned
   }
 
   // The unconstrained fit, from the matrix alone.

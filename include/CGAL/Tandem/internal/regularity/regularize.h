@@ -142,9 +142,9 @@ inline std::vector<char> find_rejected(const Shape_fits& shapes, const std::vect
 }
 
 // is_excluded: by shape; those keep their local fits and get no relations. The same holds for shapes without points or
-// without a normal.
+// without a normal. finds_rejected: whether Relations::is_rolled_back is asked for.
 inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& is_excluded,
-                            const Regularity_options& options)
+                            const Regularity_options& options, bool finds_rejected = true)
 {
   // Normals are unit or null; 0.5 separates them whatever the rounding.
   std::vector<int> active;
@@ -169,7 +169,8 @@ inline Relations regularize(const Shape_fits& shapes, const std::vector<char>& i
     Coplanar_groups(shapes, direction, options).fit(plane, coplanar);
   Relations r;
   number_relations(plane, direction, coplanar, r);
-  r.is_rolled_back = find_rejected(shapes, groups, options);
+  if(finds_rejected)
+    r.is_rolled_back = find_rejected(shapes, groups, options);
   return r;
 }
 

@@ -94,15 +94,16 @@ struct Union_rounds {
       joins[(round + 1) % 2] = 0;
     if(step == test && lane == 0)
       total[0] = std::uint32_t(round + 1);
+    const std::int32_t number = std::int32_t(round + 1);
     if(step == fit)
-      for_items_of_lane(lane, lanes, shapes, [&](std::size_t s) { fit_whole(std::int32_t(round + 1), s); });
+      for_items_of_group(
+        lane, lanes, shapes, [&](std::size_t s) { return end_round(number, root[s]); },
+        [&](std::size_t s) { fit_whole(s); });
+    else if(step == test)
+      for_items_of_group(
+        lane, lanes, pairs, [&](std::size_t i) { return begin_test(number, i); }, [&](std::size_t i) { end_test(i); });
     else
-      for_items_of_lane(lane, lanes, pairs, [&](std::size_t i) {
-        if(step != test)
-          run_pair(step, std::int32_t(round + 1), pair[i]);
-        else if(pair[i].first != pair[i].second)
-          test_pair(std::int32_t(round + 1), i);
-      });
+      for_items_of_lane(lane, lanes, pairs, [&](std::size_t i) { run_pair(step, number, pair[i]); });
   }
 
   // A root with all that has joined it.
@@ -146,15 +147,18 @@ private:
     return r.chosen.cost == p.key.cost && r.chosen.size == p.key.size && r.chosen.ids == p.key.ids;
   }
 
-  // Pairs of shapes that have changed get new roots, and a new verdict if they are of the own share.
-  CGAL_TANDEM_HD void test_pair(std::int32_t round, std::size_t i) const
+  // A pair of shapes that have changed gets new roots, and waits for a new verdict: then this returns whether it may be
+  // accepted, and is of the own share. By one lane.
+  CGAL_TANDEM_HD bool begin_test(std::int32_t round, std::size_t i) const
   {
     Union_pair& p = pair[i];
+    if(p.first == p.second)
+      return false;
     std::uint32_t a = target[p.first], b = target[p.second];
     const bool is_old =
       round > 1 && a == p.first && b == p.second && root[a].changed != round - 1 && root[b].changed != round - 1;
     if(is_old)
-      return;
+      return false;
     const std::int64_t na = united(a).moments.count, nb = united(b).moments.count;
     if(na < nb || (na == nb && b < a)) {
       const std::uint32_t swapped = a;
@@ -166,12 +170,20 @@ private:
     p.tested = round;
     p.is_taken = 0;
     p.key = {Union_pair::rejected, ~std::uint64_t(na + nb), mixed_ids(a, b)};
-    if(a == b || !own.has(i))
-      return;
-    const Verdict verdict = criterion.verdict({united(a), sample[a]}, {united(b), sample[b]}, p.links);
-    p.is_taken = verdict.is_taken;
-    if(verdict.is_accepted)
-      p.key.cost = ordered_bits(-verdict.gain);
+    return a != b && own.has(i) && criterion.may_gain(united(a), united(b), p.links);
+  }
+
+  // By a group of lanes.
+  CGAL_TANDEM_HD void end_test(std::size_t i) const
+  {
+    Union_pair& p = pair[i];
+    const std::uint32_t a = p.first, b = p.second;
+    const Verdict verdict = criterion.near_verdict({united(a), sample[a]}, {united(b), sample[b]}, p.links);
+    Lane_group::single([&] {
+      p.is_taken = verdict.is_taken;
+      if(verdict.is_accepted)
+        p.key.cost = ordered_bits(-verdict.gain);
+    });
   }
 
   // The second shape joins the first one, if it has chosen the pair, and the first one has chosen it, too, or takes
@@ -191,25 +203,44 @@ private:
     Backend::atomic_add(joins[(round - 1) % 2], 1u);
   }
 
-  CGAL_TANDEM_HD void fit_whole(std::int32_t round, std::size_t s) const
+  // Whether others have joined the root in this round.
+  CGAL_TANDEM_HD static bool end_round(std::int32_t round, Union_root& r)
+  {
+    r.chosen = Union_key();
+    return r.changed == round;
+  }
+
+  // The sample of root s gets those of what has joined it. They may be many, of which few have points of less hash:
+  // each lane looks at one.
+  CGAL_TANDEM_HD void merge_samples(std::size_t s, std::uint32_t joined_first) const
+  {
+    for(std::uint32_t t = joined_first; t != no_index;) {
+      std::uint64_t of_lane = no_index;
+      for(std::uint32_t k = 0; k < Lane_group::size() && t != no_index; ++k, t = root[t].next)
+        of_lane = k == Lane_group::rank() ? t : of_lane;
+      const bool is_needed = of_lane != no_index && has_least(sample[s], sample[of_lane]);
+      Lane_group::for_each_in_order(is_needed, of_lane, [&](std::uint64_t id) { merge_sample(sample[s], sample[id]); });
+    }
+  }
+
+  // The root with what has joined it in this round.
+  CGAL_TANDEM_HD void fit_whole(std::size_t s) const
   {
     Union_root& r = root[s];
-    r.chosen = Union_key();
-    if(r.changed != round)
-      return;
-    if(r.place == no_index) {
-      r.place = Backend::atomic_add(total[1], 1u);
-      whole[r.place] = shape[s];
-    }
-    Fitted_moments& m = whole[r.place];
-    m.moments += joined[s].moments();
-    joined[s] = Shared_moments();
-    for(std::uint32_t t = r.joined; t != no_index; t = root[t].next)
-      merge_sample(sample[s], sample[t]);
-    r.joined = no_index;
-    m.scatter = make_scatter(m.moments);
-    if(own.has(s))
-      set_fit(m, fit_plane(m.scatter));
+    merge_samples(s, r.joined);
+    Lane_group::single([&] {
+      r.joined = no_index;
+      if(r.place == no_index) {
+        r.place = Backend::atomic_add(total[1], 1u);
+        whole[r.place] = shape[s];
+      }
+      Fitted_moments& m = whole[r.place];
+      m.moments += joined[s].moments();
+      joined[s] = Shared_moments();
+      m.scatter = make_scatter(m.moments);
+      if(own.has(s))
+        set_fit(m, fit_plane(m.scatter));
+    });
   }
 };
 

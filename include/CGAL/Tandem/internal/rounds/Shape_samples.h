@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_SAMPLES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_SAMPLES_H
 
+#include <CGAL/Tandem/internal/base/ordered_bits.h>
 #include <CGAL/Tandem/internal/rounds/Shape_sample.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
@@ -119,7 +120,7 @@ Sorted_samples<Backend> sorted_samples(Labeled_cloud<Backend>& points, std::size
   const std::size_t n = keyed.size();
   typename Backend::Sort_table table(n);
   backend.for_each(n, Set_sample_key<View>{keyed.data(), table.view()});
-  backend.sort(table);
+  backend.sort(table, 32 + bits_of(shapes)); // of the hash, and of the shape
   Sorted_samples<Backend> samples;
   samples.point.reset(n);
   samples.range = filled_buffer(backend, shapes, Range());
@@ -127,16 +128,19 @@ Sorted_samples<Backend> sorted_samples(Labeled_cloud<Backend>& points, std::size
   return samples;
 }
 
+// Item by item of all samples.
 struct Fill_sample {
   const Sampled_point* point;
   const Range* range; // by shape
   Shape_sample* sample;
 
-  CGAL_TANDEM_HD void operator()(std::size_t id) const
+  CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
+    const std::size_t id = at / Shape_sample::capacity, i = at % Shape_sample::capacity;
     Shape_sample& s = sample[id];
-    s.size = range[id].size() < Shape_sample::capacity ? range[id].size() : Shape_sample::capacity;
-    for(std::uint32_t i = 0; i < s.size; ++i)
+    if(i == 0)
+      s.size = range[id].size() < Shape_sample::capacity ? range[id].size() : Shape_sample::capacity;
+    if(i < range[id].size())
       s.item[i] = point[range[id].first + i];
   }
 };
@@ -152,7 +156,8 @@ Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table
   for_each_shape(backend, shapes, Bound_all{shapes.counted(), expected, bound.data()});
   const Sorted_samples<Backend> sorted = sorted_samples(points, shapes.size, bound.data());
   Shape_samples<Backend> samples(shapes.size);
-  for_each_shape(backend, shapes, Fill_sample{sorted.point.data(), sorted.range.data(), samples.data()});
+  backend.for_each(shapes.size * Shape_sample::capacity,
+                   Fill_sample{sorted.point.data(), sorted.range.data(), samples.data()});
   return samples;
 }
 

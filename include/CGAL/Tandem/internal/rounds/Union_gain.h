@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the union of two shapes gains, see score/Score.h, by their moments and samples. Changes nothing, and reads no
-// other point. See the manual, "Unions".
+// other point. By a group of lanes, which share the points of a sample. See the manual, "Unions".
 
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_UNION_GAIN_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_UNION_GAIN_H
@@ -53,27 +53,43 @@ public:
     squared_cosine_of_twice_ = twice > 0 ? twice * twice : 0;
   }
 
-  // The first shape is the larger one. links: between both.
-  CGAL_TANDEM_HD Verdict verdict(const Sampled_shape& a, const Sampled_shape& b, std::uint32_t links) const
+  // Not where cheap tests, by one lane, reject the pair. The first shape is the larger one. links: between both.
+  CGAL_TANDEM_HD bool may_gain(const Fitted_moments& a, const Fitted_moments& b, std::uint32_t links) const
   {
-    const double cosine = dot(a.fitted.fit.normal, b.fitted.fit.normal);
-    if(cosine * cosine < squared_cosine_of_twice_)
-      return {};
-    const double saved = -double(score_.price() + score_.links(links));
-    if(tuning::moves::much_larger * b.size() < a.size()) {
-      const Verdict verdict = taking_verdict(a, b, saved);
-      if(verdict.is_accepted)
+    const double cosine = dot(a.fit.normal, b.fit.normal);
+    return !(cosine * cosine < squared_cosine_of_twice_) && (is_much_larger(a, b) || !are_apart(a, b, saved(links)));
+  }
+
+  // The verdict where it may gain.
+  CGAL_TANDEM_HD Verdict near_verdict(const Sampled_shape& a, const Sampled_shape& b, std::uint32_t links) const
+  {
+    if(is_much_larger(a.fitted, b.fitted)) {
+      const Verdict verdict = taking_verdict(a, b, saved(links));
+      if(verdict.is_accepted || are_apart(a.fitted, b.fitted, saved(links)))
         return verdict;
     }
-    return are_apart(a, b, saved) ? Verdict() : joint_verdict(a, b, saved);
+    return joint_verdict(a, b, saved(links));
   }
 
 private:
+  CGAL_TANDEM_HD static bool is_much_larger(const Fitted_moments& a, const Fitted_moments& b)
+  {
+    return tuning::moves::much_larger * b.moments.count < a.moments.count;
+  }
+
+  // By a union of two shapes.
+  CGAL_TANDEM_HD double saved(std::uint32_t links) const { return -double(score_.price() + score_.links(links)); }
+
   // How the worth of a part changes with its plane, beside the squares, and which of its points do not fit.
   struct Part {
     double change, variance;
     std::int64_t misfits, misfits_before;
     bool has_misfits; // more than a union may have, or it is not known: the rest is not computed then
+  };
+
+  // Of one point: how its worth changes beside the squares, without and with that of the size.
+  struct Change {
+    double change, of_all;
   };
 
   // The second shape takes the plane of the first one.
@@ -118,25 +134,29 @@ private:
   CGAL_TANDEM_HD Part compare(const Sampled_shape& s, const Regular_plane& candidate) const
   {
     const Plane before = rounded(s.fitted.local), after = rounded(candidate);
-    const double bonus = s.size() > 0 ? double(score_.point_bonus(s.size())) : 0;
+    const double bonus = s.size() > 0 ? double(score_.point_bonus(s.size())) : 0, per_own_square = per_square(s);
     double sum = 0, squares = 0;
     constexpr tuning::Share most = tuning::moves::misfits_of_union;
     std::int64_t misfits = 0, misfits_before = 0;
     bool has_misfits = s.sample.size == 0;
-    for(std::uint32_t i = 0; i < s.sample.size && !has_misfits; ++i) {
-      const Grid_point& p = s.sample.item[i].point;
-      const Tolerance own = tolerance_.at(std::uint8_t(s.sample.item[i].level));
-      const bool is_misfit = !fits(after, p, own), was_misfit = !fits(before, p, own);
-      misfits += is_misfit;
+    for(std::uint32_t first = 0; first < s.sample.size && !has_misfits; first += Lane_group::size()) {
+      const std::uint32_t i = first + Lane_group::rank();
+      const bool is_point = i < s.sample.size;
+      const Sampled_point& q = s.sample.item[is_point ? i : 0];
+      const Tolerance own = tolerance_.at(std::uint8_t(q.level));
+      const bool is_misfit = is_point && !fits(after, q.point, own),
+                 was_misfit = is_point && !fits(before, q.point, own);
+      misfits += Lane_group::count(is_misfit);
       has_misfits = most.is_exceeded(misfits, std::int64_t(s.sample.size));
-      misfits_before += was_misfit;
-      const double per_own_square = per_square(s);
-      const double change =
-        (is_misfit ? surplus(after, p, per_own_square) : 0) - (was_misfit ? surplus(before, p, per_own_square) : 0);
+      misfits_before += Lane_group::count(was_misfit);
+      const double change = (is_misfit ? surplus(after, q.point, per_own_square) : 0) -
+                            (was_misfit ? surplus(before, q.point, per_own_square) : 0);
       const double of_size = is_misfit == was_misfit ? 0 : is_misfit ? -bonus : bonus;
-      const double both = change + of_size;
-      sum += change;
-      squares = std::fma(both, both, squares);
+      // In the order of the sample, as sums are of doubles. Points that fit both planes change nothing.
+      Lane_group::for_each_in_order(is_misfit || was_misfit, Change{change, change + of_size}, [&](const Change& c) {
+        sum += c.change;
+        squares = std::fma(c.of_all, c.of_all, squares);
+      });
     }
     const bool is_whole = std::int64_t(s.sample.size) >= s.size();
     const double scale = s.sample.size > 0 ? double(s.size()) / double(s.sample.size) : 1;
@@ -172,14 +192,14 @@ private:
 
   // A cheap test for pairs that gain nothing: the sum of squares of a union exceeds what it could save. Not where both
   // together are worth less than that. Points that would not fit count by their squares here, too.
-  CGAL_TANDEM_HD bool are_apart(const Sampled_shape& a, const Sampled_shape& b, double saved) const
+  CGAL_TANDEM_HD bool are_apart(const Fitted_moments& a, const Fitted_moments& b, double saved) const
   {
-    const double squares = a.fitted.fit.smallest / a.fitted.scatter.squared_tolerance +
-                           b.fitted.fit.smallest / b.fitted.scatter.squared_tolerance;
-    const double most = saved - double(score_.price()) + bonus(a.size(), b.size(), b.size());
-    if(std::fma(-per_square_, squares, double(Score::unit) * double(a.size() + b.size())) < most)
+    const double squares = a.fit.smallest / a.scatter.squared_tolerance + b.fit.smallest / b.scatter.squared_tolerance;
+    const std::int64_t na = a.moments.count, nb = b.moments.count;
+    const double most = saved - double(score_.price()) + bonus(na, nb, nb);
+    if(std::fma(-per_square_, squares, double(Score::unit) * double(na + nb)) < most)
       return false;
-    const Symmetric_matrix joint = joint_matrix(weighted(a.fitted.scatter), weighted(b.fitted.scatter));
+    const Symmetric_matrix joint = joint_matrix(weighted(a.scatter), weighted(b.scatter));
     const double rounding = tuning::exactness::eigenvalue_margin * (joint.xx + joint.yy + joint.zz);
     return has_eigenvalues_above(joint,
                                  std::fma(tuning::exactness::bound_factor, squares + most / per_square_, rounding));

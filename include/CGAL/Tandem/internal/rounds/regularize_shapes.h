@@ -39,10 +39,12 @@ struct Summarize_shape {
   CGAL_TANDEM_HD void operator()(std::size_t i) const
   {
     const Shape& s = shape[id[i]];
-    summary[i] = {id[i], {s.scatter, s.fit}};
-    summary[i].fit.scatter.matrix = s.scatter.matrix / s.scatter.squared_tolerance;
+    Shape_fit fit = {s.scatter, s.fit};
+    fit.scatter.matrix = s.scatter.matrix / s.scatter.squared_tolerance;
+    fit.eigen = eigen_system(Symmetric_matrix() + fit.scatter.matrix); // as a sum of one summand
     if(!s.is_live())
-      summary[i].fit.scatter.count = 0;
+      fit.scatter.count = 0;
+    summary[i] = {id[i], fit};
   }
 };
 
@@ -69,7 +71,7 @@ inline Shape_relations find_relations(const std::vector<Shape_summary>& shapes, 
     fits.push_back(s.fit);
     r.id.push_back(std::uint32_t(s.id));
   }
-  r.relations = regularize(fits, std::vector<char>(shapes.size(), !is_due), options);
+  r.relations = regularize(fits, std::vector<char>(shapes.size(), !is_due), options, false);
   return r;
 }
 

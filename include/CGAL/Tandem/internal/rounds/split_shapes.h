@@ -26,7 +26,7 @@ struct May_split {
   CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].is_live() && gain.may_split(shape[id]); }
 };
 
-// The trials of a shape follow each other. A rank makes its share of them.
+// The trials of a shape follow each other. A rank makes its share of them. By groups of lanes.
 struct Try_splits {
   const Shape* shape;
   const std::uint32_t* id; // of the candidates
@@ -40,7 +40,8 @@ struct Try_splits {
   {
     const std::uint32_t s = id[i / Split_gain::starts];
     const Point_sample sample = {point + range[s].first, range[s].size()};
-    split[i] = own.has(i) ? gain.trial(shape[s], sample, int(i % Split_gain::starts)) : Split();
+    const Split result = own.has(i) ? gain.trial(shape[s], sample, int(i % Split_gain::starts)) : Split();
+    Lane_group::single([&] { split[i] = result; });
   }
 };
 
@@ -210,10 +211,9 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   backend.for_each(id.size(), Bound_listed{shapes.fitted(), id.data(), Split_gain::sample_size, bound.data()});
   const Sorted_samples<Backend> sample = sorted_samples(points, shapes.size, bound.data());
   found.split.reset(id.size() * Split_gain::starts);
-  backend.for_each(found.split.size(),
-                   Try_splits{shapes.fitted(), id.data(), sample.point.data(), sample.range.data(), gain,
-                              points.ranks.share(), found.split.data()},
-                   1);
+  for_each_by_group(backend, found.split.size(),
+                    Try_splits{shapes.fitted(), id.data(), sample.point.data(), sample.range.data(), gain,
+                               points.ranks.share(), found.split.data()});
   if constexpr(Ranks<Backend>::are_many) {
     const auto all =
       collect_of_all<Numbered_split>(backend, points.ranks, found.split.size(), Take_split{found.split.data()});

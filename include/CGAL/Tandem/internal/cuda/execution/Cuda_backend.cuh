@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The model of Backend on a CUDA device: the current one of the calling thread. Loops of functors are kernels in the
-// order of the thread's stream, and return before they end. Loops on the host run on Parallel_host. Operations are
-// defined in Sequential_backend.h.
+// order of the thread's stream, and return before they end; small ones wait in Loop_queue. Loops on the host run on
+// Parallel_host. Operations are defined in Sequential_backend.h.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
@@ -12,11 +12,10 @@
 #include <CGAL/Tandem/internal/cuda/execution/Device_sort_table.cuh>
 #include <CGAL/Tandem/internal/backend/Parallel_host.h>
 #include <CGAL/Tandem/internal/cuda/execution/cub_calls.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/loops.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/range_sort.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/rounds.cuh>
-
-#include <cub/device/device_select.cuh>
-#include <thrust/iterator/counting_iterator.h>
+#include <CGAL/Tandem/internal/cuda/execution/selection.cuh>
 
 #include <algorithm>
 #include <array>
@@ -43,13 +42,17 @@ public:
     return std::size_t(multiprocessors) * cell_blocks;
   }
 
-  // Items that take long are spread over more multiprocessors.
+  // Items that take long are spread over more multiprocessors. Those that take very long are not queued, as others
+  // would wait for them with few lanes.
   template <class F>
   void for_each(std::size_t n, F f, std::size_t grain = 4096)
   {
     if(n == 0)
       return;
     counter_.add_loop(n);
+    const bool is_long = grain < item_lanes;
+    if(n <= (is_long ? long_items_of_queue : items_of_queue) && grain >= grain_of_queue)
+      return queue_loop(n, is_long ? n * (item_lanes / warp_size) : n, Item_loop<F>{f});
     const std::size_t lanes = grain < item_lanes ? 32 : item_lanes;
     const std::size_t blocks = (std::min)((n + lanes - 1) / lanes, std::size_t(1) << 20);
     run_items<<<unsigned(blocks), unsigned(lanes), 0, stream_of_thread()>>>(n, f);
@@ -95,10 +98,10 @@ public:
     for_each(cells.size(), Take_indices{order.view(), order_.data()});
   }
 
-  void sort(Sort_table& table)
+  void sort(Sort_table& table, int bits = 63)
   {
     counter_.add_loop(table.size());
-    table.sort();
+    table.sort(bits);
   }
 
   // Runs, then passes that double their width; keys change between two buffers. Starts in the buffer from which the
@@ -130,7 +133,7 @@ public:
     counter_.add_loop(n);
     constexpr std::size_t large = std::size_t(1) << 18;
     Buffer<std::uint32_t> kept(n);
-    const std::size_t size = select(n, is_kept, kept.data());
+    const std::size_t size = select_items(n, is_kept, kept.data());
     if(n < large) {
       kept.shrink(size);
       return kept;
@@ -147,12 +150,12 @@ public:
   {
     counter_.add_loop(n);
     Buffer<std::uint32_t> found(n);
-    Buffer<T> items(select(n, Has_item<F>{f}, found.data()));
+    Buffer<T> items(select_items(n, Has_item<F>{f}, found.data()));
     for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()});
     return items;
   }
 
-  // Each block writes its sums to pinned memory.
+  // Each block or warp writes its sums to pinned memory.
   template <int N, class F>
   std::array<std::int64_t, N> sum(std::size_t n, F f)
   {
@@ -160,12 +163,20 @@ public:
     if(n == 0)
       return total;
     counter_.add_loop(n);
-    const std::size_t blocks = (std::min)((n + sum_lanes - 1) / sum_lanes, std::size_t(256));
-    auto* const sums = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(blocks * N * sizeof(std::int64_t)));
-    sum_items<N><<<unsigned(blocks), sum_lanes, 0, stream_of_thread()>>>(n, f, sums);
-    CGAL_TANDEM_CUDA_LAUNCHED();
+    const bool is_queued = n <= items_of_queue;
+    const std::size_t parts =
+      is_queued ? (std::min)((n + warp_size - 1) / warp_size, maximum_loop_blocks * item_lanes / warp_size)
+                : (std::min)((n + sum_lanes - 1) / sum_lanes, std::size_t(256));
+    auto* const sums = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(parts * N * sizeof(std::int64_t)));
+    if(is_queued) {
+      std::fill(sums, sums + parts * N, 0); // there may be fewer warps
+      queue_loop(n, n, Sum_loop<N, F>{f, sums});
+    } else {
+      sum_items<N><<<unsigned(parts), sum_lanes, 0, stream_of_thread()>>>(n, f, sums);
+      CGAL_TANDEM_CUDA_LAUNCHED();
+    }
     synchronize();
-    for(std::size_t i = 0; i < blocks * N; ++i)
+    for(std::size_t i = 0; i < parts * N; ++i)
       total[i % N] += sums[i];
     return total;
   }
@@ -183,7 +194,14 @@ public:
   {
     counter_.add_loop(n);
     Buffer<T> items(n);
-    make_on_device(n, f, items.data());
+    if(n == 0 || n * sizeof(T) > bytes_of_queue || sizeof(T) % sizeof(std::uint32_t) != 0)
+      make_on_device(n, f, items.data());
+    else {
+      T* const made = reinterpret_cast<T*>(Staging::of_thread().take(n * sizeof(T)));
+      host_.for_each_on_host(
+        n, [&](std::size_t i) { new(made + i) T(f(i)); }, 4096);
+      queue_copy(made, n, items.data());
+    }
     return items;
   }
 
@@ -206,7 +224,12 @@ public:
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
   {
-    copy_to_host(source, n, target);
+    if(n == 0 || n * sizeof(T) > bytes_of_queue || sizeof(T) % sizeof(std::uint32_t) != 0)
+      return copy_to_host(source, n, target);
+    T* const memory = reinterpret_cast<T*>(Staging::of_thread().take(n * sizeof(T)));
+    queue_copy(source, n, memory);
+    synchronize();
+    std::memcpy(static_cast<void*>(target), memory, n * sizeof(T));
   }
 
   // Atomics work on memory of the device and on shared memory. Their order is relaxed, as in Tbb_backend.
@@ -249,28 +272,11 @@ private:
 
   // What a block has on all devices without a further setting, less the shared variables of Cuda_block.
   static constexpr std::size_t shared_bytes = 47 << 10;
+  // Loops of more items, or copies of more bytes, are launched at once: they are worth it.
+  static constexpr std::size_t grain_of_queue = 32, items_of_queue = 16384, long_items_of_queue = 4096,
+                               bytes_of_queue = std::size_t(64) << 10;
   // Bounds the memory of scratches that do not fit there.
   static constexpr std::size_t blocks_in_turns = 512;
-
-  // The i in [0, n) with is_kept(i), ascending; waits for their number, which the device writes to pinned memory.
-  template <class F>
-  static std::size_t select(std::size_t n, F is_kept, std::uint32_t* kept)
-  {
-    if(n == 0)
-      return 0;
-    auto* const size = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(sizeof(std::int64_t)));
-    if(n <= items_of_one_block) {
-      select_items<<<1, select_lanes, 0, stream_of_thread()>>>(std::uint32_t(n), is_kept, kept, size);
-      CGAL_TANDEM_CUDA_LAUNCHED();
-    } else {
-      const thrust::counting_iterator<std::uint32_t> all(0);
-      with_cub_memory([&](void* memory, std::size_t& bytes) {
-        return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
-      });
-    }
-    synchronize();
-    return std::size_t(*size);
-  }
 };
 
 } // namespace internal

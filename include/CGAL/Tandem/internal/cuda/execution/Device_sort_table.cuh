@@ -36,15 +36,14 @@ public:
   View view() const { return {const_cast<std::uint64_t*>(key_.data()), const_cast<std::uint32_t*>(index_.data())}; }
   std::size_t size() const { return key_.size(); }
 
-  // Ascending by key. Needs as much memory again while it runs. Bit 63 of all keys is 0: codes of the curve have 63
-  // bits.
-  void sort()
+  // Ascending by key. Needs as much memory again while it runs. Keys have so many bits: it takes time for each.
+  void sort(int bits)
   {
     Device_buffer<std::uint64_t> other_key(size());
     Device_buffer<std::uint32_t> other_index(size());
     cub::DoubleBuffer<std::uint64_t> keys(key_.data(), other_key.data());
     cub::DoubleBuffer<std::uint32_t> indices(index_.data(), other_index.data());
-    sort_pairs(keys, indices, size(), 63);
+    sort_pairs(keys, indices, size(), bits);
     // CUB leaves each result in one of the two arrays, depending on the number of passes.
     if(keys.Current() == other_key.data())
       key_.swap(other_key);

@@ -29,16 +29,6 @@ void with_cub_memory(Call call)
   CGAL_TANDEM_CUDA(call(memory.data(), bytes));
 }
 
-// The number of bits that hold all numbers up to this one; at least 1. A radix sort takes time for each bit of its
-// keys.
-inline int bits_of(std::size_t largest)
-{
-  int bits = 1;
-  while(largest >> bits)
-    ++bits;
-  return bits;
-}
-
 // Sorts pairs by the lower `bits` of their keys, with ties in their former order. The buffers that are current
 // afterwards are sorted; the alternate ones have no defined contents.
 template <class Key>

@@ -10,7 +10,6 @@
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_block.cuh>
 
 #include <cub/block/block_reduce.cuh>
-#include <cub/block/block_scan.cuh>
 
 namespace CGAL {
 namespace Tandem {
@@ -46,41 +45,6 @@ __global__ void __launch_bounds__(sum_lanes) sum_items(std::size_t n, const F f,
       of_block[blockIdx.x * N + k] = sum;
     __syncthreads(); // the memory is used again
   }
-}
-
-constexpr unsigned select_lanes = 1024;
-constexpr std::size_t items_of_one_block = 32768; // more are left to CUB, which takes several launches
-
-// The i in [0, n) with is_kept(i), ascending, and their number. By one block: each lane has some consecutive items at a
-// time, so that its reads overlap.
-template <class F>
-__global__ void __launch_bounds__(select_lanes)
-  select_items(std::uint32_t n, const F is_kept, std::uint32_t* kept, std::int64_t* size)
-{
-  using Scan = cub::BlockScan<std::uint32_t, select_lanes>;
-  __shared__ typename Scan::TempStorage memory;
-  constexpr std::uint32_t maximum_items = 8;
-  const std::uint32_t items_of_lane = min((n + select_lanes - 1) / select_lanes, maximum_items);
-  std::uint32_t before = 0;
-  for(std::uint32_t first = 0; first < n; first += select_lanes * items_of_lane) {
-    const std::uint32_t begin = first + threadIdx.x * items_of_lane;
-    std::uint32_t is_in[maximum_items], sum = 0;
-#pragma unroll
-    for(std::uint32_t k = 0; k < maximum_items; ++k) {
-      is_in[k] = k < items_of_lane && begin + k < n && is_kept(begin + k);
-      sum += is_in[k];
-    }
-    std::uint32_t place, all;
-    Scan(memory).ExclusiveSum(sum, place, all);
-#pragma unroll
-    for(std::uint32_t k = 0; k < maximum_items; ++k)
-      if(is_in[k])
-        kept[before + place++] = begin + k;
-    before += all;
-    __syncthreads(); // the memory is used again
-  }
-  if(threadIdx.x == 0)
-    *size = before;
 }
 
 // So many blocks run on a multiprocessor at once, if their scratch leaves room; the compiler uses fewer registers for

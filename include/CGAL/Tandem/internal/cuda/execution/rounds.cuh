@@ -7,6 +7,7 @@
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_ROUNDS_CUH
 
 #include <CGAL/Tandem/internal/cuda/execution/kernels.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/warp.cuh>
 #include <CGAL/Tandem/internal/cuda/runtime/Device_buffer.cuh>
 
 #include <cooperative_groups.h>
@@ -37,20 +38,17 @@ __global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_roun
     }
 }
 
-// Few blocks for many items: barriers get slower with more blocks, and most steps have few items. A lane for each item
-// where there are not many, since some take long. Not more than run at the same time, else the barrier would never be
-// passed.
+// A warp for each item, since some take long; but not more blocks than run at the same time, else the barrier would
+// never be passed. It takes hardly longer with more blocks.
 template <class Rounds>
 void launch_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
 {
-  constexpr std::size_t items_of_lane = 64, small_grid = 64;
   const auto kernel = run_steps<Rounds>;
   int multiprocessors = 0, blocks = 0; // on each of them at the same time
   CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
   CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
   const std::size_t maximum = std::size_t(multiprocessors) * std::size_t(blocks);
-  const std::size_t useful =
-    (std::max)(items / (item_lanes * items_of_lane), (std::min)(items / item_lanes, small_grid)) + 1;
+  const std::size_t useful = items / (item_lanes / warp_size) + 1;
   void* arguments[] = {&maximum_rounds, &rounds};
   ++Device_work::of_thread().launches;
   CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),

@@ -7,7 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_BUFFER_CUH
 
-#include <CGAL/Tandem/internal/cuda/runtime/Device_guard.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Kept_blocks.cuh>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,16 +20,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The stream per thread of the runtime is as fast as own streams, and needs no management.
-inline cudaStream_t stream_of_thread() { return cudaStreamPerThread; }
-
-// Waits until all work that this thread has queued on its current device is done.
-inline void wait_for_stream()
-{
-  ++Device_work::of_thread().waits;
-  CGAL_TANDEM_CUDA(cudaStreamSynchronize(stream_of_thread()));
-}
-
 // A pool for each device, made at its first use. Not the default pools: their settings belong to the caller.
 class Memory_pools {
 public:
@@ -40,9 +30,11 @@ public:
     return found != pools().end() ? found->second : pools()[device] = make(device);
   }
 
-  // Returns unused memory to the devices. The lock is not held meanwhile, since this waits for all work of the devices.
+  // Returns unused memory to the devices, but for blocks that other threads keep. The lock is not held meanwhile, since
+  // this waits for all work of the devices.
   static void trim()
   {
+    Kept_blocks::release();
     std::unique_lock<std::mutex> lock(mutex());
     const std::map<int, cudaMemPool_t> all = pools();
     lock.unlock();
@@ -116,16 +108,17 @@ public:
   // In the order of the stream: kernels that were launched before may still use the memory.
   void release()
   {
-    if(data_ != nullptr)
-      static_cast<void>(cudaFreeAsync(data_, stream_of_thread())); // an error has been reported elsewhere
+    if(data_ != nullptr && !Kept_blocks::put(data_, bytes_))
+      free();
     data_ = nullptr;
-    size_ = 0;
+    size_ = bytes_ = 0;
   }
 
   void swap(Device_buffer& other) noexcept
   {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
+    std::swap(bytes_, other.bytes_);
   }
 
   T* data() { return data_; }
@@ -138,19 +131,29 @@ private:
     // The pool joins freed blocks only after the stream has come to where they were freed. So waiting before large
     // requests saves memory, which the largest clouds need.
     constexpr std::size_t large = std::size_t(256) << 20;
-    const std::size_t bytes = size * sizeof(T);
+    const std::size_t bytes = size > 0 ? Kept_blocks::size_for(size * sizeof(T)) : 0;
     void* memory = nullptr;
     if(bytes >= large)
       wait_for_stream();
-    if(bytes > 0)
+    // Loops that wait to be launched do not use new memory, so this is in their order, too.
+    if(bytes > 0 && (memory = Kept_blocks::take(bytes)) == nullptr)
       CGAL_TANDEM_CUDA(
-        cudaMallocFromPoolAsync(&memory, bytes, Memory_pools::of_device(current_device()), stream_of_thread()));
+        cudaMallocFromPoolAsync(&memory, bytes, Memory_pools::of_device(current_device()), cudaStreamPerThread));
     data_ = static_cast<T*>(memory);
     size_ = size;
+    bytes_ = bytes;
+  }
+
+  // To the pool, after the loops that wait to be launched, since they may use it. An error is reported by the next wait.
+  void free() noexcept
+  {
+    Loop_queue::of_thread().launch_quietly();
+    static_cast<void>(cudaFreeAsync(data_, cudaStreamPerThread));
   }
 
   T* data_ = nullptr;
   std::size_t size_ = 0;
+  std::size_t bytes_ = 0; // of the memory
 };
 
 } // namespace internal

@@ -25,7 +25,8 @@ void run_and_wait(F f)
     synchronize();
   } catch(...) {
     // The exception of f counts, not an error of this wait.
-    static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
+    Loop_queue::of_thread().drop();
+    wait_quietly();
     throw;
   }
 }

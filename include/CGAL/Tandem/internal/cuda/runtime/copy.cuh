@@ -39,7 +39,7 @@ public:
   ~Staging()
   {
     const Device_guard guard(device_, std::nothrow);
-    static_cast<void>(cudaStreamSynchronize(stream_of_thread()));
+    wait_quietly();
   }
 
   // So many bytes, at most Pinned_block::bytes, for one copy. Waits for the stream if the block is full.

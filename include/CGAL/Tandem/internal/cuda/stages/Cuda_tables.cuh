@@ -9,6 +9,7 @@
 #define CGAL_TANDEM_INTERNAL_CUDA_STAGES_CUDA_TABLES_CUH
 
 #include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/internal/base/ordered_bits.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
 #include <CGAL/Tandem/internal/cuda/runtime/Pinned_copies.cuh>
