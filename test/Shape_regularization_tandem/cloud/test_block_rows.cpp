@@ -28,20 +28,24 @@ public:
   {
     Labeled_cloud<Backend> points(backend_);
     take_cloud(f_, points);
-    test(to_vector(backend_, make_block_rows(backend_, points.cloud)), std::uint32_t(f_.point.size()), name_);
+    test(points.cloud, std::uint32_t(f_.point.size()), name_);
     if(f_.point.size() >= 1000)
       CHECK_AT(listed_ > 10, name_ + ": no row is listed");
     listed_ = overflown_ = 0;
     points.cloud.ghosts = f_.point.size() / 3; // the last ones belong to another rank
     const std::uint32_t own = std::uint32_t(points.cloud.size());
-    test(to_vector(backend_, make_block_rows(backend_, points.cloud)), own, name_ + ", ghosts");
+    test(points.cloud, own, name_ + ", ghosts");
     if(f_.point.size() >= 1000)
       CHECK_AT(listed_ > 10 && overflown_ > 2, name_ + ": no row has ghosts, or all have");
   }
 
 private:
-  void test(const std::vector<Block_row>& row, std::uint32_t own, const std::string& name)
+  void test(const Sorted_cloud<Backend>& cloud, std::uint32_t own, const std::string& name)
   {
+    const Block_rows<Backend> blocks(backend_, cloud);
+    const std::vector<Block_row> row = to_vector(backend_, blocks.row);
+    const std::vector<Block_entries> entries = to_vector(backend_, blocks.of_point);
+    check_equal(entries.size(), std::size_t(own), name + ": number of points");
     check_equal(row.size(), std::size_t((own + 63) / 64), name + ": number of blocks");
     std::vector<Blocks> expected(row.size());
     std::vector<bool> has_ghosts(row.size());
@@ -64,6 +68,19 @@ private:
       }
       ++(is_listed ? listed_ : overflown_);
     }
+    for(std::uint32_t i = 0; i < own; ++i)
+      test_entries(row[i / 64], i, entries[i], name + ", point " + std::to_string(i));
+  }
+
+  // Those of its own block and of its neighbors. Where the row is not listed others may be among them.
+  void test_entries(const Block_row& row, std::uint32_t i, Block_entries entries, const std::string& where)
+  {
+    Block_entries expected = 1;
+    f_.for_each_neighbor(i, [&](std::uint32_t j) { expected = Block_entries(expected | row.entry(j / 64)); });
+    if(row.size <= Block_row::capacity)
+      check_equal(entries, expected, where + ": entries");
+    else
+      CHECK_AT((entries & 1) != 0, where + ": its own entry");
   }
 
   Backend& backend_;
@@ -84,7 +101,7 @@ void test_capacity(std::uint32_t others)
   cloud.neighbor.reset(n);
   for(std::uint32_t i = 0; i < n; ++i)
     cloud.neighbor[i] = i < 64 ? 64 * (i % blocks) + 1 : i + 1 == n ? 0 : no_index;
-  const auto row = make_block_rows(backend, cloud);
+  const auto row = to_vector(backend, Block_rows<Sequential_backend>(backend, cloud).row);
   const std::string where = std::to_string(others) + " other blocks";
   check_equal(row.size(), std::size_t(blocks), where + ": number of blocks");
   check_equal(row[0].size, (std::min)(blocks, Block_row::capacity + 1), where + ": size of the row");

@@ -62,55 +62,57 @@ private:
         label_[i] ^= 1;
   }
 
-  // Each pass by itself, where all blocks are visited, from the first labels.
+  // The first passes, where all blocks are visited.
   Counts test_choice()
   {
     const std::vector<Shape> shape = shapes_of(label_);
-    Counts counts;
-    for(std::uint32_t pass = 0; pass < 2; ++pass) {
-      const std::string where = name_ + ", pass " + std::to_string(pass);
-      Slow_assignment slow(f_, shape, plane_, options_, first_);
-      const Labels before = slow.leave(label_), expected = slow.choose(before, pass);
-      counts = slow.counts;
-      Labeled_cloud<Backend> points(backend_);
-      Shape_table<Backend> shapes = start(points, shape, before);
-      typename Backend::template Buffer<Assigned_shape> assigned(shapes.size);
-      typename Backend::template Buffer<std::uint32_t> left(points.cloud.size()), chosen(left.size());
-      for_each_shape(backend_, shapes,
-                     Set_assigned{shapes.counted(), shapes.plane.data(), options_.score, assigned.data()});
-      const auto label = to_buffer(backend_, label_);
-      backend_.for_each(left.size(),
-                        Leave_misfits{points.cloud.view(), label.data(), assigned.data(), left.data(), f_.tolerance});
-      check_lists(to_vector(backend_, left), before, where + ": labels that fit");
-      const std::size_t blocks = number_of_blocks(before.size());
-      const auto is_visited = filled_buffer(backend_, blocks, std::uint8_t(1));
-      const auto all = filled_buffer(backend_, blocks, ~Changed_points(0));
-      auto changed = filled_buffer(backend_, blocks, Changed_points(0));
-      backend_.for_each(chosen.size(), Assign_point<Backend>{points.cloud.view(),
-                                                             left.data(),
-                                                             assigned.data(),
-                                                             is_visited.data(),
-                                                             {all.data(), all.data()},
-                                                             changed.data(),
-                                                             chosen.data(),
-                                                             options_.score,
-                                                             f_.tolerance,
-                                                             pass,
-                                                             std::uint32_t(before.size())});
-      check_lists(to_vector(backend_, chosen), expected, where + ": chosen labels");
-      check_lists(to_vector(backend_, changed), changed_points(before, expected), where + ": changed points");
+    Slow_assignment slow(f_, shape, plane_, options_, first_);
+    const Labels before = slow.leave(label_);
+    Labels expected = before;
+    for(std::uint32_t passes = 1; passes <= 2; ++passes) {
+      expected = slow.choose(expected, passes - 1);
+      run_passes(shape, passes, before, expected);
       check_take(before, expected);
     }
-    return counts;
+    return slow.counts;
   }
 
-  static std::vector<Changed_points> changed_points(const Labels& before, const Labels& after)
+  void run_passes(const std::vector<Shape>& shape, std::uint32_t passes, const Labels& before, const Labels& expected)
   {
-    std::vector<Changed_points> changed(number_of_blocks(before.size()), 0);
-    for(std::size_t i = 0; i < before.size(); ++i)
-      if(before[i] != after[i])
-        changed[i / 64] |= Changed_points(1) << i % 64;
-    return changed;
+    const std::string where = name_ + ", " + std::to_string(passes) + " passes";
+    Labeled_cloud<Backend> points(backend_);
+    Shape_table<Backend> shapes = start(points, shape, label_);
+    typename Backend::template Buffer<Assigned_shape> assigned(shapes.size);
+    for_each_shape(backend_, shapes,
+                   Set_assigned{shapes.counted(), shapes.plane.data(), options_.score, assigned.data()});
+    const Block_rows<Backend> rows(backend_, points.cloud);
+    const std::size_t blocks = rows.row.size();
+    auto chosen = filled_buffer(backend_, before.size(), no_index);
+    auto next = filled_buffer(backend_, before.size(), no_index);
+    auto outside = filled_buffer(backend_, blocks, Block_points(0));
+    auto changed = filled_buffer(backend_, 2 * blocks, ~Block_points(0));
+    typename Backend::template Buffer<Block_points> recent(blocks);
+    auto border = filled_buffer(backend_, blocks, Block_points(0));
+    auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint32_t(0));
+    backend_.for_each(before.size(),
+                      Start_assignment<Backend>{points.cloud.view(), points.label(), assigned.data(), chosen.data(),
+                                                next.data(), outside.data(), f_.tolerance});
+    check_lists(to_vector(backend_, chosen), before, where + ": labels that fit");
+    backend_.run_rounds(passes, blocks,
+                        Assignment_passes<Backend>{points.cloud.view(),
+                                                   assigned.data(),
+                                                   blocks,
+                                                   rows.row.data(),
+                                                   rows.of_point.data(),
+                                                   outside.data(),
+                                                   recent.data(),
+                                                   {changed.data(), changed.data() + blocks},
+                                                   border.data(),
+                                                   has_changes.data(),
+                                                   {chosen.data(), next.data()},
+                                                   options_.score,
+                                                   f_.tolerance});
+    check_lists(to_vector(backend_, passes % 2 == 0 ? chosen : next), expected, where + ": chosen labels");
   }
 
   // Labels that are chosen change labels and moments, once.
@@ -151,16 +153,52 @@ private:
     const Labels expected = Slow_assignment(f_, shape, plane_, options_, first_).assign(before);
     Labeled_cloud<Backend> points(backend_);
     Shape_table<Backend> shapes = start(points, shape, before);
-    const Assignment<Backend> assign(points);
+    Assignment<Backend> assign(points);
     assign(shapes, options_);
     check_lists(to_vector(backend_, points.label(), expected.size()), expected, where + ": labels");
     check_shapes(shapes, shape, expected, where);
-    // The same object again, from where it ended.
-    const std::vector<Shape> again = shapes_of(expected);
-    const Labels next = Slow_assignment(f_, again, plane_, options_, first_).assign(expected);
-    assign(shapes, options_);
-    check_lists(to_vector(backend_, points.label(), next.size()), next, where + ": labels of the second call");
+    const std::size_t missing = check_interior(points, expected, where);
+    CHECK_AT(before != label_ || 4 * missing <= expected.size(), where + ": interior points are missing");
+    // The same object again, from where it ended, then after others have changed labels and planes.
+    const Labels next = assign_again(assign, points, shapes, expected, where + ", second call");
+    Labels changed = next;
+    for(std::size_t i = 0; i < changed.size(); i += 97)
+      changed[i] = i % 2 == 0 ? free_label : before[i];
+    const std::vector<Plane> planes = plane_;
+    for(std::size_t s = 0; s < plane_.size(); s += 5)
+      plane_[s].d += f_.tolerance.distance / 3;
+    assign_again(assign, points, shapes, changed, where + ", third call");
+    plane_ = planes;
     return expected;
+  }
+
+  Labels assign_again(Assignment<Backend>& assign, Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
+                      const Labels& before, const std::string& where)
+  {
+    const std::vector<Shape> shape = shapes_of(before);
+    const Labels expected = Slow_assignment(f_, shape, plane_, options_, first_).assign(before);
+    set_labels(points, before, f_.state);
+    shapes = make_table(backend_, shape);
+    shapes.plane = to_buffer(backend_, plane_);
+    assign(shapes, options_);
+    check_lists(to_vector(backend_, points.label(), expected.size()), expected, where + ": labels");
+    check_interior(points, expected, where);
+    return expected;
+  }
+
+  // No interior point has a neighbor in another shape. Returns how many others are not interior.
+  std::size_t check_interior(Labeled_cloud<Backend>& points, const Labels& label, const std::string& where)
+  {
+    const std::vector<std::uint8_t> state = to_vector(backend_, points.state(), label.size());
+    std::size_t missing = 0;
+    for(std::uint32_t i = 0; i < label.size(); ++i) {
+      bool has_other = false;
+      f_.for_each_neighbor(i, [&](std::uint32_t j) { has_other |= label[j] < first_mark && label[j] != label[i]; });
+      const bool is_interior = (state[i] & interior_bit) != 0;
+      CHECK_AT(!has_other || !is_interior, where + ": interior bit of point " + std::to_string(i));
+      missing += !has_other && !is_interior;
+    }
+    return missing;
   }
 
   std::vector<Shape> shapes_of(const Labels& label) const
@@ -212,65 +250,8 @@ private:
   bool is_of_one_plane_ = false; // relations say so of twins
 };
 
-// A point with a neighbor in each of two shapes that have one plane and one bonus: the smaller id has it, whatever the
-// order of the neighbors and the own label are.
-void test_ties()
-{
-  const std::vector<Grid_point> point(3, {0, 0, 10, encode_normal({0, 0, 1})});
-  const Tolerance tolerance = make_tolerance(100, cosine_deg(25));
-  const Plane level = make_plane({0, 0, 1}, {0, 0, 0});
-  const std::vector<Assigned_shape> shape(9, {level, 50, -1});
-  for(std::uint32_t own : {3u, 7u, free_label})
-    for(bool is_reversed : {false, true}) {
-      const Labels label = {own, is_reversed ? 7u : 3u, is_reversed ? 3u : 7u};
-      const Labels neighbor = {1, 2, 0, no_index, 0, no_index};
-      Cloud_view cloud = {point.data(), neighbor.data(), 3, 2, {point.data(), nullptr, nullptr}};
-      const std::uint8_t is_visited = 1;
-      for(std::uint32_t pass : {0u, 1u}) {
-        Labels chosen(3);
-        const Changed_points all = ~Changed_points(0);
-        Changed_points changed = 0;
-        Assign_point<Sequential_backend>{cloud,    label.data(),  shape.data(), &is_visited, {&all, &all},
-                                         &changed, chosen.data(), Score(10, 2), tolerance,   pass,
-                                         3}(0);
-        const bool is_considered = own == free_label || pass == 0; // the hash of 0 is 0
-        check_equal(chosen[0], is_considered ? 3u : own, "ties");
-        check_equal(changed, Changed_points(chosen[0] != own), "whether the label of a tie has changed");
-      }
-    }
-}
-
-// Blocks of which the first has neighbors in two, the second in itself, the third in too many. A label has changed in one
-// of them, or in none, in the last pass or in the one before.
-void test_marks()
-{
-  Block_row row[3] = {};
-  row[0].add(0);
-  row[0].add(1);
-  row[1].add(1);
-  for(std::uint32_t b = 0; b <= Block_row::capacity; ++b)
-    row[2].add(b + 2);
-  for(std::size_t place = 0; place < 4; ++place)
-    for(bool is_last : {false, true}) {
-      Changed_points none[20] = {}, some[20] = {};
-      some[place] = Changed_points(1) << 40;
-      const Recent_changes recent = {is_last ? some : none, is_last ? none : some};
-      for(std::size_t b = 0; b < 3; ++b) {
-        std::uint8_t is_visited[3] = {7, 7, 7};
-        Changed_points changed[3] = {7, 7, 7};
-        Mark_visited{row, recent, is_visited, changed}(b);
-        const bool expected = b == 2 || (b == 0 && place < 2) || (b == 1 && place == 1);
-        check_equal(int(is_visited[b]), int(expected),
-                    "visit of block " + std::to_string(b) + " after a change in " + std::to_string(place));
-        check_equal(changed[b], Changed_points(0), "changes of a pass that begins");
-      }
-    }
-}
-
 int main()
 {
-  test_marks();
-  test_ties();
   test_with_levels_on_all_backends<Assignments>();
   return report();
 }

@@ -129,10 +129,12 @@ void test_end_game()
   });
   test("assignment", [](State& t, Link_buffer&) { Assignment<Sequential_backend>(t.points)(t.shapes, t.options); });
   test("a raised score", [](State& t, Link_buffer&) {
-    raise_score(t.points, t.shapes, t.options, Assignment<Sequential_backend>(t.points));
+    Assignment<Sequential_backend> assign(t.points);
+    raise_score(t.points, t.shapes, t.options, assign);
   });
   test("final regularization", [](State& t, Link_buffer&) {
-    regularize_finally(t.points, t.shapes, t.options, Assignment<Sequential_backend>(t.points));
+    Assignment<Sequential_backend> assign(t.points);
+    regularize_finally(t.points, t.shapes, t.options, assign);
   });
   test("centered planes", [](State& t, Link_buffer&) {
     Shape_relations relations = shifted_planes(t);

@@ -7,24 +7,36 @@
 #ifndef CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H
 #define CGAL_TANDEM_INTERNAL_CLOUD_BLOCK_ROWS_H
 
+#include <CGAL/Tandem/internal/backend/lanes.h>
 #include <CGAL/Tandem/internal/cloud/Cloud.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The blocks that have neighbors of one block, itself among them. There are too many to be listed, or some belong to
-// another rank, if `size` exceeds the capacity.
+// Some entries of a row of blocks, a bit each.
+using Block_entries = std::uint16_t;
+
+// The blocks that have neighbors of one block, itself first. There are too many to be listed, or some belong to another
+// rank, if `size` exceeds the capacity.
 struct Block_row {
   static constexpr std::uint32_t points = 64, capacity = 15;
+  static constexpr Block_entries all = 0x7fff;
   std::uint32_t size;
   std::uint32_t block[capacity];
 
+  // The entry of a block; none if it is not listed, or the row is not.
+  CGAL_TANDEM_HD Block_entries entry(std::uint32_t b) const
+  {
+    for(std::uint32_t i = 0; i < size && size <= capacity; ++i)
+      if(block[i] == b)
+        return Block_entries(1u << i);
+    return 0;
+  }
+
+  // A block that it does not have.
   CGAL_TANDEM_HD void add(std::uint32_t b)
   {
-    for(std::uint32_t i = 0; i < size; ++i)
-      if(block[i] == b)
-        return;
     if(size < capacity)
       block[size] = b;
     ++size;
@@ -36,40 +48,74 @@ CGAL_TANDEM_HD inline std::size_t number_of_blocks(std::size_t points)
   return (points + Block_row::points - 1) / Block_row::points;
 }
 
+CGAL_TANDEM_HD inline Range points_of_block(std::uint32_t b, std::uint32_t points)
+{
+  const std::uint32_t first = b * Block_row::points;
+  return {first, points - first < Block_row::points ? points : first + Block_row::points};
+}
+
+// By groups of lanes: each lane has a point.
 struct Make_block_row {
   Cloud_view cloud;
-  std::uint32_t own; // points; ghosts follow
   Block_row* row;
+  Block_entries* of_point; // those that have its neighbors, or itself
 
   CGAL_TANDEM_HD void operator()(std::size_t b) const
   {
     Block_row& r = row[b];
-    r.size = 0;
-    r.add(std::uint32_t(b));
-    const std::uint32_t first = std::uint32_t(b) * Block_row::points;
-    const std::uint32_t last = own - first < Block_row::points ? own : first + Block_row::points;
-    for(std::uint32_t i = first; i < last && r.size <= Block_row::capacity; ++i)
-      add_neighbors(r, cloud.row(i));
+    Lane_group::single([&] {
+      r.size = 0;
+      r.add(std::uint32_t(b));
+    });
+    const Range points = points_of_block(std::uint32_t(b), cloud.size);
+    for(std::uint32_t i = points.first; i < points.last; i += Lane_group::size())
+      add_neighbors(r, i + Lane_group::rank(), points.last);
   }
 
 private:
-  CGAL_TANDEM_HD void add_neighbors(Block_row& r, const std::uint32_t* neighbor) const
+  // Of the point of each lane, if it is before the last one.
+  CGAL_TANDEM_HD void add_neighbors(Block_row& r, std::uint32_t i, std::uint32_t last) const
   {
-    for(int j = 0; j < cloud.k && neighbor[j] != no_index && r.size <= Block_row::capacity; ++j)
-      if(neighbor[j] < own)
-        r.add(neighbor[j] / Block_row::points);
-      else
-        r.size = Block_row::capacity + 1;
+    Block_entries entries = 1;
+    bool is_any = i < last;
+    const std::uint32_t* const neighbor = cloud.row(is_any ? i : 0);
+    for(int j = 0; j < cloud.k; ++j) {
+      is_any = is_any && neighbor[j] != no_index;
+      if(Lane_group::count(is_any) == 0)
+        break;
+      const bool is_ghost = is_any && neighbor[j] >= cloud.size;
+      const std::uint64_t b = is_any ? neighbor[j] / Block_row::points : i / Block_row::points;
+      const bool is_other = is_ghost || b != i / Block_row::points;
+      if(Lane_group::count(is_other) == 0)
+        continue;
+      if(Lane_group::count(is_ghost) > 0)
+        Lane_group::single([&] { r.size = Block_row::capacity + 1; });
+      Block_entries entry = is_other ? r.entry(std::uint32_t(b)) : 0;
+      Lane_group::for_each_in_order(is_other && entry == 0, b, [&](std::uint64_t other) {
+        if(r.size <= Block_row::capacity && r.entry(std::uint32_t(other)) == 0)
+          Lane_group::single([&] { r.add(std::uint32_t(other)); });
+      });
+      Lane_group::sync();
+      if(is_other && entry == 0)
+        entry = r.size > Block_row::capacity ? Block_row::all : r.entry(std::uint32_t(b));
+      entries = Block_entries(entries | entry);
+    }
+    if(i < last)
+      of_point[i] = entries;
   }
 };
 
 template <class Backend>
-typename Backend::template Buffer<Block_row> make_block_rows(Backend& backend, const Sorted_cloud<Backend>& cloud)
-{
-  typename Backend::template Buffer<Block_row> row(number_of_blocks(cloud.size()));
-  backend.for_each(row.size(), Make_block_row{cloud.view(), std::uint32_t(cloud.size()), row.data()}, 64);
-  return row;
-}
+struct Block_rows {
+  typename Backend::template Buffer<Block_row> row;
+  typename Backend::template Buffer<Block_entries> of_point;
+
+  Block_rows(Backend& backend, const Sorted_cloud<Backend>& cloud)
+    : row(number_of_blocks(cloud.size())), of_point(cloud.size())
+  {
+    for_each_by_group(backend, row.size(), Make_block_row{cloud.view(), row.data(), of_point.data()});
+  }
+};
 
 } // namespace internal
 } // namespace Tandem

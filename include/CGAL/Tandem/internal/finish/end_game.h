@@ -70,7 +70,7 @@ void fit_planes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
 // Shapes split, points go where they are worth most, and shapes unite, in turn, where that gains.
 template <class Backend>
 void raise_score(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                 const Assignment<Backend>& assign)
+                 Assignment<Backend>& assign)
 {
   for(int round = 0; round < tuning::moves::rounds; ++round) {
     fit_planes(points, shapes);
@@ -102,7 +102,7 @@ void sharpen_edges(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
 // Returns the relations, by shape.
 template <class Backend>
 Shape_relations regularize_finally(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Options& options,
-                                   const Assignment<Backend>& assign)
+                                   Assignment<Backend>& assign)
 {
   Backend& backend = points.backend;
   Shape_relations relations = regularize_shapes(points, shapes, options, {true, 1});
@@ -134,7 +134,7 @@ Shape_relations end_game(Labeled_cloud<Backend>& points, Shape_table<Backend>& s
                          Progress& progress)
 {
   const auto show = [&](double share) { progress.show(Detection_stage::end_game, share); };
-  const Assignment<Backend> assign(points);
+  Assignment<Backend> assign(points);
   raise_score(points, shapes, options, assign);
   show(.5);
   if(options.has_estimated_normals)

@@ -7,8 +7,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 
-#include <CGAL/Tandem/internal/base/pairs.h>
-#include <CGAL/Tandem/internal/cloud/Block_rows.h>
+#include <CGAL/Tandem/internal/rounds/Assignment_passes.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
@@ -17,13 +16,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// What an assignment reads of a shape.
-struct Assigned_shape {
-  Plane plane;
-  std::int64_t bonus;        // of one more point
-  std::int64_t plane_number; // of the relations, -1: none
-};
 
 struct Set_assigned {
   const Shape* shape;
@@ -38,142 +30,26 @@ struct Set_assigned {
   }
 };
 
-// The first labels: a point that does not fit its shape leaves it.
-struct Leave_misfits {
-  Cloud_view cloud;
-  const std::uint32_t* label;
-  const Assigned_shape* shape;
-  std::uint32_t* chosen; // by point
-  Tolerance tolerance;
-
-  CGAL_TANDEM_HD void operator()(std::size_t i) const
-  {
-    const std::uint32_t s = label[i];
-    chosen[i] = s < first_mark && !cloud.fits(shape[s].plane, i, tolerance) ? free_label : s;
-  }
-};
-
-// Points whose label has changed in a pass, a bit each, by block.
-using Changed_points = std::uint64_t;
-static_assert(Block_row::points == 64, "a block has a bit for each point");
-
-// Those of the two passes before: each pass considers one half of the points.
-struct Recent_changes {
-  const Changed_points *last, *before; // by block
-
-  CGAL_TANDEM_HD Changed_points of_block(std::uint32_t b) const { return last[b] | before[b]; }
-  CGAL_TANDEM_HD bool has(std::uint32_t i) const
-  {
-    return of_block(i / Block_row::points) >> (i % Block_row::points) & 1;
-  }
-};
-
-// Which blocks a pass has to visit: those that have a neighbor in a block with a recent change. No point has changed in
-// this pass yet.
-struct Mark_visited {
-  const Block_row* row;
-  Recent_changes recent;
-  std::uint8_t* is_visited;
-  Changed_points* changed;
-
-  CGAL_TANDEM_HD void operator()(std::size_t b) const
-  {
-    bool result = row[b].size > Block_row::capacity;
-    for(std::uint32_t i = 0; !result && i < row[b].size; ++i)
-      result = recent.of_block(row[b].block[i]) != 0;
-    is_visited[b] = result;
-    changed[b] = 0;
-  }
-};
-
-// The next label of each point: the one that is worth most, of its own and those of its neighbors that it fits. A free
-// point joins any shape that it fits. Of the other points each pass considers one half, so that neighbors do not swap
-// their shapes for ever. Shapes of one plane exchange no points, since the plane does not tell them apart. Labels are
-// only read, so the order of points does not matter. Where no label around has changed lately the choice is that of
-// before. A block that is not visited has the same labels in both tables.
+// The first labels: a point that does not fit its shape leaves it. Notes which of them are others than those that the
+// last assignment chose.
 template <class Backend>
-struct Assign_point {
+struct Start_assignment {
   Cloud_view cloud;
   const std::uint32_t* label;
   const Assigned_shape* shape;
-  const std::uint8_t* is_visited; // by block
-  Recent_changes recent;
-  Changed_points* changed; // by block
-  std::uint32_t* chosen;   // by point
-  Score score;
+  std::uint32_t *chosen, *next; // by point
+  Block_points* changed;        // by block
   Tolerance tolerance;
-  std::uint32_t pass, own; // points of this rank
 
   CGAL_TANDEM_HD void operator()(std::size_t at) const
   {
-    if(!is_visited[at / Block_row::points])
-      return;
-    const std::uint32_t i = std::uint32_t(at), s = label[i];
-    chosen[i] = (s >= first_mark || is_considered(i)) && is_concerned(i) ? best_of(i, s) : s;
-    if(chosen[i] != s)
-      Backend::atomic_add(changed[i / Block_row::points], Changed_points(1) << (i % Block_row::points));
-  }
-
-private:
-  // One half of the points in even passes, the other one in odd passes.
-  CGAL_TANDEM_HD bool is_considered(std::uint32_t i) const
-  {
-    return (hash_of_pair(i + cloud.first) >> 63) == (pass & 1u);
-  }
-
-  // Whether it or a neighbor has changed its label lately, as ghosts may have.
-  CGAL_TANDEM_HD bool is_concerned(std::uint32_t i) const
-  {
-    const std::uint32_t* row = cloud.row(i);
-    bool result = recent.has(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index && !result; ++j)
-      result = row[j] >= own || recent.has(row[j]);
-    return result;
-  }
-
-  // Of the own label and those of neighbors. Ties go to the smaller one.
-  CGAL_TANDEM_HD std::uint32_t best_of(std::uint32_t i, std::uint32_t own) const
-  {
-    std::uint32_t other[64]; // labels of neighbors in other shapes: k is at most 64
-    std::int64_t links = 0;  // to the own one
-    int n = 0;
-    const std::uint32_t* row = cloud.row(i);
-    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
-      const std::uint32_t t = label[row[j]];
-      links += t == own;
-      if(t < first_mark && t != own)
-        other[n++] = t;
-    }
-    std::uint32_t best = own;
-    std::int64_t most = n > 0 && own < first_mark ? worth(i, own, links) : 0;
-    while(n > 0) {
-      const std::uint32_t t = other[n - 1];
-      const int count = n;
-      n = 0;
-      for(int j = 0; j < count; ++j) // the next label, and those that are left
-        if(other[j] != t)
-          other[n++] = other[j];
-      if(are_of_one_plane(own, t))
-        continue;
-      const std::int64_t w = worth(i, t, count - n);
-      if((best >= first_mark || w > most || (w == most && t < best)) && cloud.fits(shape[t].plane, i, tolerance)) {
-        most = w;
-        best = t;
-      }
-    }
-    return best;
-  }
-
-  CGAL_TANDEM_HD bool are_of_one_plane(std::uint32_t s, std::uint32_t t) const
-  {
-    return s < first_mark && shape[s].plane_number >= 0 && shape[s].plane_number == shape[t].plane_number;
-  }
-
-  // Of point i in shape s, with so many links to it.
-  CGAL_TANDEM_HD std::int64_t worth(std::uint32_t i, std::uint32_t s, std::int64_t links) const
-  {
-    const Score_item item = {1, cloud.tolerance_of(i, tolerance).distance};
-    return Score::weight(item, signed_distance(shape[s].plane, cloud.point[i])) - score.links(links) + shape[s].bonus;
+    const std::uint32_t i = std::uint32_t(at);
+    std::uint32_t s = label[i];
+    if(s < first_mark && !cloud.fits(shape[s].plane, i, tolerance))
+      s = free_label;
+    if(i < cloud.size && chosen[i] != s)
+      Backend::atomic_add(changed[i / Block_row::points], bit_of(i));
+    chosen[i] = next[i] = s;
   }
 };
 
@@ -224,7 +100,8 @@ void take_chosen(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, c
   add_deltas(backend, shapes);
 }
 
-// Assignments of one cloud.
+// Assignments of one cloud. Each remembers the labels that it has chosen, and which points had neighbors in other
+// shapes. So the next one looks at those and at what has changed since, and chooses as if it looked at all points.
 template <class Backend>
 class Assignment {
   template <class T>
@@ -232,43 +109,68 @@ class Assignment {
 
 public:
   explicit Assignment(Labeled_cloud<Backend>& points)
-    : points_(points), backend_(points.backend), block_(make_block_rows(points.backend, points.cloud))
+    : points_(points), backend_(points.backend), block_(points.backend, points.cloud),
+      chosen_(filled_buffer(backend_, points.cloud.size_with_ghosts(), no_index)),
+      border_(filled_buffer(backend_, block_.row.size(), Block_points(0))),
+      changes_(filled_buffer(backend_, 2 * block_.row.size(), ~Block_points(0)))
   {}
 
   // Planes are those of the table that is rounded for the tests of points. What a shape gains by one point more follows
   // from its size at the beginning.
-  void operator()(Shape_table<Backend>& shapes, const Options& options) const
+  void operator()(Shape_table<Backend>& shapes, const Options& options)
   {
     require(points_, shapes, tables::moments);
     Buffer<Assigned_shape> assigned(shapes.size);
     for_each_shape(backend_, shapes,
                    Set_assigned{shapes.counted(), shapes.plane.data(), options.score, assigned.data()});
-    Buffer<std::uint32_t> now(points_.cloud.size_with_ghosts()), next(now.size());
-    backend_.for_each(now.size(), Leave_misfits{points_.cloud.view(), points_.label(), assigned.data(), now.data(),
-                                                options.growth.tolerance});
-    const auto all = ~Changed_points(0);
-    auto last = filled_buffer(backend_, block_.size(), all), before = filled_buffer(backend_, block_.size(), all);
-    Buffer<Changed_points> changed(block_.size());
-    Buffer<std::uint8_t> is_visited(block_.size());
-    for(std::uint32_t pass = 0; pass < tuning::moves::assignment_passes; ++pass) {
-      const Recent_changes recent = {last.data(), before.data()};
-      backend_.for_each(block_.size(), Mark_visited{block_.data(), recent, is_visited.data(), changed.data()});
-      backend_.for_each(points_.cloud.size(),
-                        Assign_point<Backend>{points_.cloud.view(), now.data(), assigned.data(), is_visited.data(),
-                                              recent, changed.data(), next.data(), options.score,
-                                              options.growth.tolerance, pass, std::uint32_t(points_.cloud.size())});
-      points_.ranks.refresh(next.data(), Rings::inner);
-      std::swap(now, next);
-      std::swap(before, changed);
-      std::swap(last, before);
-    }
-    take_chosen(points_, shapes, now.data());
+    const Cloud_view cloud = points_.cloud.view();
+    const std::size_t blocks = block_.row.size();
+    Buffer<std::uint32_t> next(chosen_.size());
+    auto outside = filled_buffer(backend_, blocks, Block_points(0));
+    auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint32_t(0));
+    Buffer<Block_points> recent(blocks);
+    backend_.for_each(chosen_.size(), Start_assignment<Backend>{cloud, points_.label(), assigned.data(), chosen_.data(),
+                                                                next.data(), outside.data(), options.growth.tolerance});
+    const Assignment_passes<Backend> passes = {cloud,
+                                               assigned.data(),
+                                               blocks,
+                                               block_.row.data(),
+                                               block_.of_point.data(),
+                                               outside.data(),
+                                               recent.data(),
+                                               {changes_.data(), changes_.data() + blocks},
+                                               border_.data(),
+                                               has_changes.data(),
+                                               {chosen_.data(), next.data()},
+                                               options.score,
+                                               options.growth.tolerance};
+    run(passes);
+    take_chosen(points_, shapes, chosen_.data());
+    points_.begin_phase(Phase::end);
+    for_each_by_group(backend_, blocks, Set_interior<Backend>{passes, points_.state()});
   }
 
 private:
+  void run(const Assignment_passes<Backend>& passes)
+  {
+    constexpr std::size_t maximum = tuning::moves::assignment_passes;
+    const std::size_t blocks = block_.row.size();
+    if constexpr(!Ranks<Backend>::are_many)
+      backend_.run_rounds(maximum, blocks, passes);
+    else
+      run_joint_rounds(backend_, maximum, blocks, passes, [&](int step, std::size_t pass) {
+        if(step == Assignment_passes<Backend>::visit)
+          points_.ranks.refresh(passes.label[(pass + 1) % 2], Rings::inner);
+        return false;
+      });
+  }
+
   Labeled_cloud<Backend>& points_;
   Backend& backend_;
-  Buffer<Block_row> block_;
+  Block_rows<Backend> block_;
+  Buffer<std::uint32_t> chosen_; // by point
+  Buffer<Block_points> border_;  // these two as in Assignment_passes
+  Buffer<Block_points> changes_;
 };
 
 } // namespace internal

@@ -76,7 +76,8 @@ struct Border {
   Border_view view() const { return {range.data(), point.data(), proposal.data()}; }
 };
 
-// When the bits of interior points were made. Points may have lost their labels since, but within one phase only.
+// When the bits of interior points were made. Points may have lost their labels since, and shapes may have united, but
+// within one phase only.
 enum class Phase { none, loop, end };
 
 // Tables of the size of the cloud, or of its cells, in the memory of the back end. Labels and states take 5 bytes a
@@ -163,8 +164,8 @@ struct Labeled_cloud {
 private:
   std::size_t parts_of_cell() const
   {
-    constexpr std::size_t maximum = 8;
-    const std::size_t bodies = backend.concurrency(), n = (std::max)(cells.size(), std::size_t(1));
+    constexpr std::size_t maximum = 8, rounds = 4; // of bodies, so that no thread has much more than another one
+    const std::size_t bodies = rounds * backend.concurrency(), n = (std::max)(cells.size(), std::size_t(1));
     return (std::min)((bodies + n - 1) / n, maximum);
   }
 
