@@ -28,14 +28,15 @@ struct Stage_times {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-What a part of a detection did, counted where a back end starts its loops. Loops count by their size, so the items that a
-loop leaves out count, too: a loop over all cells is a pass over the points. Points are counted as they grow, as surfels.
-The numbers do not depend on threads and machine, and no result depends on them. Of many processes, each has its own.
+What a part of a detection did, counted where a back end starts its loops. Loops count by their size, so the items that
+a loop leaves out count, too: a loop over all cells is a pass over the points. A chain of steps that runs at once, as the
+passes of an assignment, is one loop. Points are counted as they grow, as surfels. Passes and loops do not depend on
+threads and machine, and no result depends on any of these. Of many processes, each has its own.
 */
 struct Work {
   double passes_over_points = 0;     ///< items of loops over at least all points, divided by the number of points
   double passes_over_lists = 0;      ///< items of all smaller loops, over borders, for example, divided by that number
-  std::size_t loops_over_shapes = 0; ///< loops over at most as many items as there are shapes, which no pass has
+  std::size_t loops_over_shapes = 0; ///< loops over at most as many items as there are shapes
   std::size_t launches = 0;     ///< loops, sorts and others of all sizes; on a device, its kernels and calls of CUB
   std::size_t waits = 0;        ///< how often the host has waited for a device
   std::size_t bytes_copied = 0; ///< from the host to a device, and back

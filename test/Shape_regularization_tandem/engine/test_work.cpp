@@ -29,8 +29,8 @@ struct Bounds {
 };
 
 const Bounds bounds[] = {
-  {Given::normals, {14.5, .16, 0, 35}, {11.4, 1.33, 45, 75}, {108.5, 4.5, 139, 344}},
-  {Given::nothing, {32.5, .16, 0, 54}, {11.9, 1.48, 45, 77}, {153.5, 6.5, 151, 440}},
+  {Given::normals, {14.5, .16, 0, 35}, {11.4, 1.66, 44, 75}, {58.5, 4.6, 141, 251}},
+  {Given::nothing, {32.5, .16, 0, 54}, {11.9, 1.8, 44, 77}, {79.5, 6.5, 155, 302}},
 };
 
 void print(const Work& w, double times, const std::string& name)

@@ -53,7 +53,8 @@ private:
             return;
           std::uint64_t* const c = expected.data() + std::size_t(label[i]) * neighbor_counts::size;
           ++c[neighbor_counts::all];
-          c[neighbor_counts::near] += is_near(plane[label[i]], f_.point[q], f_.tolerance_of(i).distance);
+          c[neighbor_counts::near] +=
+            label[q] == label[i] || is_near(plane[label[i]], f_.point[q], f_.tolerance_of(i).distance);
         });
     backend_.template for_each_cell<Neighbor_scratch>(
       f_.cells.size(), Count_neighbors<Backend>{f_.cloud, f_.cells.data(), label.data(), plane.data(), is_crisp.data(),

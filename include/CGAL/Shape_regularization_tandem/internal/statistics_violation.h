@@ -142,7 +142,7 @@ inline std::string graph_violation(const Shapes_data& data, const Graph_counts& 
   });
 }
 
-// What no detection does can be told from what one does only roughly.
+// Work cannot be counted again; only impossible numbers are refused.
 inline std::string work_violation(const Stage_work& stages)
 {
   const auto& [prepare, rounds, finish] = stages;

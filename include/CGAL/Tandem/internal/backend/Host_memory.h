@@ -50,27 +50,28 @@ protected:
     return items;
   }
 
-  // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece(). Counts in pieces, then writes each
-  // piece at its place. is_kept is evaluated twice, so it has no side effects.
+  // The i in [0, n) with is_kept(i), ascending, on a back end with for_each_piece(). Each piece is kept at its
+  // beginning, then moved to its place.
   template <class Backend, class F>
   static Host_buffer<std::uint32_t> compact_on(Backend& backend, std::size_t n, F is_kept)
   {
     const One_loop loop(backend.counter(), n);
-    constexpr std::size_t grain = 16384;
+    constexpr std::size_t grain = 2048;
     std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
+    Host_buffer<std::uint32_t> kept(n);
     backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
-      std::size_t kept = 0;
-      for(std::size_t i = first; i < last; ++i)
-        kept += is_kept(std::uint32_t(i));
-      place[first / grain + 1] = kept;
+      std::size_t to = first;
+      for(std::size_t i = first; i < last; ++i) {
+        kept[to] = std::uint32_t(i); // overwritten unless it is kept
+        to += is_kept(std::uint32_t(i));
+      }
+      place[first / grain + 1] = to - first;
     });
     std::partial_sum(place.begin(), place.end(), place.begin());
     Host_buffer<std::uint32_t> result(place.back());
-    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
-      std::size_t to = place[first / grain];
-      for(std::size_t i = first; i < last && to < place[first / grain + 1]; ++i)
-        if(is_kept(std::uint32_t(i)))
-          result[to++] = std::uint32_t(i);
+    backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t) {
+      const std::size_t to = place[first / grain];
+      std::copy_n(kept.begin() + first, place[first / grain + 1] - to, result.begin() + to);
     });
     return result;
   }

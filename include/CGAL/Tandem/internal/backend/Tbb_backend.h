@@ -51,7 +51,7 @@ public:
 
   // Pieces are large enough that taking one costs little beside its items.
   template <class F>
-  void for_each(std::size_t n, F f, std::size_t grain = 4096)
+  void for_each(std::size_t n, F f, std::size_t grain = 1024)
   {
     for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
       for(std::size_t i = first; i < last; ++i)
@@ -95,7 +95,7 @@ public:
     run(cells, Index_functor(run_cell));
   }
 
-  void sort(Sort_table& table)
+  void sort(Sort_table& table, int = 63)
   {
     counter().add_loop(table.size());
     using Entry = Sort_table::Entry;

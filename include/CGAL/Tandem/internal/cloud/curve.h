@@ -67,10 +67,14 @@ CGAL_TANDEM_HD inline std::uint64_t interleave_octants(std::uint32_t x, std::uin
   return spread_bits(x ^ flip) << 2 | spread_bits(y ^ flip) << 1 | spread_bits(z ^ flip);
 }
 
-// The position along the curve; all coordinates are below 2^21.
+// The position along the curve; all coordinates are below 2^21. In the lowest octant the axes are exchanged in turn, so
+// three levels of it leave them as they are.
 CGAL_TANDEM_HD inline std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t y, std::uint32_t z)
 {
-  for(int bit = curve_bits - 1; bit > 0; --bit)
+  int bit = curve_bits - 1;
+  while(bit > 2 && (x | y | z) >> (bit - 2) == 0)
+    bit -= 3;
+  for(; bit > 0; --bit)
     enter_octant(x, y, z, bit);
   return interleave_octants(x, y, z);
 }

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// Neighbors of the points of one shape, without those in other crisp shapes: those within epsilon of its plane, and all
-// of them. Each point has up to 64, those of its surfel, so the sums need 64 bits.
+// Neighbors of the points of one shape, without those in other crisp shapes: those in the shape or within epsilon of its
+// plane, and all of them. Each point has up to 64, those of its surfel, so the sums need 64 bits.
 namespace neighbor_counts {
 enum Count { near, all, size };
 } // namespace neighbor_counts
@@ -80,7 +80,7 @@ private:
       // A neighbor in another crisp shape is not counted: it may lie on the other side of a thin plate.
       const bool is_counted = other == s || other >= first_mark || !is_crisp[other];
       all += is_counted;
-      near += is_counted && is_near(plane[s], cloud.point[row[j]], distance);
+      near += is_counted && (other == s || is_near(plane[s], cloud.point[row[j]], distance));
     }
     const std::uint32_t points = cloud.surfels.points(i).size();
     if(points >= 1u << 10)

@@ -39,7 +39,7 @@ struct Point_sample {
 };
 
 // A trial begins with the sides of the points of the sample. Then both sides are fitted, and points go to the nearer
-// plane, in turn.
+// plane, in turn. By a group of lanes, which share the points of the sample.
 class Split_gain {
 public:
   static constexpr int starts = 7;
@@ -60,21 +60,24 @@ public:
 
   CGAL_TANDEM_HD Split trial(const Shape& s, const Point_sample& sample, int start) const
   {
+    if(!may_gain(s, sample))
+      return Split();
     const Eigen_system axes = eigen_system(s.scatter.matrix);
-    Moments part[2];
-    for(std::uint32_t i = 0; i < sample.size; ++i)
-      part[is_on_second_side(s, axes, sample[i], start)].add(sample[i]);
+    const Moments all = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) { sum.add(sample[i]); });
+    Halves halves(sample, all, [&](const Grid_point& p) { return is_on_second_side(s, axes, p, start); });
     Split split;
     for(int step = 0; step < tuning::moves::split_steps; ++step) {
-      if(part[0].count < 3 || part[1].count < 3)
+      if(halves.first.count < 3 || halves.second.count < 3)
         return Split();
-      split.first = plane_of(part[0]);
-      split.second = plane_of(part[1]);
-      part[0] = part[1] = Moments();
-      for(std::uint32_t i = 0; i < sample.size; ++i)
-        part[is_nearer(split.second, split.first, sample[i])].add(sample[i]);
+      split.first = plane_of(halves.first);
+      split.second = plane_of(halves.second);
+      const Halves next(sample, all, [&](const Grid_point& p) { return is_nearer(split.second, split.first, p); });
+      const bool is_settled = next.second.is_equal(halves.second);
+      halves = next;
+      if(is_settled)
+        break; // planes would be the same
     }
-    if(part[0].count < part[1].count) {
+    if(halves.first.count < halves.second.count) {
       const Plane swapped = split.first;
       split.first = split.second;
       split.second = swapped;
@@ -84,6 +87,40 @@ public:
   }
 
 private:
+  // The sum of what f(i, sum) adds for the points of a sample.
+  template <class Sum, class F>
+  CGAL_TANDEM_HD static Sum sum_of(const Point_sample& sample, F f)
+  {
+    Sum sum = Sum();
+    for(std::uint32_t i = Lane_group::rank(); i < sample.size; i += Lane_group::size())
+      f(i, sum);
+    return Lane_group::sum(sum);
+  }
+
+  // The moments of those points of a sample that are on the second side, and of the others.
+  struct Halves {
+    template <class Predicate>
+    CGAL_TANDEM_HD Halves(const Point_sample& sample, const Moments& all, Predicate is_second) : first(all)
+    {
+      second = sum_of<Moments>(sample, [&](std::uint32_t i, Moments& sum) {
+        if(is_second(sample[i]))
+          sum.add(sample[i]);
+      });
+      first -= second;
+    }
+
+    Moments first, second;
+  };
+
+  // Whether a split would gain if all points of the sample were on its planes.
+  CGAL_TANDEM_HD bool may_gain(const Shape& s, const Point_sample& sample) const
+  {
+    const Plane before = rounded(s.local);
+    const auto sum = sum_of<std::int64_t>(
+      sample, [&](std::uint32_t i, std::int64_t& part) { part += Score::unit - weight(before, sample, i); });
+    return double(s.moments.count) / double(sample.size) * double(sum) > -double(score_.price());
+  }
+
   CGAL_TANDEM_HD static Plane plane_of(const Moments& m)
   {
     Fitted_moments f;
@@ -127,7 +164,7 @@ private:
   {
     const Plane before = rounded(s.local);
     std::int64_t sum = 0, squares = 0, count[2] = {0, 0};
-    for(std::uint32_t i = 0; i < sample.size; ++i) {
+    for(std::uint32_t i = Lane_group::rank(); i < sample.size; i += Lane_group::size()) {
       const bool second = is_nearer(split.second, split.first, sample[i]);
       const std::int64_t w = weight(second ? split.second : split.first, sample, i);
       const std::int64_t change = w - weight(before, sample, i);
@@ -135,6 +172,8 @@ private:
       sum += change;
       squares += change * change;
     }
+    for(std::int64_t* own : {&sum, &squares, &count[0], &count[1]})
+      *own = Lane_group::sum(*own);
     const std::int64_t n = s.moments.count, size = std::int64_t(sample.size);
     const std::int64_t first = n * count[0] / size, second = n * count[1] / size;
     if(2 * first < minimum_size_ || 2 * second < minimum_size_)
