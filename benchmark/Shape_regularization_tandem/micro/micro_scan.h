@@ -100,11 +100,12 @@ struct Prepared_scan {
   internal::Import in;
   internal::Tandem_state<Backend> state;
   Stage_times times;
+  Work work;
 
   Prepared_scan(std::size_t size, bool has_normals) : in(micro_import(size, has_normals)), state(backend)
   {
     internal::Progress progress;
-    internal::prepare(state, in, micro_parameters(), times, progress);
+    internal::prepare(state, in, micro_parameters(), {times, work}, progress);
   }
 };
 
