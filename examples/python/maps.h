@@ -47,17 +47,6 @@ struct Row_map {
 using Point_map = Row_map<Kernel::Point_3>;
 using Normal_map = Row_map<Kernel::Vector_3>;
 
-struct Tolerance_map {
-  using key_type = std::size_t;
-  using value_type = double;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-
-  const double* values;
-
-  friend value_type get(const Tolerance_map& map, std::size_t i) { return map.values[i]; }
-};
-
 // Calls f with the named parameters for the maps of the points and normals of the cloud ...
 template <class F>
 auto with_maps(const Cloud& cloud, const F& f)
@@ -71,7 +60,8 @@ template <class F>
 auto with_all_maps(const Cloud& cloud, const F& f)
 {
   return with_maps(cloud, [&](const auto& maps) {
-    return cloud.tolerances != nullptr ? f(maps.maximum_distance_map(Tolerance_map{cloud.tolerances})) : f(maps);
+    return cloud.tolerances != nullptr ? f(maps.maximum_distance_map(CGAL::make_property_map(cloud.tolerances)))
+                                       : f(maps);
   });
 }
 

@@ -7,6 +7,7 @@
 #undef NDEBUG
 
 #include "testing/body_fixture.h"
+#include "testing/naive_side.h"
 
 #include <CGAL/Tandem/internal/neighbors/join_surfels.h>
 
@@ -67,17 +68,6 @@ Leveled_points random_heaps(std::size_t heaps, const Surfel_cells& surfels, int 
 
 // A cube is no larger for a point than its tolerance needs: 2^-octave is at most the tolerance, in epsilons.
 int naive_octave(std::uint8_t level, int octaves) { return (std::min)(int(std::ceil(level / 8.)), octaves); }
-
-int naive_side(const Grid_point& p)
-{
-  const Int_vector n = decode_normal(p.normal);
-  const std::array<int, 3> v = {n.x, n.y, n.z};
-  int largest = 0;
-  for(int c = 1; c < 3; ++c)
-    if(std::abs(v[std::size_t(c)]) > std::abs(v[std::size_t(largest)]))
-      largest = c;
-  return 2 * largest + (v[std::size_t(largest)] < 0);
-}
 
 // x, y, z of the cube of an octave.
 using Cube = std::array<std::int64_t, 3>;

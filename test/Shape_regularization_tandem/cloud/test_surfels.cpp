@@ -9,6 +9,7 @@
 
 #include "testing/body_fixture.h"
 #include "testing/change_table.h"
+#include "testing/naive_side.h"
 
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
@@ -42,18 +43,6 @@ Points random_points(std::size_t n, bool has_normals, std::uint64_t seed)
     points.push_back({x, y, z, has_normals ? encode_normal({d.x, d.y, d.z}) : no_normal});
   }
   return points;
-}
-
-// The axis and sign of the largest component.
-int naive_side(const Grid_point& p)
-{
-  const Int_vector n = decode_normal(p.normal);
-  const std::array<int, 3> v = {n.x, n.y, n.z};
-  int largest = 0;
-  for(int c = 1; c < 3; ++c)
-    if(std::abs(v[std::size_t(c)]) > std::abs(v[std::size_t(largest)]))
-      largest = c;
-  return 2 * largest + (v[std::size_t(largest)] < 0);
 }
 
 // x, y, z of the cube, then the side.

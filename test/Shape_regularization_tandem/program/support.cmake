@@ -103,6 +103,15 @@ function(make_cube lines_name shift)
   set(${lines_name} "${lines}" PARENT_SCOPE)
 endfunction()
 
+# Ends the test as skipped if there is no python3. A macro, so that the file that calls it returns.
+macro(need_python3)
+  find_program(python3 python3)
+  if(NOT python3)
+    message(STATUS "skipped: there is no python3")
+    return()
+  endif()
+endmacro()
+
 set(n 1728)
 set(ply_header "ply\nformat ascii 1.0\nelement vertex ${n}\n")
 set(positions "property double x\nproperty double y\nproperty double z\n")

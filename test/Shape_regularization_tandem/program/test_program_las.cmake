@@ -8,11 +8,7 @@ cmake_minimum_required(VERSION 3.19)
 
 include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
 
-find_program(python3 python3)
-if(NOT python3)
-  message(STATUS "skipped: there is no python3")
-  return()
-endif()
+need_python3()
 set(cases "\"${python3}\" \"${CMAKE_CURRENT_LIST_DIR}/las_cases.py\"")
 string(REGEX REPLACE " [01] [01] [01]\n" "\n" bare "${cube}")
 file(WRITE "${WORK_DIR}/bare.txt" "${bare}")
