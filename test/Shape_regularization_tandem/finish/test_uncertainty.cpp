@@ -48,8 +48,8 @@ private:
     for(const std::uint32_t parts : {1u, 3u}) {
       std::fill(got.begin(), got.end(), Shared_moments());
       backend_.template for_each_cell<Moment_table>(
-        parts * cells.size(),
-        Sum_final_moments<Backend>{cloud, {cells.data(), nullptr, parts}, {labels, shape.data()}, got.data()});
+        parts * cells.size(), Sum_moments<Backend, Final_members>{
+                                cloud, {cells.data(), nullptr, parts}, {{labels, shape.data()}}, got.data()});
       check_moments(got, expected, name);
     }
   }

@@ -36,7 +36,7 @@ private:
       if(f_.label[i] < first_mark)
         add_point(expected[f_.label[i]], f_.point[i], 1, f_.level_of(i));
     backend_.template for_each_cell<Moment_table>(
-      f_.cells.size() * parts, Sum_moments<Backend>{f_.cloud, f_.parts_view(parts), f_.label.data(), sum.data()});
+      f_.cells.size() * parts, Sum_moments<Backend>{f_.cloud, f_.parts_view(parts), {f_.label.data()}, sum.data()});
     check_moments(sum, expected, name_ + ": sums");
   }
 

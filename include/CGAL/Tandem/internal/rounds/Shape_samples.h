@@ -6,6 +6,7 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_SAMPLES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_SHAPE_SAMPLES_H
 
+#include <CGAL/Tandem/internal/backend/Host_view.h>
 #include <CGAL/Tandem/internal/base/ordered_bits.h>
 #include <CGAL/Tandem/internal/rounds/Shape_sample.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
@@ -109,14 +110,11 @@ struct Sorted_samples {
   typename Backend::template Buffer<Range> range; // by shape
 };
 
-// bound: by shape.
 template <class Backend>
-Sorted_samples<Backend> sorted_samples(Labeled_cloud<Backend>& points, std::size_t shapes, const std::uint32_t* bound)
+Sorted_samples<Backend> sorted_samples(Backend& backend, std::size_t shapes,
+                                       const typename Backend::template Buffer<Keyed_point>& keyed)
 {
-  Backend& backend = points.backend;
   using View = typename Backend::Sort_table::View;
-  const auto keyed = collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.number_of_points(),
-                                                 Take_sampled{points.cloud.view(), points.label(), bound});
   const std::size_t n = keyed.size();
   typename Backend::Sort_table table(n);
   backend.for_each(n, Set_sample_key<View>{keyed.data(), table.view()});
@@ -145,6 +143,36 @@ struct Fill_sample {
   }
 };
 
+// An item of a sample on its way to other ranks.
+struct Sent_sample {
+  std::uint32_t shape;
+  Sampled_point item;
+};
+
+// Of the samples of the points of each rank, those of all points.
+template <class Backend>
+void join_samples(Backend& backend, const Ranks<Backend>& ranks, Shape_samples<Backend>& samples)
+{
+  Host_view<Backend, Shape_sample> table(backend, samples.data(), samples.size());
+  std::vector<Sent_sample> own;
+  for(std::size_t id = 0; id < samples.size(); ++id)
+    for(std::uint32_t i = 0; i < table.data()[id].size; ++i)
+      own.push_back({std::uint32_t(id), table.data()[id].item[i]});
+  std::vector<std::size_t> first; // of each rank
+  const std::vector<Sent_sample> all = ranks.gather(std::move(own), &first);
+  for(std::size_t rank = 0; rank + 1 < first.size(); ++rank) {
+    Shape_sample part = {};
+    for(std::size_t i = first[rank]; rank != ranks.share().rank && i < first[rank + 1]; ++i) {
+      part.item[part.size++] = all[i].item;
+      if(i + 1 < first[rank + 1] && all[i + 1].shape == all[i].shape)
+        continue;
+      merge_sample(table.data()[all[i].shape], part);
+      part.size = 0;
+    }
+  }
+  table.write_back();
+}
+
 // The points of least hash of each shape. About one and a half times as many are sorted, so that few shapes get less
 // than a sample has room for.
 template <class Backend>
@@ -154,10 +182,14 @@ Shape_samples<Backend> sample_shapes(Labeled_cloud<Backend>& points, Shape_table
   constexpr std::int64_t expected = Shape_sample::capacity * 3 / 2;
   typename Backend::template Buffer<std::uint32_t> bound(shapes.size);
   for_each_shape(backend, shapes, Bound_all{shapes.counted(), expected, bound.data()});
-  const Sorted_samples<Backend> sorted = sorted_samples(points, shapes.size, bound.data());
+  const Take_sampled taken = {points.cloud.view(), points.label(), bound.data()};
+  const Sorted_samples<Backend> sorted =
+    sorted_samples(backend, shapes.size, backend.template collect<Keyed_point>(points.cloud.number_of_points(), taken));
   Shape_samples<Backend> samples(shapes.size);
   backend.for_each(shapes.size * Shape_sample::capacity,
                    Fill_sample{sorted.point.data(), sorted.range.data(), samples.data()});
+  if constexpr(Ranks<Backend>::are_many)
+    join_samples(backend, points.ranks, samples);
   return samples;
 }
 

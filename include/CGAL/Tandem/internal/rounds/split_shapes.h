@@ -209,7 +209,10 @@ Found_splits<Backend> find_splits(Labeled_cloud<Backend>& points, Shape_table<Ba
   typename Backend::template Buffer<std::uint32_t>& id = found.id;
   auto bound = filled_buffer(backend, shapes.size, std::uint32_t(0));
   backend.for_each(id.size(), Bound_listed{shapes.fitted(), id.data(), Split_gain::sample_size, bound.data()});
-  const Sorted_samples<Backend> sample = sorted_samples(points, shapes.size, bound.data());
+  const Sorted_samples<Backend> sample =
+    sorted_samples(backend, shapes.size,
+                   collect_of_all<Keyed_point>(backend, points.ranks, points.cloud.number_of_points(),
+                                               Take_sampled{points.cloud.view(), points.label(), bound.data()}));
   found.split.reset(id.size() * Split_gain::starts);
   for_each_by_group(backend, found.split.size(),
                     Try_splits{shapes.fitted(), id.data(), sample.point.data(), sample.range.data(), gain,

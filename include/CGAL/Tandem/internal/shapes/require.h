@@ -101,14 +101,25 @@ struct Clear_lists {
   CGAL_TANDEM_HD void operator()(std::size_t c) const { lists[c].size = 0; }
 };
 
-// For each cell: the moments and boxes of the shapes of its points. Successive points often have the same label, so
+// Which points of a surfel count for which shape: all of them, for that of its label.
+struct Members_by_label {
+  const std::uint32_t* label; // by surfel
+
+  CGAL_TANDEM_HD std::uint32_t shape_of(std::uint32_t i) const { return label[i] < first_mark ? label[i] : no_index; }
+  CGAL_TANDEM_HD void add(Shape_run& run, const Surfels_view& surfels, std::uint32_t i, const Grid_point& base) const
+  {
+    run.add(surfels, i, base, 1);
+  }
+};
+
+// For each cell: the moments and boxes of the shapes of its points. Successive surfels often have the same shape, so
 // each lane sums a run of them before it looks up a slot.
-template <class Backend>
+template <class Backend, class Members = Members_by_label>
 struct Sum_moments {
   Cloud_view cloud;
   Cells_view cells;
-  const std::uint32_t* label;
-  Shared_moments* sum;
+  Members members;
+  Shared_moments* sum; // by shape
 
   template <class Block>
   CGAL_TANDEM_HD void operator()(Block& block, Moment_table& table, std::uint32_t c) const
@@ -123,15 +134,15 @@ struct Sum_moments {
     block.template accumulate<Shape_run>(
       cell.size(),
       [&](std::uint32_t at, Shape_run& run) {
-        const std::uint32_t i = cell.first + at;
-        if(label[i] >= first_mark)
+        const std::uint32_t i = cell.first + at, s = members.shape_of(i);
+        if(s == no_index)
           return;
-        if(label[i] != run.shape) {
+        if(s != run.shape) {
           add(run);
           run = Shape_run();
-          run.shape = label[i];
+          run.shape = s;
         }
-        run.add(cloud.surfels, i, base, 1);
+        members.add(run, cloud.surfels, i, base);
       },
       add);
     table.template flush<Backend>(block, sums);
@@ -158,7 +169,7 @@ void count_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes)
   Backend& backend = points.backend;
   Shared_moments* const sums = start_deltas(backend, shapes, shapes.size);
   backend.template for_each_cell<Moment_table>(
-    points.number_of_parts(), Sum_moments<Backend>{points.cloud.view(), points.parts(), points.label(), sums});
+    points.number_of_parts(), Sum_moments<Backend>{points.cloud.view(), points.parts(), {points.label()}, sums});
   sum_deltas(backend, points.ranks, shapes);
   for_each_shape(backend, shapes, Set_sums{shapes.change_moments(), sums});
   shapes.set_counted();
