@@ -25,6 +25,7 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 struct Options {
   std::vector<std::string> inputs;
   std::string output, output_directory, labels, planes, report, vg, polygons, mesh, mesh_method, view;
+  std::string crs;                          // of --polygons
   std::string columns, classes;             // of the inputs
   std::string tolerance_column, noise_text; // of the tolerance of each point
   std::optional<Noise_model> noise;

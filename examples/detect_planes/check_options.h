@@ -119,7 +119,7 @@ inline void check_format(const char* name, const std::string& path, const std::v
 
 inline void check_formats(const Options& o, const Built_with& built)
 {
-  check_format("polygons", o.polygons, {".geojson", ".json", ".ply", ".obj"});
+  check_format("polygons", o.polygons, {".geojson", ".json", ".ply", ".obj", ".off"});
   check_format("mesh", o.mesh, {".off", ".obj", ".ply"});
   check_format("view", o.view, {".html", ".htm"});
   if(!is_known_output(o.output)) {
@@ -148,6 +148,8 @@ inline void check(const Options& o, const Built_with& built)
     throw Usage_error("--vg-by-plane needs --vg");
   if(o.has_triangles_only && o.polygons.empty())
     throw Usage_error("--triangulate needs --polygons");
+  if(!o.crs.empty() && !is_geojson(o.polygons))
+    throw Usage_error("--crs needs --polygons with a name that ends in .geojson or .json");
   if(o.is_oriented && o.planes.empty() && o.view.empty() && o.polygons.empty())
     throw Usage_error("--oriented needs --planes, --view or --polygons");
   if(o.mesh_planes && o.mesh.empty())

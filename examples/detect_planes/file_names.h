@@ -45,6 +45,11 @@ inline std::string lower_case_extension(const std::filesystem::path& path)
   return extension;
 }
 
+inline bool is_geojson(const std::string& path)
+{
+  return lower_case_extension(path) == ".geojson" || lower_case_extension(path) == ".json";
+}
+
 inline bool is_gzip(const std::string& path) { return lower_case_extension(path) == ".gz"; }
 
 // The extension that tells the format: .ply of cloud.ply.gz.

@@ -60,8 +60,12 @@ inline void add_result_options(po::options_description& group, Options& o, const
       "a group of --vg for each plane: coplanar shapes in one");
   add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
       "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
-      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply or "
-      ".obj (a face for each polygon, triangles for one with holes). A shape of very few points has none");
+      "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply, "
+      ".obj or .off (a face for each polygon, triangles for one with holes). Shapes share the vertices on the lines where "
+      "they meet. A shape of very few points has no polygon");
+  add("crs", po::value<std::string>(&o.crs)->value_name("NAME"),
+      "the name of the coordinate reference system, such as urn:ogc:def:crs:EPSG::25833, which --polygons (.geojson, "
+      ".json) writes as it is given");
   add("triangulate", po::bool_switch(&o.has_triangles_only), "--polygons writes triangles only");
   add("report", po::value<std::string>(&o.report)->value_name("FILE"),
       "JSON with warnings, parameters, counts, quality, times, memory and relations: parallel and coplanar groups of "

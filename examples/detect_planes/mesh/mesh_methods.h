@@ -8,7 +8,7 @@
 #define DETECT_PLANES_MESH_METHODS_H
 
 #include "Built_with.h"
-#include "outlines/shape_polygons.h"
+#include "output/write_results.h"
 
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 

@@ -7,7 +7,7 @@
 #define DETECT_PLANES_WRITE_MESH_H
 
 #include "Options.h"
-#include "outlines/shape_polygons.h"
+#include "output/write_results.h"
 
 #include <cstddef>
 #include <iosfwd>

@@ -42,8 +42,11 @@ public:
   // All but the mesh. None of them has its name before commit().
   void write(const Shapes& shapes, const Run& run)
   {
+    Shape_areas areas;
+    if(!options.polygons.empty() || !options.view.empty())
+      areas = areas_of_shapes(cloud.points, shapes);
     for(std::size_t i = 0; i < writers.size(); ++i)
-      write_file(i, Results{options, cloud, shapes, run});
+      write_file(i, Results{options, cloud, shapes, areas, run});
     if(!options.output_directory.empty())
       for(const Input_part& part : cloud.parts)
         write_part(part, shapes);
@@ -73,6 +76,7 @@ private:
     const Options& o;
     const Input_cloud& cloud;
     const Shapes& shapes;
+    const Shape_areas& areas; // none where no output needs them
     const Run& run;
   };
   using Writer = void (*)(std::ostream&, const Results&);
@@ -91,10 +95,11 @@ private:
                r.o.has_group_for_each_plane ? Vg_groups::of_planes : Vg_groups::of_shapes);
     });
     open(o.polygons, [](std::ostream& out, const Results& r) {
-      write_polygons(out, r.cloud.points, r.shapes, r.o.polygons,
-                     r.o.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons);
+      write_polygons(out, r.areas, r.shapes,
+                     {lower_case_extension(r.o.polygons),
+                      r.o.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons, r.o.crs});
     });
-    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.cloud.points, r.shapes, r.run); });
+    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.cloud.points, r.shapes, r.areas, r.run); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
     if(!o.mesh.empty())
       mesh.emplace(o.mesh);

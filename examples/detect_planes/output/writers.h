@@ -7,8 +7,8 @@
 #define DETECT_PLANES_WRITERS_H
 
 #include "input/input_settings.h"
-#include "outlines/shape_polygons.h"
 #include "output/report.h"
+#include "output/shape_areas.h"
 #include "output/write_results.h"
 
 #include <iosfwd>
@@ -30,15 +30,21 @@ void write_cloud(std::ostream& out, const Point_set& points, const Point_part& p
 
 enum class Faces_of_file { polygons, triangles };
 
-// The polygons of the shapes: binary PLY with the shape of each face, OBJ with a group for each shape, or GeoJSON with a
-// feature for each shape, by the extension in any case. Shapes share no vertices. Faces of PLY and OBJ have no holes:
-// polygons with holes are triangles there.
-void write_polygons(std::ostream& out, const Point_set& points, const Shapes& shapes, const std::string& path,
-                    Faces_of_file faces);
+struct Polygon_format {
+  std::string extension;
+  Faces_of_file faces;
+  std::string crs; // the name of the coordinate reference system, for GeoJSON; empty: not written
+};
+
+// The polygons of the shapes: binary PLY with the shape of each face, OBJ with a group for each shape, OFF with the color
+// of the shape, or GeoJSON with a feature for each shape. A vertex that several shapes have is in PLY, OBJ and OFF once.
+// Their faces have no holes: polygons with holes are triangles there.
+void write_polygons(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Polygon_format& format);
 
 // The page that shows a result in three dimensions: one file, which a browser opens from the disk. three.js and the page
 // around the data are parts of the program.
-void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Run& run);
+void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Shape_areas& areas,
+                const Run& run);
 
 } // namespace program
 

@@ -6,18 +6,19 @@
 #ifndef DETECT_PLANES_SHAPE_FACTS_H
 #define DETECT_PLANES_SHAPE_FACTS_H
 
-#include "outlines/Unit.h"
+#include "view/Unit.h"
 #include "view/write_points.h"
 
 #include <CGAL/linear_least_squares_fitting_3.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 namespace program {
 
 struct Shape_facts {
-  Position centroid;
+  std::array<double, 3> centroid;
   double mean_distance = 0;               // of its points to its plane
   double turned_degrees = 0, shifted = 0; // its plane, against the least-squares plane of its points
 };
@@ -48,7 +49,7 @@ inline Shape_facts facts_of_shape(const Point_set& points, const Shapes& shapes,
   Shape_facts facts;
   facts.mean_distance = unit.out(sum / double(members.size()));
   facts.turned_degrees = std::asin((std::min)(sine, 1.)) * 180 / CGAL_PI;
-  facts.centroid = unit.out({centroid.x(), centroid.y(), centroid.z()});
+  facts.centroid = {unit.out(centroid.x()), unit.out(centroid.y()), unit.out(centroid.z())};
   facts.shifted = unit.out(std::fabs(height(centroid)));
   return facts;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "output/writers.h"
-#include "outlines/shape_polygons.h"
 #include "view/Thinned_points.h"
 #include "view/shape_facts.h"
 #include "view/write_points.h"
@@ -51,7 +50,8 @@ Kernel::Point_3 center_of(const CGAL::Bbox_3& box)
 }
 
 // Columns: a number for each shape.
-Json json_of_shapes(const Point_set& points, const Shapes& shapes, const Kernel::Point_3& center)
+Json json_of_shapes(const Point_set& points, const Shapes& shapes, const Shape_areas& areas,
+                    const Kernel::Point_3& center)
 {
   const Unit unit(points, shapes);
   std::vector<std::size_t> size, parallel, coplanar;
@@ -68,20 +68,20 @@ Json json_of_shapes(const Point_set& points, const Shapes& shapes, const Kernel:
     distance.push_back(facts.mean_distance);
     turned.push_back(facts.turned_degrees);
     shifted.push_back(facts.shifted);
+    area.push_back(areas.area(s));
   }
-  for(const Shape_polygons& polygons : polygons_of_shapes(points, shapes))
-    area.push_back(polygons.area);
   return {{"points", size},       {"direction", parallel}, {"plane", coplanar},         {"coefficients", plane},
           {"centroid", position}, {"area", area},          {"mean_distance", distance}, {"turned_degrees", turned},
           {"shifted", shifted}};
 }
 
+// But for the shapes.
 Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run, const Thinned_points& thinned)
 {
   const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   const Kernel::Point_3 center = center_of(box);
   const CGAL::Tandem::Statistics& s = shapes.statistics();
-  Json json = {{"name", utf8(std::filesystem::path(run.input).filename().string())},
+  return {{"name", utf8(std::filesystem::path(run.input).filename().string())},
                {"points", s.number_of_points},
                {"assigned", s.number_of_assigned_points},
                {"ignored", s.number_of_ignored_points()},
@@ -93,10 +93,7 @@ Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run
                {"maximum_distance", shapes.parameters().maximum_distance},
                {"center", {center.x(), center.y(), center.z()}},
                {"extent", {box.x_span(), box.y_span(), box.z_span()}},
-               {"orthogonal", shapes.orthogonal_groups()},
-               {"shapes", json_of_shapes(points, shapes, center)}};
-  json["shapes"]["shown"] = thinned.shown; // one more: points without a shape
-  return json;
+               {"orthogonal", shapes.orthogonal_groups()}};
 }
 
 // Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
@@ -122,12 +119,16 @@ void write_points(std::ostream& out, const Point_set& points, const Shapes& shap
 
 } // namespace
 
-void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Run& run)
+void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Shape_areas& areas,
+                const Run& run)
 {
   const Thinned_points thinned(points, shapes, largest_number_of_points);
   write_pieces(out, page_before_data);
   out << "<script type=\"application/json\" id=\"scene\">";
-  out << boost::replace_all_copy(ascii(json_of_scene(points, shapes, run, thinned)), "<", "\\u003c"); // no </script>
+  Json scene = json_of_scene(points, shapes, run, thinned);
+  scene["shapes"] = json_of_shapes(points, shapes, areas, center_of(box_of_shapes(points, shapes)));
+  scene["shapes"]["shown"] = thinned.shown;                          // one more: points without a shape
+  out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
   write_points(out, points, shapes, thinned);
   out << "</script>\n";

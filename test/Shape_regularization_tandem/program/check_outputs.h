@@ -36,7 +36,8 @@ struct Output_case {
 inline std::string text_of_polygons(const Output_case& c, const std::string& path, Faces_of_file faces)
 {
   std::ostringstream out;
-  program::write_polygons(out, c.points, c.shapes, path, faces);
+  program::write_polygons(out, program::areas_of_shapes(c.points, c.shapes), c.shapes,
+                          {program::lower_case_extension(path), faces, ""});
   return out.str();
 }
 
@@ -74,12 +75,13 @@ inline Written_shapes check_polygons(const Output_case& c, Totals& totals)
     check_points(c, s, shapes[s], totals);
   }
   for(Faces_of_file kind : {Faces_of_file::polygons, Faces_of_file::triangles})
-    for(const std::string path : {"a.geojson", "a.ply", "a.obj"}) {
+    for(const std::string path : {"a.geojson", "a.ply", "a.obj", "a.off"}) {
       if(path == "a.geojson" && kind == Faces_of_file::polygons)
         continue;
       const std::string text = text_of_polygons(c, path, kind);
       const Written_shapes faces = path == "a.ply"   ? read_ply(text, shapes.size())
                                    : path == "a.obj" ? read_obj(text)
+                                   : path == "a.off" ? read_off(text, shapes.size())
                                                      : read_geojson(text);
       CHECK_AT(faces.size() == shapes.size(), c.name + ' ' + path);
       for(std::size_t s = 0; s < faces.size(); ++s)
@@ -95,7 +97,7 @@ inline void check_view(const Output_case& c, const Written_shapes& polygons)
 {
   program::Run run;
   std::ostringstream out;
-  program::write_view(out, c.points, c.shapes, run);
+  program::write_view(out, c.points, c.shapes, program::areas_of_shapes(c.points, c.shapes), run);
   const std::string text = out.str(), begin = "id=\"scene\">";
   const std::size_t first = text.rfind(begin) + begin.size();
   const Json scene = Json::parse(text.substr(first, text.find("</script>", first) - first));

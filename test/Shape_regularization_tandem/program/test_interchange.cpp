@@ -147,7 +147,8 @@ void check_mesh(const Mesh& mesh, const std::vector<int>& shape_of, const Shapes
 void check_ply(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, shapes, "areas.PLY", program::Faces_of_file::triangles);
+  program::write_polygons(out, program::areas_of_shapes(points, shapes), shapes,
+                          {".ply", program::Faces_of_file::triangles, ""});
   std::istringstream in(out.str());
   Mesh mesh;
   CHECK(CGAL::IO::read_PLY(in, mesh.points, mesh.faces));
@@ -165,7 +166,8 @@ void check_ply(const Point_set& points, const Shapes& shapes)
 void check_obj(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, shapes, "areas.obj", program::Faces_of_file::triangles);
+  program::write_polygons(out, program::areas_of_shapes(points, shapes), shapes,
+                          {".obj", program::Faces_of_file::triangles, ""});
   std::istringstream in(out.str());
   Mesh mesh;
   CHECK(CGAL::IO::read_OBJ(in, mesh.points, mesh.faces));
@@ -185,13 +187,13 @@ void check_obj(const Point_set& points, const Shapes& shapes)
 // Each edge has one or two triangles: nothing overlaps, and the boundary is made of closed lines.
 void check_boundary(const Point_set& points, const Shapes& shapes)
 {
-  for(const program::Shape_polygons& shape : program::polygons_of_shapes(points, shapes)) {
+  const program::Shape_areas areas = program::areas_of_shapes(points, shapes);
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
     std::map<std::uint32_t, int> balance;
-    for(const program::Polygon& polygon : shape.polygons)
-      for(const auto& t : polygon.triangles)
-        for(int i = 0; i < 3; ++i)
-          ++count[{t[i], t[(i + 1) % 3]}];
+    for(const auto& t : areas.triangles(s))
+      for(std::size_t i = 0; i < 3; ++i)
+        ++count[{t[i], t[(i + 1) % 3]}];
     int boundary_edges = 0;
     for(const auto& [edge, n] : count) {
       CHECK_AT(n == 1, std::to_string(edge.first));
@@ -231,7 +233,7 @@ void check_lattice(int run)
   const Shapes shapes =
     CGAL::Tandem::detect_planes(points, CGAL::Tandem::parameters::maximum_distance(.01).minimum_region_size(100));
   CHECK_AT(shapes.number_of_shapes() == 1, std::to_string(run));
-  const double covered = program::polygons_of_shapes(points, shapes)[0].area;
+  const double covered = program::areas_of_shapes(points, shapes).area(0);
   const double length = (side - 1) * spacing;
   CHECK_AT(std::fabs(covered / (length * length) - 1) < 1e-6, std::to_string(run) + ": " + std::to_string(covered));
 }

@@ -6,19 +6,21 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
 
-#include "outlines/shape_polygons.h"
+#include "output/shape_areas.h"
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-using program::Position;
+using Position = std::array<double, 3>;
 using Ring = std::vector<Position>; // the first corner is not there again
 struct Written_polygon {
   std::vector<Ring> rings; // the outer one first
@@ -98,6 +100,40 @@ inline Written_shapes read_obj(const std::string& text)
       result.at(result.size() - 1).polygons.push_back({{ring}});
     }
   }
+  return result;
+}
+
+// The colors are those of the shapes.
+inline Written_shapes read_off(const std::string& text, std::size_t number_of_shapes)
+{
+  Written_shapes result(number_of_shapes);
+  std::map<program::Color, std::size_t> shape_of;
+  for(std::size_t s = number_of_shapes; s > 0; --s)
+    shape_of[program::color_of_shape(int(s) - 1)] = s - 1;
+  std::istringstream in(text);
+  std::string word;
+  std::getline(in, word);
+  std::getline(in, word);
+  std::size_t number_of_vertices, number_of_faces, edges;
+  in >> number_of_vertices >> number_of_faces >> edges;
+  std::vector<Position> vertices(number_of_vertices);
+  for(Position& p : vertices)
+    for(double& x : p) {
+      in >> word;
+      x = number_of(word);
+    }
+  for(; number_of_faces > 0; --number_of_faces) {
+    std::size_t count, corner;
+    Ring ring;
+    for(in >> count; count > 0 && in >> corner; --count)
+      ring.push_back(vertices.at(corner));
+    int r, g, b;
+    in >> r >> g >> b;
+    const program::Color color = {std::uint8_t(r), std::uint8_t(g), std::uint8_t(b)};
+    result.at(shape_of.at(color)).polygons.push_back({{ring}});
+  }
+  if(!in || in >> word)
+    throw std::runtime_error("not as many numbers as the header says");
   return result;
 }
 

@@ -6,7 +6,7 @@
 #ifndef DETECT_PLANES_PLANE_COVERAGE_H
 #define DETECT_PLANES_PLANE_COVERAGE_H
 
-#include "outlines/Plane_frame.h"
+#include "output/write_results.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Polygon_2_algorithms.h>

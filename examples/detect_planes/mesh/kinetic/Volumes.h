@@ -6,7 +6,7 @@
 #ifndef DETECT_PLANES_VOLUMES_H
 #define DETECT_PLANES_VOLUMES_H
 
-#include "outlines/Plane_frame.h"
+#include "output/write_results.h"
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Kinetic_space_partition_3.h>

@@ -1,13 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outline of a shape, and the triangulation of its points in its plane that it comes from. Triangles whose circumscribed circle is small, compared
-// with the spacing of the points there, are inside of the outline.
+// The outline of a shape, and the triangulation of its points in its plane that it comes
+// from. Triangles whose circumscribed circle is small, compared with the spacing of the points there, are inside.
 
-#ifndef DETECT_PLANES_OUTLINE_TRIANGULATION_H
-#define DETECT_PLANES_OUTLINE_TRIANGULATION_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_H
 
-#include "outlines/shape_polygons.h"
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Straight_border.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -17,7 +18,10 @@
 #include <limits>
 #include <vector>
 
-namespace program {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 // Lengths are multiples of the spacing of the points, areas of its square.
 struct Outline_limits {
@@ -118,11 +122,11 @@ private:
   bool has_area; // the points are not on a line
 };
 
-// Straightens lines. What they become are polygons whose lines are simple and have no common points, as they are
-// written. False if the lines, written or straightened, are not like that: then nothing is changed.
-bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
-                   std::vector<Polygon>& polygons);
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
 
-} // namespace program
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation_impl.h>
 
-#endif // DETECT_PLANES_OUTLINE_TRIANGULATION_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_H

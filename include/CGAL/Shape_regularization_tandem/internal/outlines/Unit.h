@@ -1,30 +1,30 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DETECT_PLANES_UNIT_H
-#define DETECT_PLANES_UNIT_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_UNIT_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_UNIT_H
 
-#include "outlines/Plane_frame.h"
-
-#include <CGAL/Point_set_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_frame.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-namespace program {
-
-using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 // A power of two, in which the largest coordinate of the shapes is between 1/2 and 1, so that squares and products of
 // lengths are far from the bounds of doubles. Numbers that are not close to these bounds keep all their bits.
 class Unit {
 public:
-  Unit(const Point_set& points, const Shapes& shapes)
+  Unit(const std::vector<Kernel::Point_3>& points, const Shapes& shapes)
   {
     double largest = 0;
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       for(std::uint32_t i : shapes.points(s)) {
-        const Kernel::Point_3& p = points.point(*(points.begin() + std::ptrdiff_t(i)));
+        const Kernel::Point_3& p = points[i];
         largest = (std::max)({largest, std::fabs(p.x()), std::fabs(p.y()), std::fabs(p.z())});
       }
     std::frexp(largest, &exponent);
@@ -49,6 +49,9 @@ private:
   int exponent = 0;
 };
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
 
-#endif // DETECT_PLANES_UNIT_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_UNIT_H

@@ -3,14 +3,17 @@
 //
 // Sets of intervals on a line.
 
-#ifndef DETECT_PLANES_INTERVALS_H
-#define DETECT_PLANES_INTERVALS_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_INTERVALS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_INTERVALS_H
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-namespace program {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 struct Interval {
   double first, last;
@@ -107,6 +110,9 @@ inline Intervals bridged(const Intervals& pieces, const Intervals& obstacles, do
   return kept;
 }
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
 
-#endif // DETECT_PLANES_INTERVALS_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_INTERVALS_H

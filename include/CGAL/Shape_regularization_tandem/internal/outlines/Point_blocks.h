@@ -3,10 +3,10 @@
 //
 // Finds what is close without a look at everything.
 
-#ifndef DETECT_PLANES_POINT_BLOCKS_H
-#define DETECT_PLANES_POINT_BLOCKS_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_POINT_BLOCKS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_POINT_BLOCKS_H
 
-#include "outlines/Plane_frame.h"
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_frame.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -16,7 +16,10 @@
 #include <cstddef>
 #include <vector>
 
-namespace program {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 inline CGAL::Bbox_3 grown(const CGAL::Bbox_3& b, double d)
 {
@@ -104,6 +107,9 @@ private:
   std::vector<std::vector<Block>> levels; // from the smallest blocks to the largest
 };
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
 
-#endif // DETECT_PLANES_POINT_BLOCKS_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_POINT_BLOCKS_H

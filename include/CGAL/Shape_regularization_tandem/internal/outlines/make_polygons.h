@@ -1,8 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "outlines/Outline_triangulation.h"
-#include "outlines/boundary_loops.h"
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_MAKE_POLYGONS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_MAKE_POLYGONS_H
+
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/boundary_loops.h>
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Polygon_2_algorithms.h>
@@ -14,9 +17,10 @@
 #include <map>
 #include <utility>
 
-namespace program {
-
-namespace {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 namespace simplification = CGAL::Polyline_simplification_2;
 
@@ -61,7 +65,7 @@ struct Relative_cost {
   }
 };
 
-bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& triangulation, Vertex_map& vertex_at)
+inline bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& triangulation, Vertex_map& vertex_at)
 {
   for(const Outline_loop& loop : loops) {
     std::vector<Kernel::Point_2> points;
@@ -87,7 +91,7 @@ bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& triangu
 }
 
 // From infinity inwards; each crossing of a line changes the side.
-void mark_inside(const Triangulation& triangulation)
+inline void mark_inside(const Triangulation& triangulation)
 {
   for(Face_handle f : triangulation.all_face_handles())
     f->info() = unknown;
@@ -119,7 +123,7 @@ void mark_inside(const Triangulation& triangulation)
 }
 
 // There is an area, every vertex is one of the given ones, and two lines end there.
-bool is_valid(const Triangulation& triangulation, const Vertex_map& vertex_at)
+inline bool is_valid(const Triangulation& triangulation, const Vertex_map& vertex_at)
 {
   if(triangulation.dimension() < 2)
     return false;
@@ -138,7 +142,7 @@ bool is_valid(const Triangulation& triangulation, const Vertex_map& vertex_at)
   return true;
 }
 
-bool is_counterclockwise(const Polygon::Loop& loop, const std::vector<Outline_vertex>& vertices)
+inline bool is_counterclockwise(const Polygon::Loop& loop, const std::vector<Outline_vertex>& vertices)
 {
   std::vector<Kernel::Point_2> points;
   for(std::uint32_t i : loop)
@@ -146,7 +150,7 @@ bool is_counterclockwise(const Polygon::Loop& loop, const std::vector<Outline_ve
   return CGAL::orientation_2(points.begin(), points.end(), Kernel()) == CGAL::COUNTERCLOCKWISE;
 }
 
-void extract_polygons(const Triangulation& triangulation, const Vertex_map& vertex_at,
+inline void extract_polygons(const Triangulation& triangulation, const Vertex_map& vertex_at,
                       std::vector<Outline_vertex>& vertices, std::vector<Polygon>& polygons)
 {
   std::map<Vertex_handle, std::uint32_t> number;
@@ -178,9 +182,9 @@ void extract_polygons(const Triangulation& triangulation, const Vertex_map& vert
       polygon_of(f).triangles.push_back({number_of(f->vertex(0)), number_of(f->vertex(1)), number_of(f->vertex(2))});
 }
 
-} // namespace
-
-bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
+// Straightens lines. What they become are polygons whose lines are simple and have no common points, as they are
+// written. False if the lines, written or straightened, are not like that: then nothing is changed.
+inline bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
                    std::vector<Polygon>& polygons)
 {
   if(loops.empty())
@@ -198,4 +202,9 @@ bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std
   return true;
 }
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_MAKE_POLYGONS_H

@@ -1,9 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "outlines/shape_polygons.h"
-#include "outlines/Outline_triangulation.h"
-#include "outlines/straight_borders.h"
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_POLYGON_MAKER_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_POLYGON_MAKER_H
+
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Border_finder.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/make_polygons.h>
 
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -11,11 +15,15 @@
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
-namespace program {
-
-namespace {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 template <class Function>
 void for_each_shape(std::size_t n, Function f)
@@ -27,9 +35,9 @@ void for_each_shape(std::size_t n, Function f)
   });
 }
 
-Shape_points points_of_shape(const Point_set& points, const Shapes& shapes, const Unit& unit, std::size_t s)
+inline Shape_points points_of_shape(const std::vector<Kernel::Point_3>& points, const Shapes& shapes, const Unit& unit, std::size_t s)
 {
-  const auto point = [&](std::size_t i) { return unit.in(points.point(*(points.begin() + std::ptrdiff_t(i)))); };
+  const auto point = [&](std::size_t i) { return unit.in(points[i]); };
   Shape_points result = {Plane_frame(shapes, s, point(shapes.points(s)[0])), {}, {}, {}};
   using Item = std::pair<Kernel::Point_2, std::uint32_t>;
   std::vector<Item> items;
@@ -44,13 +52,45 @@ Shape_points points_of_shape(const Point_set& points, const Shapes& shapes, cons
   return result;
 }
 
+// Vertices with equal coordinates become one.
+inline Polygon_table joined(std::vector<Shape_polygons>& of_shapes)
+{
+  Polygon_table result;
+  std::map<Position, std::uint32_t> number_of;
+  for(Shape_polygons& shape : of_shapes) {
+    std::vector<std::uint32_t> numbers;
+    for(const Position& p : shape.vertices) {
+      const auto added = number_of.emplace(p, std::uint32_t(result.points.size()));
+      if(added.second)
+        result.points.push_back(p);
+      numbers.push_back(added.first->second);
+    }
+    const auto renumber = [&](auto& corners) {
+      for(std::uint32_t& corner : corners)
+        corner = numbers[corner];
+    };
+    for(Polygon& polygon : shape.polygons) {
+      renumber(polygon.outer);
+      for(Polygon::Loop& hole : polygon.holes)
+        renumber(hole);
+      for(auto& triangle : polygon.triangles)
+        renumber(triangle);
+    }
+    result.polygons.push_back(std::move(shape.polygons));
+    result.areas.push_back(shape.area);
+  }
+  return result;
+}
+
 class Polygon_maker {
 public:
-  Polygon_maker(const Point_set& points, const Shapes& shapes)
+  Polygon_maker(const std::vector<Kernel::Point_3>& points, const Shapes& shapes)
     : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes())
   {
     for(std::size_t s : shapes.distinct_planes())
       planes.push_back(unit.in(shapes.coefficients(s)));
+    for(std::size_t s = 0; s < n; ++s)
+      projections.emplace_back(plane_of(s), shapes.is_flipped(s));
     triangulations.resize(n);
     std::vector<std::unique_ptr<Shape_points>> made(n);
     for_each_shape(n, [&](std::size_t s) {
@@ -62,11 +102,14 @@ public:
       all.push_back(std::move(*shape));
   }
 
-  std::vector<Shape_polygons> polygons()
+  Polygon_table polygons()
   {
     const Border_finder finder(shapes, unit, all);
-    std::vector<Shape_polygons> result(n);
-    for_each_shape(n, [&](std::size_t s) { result[s] = polygons_of_shape(s, finder.borders_of(s)); });
+    std::vector<Shape_polygons> of_shapes(n);
+    for_each_shape(n, [&](std::size_t s) { of_shapes[s] = polygons_of_shape(s, finder.borders_of(s)); });
+    Polygon_table result = joined(of_shapes);
+    for(std::size_t s = 0; s < n; ++s)
+      result.frames.emplace_back(shapes.coefficients(s), shapes.is_flipped(s));
     return result;
   }
 
@@ -97,7 +140,7 @@ private:
     for(const Polygon& polygon : result.polygons)
       for(const auto& t : polygon.triangles)
         area += CGAL::area(vertices[t[0]].written, vertices[t[1]].written, vertices[t[2]].written);
-    result.area = unit.area_out(area / all[s].frame.shrinkage(plane_of(s)));
+    result.area = unit.area_out(area / projections[s].shrinkage());
     return result;
   }
 
@@ -108,21 +151,21 @@ private:
     for(Outline_loop& loop : loops)
       for(Outline_vertex& v : loop) {
         v.position = unit.written(position_of(v, s));
-        v.written = all[s].frame.projected(v.position);
+        v.written = projections[s].projected(v.position);
       }
     return loops;
   }
 
   std::vector<Outline_loop> projected_outline(std::size_t s) const
   {
-    const Plane_frame& frame = all[s].frame;
+    const Projection& frame = projections[s];
     std::vector<Kernel::Point_2> points;
     for(const Kernel::Point_3& p : all[s].points)
       points.push_back(frame.projected({p.x(), p.y(), p.z()}));
     std::vector<Outline_loop> loops = Outline_triangulation(points).outline(limits);
     for(Outline_loop& loop : loops)
       for(Outline_vertex& v : loop)
-        v.position = frame.on_plane(v.written, plane_of(s));
+        v.position = frame.on_plane(v.written);
     return loops;
   }
 
@@ -142,15 +185,14 @@ private:
   std::size_t n;
   Outline_limits limits;
   std::vector<Shapes::Coefficients> planes; // of the coplanar groups
+  std::vector<Projection> projections;      // of the shapes, in the unit
   std::vector<Shape_points> all;
   std::vector<std::unique_ptr<Outline_triangulation>> triangulations;
 };
 
-} // namespace
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
 
-std::vector<Shape_polygons> polygons_of_shapes(const Point_set& points, const Shapes& shapes)
-{
-  return Polygon_maker(points, shapes).polygons();
-}
-
-} // namespace program
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_POLYGON_MAKER_H

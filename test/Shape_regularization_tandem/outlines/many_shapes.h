@@ -6,16 +6,18 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MANY_SHAPES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MANY_SHAPES_H
 
-#include "outlines/straight_borders.h"
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Border_finder.h>
 
 #include <cmath>
 #include <vector>
 
+namespace outlines = CGAL::Tandem::internal::outlines;
+
 // Walls of 1 x 1 that stand in rows, each on a floor of its own, or all on one floor.
 struct Many_shapes {
-  program::Point_set points;
-  program::Shapes shapes;
-  std::vector<program::Shape_points> all;
+  std::vector<outlines::Kernel::Point_3> points;
+  outlines::Shapes shapes;
+  std::vector<outlines::Shape_points> all;
 
   Many_shapes(std::size_t number_of_walls, bool has_floor)
   {
@@ -44,9 +46,9 @@ struct Many_shapes {
   }
 
 private:
-  using Point = program::Kernel::Point_3;
-  using Vector = program::Kernel::Vector_3;
-  using Coefficients = program::Shapes::Coefficients;
+  using Point = outlines::Kernel::Point_3;
+  using Vector = outlines::Kernel::Vector_3;
+  using Coefficients = outlines::Shapes::Coefficients;
 
   static void add_square(const Point& corner, const Vector& up, std::vector<Point>& result)
   {
@@ -59,16 +61,16 @@ private:
     std::vector<std::int32_t> labels;
     for(const auto& list : members)
       for(const Point& p : list) {
-        points.insert(p);
+        points.push_back(p);
         labels.push_back(std::int32_t(&list - members.data()));
       }
     data.shape_of = std::move(labels);
     data.is_flipped.resize(members.size());
     data.parameters.maximum_distance = .01;
-    shapes = program::Shapes(data);
-    const program::Unit unit(points, shapes);
+    shapes = outlines::Shapes(data);
+    const outlines::Unit unit(points, shapes);
     for(std::size_t s = 0; s < members.size(); ++s) {
-      all.push_back({program::Plane_frame(shapes, s, unit.in(members[s][0])), {}, {}, {}});
+      all.push_back({outlines::Plane_frame(shapes, s, unit.in(members[s][0])), {}, {}, {}});
       for(const Point& p : members[s]) {
         all.back().points.push_back(unit.in(p));
         all.back().spacing.push_back(float(unit.in(1 / 7.)));

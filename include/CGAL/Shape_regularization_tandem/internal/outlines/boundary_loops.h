@@ -3,14 +3,17 @@
 //
 // The closed lines around the faces of a triangulation that are inside.
 
-#ifndef DETECT_PLANES_BOUNDARY_LOOPS_H
-#define DETECT_PLANES_BOUNDARY_LOOPS_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BOUNDARY_LOOPS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BOUNDARY_LOOPS_H
 
 #include <set>
 #include <utility>
 #include <vector>
 
-namespace program {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 // An edge is opposite to a vertex of its face, which is inside and to its left.
 template <class Triangulation, class Is_inside>
@@ -59,6 +62,9 @@ private:
   Is_inside is_inside;
 };
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
 
-#endif // DETECT_PLANES_BOUNDARY_LOOPS_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BOUNDARY_LOOPS_H

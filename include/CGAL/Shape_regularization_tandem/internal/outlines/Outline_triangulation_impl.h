@@ -1,20 +1,25 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "outlines/Outline_triangulation.h"
-#include "outlines/boundary_loops.h"
-#include "outlines/face_shapes.h"
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_IMPL_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_IMPL_H
+
+#include <CGAL/Shape_regularization_tandem/internal/outlines/boundary_loops.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/face_shapes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 
-namespace program {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
-static constexpr int smoothing_rounds = 8;
-static constexpr double smallest_square = 0x1p-200; // of a spacing; coordinates are up to 1
+constexpr int smoothing_rounds = 8;
+constexpr double smallest_square = 0x1p-200; // of a spacing; coordinates are up to 1
 
-Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>& points)
+inline Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>& points)
 {
   vertices.reserve(points.size());
   Face_handle hint;
@@ -35,7 +40,7 @@ Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>&
 }
 
 // The logarithm of the median of the lengths of the edges at a vertex.
-void Outline_triangulation::measure_spacings()
+inline void Outline_triangulation::measure_spacings()
 {
   std::vector<double> squared;
   for(Vertex_handle v : triangulation.finite_vertex_handles()) {
@@ -48,7 +53,7 @@ void Outline_triangulation::measure_spacings()
 }
 
 // The geometric mean with the neighbors: a few stray points get the spacing of the many around them.
-void Outline_triangulation::smooth_spacings()
+inline void Outline_triangulation::smooth_spacings()
 {
   std::vector<float> smooth;
   smooth.reserve(triangulation.number_of_vertices());
@@ -67,7 +72,7 @@ void Outline_triangulation::smooth_spacings()
 
 // --- Straight borders
 
-Outline_triangulation::Vertex_handle Outline_triangulation::insert(const Border_vertex_position& position,
+inline Outline_triangulation::Vertex_handle Outline_triangulation::insert(const Border_vertex_position& position,
                                                                    const Straight_border& border,
                                                                    const Plane_frame& frame)
 {
@@ -91,7 +96,7 @@ Outline_triangulation::Vertex_handle Outline_triangulation::insert(const Border_
   return v;
 }
 
-void Outline_triangulation::insert(const Straight_border& border, const Plane_frame& frame)
+inline void Outline_triangulation::insert(const Straight_border& border, const Plane_frame& frame)
 {
   if(!has_area)
     return;
@@ -110,7 +115,7 @@ void Outline_triangulation::insert(const Straight_border& border, const Plane_fr
 // --- Inside
 
 // A point close to a straight border makes a flat face with a large circle there, so that is decided by edges.
-bool Outline_triangulation::is_inside(Face_handle f, double radius) const
+inline bool Outline_triangulation::is_inside(Face_handle f, double radius) const
 {
   double largest = radius * spacing(f);
   bool is_at_border = false;
@@ -129,7 +134,7 @@ bool Outline_triangulation::is_inside(Face_handle f, double radius) const
 }
 
 // The faces to the right of straight borders.
-void Outline_triangulation::mark_beyond()
+inline void Outline_triangulation::mark_beyond()
 {
   for(const auto& [u, v] : border_edges) {
     Face_handle f;
@@ -139,7 +144,7 @@ void Outline_triangulation::mark_beyond()
   }
 }
 
-void Outline_triangulation::mark_inside(const Outline_limits& limits)
+inline void Outline_triangulation::mark_inside(const Outline_limits& limits)
 {
   mark_beyond();
   for(Face_handle f : triangulation.finite_face_handles())
@@ -147,7 +152,7 @@ void Outline_triangulation::mark_inside(const Outline_limits& limits)
 }
 
 // Pieces that share edges, of the inside and of the outside; returns their areas, in squares of the spacing.
-std::vector<double> Outline_triangulation::find_components()
+inline std::vector<double> Outline_triangulation::find_components()
 {
   for(Face_handle f : triangulation.all_face_handles())
     f->info().component = -1;
@@ -178,7 +183,7 @@ std::vector<double> Outline_triangulation::find_components()
 }
 
 // Fills small holes, then leaves out small pieces.
-void Outline_triangulation::drop_crumbs(const Outline_limits& limits)
+inline void Outline_triangulation::drop_crumbs(const Outline_limits& limits)
 {
   for(bool is_inside : {false, true}) {
     const std::vector<double> areas = find_components();
@@ -190,7 +195,7 @@ void Outline_triangulation::drop_crumbs(const Outline_limits& limits)
 }
 
 // Of several fans of faces of the inside around a vertex, only the largest remains.
-bool Outline_triangulation::separate(Vertex_handle v)
+inline bool Outline_triangulation::separate(Vertex_handle v)
 {
   if(number_of_fans(triangulation, v) < 2)
     return false;
@@ -219,7 +224,7 @@ bool Outline_triangulation::separate(Vertex_handle v)
 }
 
 // Outlines do not touch themselves or others.
-void Outline_triangulation::separate_pieces()
+inline void Outline_triangulation::separate_pieces()
 {
   std::deque<Vertex_handle> queue;
   for(Vertex_handle v : triangulation.finite_vertex_handles())
@@ -239,7 +244,7 @@ void Outline_triangulation::separate_pieces()
 
 // --- The outline
 
-bool Outline_triangulation::share_border(Vertex_handle u, Vertex_handle v, int* border) const
+inline bool Outline_triangulation::share_border(Vertex_handle u, Vertex_handle v, int* border) const
 {
   if(u->info().border < 0 || v->info().border < 0)
     return false;
@@ -253,7 +258,7 @@ bool Outline_triangulation::share_border(Vertex_handle u, Vertex_handle v, int* 
 }
 
 // Of a straight border, only the ends remain.
-Outline_loop Outline_triangulation::straight_loop(const std::vector<Vertex_handle>& loop) const
+inline Outline_loop Outline_triangulation::straight_loop(const std::vector<Vertex_handle>& loop) const
 {
   Outline_loop result;
   const std::size_t n = loop.size();
@@ -272,7 +277,7 @@ Outline_loop Outline_triangulation::straight_loop(const std::vector<Vertex_handl
   return result;
 }
 
-std::vector<Outline_loop> Outline_triangulation::outline(const Outline_limits& limits)
+inline std::vector<Outline_loop> Outline_triangulation::outline(const Outline_limits& limits)
 {
   if(!has_area)
     return {};
@@ -292,4 +297,9 @@ std::vector<Outline_loop> Outline_triangulation::outline(const Outline_limits& l
   return result;
 }
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_IMPL_H

@@ -3,8 +3,8 @@
 //
 // Measures of faces of a triangulation, and of those around a vertex.
 
-#ifndef DETECT_PLANES_FACE_SHAPES_H
-#define DETECT_PLANES_FACE_SHAPES_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FACE_SHAPES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FACE_SHAPES_H
 
 #include <CGAL/squared_distance_2.h>
 
@@ -12,7 +12,10 @@
 #include <cmath>
 #include <limits>
 
-namespace program {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 // Infinite for a sliver, whose area is within the rounding of its computation: it would be divided by that. Points of
 // a lattice that are on a line in space form slivers in the plane of the shape.
@@ -62,6 +65,9 @@ int number_of_fans(const Triangulation& triangulation, typename Triangulation::V
   return count;
 }
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
 
-#endif // DETECT_PLANES_FACE_SHAPES_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FACE_SHAPES_H

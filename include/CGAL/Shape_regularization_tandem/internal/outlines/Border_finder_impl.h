@@ -1,17 +1,21 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "outlines/straight_borders.h"
-#include "outlines/Point_blocks.h"
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BORDER_FINDER_IMPL_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BORDER_FINDER_IMPL_H
+
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Point_blocks.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/common_points.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-namespace program {
-
-namespace {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 constexpr double smallest_sine = .25;  // about 15 degrees: flatter lines are not well defined by their points
 constexpr double largest_cosine = .97; // of directions that differ
@@ -26,9 +30,7 @@ float median_spacing(const std::vector<Near_point>& points)
   return all[all.size() / 2];
 }
 
-} // namespace
-
-Border_finder::Border_finder(const Shapes& shapes, const Unit& unit, const std::vector<Shape_points>& all)
+inline Border_finder::Border_finder(const Shapes& shapes, const Unit& unit, const std::vector<Shape_points>& all)
   : shapes(shapes), all(all), maximum_distance(unit.in(shapes.parameters().maximum_distance))
 {
   for(std::size_t s : shapes.distinct_planes()) {
@@ -45,7 +47,7 @@ Border_finder::Border_finder(const Shapes& shapes, const Unit& unit, const std::
 }
 
 // In ascending order.
-std::vector<Border_finder::Near_plane> Border_finder::planes_near(std::size_t s) const
+inline std::vector<Border_finder::Near_plane> Border_finder::planes_near(std::size_t s) const
 {
   std::map<int, Near_plane> found;
   for(std::size_t t : near[s]) {
@@ -64,7 +66,7 @@ std::vector<Border_finder::Near_plane> Border_finder::planes_near(std::size_t s)
   return result;
 }
 
-Border_finder::Line Border_finder::line_of(std::size_t s, int plane) const
+inline Border_finder::Line Border_finder::line_of(std::size_t s, int plane) const
 {
   const std::size_t t = shape_of_plane[std::size_t(plane)];
   const Kernel::Vector_3 direction = CGAL::cross_product(normal_of(s), normal_of(t));
@@ -74,7 +76,7 @@ Border_finder::Line Border_finder::line_of(std::size_t s, int plane) const
 }
 
 // Of the points in a box, and somewhat around it. Sorted along the line. `across` is positive to the left of the line.
-std::vector<Border_finder::Near_point>
+inline std::vector<Border_finder::Near_point>
 Border_finder::points_near(std::size_t s, const Line& line, const CGAL::Bbox_3& box, std::size_t& comparisons) const
 {
   const Shape_points& shape = all[s];
@@ -104,7 +106,7 @@ Border_finder::points_near(std::size_t s, const Line& line, const CGAL::Bbox_3& 
 
 // The shape ends at the other plane where points of both are close to their line, and it has points farther away from
 // the line on one side only.
-void Border_finder::find_pieces(std::size_t s, const Near_plane& other, std::vector<Piece>& pieces,
+inline void Border_finder::find_pieces(std::size_t s, const Near_plane& other, std::vector<Piece>& pieces,
                                 Straight_borders& result) const
 {
   const Line line = line_of(s, other.plane);
@@ -144,7 +146,7 @@ void Border_finder::find_pieces(std::size_t s, const Near_plane& other, std::vec
     }
 }
 
-Kernel::Point_3 Border_finder::on_line(std::size_t s, const Line& line, double along) const
+inline Kernel::Point_3 Border_finder::on_line(std::size_t s, const Line& line, double along) const
 {
   const Position p =
     point_on_planes({plane_of(s), planes[std::size_t(line.plane)]}, line.origin + along * line.direction);
@@ -152,7 +154,7 @@ Kernel::Point_3 Border_finder::on_line(std::size_t s, const Line& line, double a
 }
 
 // The same for each of the three shapes.
-Kernel::Point_3 Border_finder::corner_of(std::size_t s, int plane, int other) const
+inline Kernel::Point_3 Border_finder::corner_of(std::size_t s, int plane, int other) const
 {
   std::size_t groups[3] = {std::size_t(shapes.coplanar_group(s)), std::size_t(plane), std::size_t(other)};
   std::sort(groups, groups + 3);
@@ -162,7 +164,7 @@ Kernel::Point_3 Border_finder::corner_of(std::size_t s, int plane, int other) co
 }
 
 // Ends that are close to the common point of the three planes move there. A piece that passes it gets it as a vertex.
-void Border_finder::join_at_corner(std::size_t s, Piece& a, Piece& b) const
+inline void Border_finder::join_at_corner(std::size_t s, Piece& a, Piece& b) const
 {
   if(a.line.plane == b.line.plane ||
      CGAL::cross_product(a.line.direction, b.line.direction).squared_length() < smallest_sine * smallest_sine)
@@ -189,7 +191,7 @@ void Border_finder::join_at_corner(std::size_t s, Piece& a, Piece& b) const
 }
 
 // For each piece those that may meet it within their reach.
-std::vector<std::vector<std::size_t>> Border_finder::near_pieces(const std::vector<Piece>& pieces) const
+inline std::vector<std::vector<std::size_t>> Border_finder::near_pieces(const std::vector<Piece>& pieces) const
 {
   std::vector<CGAL::Bbox_3> boxes;
   for(const Piece& p : pieces) {
@@ -199,7 +201,7 @@ std::vector<std::vector<std::size_t>> Border_finder::near_pieces(const std::vect
   return near_boxes(boxes);
 }
 
-void Border_finder::join_at_corners(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const
+inline void Border_finder::join_at_corners(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const
 {
   const auto near_piece = near_pieces(pieces);
   for(std::size_t i = 0; i < pieces.size(); ++i)
@@ -211,7 +213,7 @@ void Border_finder::join_at_corners(std::size_t s, std::vector<Piece>& pieces, s
 }
 
 // Of two lines that are close to each other, the shape ends at the inner one.
-void Border_finder::drop_outer(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const
+inline void Border_finder::drop_outer(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const
 {
   const std::vector<Piece> all_pieces = std::exchange(pieces, {});
   const auto near_piece = near_pieces(all_pieces);
@@ -240,7 +242,7 @@ void Border_finder::drop_outer(std::size_t s, std::vector<Piece>& pieces, std::s
   }
 }
 
-Straight_border Border_finder::border_of(std::size_t s, const Piece& piece) const
+inline Straight_border Border_finder::border_of(std::size_t s, const Piece& piece) const
 {
   const Line& line = piece.line;
   const double first = piece.interval.first + piece.shift[0], last = piece.interval.last + piece.shift[1];
@@ -268,7 +270,7 @@ Straight_border Border_finder::border_of(std::size_t s, const Piece& piece) cons
   return border;
 }
 
-Straight_borders Border_finder::borders_of(std::size_t s) const
+inline Straight_borders Border_finder::borders_of(std::size_t s) const
 {
   Straight_borders result;
   std::vector<Piece> pieces;
@@ -283,4 +285,9 @@ Straight_borders Border_finder::borders_of(std::size_t s) const
   return result;
 }
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BORDER_FINDER_IMPL_H

@@ -6,23 +6,19 @@
 
 #undef NDEBUG
 
-#include "testing/box_cloud.h"
+#include "testing/test_support.h"
 
-#include "program/many_shapes.h"
+#include "outlines/many_shapes.h"
 
-#include "outlines/Outline_triangulation.h"
-#include "outlines/straight_borders.h"
-#include "output/writers.h"
+#include <CGAL/Shape_regularization_tandem/polygons.h>
 
-#include <sstream>
+#include <cmath>
+#include <string>
 
-using program::Kernel;
-using program::Outline_vertex;
-using program::Point_set;
-using program::Polygon;
-using program::Shape_polygons;
-using program::Shapes;
-using Flat = Kernel::Point_2;
+using outlines::Outline_vertex;
+using outlines::Polygon;
+using Flat = outlines::Kernel::Point_2;
+using Areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
 
 // --- Validity
 
@@ -40,7 +36,7 @@ double signed_area(const std::vector<Flat>& loop)
 void check_apart(const std::vector<std::vector<Flat>>& loops, const std::string& where)
 {
   struct Edge {
-    Kernel::Segment_2 segment;
+    outlines::Kernel::Segment_2 segment;
     std::size_t loop, position;
   };
   std::vector<Edge> edges;
@@ -98,10 +94,10 @@ struct Result {
 
 Result outline_of(const std::vector<Flat>& points, const std::string& where)
 {
-  const program::Outline_limits limits;
+  const outlines::Outline_limits limits;
   std::vector<Outline_vertex> vertices;
   std::vector<Polygon> polygons;
-  CHECK_AT(program::make_polygons(program::Outline_triangulation(points).outline(limits), limits.tolerance, vertices,
+  CHECK_AT(outlines::make_polygons(outlines::Outline_triangulation(points).outline(limits), limits.tolerance, vertices,
                                   polygons),
            where);
   std::vector<Flat> corners;
@@ -182,67 +178,59 @@ bool is_floor(double x, double y) { return x < 3 || y < 2; }
 bool is_window(double x, double z) { return x > 2 && x < 3.5 && z > 1 && z < 2.2; }
 
 // An L-shaped floor of 18 square meters, and a wall of 16.2 beside it.
-Point_set make_scene()
+Cloud make_scene()
 {
-  Point_set points;
-  points.add_normal_map();
+  Cloud points;
   Generator g{std::mt19937(7)};
   std::normal_distribution<double> noise(0, sigma);
   for(int i = 0; i < 30000; ++i) {
     const double x = 6 * g.unit(), y = 4 * g.unit(), z = 3 * g.unit();
     if(is_floor(x, y))
-      points.insert(placed(x, y, noise(g.random)), Kernel::Vector_3(0, 0, 1));
+      points.emplace_back(placed(x, y, noise(g.random)), Kernel::Vector_3(0, 0, 1));
     if(!is_window(x, z))
-      points.insert(placed(x, noise(g.random), z), Kernel::Vector_3(-.6, .8, 0));
+      points.emplace_back(placed(x, noise(g.random), z), Kernel::Vector_3(-.6, .8, 0));
   }
   return points;
 }
 
-double distance(const Shapes& shapes, std::size_t s, const program::Position& v)
+double distance(const Shapes& shapes, std::size_t s, const Kernel::Point_3& p)
 {
   const auto& c = shapes.coefficients(s);
-  return std::fabs(std::fma(c[0], v[0], std::fma(c[1], v[1], std::fma(c[2], v[2], c[3]))));
+  return std::fabs(std::fma(c[0], p.x(), std::fma(c[1], p.y(), std::fma(c[2], p.z(), c[3]))));
 }
 
 // The longest edge that lies on both planes.
-double longest_common_edge(const Shapes& shapes, const Shape_polygons& shape)
+double longest_common_edge(const Shapes& shapes, const Areas& areas, std::size_t s)
 {
-  const auto& outer = shape.polygons[0].outer;
+  const auto& outer = areas.polygons(s)[0].outer;
   double longest = 0;
   for(std::size_t i = 0; i < outer.size(); ++i) {
-    const auto &p = shape.vertices[outer[i]], &q = shape.vertices[outer[(i + 1) % outer.size()]];
+    const auto &p = areas.points()[outer[i]], &q = areas.points()[outer[(i + 1) % outer.size()]];
     constexpr double rounding = 1e-10; // of coordinates of 4.5e5
     if((std::max)({distance(shapes, 0, p), distance(shapes, 1, p), distance(shapes, 0, q), distance(shapes, 1, q)}) <
        rounding)
-      longest = (std::max)(longest, std::hypot(std::hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]));
+      longest = (std::max)(longest, std::sqrt(CGAL::squared_distance(p, q)));
   }
   return longest;
 }
 
 void check_scene()
 {
-  const Point_set points = make_scene();
-  const Shapes shapes =
-    CGAL::Tandem::detect_planes(points, CGAL::Tandem::parameters::maximum_distance(.02).minimum_region_size(300));
+  const Cloud points = make_scene();
+  const Shapes shapes = detect(points, make_parameters(.02, 300));
   CHECK_AT(shapes.number_of_shapes() == 2, std::to_string(shapes.number_of_shapes()));
-  const std::vector<Shape_polygons> all = program::polygons_of_shapes(points, shapes);
+  const Areas areas =
+    CGAL::Tandem::polygons(shapes, points, CGAL::Tandem::parameters::point_map(First<Kernel>()));
   for(std::size_t s = 0; s < 2; ++s) {
-    const Shape_polygons& shape = all[s];
     const bool is_wall = std::fabs(shapes.coefficients(s)[2]) < .5;
-    CHECK_AT(shape.polygons.size() == 1 && shape.polygons[0].holes.size() == (is_wall ? 1 : 0),
-             std::to_string(shape.polygons.size()));
-    CHECK_AT(std::fabs(shape.area / (is_wall ? 16.2 : 18) - 1) < .02, std::to_string(shape.area));
-    CHECK_AT(longest_common_edge(shapes, shape) > 5.8, std::to_string(longest_common_edge(shapes, shape)));
-    CHECK_AT(shape.vertices.size() < 100, std::to_string(shape.vertices.size()));
-    for(const auto& v : shape.vertices)
-      CHECK(distance(shapes, s, v) < 1e-10);
+    CHECK_AT(areas.polygons(s).size() == 1 && areas.polygons(s)[0].holes.size() == (is_wall ? 1 : 0),
+             std::to_string(areas.polygons(s).size()));
+    CHECK_AT(std::fabs(areas.area(s) / (is_wall ? 16.2 : 18) - 1) < .02, std::to_string(areas.area(s)));
+    CHECK_AT(longest_common_edge(shapes, areas, s) > 5.8, std::to_string(longest_common_edge(shapes, areas, s)));
+    for(std::uint32_t v : areas.polygons(s)[0].outer)
+      CHECK(distance(shapes, s, areas.points()[v]) < 1e-10);
   }
-  std::ostringstream out;
-  program::write_polygons(out, points, shapes, "a.GeoJSON", program::Faces_of_file::polygons);
-  const std::string text = out.str();
-  CHECK(text.find("\"type\": \"FeatureCollection\"") != std::string::npos);
-  CHECK(std::count(text.begin(), text.end(), '{') == 7 && std::count(text.begin(), text.end(), '}') == 7);
-  CHECK(std::count(text.begin(), text.end(), '[') == std::count(text.begin(), text.end(), ']'));
+  CHECK_AT(areas.points().size() < 200, std::to_string(areas.points().size()));
 }
 
 // --- Many shapes
@@ -251,10 +239,10 @@ void check_scene()
 void check_growth()
 {
   const auto work = [](const Many_shapes& scene) {
-    const program::Border_finder finder(scene.shapes, program::Unit(scene.points, scene.shapes), scene.all);
+    const outlines::Border_finder finder(scene.shapes, outlines::Unit(scene.points, scene.shapes), scene.all);
     std::size_t sum = 0, borders = 0;
     for(std::size_t s = 0; s < scene.all.size(); ++s) {
-      const program::Straight_borders of_shape = finder.borders_of(s);
+      const outlines::Straight_borders of_shape = finder.borders_of(s);
       sum += of_shape.comparisons;
       borders += of_shape.borders.size();
     }

@@ -3,20 +3,23 @@
 //
 // Where shapes end at the planes of others.
 
-#ifndef DETECT_PLANES_STRAIGHT_BORDERS_H
-#define DETECT_PLANES_STRAIGHT_BORDERS_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BORDER_FINDER_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BORDER_FINDER_H
 
-#include "outlines/Point_blocks.h"
-#include "outlines/Plane_frame.h"
-#include "outlines/Unit.h"
-#include "outlines/intervals.h"
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Point_blocks.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Straight_border.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Unit.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/intervals.h>
 
 #include <CGAL/Bbox_3.h>
 
 #include <cstdint>
 #include <vector>
 
-namespace program {
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
 
 // The points of a shape, in an order in which points that are close follow each other.
 struct Shape_points {
@@ -93,6 +96,11 @@ private:
   std::vector<std::vector<std::size_t>> near; // shapes that may have points close to those of each shape
 };
 
-} // namespace program
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
 
-#endif // DETECT_PLANES_STRAIGHT_BORDERS_H
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Border_finder_impl.h>
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_BORDER_FINDER_H

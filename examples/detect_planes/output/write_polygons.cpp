@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/writers.h"
+#include "output/write_results.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+using Polygon = CGAL::Tandem::Indexed_polygon;
+
+struct Face {
+  std::size_t shape;
+  Polygon::Loop corners;
+};
+using Faces = std::vector<Face>;
+
+// Without holes.
+Faces faces_of(const Shape_areas& areas, Faces_of_file kind)
+{
+  Faces result;
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
+    for(const Polygon& polygon : areas.polygons(s)) {
+      if(kind == Faces_of_file::polygons && polygon.holes.empty()) {
+        result.push_back({s, polygon.outer});
+        continue;
+      }
+      for(const auto& t : polygon.triangles)
+        result.push_back({s, {t.begin(), t.end()}});
+    }
+  return result;
+}
+
+void write_ply(std::ostream& out, const Shape_areas& areas, const Faces& faces)
+{
+  std::size_t largest = 0;
+  for(const Face& face : faces)
+    largest = (std::max)(largest, face.corners.size());
+  const bool is_small = largest <= (std::numeric_limits<std::uint8_t>::max)(); // some readers know no other type
+  out << "ply\nformat binary_little_endian 1.0\ncomment detect_planes of Tandem\nelement vertex "
+      << areas.points().size() << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
+      << faces.size() << "\nproperty list " << (is_small ? "uchar" : "int")
+      << " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+         "property int shape\nend_header\n";
+  Binary_writer binary(out);
+  for(const Kernel::Point_3& p : areas.points())
+    for(int k = 0; k < 3; ++k)
+      binary.write(p[k]);
+  for(const Face& face : faces) {
+    if(is_small)
+      binary.write(std::uint8_t(face.corners.size()));
+    else
+      binary.write(std::int32_t(face.corners.size()));
+    for(std::uint32_t corner : face.corners)
+      binary.write(std::int32_t(corner));
+    for(std::uint8_t channel : color_of_shape(int(face.shape)))
+      binary.write(channel);
+    binary.write(std::int32_t(face.shape));
+  }
+}
+
+void write_vertices(std::ostream& out, const Shape_areas& areas, const char* before)
+{
+  out << std::setprecision(17);
+  for(const Kernel::Point_3& p : areas.points())
+    out << before << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+}
+
+void write_obj(std::ostream& out, const Shape_areas& areas, const Faces& faces)
+{
+  out << "# detect_planes of Tandem\n";
+  write_vertices(out, areas, "v ");
+  auto face = faces.begin();
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
+    out << "g shape_" << s << '\n';
+    for(; face != faces.end() && face->shape == s; ++face) {
+      out << 'f';
+      for(std::uint32_t corner : face->corners)
+        out << ' ' << corner + 1; // OBJ counts from 1
+      out << '\n';
+    }
+  }
+}
+
+void write_off(std::ostream& out, const Shape_areas& areas, const Faces& faces)
+{
+  out << "OFF\n# detect_planes of Tandem\n" << areas.points().size() << ' ' << faces.size() << " 0\n";
+  write_vertices(out, areas, "");
+  for(const Face& face : faces) {
+    out << face.corners.size();
+    for(std::uint32_t corner : face.corners)
+      out << ' ' << corner;
+    for(std::uint8_t channel : color_of_shape(int(face.shape)))
+      out << ' ' << int(channel);
+    out << '\n';
+  }
+}
+
+// --- GeoJSON, of which no more than a polygon is in memory at once
+
+// The first corner again at the end.
+Json json_of_ring(const Shape_areas& areas, const Polygon::Loop& ring)
+{
+  Json json = Json::array();
+  for(std::size_t i = 0; i <= ring.size(); ++i) {
+    const Kernel::Point_3& p = areas.points()[ring[i % ring.size()]];
+    json.push_back({p.x(), p.y(), p.z()});
+  }
+  return json;
+}
+
+void write_coordinates(std::ostream& out, const Shape_areas& areas, std::size_t s, Faces_of_file faces)
+{
+  const char* before = "\n   ";
+  const auto write_polygon = [&](const Polygon::Loop& outer, const std::vector<Polygon::Loop>& holes) {
+    Json json = Json::array({json_of_ring(areas, outer)});
+    for(const Polygon::Loop& hole : holes)
+      json.push_back(json_of_ring(areas, hole));
+    out << before << json;
+    before = ",\n   ";
+  };
+  for(const Polygon& polygon : areas.polygons(s))
+    if(faces == Faces_of_file::triangles)
+      for(const auto& triangle : polygon.triangles)
+        write_polygon({triangle.begin(), triangle.end()}, {});
+    else
+      write_polygon(polygon.outer, polygon.holes);
+}
+
+void write_geojson(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Polygon_format& format)
+{
+  out << R"({"type": "FeatureCollection", )";
+  if(!format.crs.empty())
+    out << R"("crs": {"type": "name", "properties": {"name": )" << ascii(Json(utf8(format.crs))) << "}}, ";
+  out << R"("features": [)";
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
+    const Json properties = {{"shape", s},
+                             {"plane", shapes.coefficients(s)},
+                             {"parallel_group", shapes.parallel_group(s)},
+                             {"coplanar_group", shapes.coplanar_group(s)},
+                             {"points", shapes.points(s).size()},
+                             {"area", areas.area(s)}};
+    out << (s == 0 ? "\n" : ",\n") << R"( {"type": "Feature", "id": )" << s << R"(, "properties": )" << properties
+        << R"(, "geometry": {"type": "MultiPolygon", "coordinates": [)";
+    write_coordinates(out, areas, s, format.faces);
+    out << "]}}";
+  }
+  out << "\n]}\n";
+}
+
+} // namespace
+
+void write_polygons(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Polygon_format& format)
+{
+  if(format.extension == ".obj")
+    write_obj(out, areas, faces_of(areas, format.faces));
+  else if(format.extension == ".ply")
+    write_ply(out, areas, faces_of(areas, format.faces));
+  else if(format.extension == ".off")
+    write_off(out, areas, faces_of(areas, format.faces));
+  else
+    write_geojson(out, areas, shapes, format);
+}
+
+} // namespace program

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What outlines are computed from: coordinates in double, whatever the kernel of the caller is, and shapes.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_INPUT_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_INPUT_H
+
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_frame.h>
+#include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
+
+template <class Any_shapes>
+void check_input(const Any_shapes& shapes, std::size_t number_of_points)
+{
+  if(number_of_points != shapes.number_of_points())
+    throw std::invalid_argument("The range has " + std::to_string(number_of_points) + " points, the shapes are of " +
+                                std::to_string(shapes.number_of_points()) + ": pass the range of the detection.");
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+    if(shapes.points(s).size() != shapes.size(s))
+      throw std::logic_error("Points of shapes are in other processes: pass a result of one process.");
+}
+
+// Of the caller's points, in the order of the range.
+template <class PointRange, class NP>
+std::vector<Kernel::Point_3> coordinates_of(const PointRange& points, const NP& np)
+{
+  const auto map = [&] {
+    if constexpr(Is_given<internal_np::point_t, NP>::value)
+      return parameter<internal_np::point_t>(np, 0);
+    else
+      return Own_maps<PointRange>::point_map(points);
+  }();
+  std::vector<Kernel::Point_3> result;
+  result.reserve(points.size());
+  for(const auto& item : points) {
+    const auto& p = get(map, item);
+    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+  return result;
+}
+
+// A shape for each plane, with the points of all shapes of that plane. It is flipped if its largest shape is.
+inline Shapes_data shapes_of_planes(Shapes_data data, const Point_groups& points)
+{
+  const std::vector<int> first = representatives(data.coplanar_group), plane_of = data.coplanar_group;
+  std::vector<std::size_t> largest(first.size(), 0), sizes(first.size(), 0);
+  const Shapes_data of_shapes = data;
+  const auto take = [&](auto& column, const auto& all) {
+    column.clear();
+    for(int s : first)
+      column.push_back(all[std::size_t(s)]);
+  };
+  take(data.coefficients, of_shapes.coefficients);
+  take(data.parallel_group, of_shapes.parallel_group);
+  take(data.is_flipped, of_shapes.is_flipped);
+  take(data.coplanar_group, of_shapes.coplanar_group);
+  for(std::size_t s = 0; s < plane_of.size(); ++s) {
+    const std::size_t plane = std::size_t(plane_of[s]), size = points.first[s + 1] - points.first[s];
+    sizes[plane] += size;
+    if(size > largest[plane]) {
+      largest[plane] = size;
+      data.is_flipped[plane] = of_shapes.is_flipped[s];
+    }
+  }
+  data.size = sizes;
+  std::vector<std::int32_t> labels(of_shapes.shape_of.begin(), of_shapes.shape_of.end());
+  for(std::int32_t& label : labels)
+    if(label >= 0)
+      label = plane_of[std::size_t(label)];
+  data.shape_of = std::move(labels);
+  return data;
+}
+
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_INPUT_H
