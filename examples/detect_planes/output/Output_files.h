@@ -99,7 +99,8 @@ private:
                      {lower_case_extension(r.o.polygons),
                       r.o.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons, r.o.crs});
     });
-    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.cloud.points, r.shapes, r.areas, r.run); });
+    open(o.view,
+         [](std::ostream& out, const Results& r) { write_view(out, r.cloud.points, r.shapes, r.areas, r.run); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
     if(!o.mesh.empty())
       mesh.emplace(o.mesh);

@@ -82,18 +82,18 @@ Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run
   const Kernel::Point_3 center = center_of(box);
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   return {{"name", utf8(std::filesystem::path(run.input).filename().string())},
-               {"points", s.number_of_points},
-               {"assigned", s.number_of_assigned_points},
-               {"ignored", s.number_of_ignored_points()},
-               {"directions", s.number_of_directions},
-               {"planes", s.number_of_planes},
-               {"shown", thinned.size()},
-               {"stride", thinned.stride},
-               {"coverage", s.coverage},
-               {"maximum_distance", shapes.parameters().maximum_distance},
-               {"center", {center.x(), center.y(), center.z()}},
-               {"extent", {box.x_span(), box.y_span(), box.z_span()}},
-               {"orthogonal", shapes.orthogonal_groups()}};
+          {"points", s.number_of_points},
+          {"assigned", s.number_of_assigned_points},
+          {"ignored", s.number_of_ignored_points()},
+          {"directions", s.number_of_directions},
+          {"planes", s.number_of_planes},
+          {"shown", thinned.size()},
+          {"stride", thinned.stride},
+          {"coverage", s.coverage},
+          {"maximum_distance", shapes.parameters().maximum_distance},
+          {"center", {center.x(), center.y(), center.z()}},
+          {"extent", {box.x_span(), box.y_span(), box.z_span()}},
+          {"orthogonal", shapes.orthogonal_groups()}};
 }
 
 // Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
@@ -127,7 +127,7 @@ void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes
   out << "<script type=\"application/json\" id=\"scene\">";
   Json scene = json_of_scene(points, shapes, run, thinned);
   scene["shapes"] = json_of_shapes(points, shapes, areas, center_of(box_of_shapes(points, shapes)));
-  scene["shapes"]["shown"] = thinned.shown;                          // one more: points without a shape
+  scene["shapes"]["shown"] = thinned.shown;                     // one more: points without a shape
   out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
   write_points(out, points, shapes, thinned);

@@ -98,7 +98,7 @@ Result outline_of(const std::vector<Flat>& points, const std::string& where)
   std::vector<Outline_vertex> vertices;
   std::vector<Polygon> polygons;
   CHECK_AT(outlines::make_polygons(outlines::Outline_triangulation(points).outline(limits), limits.tolerance, vertices,
-                                  polygons),
+                                   polygons),
            where);
   std::vector<Flat> corners;
   for(const Outline_vertex& v : vertices)
@@ -219,8 +219,7 @@ void check_scene()
   const Cloud points = make_scene();
   const Shapes shapes = detect(points, make_parameters(.02, 300));
   CHECK_AT(shapes.number_of_shapes() == 2, std::to_string(shapes.number_of_shapes()));
-  const Areas areas =
-    CGAL::Tandem::polygons(shapes, points, CGAL::Tandem::parameters::point_map(First<Kernel>()));
+  const Areas areas = CGAL::Tandem::polygons(shapes, points, CGAL::Tandem::parameters::point_map(First<Kernel>()));
   for(std::size_t s = 0; s < 2; ++s) {
     const bool is_wall = std::fabs(shapes.coefficients(s)[2]) < .5;
     CHECK_AT(areas.polygons(s).size() == 1 && areas.polygons(s)[0].holes.size() == (is_wall ? 1 : 0),
@@ -242,9 +241,9 @@ void check_growth()
     const outlines::Border_finder finder(scene.shapes, outlines::Unit(scene.points, scene.shapes), scene.all);
     std::size_t sum = 0, borders = 0;
     for(std::size_t s = 0; s < scene.all.size(); ++s) {
-      const outlines::Straight_borders of_shape = finder.borders_of(s);
+      outlines::Straight_borders of_shape;
+      borders += finder.pieces_of(s, of_shape).size();
       sum += of_shape.comparisons;
-      borders += of_shape.borders.size();
     }
     CHECK(borders > scene.all.size() / 2);
     return double(sum);

@@ -40,7 +40,11 @@ class Border_finder {
 public:
   Border_finder(const Shapes& shapes, const Unit& unit, const std::vector<Shape_points>& all);
 
-  Straight_borders borders_of(std::size_t s) const;
+  // The ends of those that meet at a corner are there.
+  Border_pieces pieces_of(std::size_t s, Straight_borders& borders) const;
+
+  Straight_border border_of(std::size_t s, const Border_piece& piece) const;
+  Kernel::Point_3 on_line(const Border_line& line, double along) const;
 
 private:
   struct Near_plane {
@@ -48,26 +52,13 @@ private:
     std::vector<std::size_t> shapes; // those of the plane that may have points close to those of a shape
     CGAL::Bbox_3 box;                // of these, with their reach
   };
-  struct Line {
-    int plane; // the other one, as coplanar group
-    Kernel::Point_3 origin;
-    Kernel::Vector_3 direction;
-    double sine; // of the angle between the planes
-  };
   struct Near_point {
     double along, across;
     float spacing;
     std::uint32_t position;
   };
-  struct Piece { // of a line
-    Line line;
-    Interval interval;
-    bool is_left; // side of the shape
-    float spacing;
-    int third[2] = {-1, -1};  // planes at corners, at both ends
-    double shift[2] = {0, 0}; // by which the ends were moved there
-    std::vector<Border_vertex_position> crossings;
-  };
+  using Line = Border_line;
+  using Piece = Border_piece;
 
   double overhang(float spacing, const Line& line) const { return spacing + maximum_distance / line.sine; }
   double reach(float spacing, const Line& line) const { return 2 * spacing + maximum_distance / line.sine; }
@@ -82,9 +73,8 @@ private:
   void drop_outer(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const;
   void join_at_corners(std::size_t s, std::vector<Piece>& pieces, std::size_t& comparisons) const;
   void join_at_corner(std::size_t s, Piece& a, Piece& b) const;
-  Kernel::Point_3 on_line(std::size_t s, const Line& line, double along) const;
+  int other_plane(std::size_t s, const Line& line) const { return line.other_than(int(shapes.coplanar_group(s))); }
   Kernel::Point_3 corner_of(std::size_t s, int plane, int other) const;
-  Straight_border border_of(std::size_t s, const Piece& piece) const;
 
   const Shapes& shapes;
   const std::vector<Shape_points>& all;

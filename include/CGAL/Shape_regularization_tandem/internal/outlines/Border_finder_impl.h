@@ -68,11 +68,13 @@ inline std::vector<Border_finder::Near_plane> Border_finder::planes_near(std::si
 
 inline Border_finder::Line Border_finder::line_of(std::size_t s, int plane) const
 {
-  const std::size_t t = shape_of_plane[std::size_t(plane)];
-  const Kernel::Vector_3 direction = CGAL::cross_product(normal_of(s), normal_of(t));
+  const int own = int(shapes.coplanar_group(s)), low = (std::min)(own, plane), high = (std::max)(own, plane);
+  const Shapes::Coefficients &a = planes[std::size_t(low)], &b = planes[std::size_t(high)];
+  const Kernel::Vector_3 direction =
+    CGAL::cross_product(Kernel::Vector_3(a[0], a[1], a[2]), Kernel::Vector_3(b[0], b[1], b[2]));
   const double sine = std::sqrt(direction.squared_length());
-  const Position p = point_on_planes({plane_of(s), plane_of(t)}, all[s].points[0]);
-  return {plane, Kernel::Point_3(p[0], p[1], p[2]), direction / sine, sine};
+  const Position p = point_on_planes({a, b}, all[shape_of_plane[std::size_t(low)]].points[0]);
+  return {{low, high}, Kernel::Point_3(p[0], p[1], p[2]), direction / sine, sine};
 }
 
 // Of the points in a box, and somewhat around it. Sorted along the line. `across` is positive to the left of the line.
@@ -107,7 +109,7 @@ Border_finder::points_near(std::size_t s, const Line& line, const CGAL::Bbox_3& 
 // The shape ends at the other plane where points of both are close to their line, and it has points farther away from
 // the line on one side only.
 inline void Border_finder::find_pieces(std::size_t s, const Near_plane& other, std::vector<Piece>& pieces,
-                                Straight_borders& result) const
+                                       Straight_borders& result) const
 {
   const Line line = line_of(s, other.plane);
   const auto is_near = [&](const Near_point& p) { return std::fabs(p.across) <= reach(p.spacing, line); };
@@ -139,17 +141,17 @@ inline void Border_finder::find_pieces(std::size_t s, const Near_plane& other, s
       const float spacing = median_spacing(inside);
       if(!(spacing > 0) || i.length() < shortest * spacing) // 0: all points are on a line
         continue;
-      pieces.push_back({line, i, is_left, spacing, {-1, -1}, {0, 0}, {}});
+      pieces.push_back({line, {{i.first}, {i.last}}, is_left, spacing, reach(spacing, line), {}});
       for(const Near_point& p : inside)
         if((p.across > 0) != is_left && std::fabs(p.across) <= overhang(p.spacing, line))
           result.cut.push_back(p.position);
     }
 }
 
-inline Kernel::Point_3 Border_finder::on_line(std::size_t s, const Line& line, double along) const
+inline Kernel::Point_3 Border_finder::on_line(const Border_line& line, double along) const
 {
-  const Position p =
-    point_on_planes({plane_of(s), planes[std::size_t(line.plane)]}, line.origin + along * line.direction);
+  const Position p = point_on_planes({planes[std::size_t(line.planes[0])], planes[std::size_t(line.planes[1])]},
+                                     line.origin + along * line.direction);
   return Kernel::Point_3(p[0], p[1], p[2]);
 }
 
@@ -166,26 +168,27 @@ inline Kernel::Point_3 Border_finder::corner_of(std::size_t s, int plane, int ot
 // Ends that are close to the common point of the three planes move there. A piece that passes it gets it as a vertex.
 inline void Border_finder::join_at_corner(std::size_t s, Piece& a, Piece& b) const
 {
-  if(a.line.plane == b.line.plane ||
+  const int plane_a = other_plane(s, a.line), plane_b = other_plane(s, b.line);
+  if(plane_a == plane_b ||
      CGAL::cross_product(a.line.direction, b.line.direction).squared_length() < smallest_sine * smallest_sine)
     return;
-  const Kernel::Point_3 corner = corner_of(s, a.line.plane, b.line.plane);
-  const auto along = [&](const Piece& p) { return (corner - p.line.origin) * p.line.direction; };
-  const auto slack = [&](const Piece& p) { return reach(p.spacing, p.line); };
+  const Kernel::Point_3 corner = corner_of(s, plane_a, plane_b);
   const auto touches = [&](const Piece& p) {
-    return along(p) > p.interval.first - slack(p) && along(p) < p.interval.last + slack(p);
+    const double x = p.line.along(corner);
+    return x > p.ends[0].along - p.reach && x < p.ends[1].along + p.reach;
   };
   if(!touches(a) || !touches(b))
     return;
-  for(auto [piece, other] : {std::make_pair(&a, &b), std::make_pair(&b, &a)}) {
-    const double x = along(*piece);
-    const double shift[2] = {x - piece->interval.first, x - piece->interval.last};
-    const int end = std::fabs(shift[0]) < std::fabs(shift[1]) ? 0 : 1;
-    if(std::fabs(shift[end]) > slack(*piece))
-      piece->crossings.push_back({corner, other->line.plane});
-    else if(piece->third[end] < 0 || std::fabs(shift[end]) < std::fabs(piece->shift[end])) {
-      piece->third[end] = other->line.plane;
-      piece->shift[end] = shift[end];
+  for(auto [piece, third] : {std::make_pair(&a, plane_b), std::make_pair(&b, plane_a)}) {
+    const double x = piece->line.along(corner);
+    const double shift[2] = {x - piece->ends[0].along, x - piece->ends[1].along};
+    const int nearer = std::fabs(shift[0]) < std::fabs(shift[1]) ? 0 : 1;
+    Piece::End& end = piece->ends[nearer];
+    if(std::fabs(shift[nearer]) > piece->reach)
+      piece->crossings.push_back({corner, third});
+    else if(end.third < 0 || std::fabs(shift[nearer]) < std::fabs(end.shift)) {
+      end.third = third;
+      end.shift = shift[nearer];
     }
   }
 }
@@ -196,7 +199,7 @@ inline std::vector<std::vector<std::size_t>> Border_finder::near_pieces(const st
   std::vector<CGAL::Bbox_3> boxes;
   for(const Piece& p : pieces) {
     const auto at = [&](double along) { return (p.line.origin + along * p.line.direction).bbox(); };
-    boxes.push_back(grown(at(p.interval.first) + at(p.interval.last), 1.01 * reach(p.spacing, p.line)));
+    boxes.push_back(grown(at(p.ends[0].along) + at(p.ends[1].along), 1.01 * p.reach));
   }
   return near_boxes(boxes);
 }
@@ -220,69 +223,69 @@ inline void Border_finder::drop_outer(std::size_t s, std::vector<Piece>& pieces,
   for(std::size_t o = 0; o < all_pieces.size(); ++o) {
     const Piece& outer = all_pieces[o];
     const Kernel::Vector_3 left = CGAL::cross_product(normal_of(s), outer.line.direction);
-    Intervals rest = {outer.interval};
+    Intervals rest = {{outer.ends[0].along, outer.ends[1].along}};
     for(std::size_t i : near_piece[o]) {
       const Piece& inner = all_pieces[i];
       const double cosine = inner.line.direction * outer.line.direction;
       const Kernel::Vector_3 shift = inner.line.origin - outer.line.origin;
       const double depth = (outer.is_left ? 1 : -1) * (shift * left);
       ++comparisons;
-      if(inner.line.plane == outer.line.plane || std::fabs(cosine) < largest_cosine ||
-         (cosine > 0) != (inner.is_left == outer.is_left) || depth < 0 || depth > reach(outer.spacing, outer.line))
+      if(other_plane(s, inner.line) == other_plane(s, outer.line) || std::fabs(cosine) < largest_cosine ||
+         (cosine > 0) != (inner.is_left == outer.is_left) || depth < 0 || depth > outer.reach)
         continue;
       const auto along = [&](double x) { return shift * outer.line.direction + x * cosine; };
-      const double a = along(inner.interval.first), b = along(inner.interval.last);
+      const double a = along(inner.ends[0].along), b = along(inner.ends[1].along);
       rest = difference(rest, {{(std::min)(a, b), (std::max)(a, b)}});
     }
     for(const Interval& i : rest)
       if(i.length() >= shortest * outer.spacing) {
         pieces.push_back(outer);
-        pieces.back().interval = i;
+        pieces.back().ends[0].along = i.first;
+        pieces.back().ends[1].along = i.last;
       }
   }
 }
 
+// Between the ends are vertices at the multiples of a power of two that is at most the spacing: those of a coarser shape
+// are among those of a denser one.
 inline Straight_border Border_finder::border_of(std::size_t s, const Piece& piece) const
 {
   const Line& line = piece.line;
-  const double first = piece.interval.first + piece.shift[0], last = piece.interval.last + piece.shift[1];
+  const int plane = other_plane(s, line);
   std::vector<std::pair<double, Border_vertex_position>> chain;
-  const auto add = [&](double along, int third) {
-    if(third < 0) {
-      chain.push_back({along, {on_line(s, line, along), -1}});
-      return;
-    }
-    chain.push_back({along, {corner_of(s, line.plane, third), third}});
-  };
-  add(first, piece.third[0]);
-  add(last, piece.third[1]);
-  const double steps = std::floor((last - first) / piece.spacing);
-  for(int i = 1; i < steps; ++i)
-    add(first + i * (last - first) / steps, -1);
+  for(const Piece::End& end : piece.ends) {
+    const Border_vertex_position v = {end.third < 0 ? on_line(line, end.along) : corner_of(s, plane, end.third),
+                                      end.third};
+    chain.push_back({end.third < 0 ? end.along : line.along(v.point), v});
+  }
+  const double step = std::ldexp(1, std::ilogb(piece.spacing)), first = chain[0].first, last = chain[1].first;
+  for(double i = std::ceil(first / step + .5); i * step < last - step / 2; ++i)
+    chain.push_back({i * step, {on_line(line, i * step), -1}});
   for(const Border_vertex_position& c : piece.crossings)
-    chain.push_back({(c.point - line.origin) * line.direction, c});
+    chain.push_back({line.along(c.point), c});
   std::sort(chain.begin(), chain.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   if(!piece.is_left)
     std::reverse(chain.begin(), chain.end());
-  Straight_border border = {line.plane, {}, piece.spacing, float(reach(piece.spacing, line))};
+  Straight_border border = {line, plane, {}, piece.spacing, float(piece.reach)};
   for(const auto& [along, vertex] : chain)
     border.chain.push_back(vertex);
   return border;
 }
 
-inline Straight_borders Border_finder::borders_of(std::size_t s) const
+inline Border_pieces Border_finder::pieces_of(std::size_t s, Straight_borders& borders) const
 {
-  Straight_borders result;
-  std::vector<Piece> pieces;
-  result.comparisons = near[s].size();
+  Border_pieces pieces;
+  borders.comparisons = near[s].size();
   for(const Near_plane& other : planes_near(s))
-    find_pieces(s, other, pieces, result);
-  drop_outer(s, pieces, result.comparisons);
-  join_at_corners(s, pieces, result.comparisons);
-  for(const Piece& piece : pieces)
-    if(piece.interval.length() + piece.shift[1] - piece.shift[0] > 0)
-      result.borders.push_back(border_of(s, piece));
-  return result;
+    find_pieces(s, other, pieces, borders);
+  drop_outer(s, pieces, borders.comparisons);
+  join_at_corners(s, pieces, borders.comparisons);
+  for(Piece& piece : pieces)
+    for(Piece::End& end : piece.ends)
+      end.along += end.shift;
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), [](const Piece& p) { return !(p.length() > 0); }),
+               pieces.end());
+  return pieces;
 }
 
 } // namespace outlines

@@ -7,7 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_H
 
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_vertex.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Straight_border.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -22,24 +22,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 namespace outlines {
-
-// Lengths are multiples of the spacing of the points, areas of its square.
-struct Outline_limits {
-  double radius = 1.8; // of the largest circle without points; at random, the largest of a million is about that large
-  double piece = 20;   // smallest area of a piece
-  double hole = 16;    // smallest area of a hole
-  double tolerance = .6; // of the straightened outline; corners of a lattice remain
-};
-
-struct Outline_vertex {
-  Kernel::Point_2 point;
-  float spacing;
-  std::vector<int> planes; // coplanar groups of the other shapes whose planes it is on, at most two
-  bool is_fixed;           // the end of a straight border
-  Position position;       // in space, as it is written
-  Kernel::Point_2 written; // its projection, which decides whether lines are simple
-};
-using Outline_loop = std::vector<Outline_vertex>;
 
 class Outline_triangulation {
 public:
@@ -61,8 +43,8 @@ public:
   // The points beyond a straight border take no part.
   void cut(std::size_t point) { vertices[point]->info().is_cut = true; }
 
-  // Simple closed lines without common points, the inside to their left. None if all points are on a line. Vertices
-  // have no positions yet, and are written as they are.
+  // Simple closed lines without common points, the inside to their left. None if all points are on a line. Vertices are
+  // written as they are, and only those of straight borders have positions.
   std::vector<Outline_loop> outline(const Outline_limits& limits);
 
 private:
@@ -77,7 +59,8 @@ private:
     int component = -1;
   };
   struct Border_vertex {
-    std::vector<int> planes, borders;
+    Position position;
+    std::vector<int> borders;
     float reach;
   };
   using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
@@ -88,6 +71,9 @@ private:
     CGAL::Exact_predicates_tag>;
   using Vertex_handle = Triangulation::Vertex_handle;
   using Face_handle = Triangulation::Face_handle;
+
+  static constexpr int smoothing_rounds = 8;
+  static constexpr double smallest_square = 0x1p-200; // of a spacing; coordinates are up to 1
 
   void measure_spacings();
   void smooth_spacings();

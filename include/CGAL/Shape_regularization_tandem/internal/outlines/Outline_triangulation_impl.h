@@ -16,9 +16,6 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-constexpr int smoothing_rounds = 8;
-constexpr double smallest_square = 0x1p-200; // of a spacing; coordinates are up to 1
-
 inline Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>& points)
 {
   vertices.reserve(points.size());
@@ -73,15 +70,15 @@ inline void Outline_triangulation::smooth_spacings()
 // --- Straight borders
 
 inline Outline_triangulation::Vertex_handle Outline_triangulation::insert(const Border_vertex_position& position,
-                                                                   const Straight_border& border,
-                                                                   const Plane_frame& frame)
+                                                                          const Straight_border& border,
+                                                                          const Plane_frame& frame)
 {
   const Face_handle hint = border_edges.empty() ? Face_handle() : border_edges.back().second->face();
   const Vertex_handle v = triangulation.insert(frame.flat(position.point), hint);
   Vertex_info& info = v->info();
   if(info.border < 0) {
     info.border = int(border_vertices.size());
-    border_vertices.push_back({{}, {}, border.reach});
+    border_vertices.push_back({{position.point.x(), position.point.y(), position.point.z()}, {}, border.reach});
   }
   info.is_cut = false;
   if(!(info.spacing > 0))
@@ -89,10 +86,6 @@ inline Outline_triangulation::Vertex_handle Outline_triangulation::insert(const 
   Border_vertex& vertex = border_vertices[std::size_t(info.border)];
   vertex.reach = (std::max)(vertex.reach, border.reach);
   vertex.borders.push_back(number_of_borders);
-  for(int plane : {border.plane, position.third})
-    if(plane >= 0 && vertex.planes.size() < 2 &&
-       std::find(vertex.planes.begin(), vertex.planes.end(), plane) == vertex.planes.end())
-      vertex.planes.push_back(plane);
   return v;
 }
 
@@ -270,9 +263,9 @@ inline Outline_loop Outline_triangulation::straight_loop(const std::vector<Verte
     if(is_after && is_before && before == after)
       continue;
     const bool is_fixed = is_after || is_before;
-    result.push_back({v->point(), v->info().spacing, {}, is_fixed, {}, v->point()});
+    result.push_back({v->point(), v->info().spacing, is_fixed, {}, v->point(), is_before ? after : -1});
     if(is_fixed)
-      result.back().planes = border_vertices[std::size_t(v->info().border)].planes;
+      result.back().position = border_vertices[std::size_t(v->info().border)].position;
   }
   return result;
 }

@@ -82,6 +82,8 @@ public:
     return Kernel::Point_2(first * v, second * v);
   }
 
+  Kernel::Vector_2 flat(const Kernel::Vector_3& v) const { return Kernel::Vector_2(first * v, second * v); }
+
   Kernel::Point_3 lifted(const Kernel::Point_2& p) const { return origin + p.x() * first + p.y() * second; }
 
 private:

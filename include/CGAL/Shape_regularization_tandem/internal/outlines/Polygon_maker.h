@@ -4,10 +4,15 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_POLYGON_MAKER_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_POLYGON_MAKER_H
 
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Border_finder.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Common_vertices.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/make_polygons.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_directions.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Regular_loop.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/common_ends.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/rectangle_of_hole.h>
 
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -35,7 +40,8 @@ void for_each_shape(std::size_t n, Function f)
   });
 }
 
-inline Shape_points points_of_shape(const std::vector<Kernel::Point_3>& points, const Shapes& shapes, const Unit& unit, std::size_t s)
+inline Shape_points points_of_shape(const std::vector<Kernel::Point_3>& points, const Shapes& shapes, const Unit& unit,
+                                    std::size_t s)
 {
   const auto point = [&](std::size_t i) { return unit.in(points[i]); };
   Shape_points result = {Plane_frame(shapes, s, point(shapes.points(s)[0])), {}, {}, {}};
@@ -85,7 +91,7 @@ inline Polygon_table joined(std::vector<Shape_polygons>& of_shapes)
 class Polygon_maker {
 public:
   Polygon_maker(const std::vector<Kernel::Point_3>& points, const Shapes& shapes)
-    : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes())
+    : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes()), directions(shapes)
   {
     for(std::size_t s : shapes.distinct_planes())
       planes.push_back(unit.in(shapes.coefficients(s)));
@@ -104,9 +110,14 @@ public:
 
   Polygon_table polygons()
   {
-    const Border_finder finder(shapes, unit, all);
+    draw_borders();
+    for_each_shape(n, [&](std::size_t s) {
+      if(draft_outline(s))
+        make_regular(s);
+    });
+    share_vertices();
     std::vector<Shape_polygons> of_shapes(n);
-    for_each_shape(n, [&](std::size_t s) { of_shapes[s] = polygons_of_shape(s, finder.borders_of(s)); });
+    for_each_shape(n, [&](std::size_t s) { of_shapes[s] = polygons_of(s); });
     Polygon_table result = joined(of_shapes);
     for(std::size_t s = 0; s < n; ++s)
       result.frames.emplace_back(shapes.coefficients(s), shapes.is_flipped(s));
@@ -114,33 +125,86 @@ public:
   }
 
 private:
-  // Without straight borders, if they do not fit together. Where lines touch or cross by the rounding of coordinates,
-  // the points themselves, projected without rounding, have outlines that do not.
-  Shape_polygons polygons_of_shape(std::size_t s, const Straight_borders& straight)
+  // The straight borders, whose ends are chosen for all shapes together.
+  void draw_borders()
   {
-    std::vector<Outline_vertex> vertices;
-    Shape_polygons result;
-    const auto make = [&](const std::vector<Outline_loop>& loops, double tolerance) {
-      return make_polygons(loops, tolerance, vertices, result.polygons);
-    };
-    for(const Straight_border& border : straight.borders)
+    const Border_finder finder(shapes, unit, all);
+    std::vector<Border_pieces> pieces(n);
+    borders.resize(n);
+    drafts.resize(n);
+    for_each_shape(n, [&](std::size_t s) { pieces[s] = finder.pieces_of(s, borders[s]); });
+    join_common_ends(pieces);
+    for_each_shape(n, [&](std::size_t s) {
+      for(const Border_piece& piece : pieces[s]) {
+        borders[s].borders.push_back(finder.border_of(s, piece));
+        drafts[s].lines.push_back(piece.line);
+      }
+    });
+  }
+
+  // Without straight borders, if they do not fit together. Where lines touch or cross by the rounding of coordinates,
+  // the points themselves, projected without rounding, have outlines that do not; then it returns false.
+  bool draft_outline(std::size_t s)
+  {
+    Outline_draft& draft = drafts[s];
+    for(const Straight_border& border : borders[s].borders)
       triangulations[s]->insert(border, all[s].frame);
-    for(std::uint32_t i : straight.cut)
+    for(std::uint32_t i : borders[s].cut)
       triangulations[s]->cut(i);
-    if(!make(placed(triangulations[s]->outline(limits), s), limits.tolerance) &&
-       !make(placed(Outline_triangulation(all[s].flat).outline(limits), s), limits.tolerance)) {
-      const std::vector<Outline_loop> projected = projected_outline(s);
-      if(!make(projected, limits.tolerance))
-        make(projected, 0);
-    }
+    std::vector<Outline_loop> loops = placed(triangulations[s]->outline(limits), s);
     triangulations[s].reset();
+    if(draft.make(std::move(loops), limits.tolerance) ||
+       draft.make(placed(Outline_triangulation(all[s].flat).outline(limits), s), limits.tolerance))
+      return true;
+    const std::vector<Outline_loop> projected = projected_outline(s);
+    if(!draft.make(projected, limits.tolerance))
+      draft.make(projected, 0);
+    return false;
+  }
+
+  void make_regular(std::size_t s)
+  {
+    const std::vector<Kernel::Vector_2> along = directions.of_shape(s, all[s].frame);
+    std::vector<Outline_loop> loops = drafts[s].loops(), regular;
+    for(const Outline_loop& loop : loops) {
+      const Border_points border(loop, drafts[s].dense_loop(loop));
+      regular.push_back(rectangle_of_hole(border, along));
+      if(regular.back().empty())
+        regular.back() = Regular_loop(border, along).loop();
+    }
+    drafts[s].replace(std::move(loops), placed(std::move(regular), s));
+  }
+
+  void share_vertices()
+  {
+    Common_vertices common;
+    for(const Outline_draft& draft : drafts)
+      common.add(draft);
+    common.sort();
+    for_each_shape(n, [&](std::size_t s) {
+      const auto vertex = [&](const Outline_vertex& like, const Position& p) {
+        const Kernel::Point_2 flat = all[s].frame.flat(Kernel::Point_3(p[0], p[1], p[2]));
+        return Outline_vertex{flat, like.spacing, true, p, projections[s].projected(p)};
+      };
+      std::vector<Outline_loop> loops = drafts[s].loops(), longer(loops.size());
+      common.for_each_longer_loop(drafts[s], vertex,
+                                  [&](std::size_t i, const Outline_loop& loop) { longer[i] = loop; });
+      drafts[s].replace(std::move(loops), longer);
+    });
+  }
+
+  Shape_polygons polygons_of(std::size_t s)
+  {
+    Shape_polygons result;
+    const std::vector<Outline_vertex>& vertices = drafts[s].vertices();
     for(const Outline_vertex& v : vertices)
       result.vertices.push_back(unit.out(v.position));
     double area = 0;
-    for(const Polygon& polygon : result.polygons)
+    for(const Polygon& polygon : drafts[s].polygons())
       for(const auto& t : polygon.triangles)
         area += CGAL::area(vertices[t[0]].written, vertices[t[1]].written, vertices[t[2]].written);
     result.area = unit.area_out(area / projections[s].shrinkage());
+    result.polygons = std::move(drafts[s].polygons());
     return result;
   }
 
@@ -150,7 +214,9 @@ private:
   {
     for(Outline_loop& loop : loops)
       for(Outline_vertex& v : loop) {
-        v.position = unit.written(position_of(v, s));
+        if(!v.is_fixed)
+          v.position = point_on_planes({plane_of(s)}, all[s].frame.lifted(v.point));
+        v.position = unit.written(v.position);
         v.written = projections[s].projected(v.position);
       }
     return loops;
@@ -164,20 +230,11 @@ private:
       points.push_back(frame.projected({p.x(), p.y(), p.z()}));
     std::vector<Outline_loop> loops = Outline_triangulation(points).outline(limits);
     for(Outline_loop& loop : loops)
-      for(Outline_vertex& v : loop)
+      for(Outline_vertex& v : loop) {
         v.position = frame.on_plane(v.written);
+        v.is_fixed = false;
+      }
     return loops;
-  }
-
-  Position position_of(const Outline_vertex& vertex, std::size_t s) const
-  {
-    std::vector<int> groups = vertex.planes;
-    groups.push_back(int(shapes.coplanar_group(s)));
-    std::sort(groups.begin(), groups.end()); // the same for all shapes
-    std::vector<Shapes::Coefficients> of_vertex;
-    for(int g : groups)
-      of_vertex.push_back(planes[std::size_t(g)]);
-    return point_on_planes(of_vertex, all[s].frame.lifted(vertex.point));
   }
 
   const Shapes& shapes;
@@ -188,6 +245,9 @@ private:
   std::vector<Projection> projections;      // of the shapes, in the unit
   std::vector<Shape_points> all;
   std::vector<std::unique_ptr<Outline_triangulation>> triangulations;
+  Plane_directions directions;
+  std::vector<Straight_borders> borders; // of the shapes
+  std::vector<Outline_draft> drafts;     // of the shapes
 };
 
 } // namespace outlines

@@ -4,13 +4,16 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_MAKE_POLYGONS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_MAKE_POLYGONS_H
 
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_vertex.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/boundary_loops.h>
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Polyline_simplification_2/Stop_above_cost_threshold.h>
 #include <CGAL/Polyline_simplification_2/simplify.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +87,7 @@ inline bool insert_loops(const std::vector<Outline_loop>& loops, Triangulation& 
     if(found == vertex_at.end())
       return false; // two lines cross
     const Outline_vertex& vertex = *found->second.vertex;
-    if(vertex.is_fixed || !(vertex.spacing > 0)) // 0: where straight borders cross
+    if(vertex.stays())
       v->set_removable(false);
   }
   return true;
@@ -151,7 +154,7 @@ inline bool is_counterclockwise(const Polygon::Loop& loop, const std::vector<Out
 }
 
 inline void extract_polygons(const Triangulation& triangulation, const Vertex_map& vertex_at,
-                      std::vector<Outline_vertex>& vertices, std::vector<Polygon>& polygons)
+                             std::vector<Outline_vertex>& vertices, std::vector<Polygon>& polygons)
 {
   std::map<Vertex_handle, std::uint32_t> number;
   const auto number_of = [&](Vertex_handle v) {
@@ -184,8 +187,8 @@ inline void extract_polygons(const Triangulation& triangulation, const Vertex_ma
 
 // Straightens lines. What they become are polygons whose lines are simple and have no common points, as they are
 // written. False if the lines, written or straightened, are not like that: then nothing is changed.
-inline bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance, std::vector<Outline_vertex>& vertices,
-                   std::vector<Polygon>& polygons)
+inline bool make_polygons(const std::vector<Outline_loop>& loops, double tolerance,
+                          std::vector<Outline_vertex>& vertices, std::vector<Polygon>& polygons)
 {
   if(loops.empty())
     return true;

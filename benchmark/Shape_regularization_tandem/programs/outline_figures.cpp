@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How good the outlines of shapes are: for a cloud, or for the house of the generated scenes, whose areas are known.
+//   outline_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE
+//   outline_figures house [POINTS [NOISE, a share of the diagonal]]
+
+#include "criteria/outline_figures.h"
+
+#include "clouds/ply_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+
+#include <iostream>
+
+using namespace CGAL::Tandem::benchmark;
+namespace scenes = CGAL::Tandem::scenes;
+
+namespace {
+
+constexpr double epsilon_of_house = .03, angle_of_house = 25;
+constexpr std::size_t smallest_of_house = 100;
+
+Outline_cloud cloud_of(const std::vector<scenes::Vec>& points, const std::vector<scenes::Vec>& normals)
+{
+  Outline_cloud cloud;
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    const scenes::Vec &p = points[i], n = normals.empty() ? scenes::Vec{0, 0, 0} : normals[i];
+    cloud.emplace_back(Outline_kernel::Point_3(p.x, p.y, p.z), Outline_kernel::Vector_3(n.x, n.y, n.z));
+  }
+  return cloud;
+}
+
+Outline_shapes detect(const Outline_cloud& cloud, bool has_normals, const CGAL::Tandem::Parameters& parameters)
+{
+  const auto np = CGAL::Tandem::parameters::settings(parameters).point_map(Outline_point_map());
+  return has_normals ? CGAL::Tandem::detect_planes(
+                         cloud, np.normal_map(CGAL::Second_of_pair_property_map<Outline_cloud::value_type>()))
+                     : CGAL::Tandem::detect_planes(cloud, np);
+}
+
+CGAL::Tandem::Parameters parameters_of(double distance, double angle, std::size_t smallest)
+{
+  CGAL::Tandem::Parameters p;
+  p.maximum_distance = p.maximum_offset = distance;
+  p.maximum_angle = angle;
+  p.minimum_region_size = smallest;
+  return p;
+}
+
+void measure_house(std::size_t points, double noise)
+{
+  scenes::Options options;
+  options.points = points;
+  options.noise = noise;
+  const scenes::Model model = scenes::make_house();
+  const scenes::Scene scene = scenes::make_scene(model, options);
+  const Outline_cloud cloud = cloud_of(scene.points, scene.normals);
+  const Outline_shapes shapes = detect(cloud, true, parameters_of(epsilon_of_house, angle_of_house, smallest_of_house));
+  const Outline_areas areas =
+    CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
+  print(figures_of(cloud, shapes, areas));
+  const Area_errors errors = errors_of(model, scene, shapes, areas);
+  std::cout << "truth " << errors.truth << " missing " << errors.missing / errors.truth << " surplus "
+            << errors.surplus / errors.truth << "\n";
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  const std::string name = argc > 1 ? argv[1] : "";
+  if(name == "house" && argc <= 4) {
+    measure_house(argc > 2 ? std::stoul(argv[2]) : 100000, argc > 3 ? std::stod(argv[3]) : .0004);
+    return 0;
+  }
+  if(argc != 5)
+    throw std::invalid_argument("usage: outline_figures CLOUD.ply DISTANCE ANGLE SIZE | house [POINTS [NOISE]]");
+  const Ply_cloud input = read_ply(name);
+  const Outline_cloud cloud = cloud_of(input.points, input.normals);
+  const Outline_shapes shapes =
+    detect(cloud, input.has_normals(), parameters_of(std::stod(argv[2]), std::stod(argv[3]), std::stoul(argv[4])));
+  print(figures_of(cloud, shapes,
+                   CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()))));
+  return 0;
+} catch(const std::exception& e) {
+  std::cerr << "outline_figures: " << e.what() << "\n";
+  return 1;
+}

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closed lines around the points of a shape, and the numbers that decide how they follow the points.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_VERTEX_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_VERTEX_H
+
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_frame.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
+
+// Lengths are multiples of the spacing of the points, areas of its square.
+struct Outline_limits {
+  double radius = 1.8; // of the largest circle without points; at random, the largest of a million is about that large
+  double piece = 20;   // smallest area of a piece
+  double hole = 16;    // smallest area of a hole
+  double tolerance = .6; // of the straightened outline; corners of a lattice remain
+};
+
+struct Outline_vertex {
+  Kernel::Point_2 point;
+  float spacing;
+  bool is_fixed;           // the end of a straight border, whose position is known
+  Position position;       // in space, as it is written
+  Kernel::Point_2 written; // its projection, which decides whether lines are simple
+  int border = -1;         // the straight border that goes from here to the next vertex
+  std::size_t rank = 0;    // in the sequence of the vertices of all loops
+
+  // What is fixed, and what crossing borders have made.
+  bool stays() const { return is_fixed || !(spacing > 0); }
+};
+
+using Outline_loop = std::vector<Outline_vertex>;
+
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_VERTEX_H

@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Edges of an outline become parallel to given directions where the points permit it.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_REGULAR_LOOP_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_REGULAR_LOOP_H
+
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Border_points.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
+
+// A *run* is a sequence of edges whose border points are within the tolerance of one line of a given direction. It becomes
+// an edge on that line, which is at the median of the points, or goes through the end of a straight border where the
+// points permit that, too. The longest run comes first. Edges in no run stay.
+class Regular_loop {
+public:
+  Regular_loop(const Border_points& border, const std::vector<Kernel::Vector_2>& directions)
+    : border(border), directions(directions), size(border.size()), run_of(size, none)
+  {
+    find_runs();
+  }
+
+  Outline_loop loop() const
+  {
+    const std::vector<Element> elements = without_bevels(all_elements());
+    Outline_loop result;
+    for(std::size_t i = 0; i < elements.size() && elements.size() > 1; ++i)
+      join(elements[i], elements[(i + 1) % elements.size()], result);
+    if(result.size() < 3)
+      result = border.loop();
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = std::size_t(-1);
+  static constexpr double shortest_run = 3;    // in spacings
+  static constexpr double advantage = 1.2;     // by which a run of a direction of less points has to be longer
+  static constexpr double smallest_sine = .25; // between lines that are intersected
+  static constexpr double farthest = 3;        // of an intersection from the vertex that it replaces, in spacings
+
+  struct Run {
+    std::size_t first = 0, count = 0, direction = 0;
+    double length = 0, offset = 0;
+  };
+  // Of the new loop: a run, or an edge that stays.
+  struct Element {
+    std::size_t first, count, run;
+  };
+
+  // --- Runs
+
+  bool may_continue(std::size_t edge) const { return border.is_free(edge) && run_of[edge] == none; }
+
+  Run longest_run(std::size_t first) const
+  {
+    Run best;
+    if(!may_continue(first))
+      return best;
+    for(std::size_t d = 0; d < directions.size(); ++d) {
+      Border_points::Range range;
+      double spacing = 0;
+      for(std::size_t count = 1; count < size; ++count) {
+        const std::size_t edge = (first + count - 1) % size;
+        if(!may_continue(edge) || (count > 1 && border.vertex(edge).stays()))
+          break;
+        range.add(border.offsets(edge, directions[d]));
+        spacing += border.spacing(edge);
+        if(range.length() > 2 * border.tolerance * spacing / double(count))
+          break;
+        const double length =
+          std::fabs((border.vertex(first + count).point - border.vertex(first).point) * directions[d]);
+        if(length >= shortest_run * spacing / double(count) &&
+           length > (best.direction == d ? 1 : advantage) * best.length)
+          best = {first, count, d, length, 0};
+      }
+    }
+    return best;
+  }
+
+  void find_runs()
+  {
+    std::priority_queue<std::pair<double, std::size_t>> queue;
+    for(std::size_t i = 0; i < size; ++i)
+      queue.emplace(longest_run(i).length, i);
+    while(!queue.empty()) {
+      const auto [length, first] = queue.top();
+      queue.pop();
+      Run run = longest_run(first);
+      if(run.count == 0)
+        continue;
+      if(run.length < length) { // others have taken a part of it
+        queue.emplace(run.length, first);
+        continue;
+      }
+      run.offset = offset_of(run);
+      for(std::size_t i = 0; i < run.count; ++i)
+        run_of[(first + i) % size] = runs.size();
+      runs.push_back(run);
+    }
+  }
+
+  double offset_of(const Run& run) const
+  {
+    std::vector<double> offsets;
+    double spacing = 0;
+    for(std::size_t i = 0; i < run.count; ++i) {
+      border.for_each_point((run.first + i) % size, [&](const Kernel::Point_2& p) {
+        offsets.push_back(Border_points::offset(p, directions[run.direction]));
+      });
+      spacing += border.spacing((run.first + i) % size) / double(run.count);
+    }
+    std::sort(offsets.begin(), offsets.end());
+    const double low = offsets.back() - border.tolerance * spacing, high = offsets.front() + border.tolerance * spacing;
+    for(std::size_t end : {run.first, run.first + run.count}) {
+      const Outline_vertex& v = border.vertex(end);
+      const double offset = Border_points::offset(v.point, directions[run.direction]);
+      if(v.stays() && offset >= low && offset <= high)
+        return offset;
+    }
+    return (std::max)(low, (std::min)(high, offsets[offsets.size() / 2]));
+  }
+
+  // --- The loop
+
+  // From the first edge that begins an element.
+  std::vector<Element> all_elements() const
+  {
+    const auto begins = [&](std::size_t i) {
+      return run_of[i] == none || run_of[i] != run_of[(i + size - 1) % size] || runs[run_of[i]].first == i;
+    };
+    std::size_t start = 0;
+    while(start < size && !begins(start))
+      ++start;
+    std::vector<Element> result;
+    for(std::size_t i = 0; i < size && start < size; ++i) {
+      const std::size_t edge = (start + i) % size;
+      if(begins(edge))
+        result.push_back({edge, 0, run_of[edge]});
+      ++result.back().count;
+    }
+    return result;
+  }
+
+  // Edges between two runs that intersect vanish if their points are close to the lines of the runs.
+  std::vector<Element> without_bevels(const std::vector<Element>& elements) const
+  {
+    const std::size_t n = elements.size();
+    std::vector<char> is_bevel(n, 0);
+    for(std::size_t a = 0; a < n; ++a) {
+      if(elements[a].run == none)
+        continue;
+      std::size_t b = a + 1;
+      while(b < a + n && elements[b % n].run == none)
+        ++b;
+      if(b < a + n && b > a + 1 && is_bevel_between(elements, a, b))
+        for(std::size_t i = a + 1; i < b; ++i)
+          is_bevel[i % n] = 1;
+    }
+    std::vector<Element> result;
+    for(std::size_t i = 0; i < n; ++i)
+      if(!is_bevel[i])
+        result.push_back(elements[i]);
+    return result;
+  }
+
+  bool is_bevel_between(const std::vector<Element>& elements, std::size_t a, std::size_t b) const
+  {
+    const std::size_t n = elements.size();
+    const Run &before = runs[elements[a].run], &after = runs[elements[b % n].run];
+    if(std::fabs(sine_between(before, after)) < smallest_sine)
+      return false;
+    bool result = true;
+    for(std::size_t i = a + 1; i <= b && result; ++i) {
+      const Element& e = elements[i % n];
+      result = !border.vertex(e.first).stays();
+      if(i == b || !result)
+        break;
+      result = border.is_free(e.first);
+      border.for_each_point(e.first, [&](const Kernel::Point_2& p) {
+        const double distance = (std::min)(distance_to(before, p), distance_to(after, p));
+        result = result && distance <= border.tolerance * border.spacing(e.first);
+      });
+    }
+    return result;
+  }
+
+  double distance_to(const Run& run, const Kernel::Point_2& p) const
+  {
+    return std::fabs(Border_points::offset(p, directions[run.direction]) - run.offset);
+  }
+
+  double sine_between(const Run& a, const Run& b) const
+  {
+    const Kernel::Vector_2 &u = directions[a.direction], &v = directions[b.direction];
+    return u.x() * v.y() - u.y() * v.x();
+  }
+
+  Kernel::Point_2 foot(const Run& run, const Kernel::Point_2& p) const
+  {
+    const Kernel::Vector_2 left = directions[run.direction].perpendicular(CGAL::COUNTERCLOCKWISE);
+    return p + (run.offset - (p - CGAL::ORIGIN) * left) * left;
+  }
+
+  Kernel::Point_2 intersection(const Run& a, const Run& b) const
+  {
+    const Kernel::Vector_2 &u = directions[a.direction], &v = directions[b.direction];
+    const double sine = sine_between(a, b);
+    return CGAL::ORIGIN + (a.offset / sine) * v - (b.offset / sine) * u;
+  }
+
+  void add(const Outline_vertex& like, const Kernel::Point_2& point, Outline_loop& result) const
+  {
+    if(!result.empty() && CGAL::squared_distance(result.back().point, point) < 1e-12 * like.spacing * like.spacing)
+      return;
+    result.push_back({point, like.spacing, false, {}, point});
+    result.back().rank = like.rank;
+  }
+
+  // What is between the two elements; the border of a vertex is that of the edge behind it.
+  void join(const Element& a, const Element& b, Outline_loop& result) const
+  {
+    const Outline_vertex &end = border.vertex(a.first + a.count), &begin = border.vertex(b.first);
+    const bool is_run_before = a.run != none, is_run_after = b.run != none;
+    if(is_run_before && is_run_after && !begin.stays()) {
+      const Run &before = runs[a.run], &after = runs[b.run];
+      if(std::fabs(sine_between(before, after)) >= smallest_sine) {
+        const Kernel::Point_2 x = intersection(before, after);
+        const double largest = farthest * begin.spacing;
+        if((std::min)(CGAL::squared_distance(x, end.point), CGAL::squared_distance(x, begin.point)) <=
+           largest * largest) {
+          add(begin, x, result);
+          return;
+        }
+      }
+    }
+    if(is_run_before)
+      add(end, foot(runs[a.run], end.point), result);
+    if(begin.stays() || (!is_run_before && !is_run_after)) {
+      if(begin.stays() && !result.empty() && !result.back().stays() &&
+         CGAL::squared_distance(result.back().point, begin.point) < 1e-12 * begin.spacing * begin.spacing)
+        result.pop_back();
+      result.push_back(begin);
+    }
+    if(is_run_after)
+      add(begin, foot(runs[b.run], begin.point), result);
+  }
+
+  const Border_points& border;
+  const std::vector<Kernel::Vector_2>& directions;
+  std::size_t size; // of the loop
+  std::vector<std::size_t> run_of;
+  std::vector<Run> runs;
+};
+
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_REGULAR_LOOP_H

@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where two shapes meet, they have the same vertices, bit for bit: in generated houses, in random scenes, and in units
+// that differ by powers of two.
+//   test_shared_vertices SEED COUNT  looks at other random scenes
+
+#undef NDEBUG
+
+#include "testing/property_case.h"
+
+#include <CGAL/Shape_regularization_tandem/polygons.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+using Areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
+
+Areas areas_of(const Shapes& shapes, const Cloud& cloud)
+{
+  return CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(First<Kernel>()));
+}
+
+struct Totals {
+  std::size_t pairs = 0, common_edges = 0, overlaps = 0;
+};
+
+// The edges of two shapes that lie on the line of their planes.
+class Common_line {
+public:
+  struct Edge {
+    double first, last; // along the line
+    std::uint32_t corners[2];
+  };
+
+  Common_line(const Shapes& shapes, const Areas& areas, std::size_t s, std::size_t t)
+    : shapes(shapes), areas(areas), s(s), t(t)
+  {
+    direction = CGAL::cross_product(normal_of(s), normal_of(t));
+    direction = direction / std::sqrt(direction.squared_length());
+  }
+
+  std::vector<Edge> edges_of(std::size_t shape) const
+  {
+    std::vector<Edge> result;
+    const auto add = [&](const CGAL::Tandem::Indexed_polygon::Loop& loop) {
+      for(std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+        if(!is_on_both(a) || !is_on_both(b))
+          continue;
+        const double x = along(a), y = along(b);
+        result.push_back(x < y ? Edge{x, y, {a, b}} : Edge{y, x, {b, a}});
+      }
+    };
+    for(const CGAL::Tandem::Indexed_polygon& polygon : areas.polygons(shape)) {
+      add(polygon.outer);
+      for(const auto& hole : polygon.holes)
+        add(hole);
+    }
+    return result;
+  }
+
+  // Of coordinates, in the direction of the line.
+  double rounding() const
+  {
+    double largest = 0;
+    for(std::size_t shape : {s, t})
+      for(const auto& polygon : areas.polygons(shape))
+        for(std::uint32_t v : polygon.outer)
+          largest = (std::max)({largest, std::fabs(areas.points()[v].x()), std::fabs(areas.points()[v].y()),
+                                std::fabs(areas.points()[v].z())});
+    return largest * 0x1p-46;
+  }
+
+private:
+  Kernel::Vector_3 normal_of(std::size_t shape) const
+  {
+    const auto& c = shapes.coefficients(shape);
+    return Kernel::Vector_3(c[0], c[1], c[2]);
+  }
+
+  double along(std::uint32_t v) const { return (areas.points()[v] - CGAL::ORIGIN) * direction; }
+
+  bool is_on(std::size_t shape, std::uint32_t v) const
+  {
+    const auto& c = shapes.coefficients(shape);
+    const Kernel::Point_3& p = areas.points()[v];
+    long double height = c[3], size = std::fabs(c[3]);
+    for(int k = 0; k < 3; ++k) {
+      height += static_cast<long double>(c[std::size_t(k)]) * p[k];
+      size += std::fabs(static_cast<long double>(c[std::size_t(k)]) * p[k]);
+    }
+    return std::fabs(height) <= size * 0x1p-51L;
+  }
+  bool is_on_both(std::uint32_t v) const { return is_on(s, v) && is_on(t, v); }
+
+  const Shapes& shapes;
+  const Areas& areas;
+  std::size_t s, t;
+  Kernel::Vector_3 direction;
+};
+
+// Edges of both that overlap are the same edge: by their positions in the table.
+void check_pair(const Common_line& line, std::size_t s, std::size_t t, const std::string& name, Totals& totals)
+{
+  const auto of_s = line.edges_of(s), of_t = line.edges_of(t);
+  if(of_s.empty() || of_t.empty())
+    return;
+  ++totals.pairs;
+  const double rounding = line.rounding();
+  for(const auto& a : of_s)
+    for(const auto& b : of_t) {
+      const double overlap = (std::min)(a.last, b.last) - (std::max)(a.first, b.first);
+      if(overlap <= rounding)
+        continue;
+      ++totals.overlaps;
+      const bool is_same = a.corners[0] == b.corners[0] && a.corners[1] == b.corners[1];
+      totals.common_edges += is_same;
+      CHECK_AT(is_same, name + ": " + std::to_string(s) + ' ' + std::to_string(t) + ", " + std::to_string(a.first) +
+                          ' ' + std::to_string(a.last) + " and " + std::to_string(b.first) + ' ' +
+                          std::to_string(b.last));
+    }
+}
+
+// No two points of the table are equal.
+void check_table(const Areas& areas, const std::string& name)
+{
+  std::set<std::array<double, 3>> all;
+  for(const Kernel::Point_3& p : areas.points())
+    CHECK_AT(all.insert({p.x(), p.y(), p.z()}).second, name);
+}
+
+void check_shared(const Shapes& shapes, const Cloud& cloud, const std::string& name, Totals& totals)
+{
+  const Areas areas = areas_of(shapes, cloud);
+  check_table(areas, name);
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+    for(std::size_t t = 0; t < s; ++t)
+      if(!shapes.are_parallel(s, t))
+        check_pair(Common_line(shapes, areas, s, t), s, t, name, totals);
+}
+
+void print(const char* what, const Totals& t)
+{
+  std::cout << what << ": " << t.pairs << " pairs, " << t.common_edges << " of " << t.overlaps
+            << " edges on common lines are common" << std::endl;
+}
+
+// --- Scenes
+
+void check_houses()
+{
+  Totals totals;
+  for(const std::string scene : {"house", "village", "indoor"}) {
+    const Cloud cloud = to_cloud(scenes::make_scene(scene, scene_options(is_sanitized ? 20000 : 60000, .0003)));
+    check_shared(detect(cloud, make_parameters(.04, 60)), cloud, scene, totals);
+  }
+  print("houses", totals);
+  CHECK(totals.common_edges > 60);
+}
+
+void check_random(std::uint64_t first, std::uint64_t count)
+{
+  Totals totals;
+  for(std::uint64_t seed = first; seed < first + count; ++seed) {
+    const Property_case c = Case_maker(seed).make();
+    try {
+      check_shared(detect(c.cloud, c.parameters, c.given), c.cloud, c.name, totals);
+    } catch(const std::range_error&) {
+    } // too wide: test_properties
+  }
+  print("random scenes", totals);
+  CHECK(count < 40 || totals.common_edges > 10);
+}
+
+// In units that differ by powers of two, polygons are the same.
+void check_units()
+{
+  const Cloud cloud = make_pairs<Kernel>(make_box_cloud(400));
+  const Shapes shapes = detect(cloud, make_parameters(.02, 50));
+  const Areas expected = areas_of(shapes, cloud);
+  for(int exponent : {-960, -300, -1, 1, 300, 1000}) {
+    Cloud scaled;
+    for(const auto& [p, n] : cloud)
+      scaled.emplace_back(
+        Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)), n);
+    Shapes::Data data = shapes.data();
+    for(auto& c : data.coefficients)
+      c[3] = std::ldexp(c[3], exponent);
+    data.parameters.maximum_distance = std::ldexp(data.parameters.maximum_distance, exponent);
+    const Areas areas = areas_of(Shapes(data), scaled);
+    const std::string name = "2^" + std::to_string(exponent);
+    CHECK_AT(areas.points().size() == expected.points().size(), name);
+    for(std::size_t i = 0; i < (std::min)(areas.points().size(), expected.points().size()); ++i)
+      for(int k = 0; k < 3; ++k)
+        CHECK_AT(areas.points()[i][k] == std::ldexp(expected.points()[i][k], exponent), name);
+    for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
+      CHECK_AT(areas.area(s) == std::ldexp(expected.area(s), 2 * exponent), name);
+  }
+  Totals totals;
+  check_shared(shapes, cloud, "box", totals);
+  CHECK_AT(totals.common_edges == 12 && expected.points().size() == 8,
+           std::to_string(totals.common_edges) + ' ' + std::to_string(expected.points().size()));
+}
+
+int main(int argc, char** argv)
+{
+  if(argc == 1) {
+    check_units();
+    check_houses();
+  }
+  check_random(argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1, argc > 2       ? std::strtoull(argv[2], nullptr, 10)
+                                                                   : is_sanitized ? 15
+                                                                                  : 60);
+  return report();
+}
