@@ -49,15 +49,18 @@ public:
   bool is_free(std::size_t edge) const { return straight[edge].border < 0; }
   double spacing(std::size_t edge) const { return (double(vertex(edge).spacing) + vertex(edge + 1).spacing) / 2; }
 
-  // f(a point of the edge), its ends included.
+  // f(a point of the edge), its ends included, but for those of straight borders, if there are others.
   template <class Function>
   void for_each_point(std::size_t edge, Function f) const
   {
     const std::size_t n = dense.size(), first = vertex(edge).rank - dense[0].rank;
     const std::size_t last = vertex(edge + 1).rank - dense[0].rank;
-    for(std::size_t i = first; i != last; i = (i + 1) % n)
+    for(std::size_t i = (first + 1) % n; i != last; i = (i + 1) % n)
       f(dense[i].point);
-    f(dense[last].point);
+    const bool has_none = (first + 1) % n == last && vertex(edge).stays() && vertex(edge + 1).stays();
+    for(std::size_t i : {edge, edge + 1})
+      if(has_none || !vertex(i).stays())
+        f(vertex(i).point);
   }
 
   // How far to the left of the line through the origin.

@@ -60,6 +60,7 @@ private:
   };
   struct Border_vertex {
     Position position;
+    bool is_corner;
     std::vector<int> borders;
     float reach;
   };

@@ -78,7 +78,7 @@ inline Outline_triangulation::Vertex_handle Outline_triangulation::insert(const 
   Vertex_info& info = v->info();
   if(info.border < 0) {
     info.border = int(border_vertices.size());
-    border_vertices.push_back({{position.point.x(), position.point.y(), position.point.z()}, {}, border.reach});
+    border_vertices.push_back({{position.point.x(), position.point.y(), position.point.z()}, false, {}, border.reach});
   }
   info.is_cut = false;
   if(!(info.spacing > 0))
@@ -86,6 +86,7 @@ inline Outline_triangulation::Vertex_handle Outline_triangulation::insert(const 
   Border_vertex& vertex = border_vertices[std::size_t(info.border)];
   vertex.reach = (std::max)(vertex.reach, border.reach);
   vertex.borders.push_back(number_of_borders);
+  vertex.is_corner |= position.third >= 0;
   return v;
 }
 
@@ -263,9 +264,13 @@ inline Outline_loop Outline_triangulation::straight_loop(const std::vector<Verte
     if(is_after && is_before && before == after)
       continue;
     const bool is_fixed = is_after || is_before;
-    result.push_back({v->point(), v->info().spacing, is_fixed, {}, v->point(), is_before ? after : -1});
-    if(is_fixed)
-      result.back().position = border_vertices[std::size_t(v->info().border)].position;
+    result.push_back({v->point(), v->info().spacing, is_fixed, {}, v->point()});
+    result.back().border = is_before ? after : -1;
+    if(is_fixed) {
+      const Border_vertex& vertex = border_vertices[std::size_t(v->info().border)];
+      result.back().position = vertex.position;
+      result.back().is_corner = vertex.is_corner;
+    }
   }
   return result;
 }

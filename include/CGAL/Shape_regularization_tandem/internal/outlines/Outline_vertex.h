@@ -30,6 +30,7 @@ struct Outline_vertex {
   bool is_fixed;           // the end of a straight border, whose position is known
   Position position;       // in space, as it is written
   Kernel::Point_2 written; // its projection, which decides whether lines are simple
+  bool is_corner = false;  // of straight borders: a point of three planes
   int border = -1;         // the straight border that goes from here to the next vertex
   std::size_t rank = 0;    // in the sequence of the vertices of all loops
 

@@ -6,12 +6,14 @@
 
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Border_finder.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Common_vertices.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Moved_ends.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_directions.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Regular_loop.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/common_ends.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/edges_on_lines.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/rectangle_of_hole.h>
 
 #include <CGAL/hilbert_sort.h>
@@ -111,10 +113,9 @@ public:
   Polygon_table polygons()
   {
     draw_borders();
-    for_each_shape(n, [&](std::size_t s) {
-      if(draft_outline(s))
-        make_regular(s);
-    });
+    is_framed.resize(n);
+    for_each_shape(n, [&](std::size_t s) { is_framed[s] = draft_outline(s); });
+    make_regular();
     share_vertices();
     std::vector<Shape_polygons> of_shapes(n);
     for_each_shape(n, [&](std::size_t s) { of_shapes[s] = polygons_of(s); });
@@ -162,12 +163,46 @@ private:
     return false;
   }
 
-  void make_regular(std::size_t s)
+  // Ends of straight borders that are no corners move to where regular edges begin.
+  void make_regular()
+  {
+    Moved_ends moved;
+    for(std::size_t s = 0; s < n; ++s)
+      if(is_framed[s]) {
+        moved.add_edges(drafts[s]);
+        add_wishes(s, moved);
+      }
+    moved.decide([&](const Border_line& line, double along) {
+      return position_on(line, line.origin + along * line.direction);
+    });
+    for_each_shape(n, [&](std::size_t s) {
+      if(is_framed[s])
+        make_regular(s, moved);
+    });
+  }
+
+  void add_wishes(std::size_t s, Moved_ends& moved) const
+  {
+    const std::vector<Kernel::Vector_2> along = directions.of_shape(s, all[s].frame);
+    for(const Outline_loop& loop : drafts[s].loops()) {
+      const Border_points border(loop, drafts[s].dense_loop(loop));
+      Regular_loop(border, along).for_each_wanted_end([&](std::size_t i, const Kernel::Point_2& p) {
+        const int number = loop[i].border >= 0 ? loop[i].border : loop[(i + loop.size() - 1) % loop.size()].border;
+        moved.add_wish(loop[i], drafts[s].lines[std::size_t(number)], all[s].frame.lifted(p));
+      });
+    }
+  }
+
+  void make_regular(std::size_t s, const Moved_ends& moved)
   {
     const std::vector<Kernel::Vector_2> along = directions.of_shape(s, all[s].frame);
     std::vector<Outline_loop> loops = drafts[s].loops(), regular;
     for(const Outline_loop& loop : loops) {
-      const Border_points border(loop, drafts[s].dense_loop(loop));
+      Outline_loop with_moved = loop;
+      for(Outline_vertex& v : with_moved)
+        if(const Position* p = v.is_fixed ? moved.moved_from(v.position) : nullptr)
+          v = fixed_vertex(s, v, *p);
+      const Border_points border(with_moved, drafts[s].dense_loop(loop));
       regular.push_back(rectangle_of_hole(border, along));
       if(regular.back().empty())
         regular.back() = Regular_loop(border, along).loop();
@@ -175,17 +210,44 @@ private:
     drafts[s].replace(std::move(loops), placed(std::move(regular), s));
   }
 
+  // Like another one, at a position.
+  Outline_vertex fixed_vertex(std::size_t s, const Outline_vertex& like, const Position& p) const
+  {
+    Outline_vertex result = like;
+    result.is_fixed = true;
+    result.position = p;
+    result.point = all[s].frame.flat(Kernel::Point_3(p[0], p[1], p[2]));
+    result.written = projections[s].projected(p);
+    return result;
+  }
+
+  Position position_on(const Border_line& line, const Kernel::Point_3& near) const
+  {
+    return unit.written(
+      point_on_planes({planes[std::size_t(line.planes[0])], planes[std::size_t(line.planes[1])]}, near));
+  }
+
+  void find_edges_on_lines(std::size_t s)
+  {
+    std::vector<Outline_loop> loops = drafts[s].loops(), changed;
+    for(const Outline_loop& loop : loops)
+      changed.push_back(with_edges_on_lines(loop, drafts[s].lines, [&](const Outline_vertex& v, const Border_line& line) {
+        const Position& p = v.position;
+        return fixed_vertex(s, v, position_on(line, Kernel::Point_3(p[0], p[1], p[2])));
+      }));
+    drafts[s].replace(std::move(loops), changed);
+  }
+
   void share_vertices()
   {
+    share_lines(drafts, [&](std::size_t s) { return int(shapes.coplanar_group(s)); });
+    for_each_shape(n, [&](std::size_t s) { find_edges_on_lines(s); });
     Common_vertices common;
     for(const Outline_draft& draft : drafts)
       common.add(draft);
     common.sort();
     for_each_shape(n, [&](std::size_t s) {
-      const auto vertex = [&](const Outline_vertex& like, const Position& p) {
-        const Kernel::Point_2 flat = all[s].frame.flat(Kernel::Point_3(p[0], p[1], p[2]));
-        return Outline_vertex{flat, like.spacing, true, p, projections[s].projected(p)};
-      };
+      const auto vertex = [&](const Outline_vertex& like, const Position& p) { return fixed_vertex(s, like, p); };
       std::vector<Outline_loop> loops = drafts[s].loops(), longer(loops.size());
       common.for_each_longer_loop(drafts[s], vertex,
                                   [&](std::size_t i, const Outline_loop& loop) { longer[i] = loop; });
@@ -248,6 +310,7 @@ private:
   Plane_directions directions;
   std::vector<Straight_borders> borders; // of the shapes
   std::vector<Outline_draft> drafts;     // of the shapes
+  std::vector<char> is_framed;           // whether the draft of the shape is in its frame
 };
 
 } // namespace outlines

@@ -42,16 +42,38 @@ public:
     return result;
   }
 
+  // f(an end of a straight border, as its number in the loop, and where the line of the run behind it crosses the border)
+  template <class Function>
+  void for_each_wanted_end(Function f) const
+  {
+    for(const Run& run : runs)
+      for(const bool is_first : {true, false}) {
+        const std::size_t i = is_first ? run.first : (run.first + run.count) % size;
+        const std::size_t along = is_first ? (i + size - 1) % size : i; // the other edge
+        const Outline_vertex& v = border.vertex(i);
+        if(!v.is_fixed || border.is_free(along))
+          continue;
+        const Kernel::Vector_2 w = border.vertex(is_first ? along : i + 1).point - v.point;
+        const Kernel::Vector_2& d = directions[run.direction];
+        const double rise = d.x() * w.y() - d.y() * w.x(), length = std::sqrt(w.squared_length());
+        const double step = (run.median - Border_points::offset(v.point, d)) / rise;
+        if(std::fabs(rise) >= smallest_sine * length && std::fabs(step) * length <= farthest * v.spacing)
+          f(i, v.point + step * w);
+      }
+  }
+
 private:
   static constexpr std::size_t none = std::size_t(-1);
-  static constexpr double shortest_run = 3;    // in spacings
-  static constexpr double advantage = 1.2;     // by which a run of a direction of less points has to be longer
-  static constexpr double smallest_sine = .25; // between lines that are intersected
-  static constexpr double farthest = 3;        // of an intersection from the vertex that it replaces, in spacings
+  static constexpr double shortest_run = 3;     // in spacings
+  static constexpr double advantage = 1.2;      // by which a run of a direction of less points has to be longer
+  static constexpr double smallest_sine = .25;  // between lines that are intersected
+  static constexpr double tolerance_at_end = 2; // of the points of a run through the end of a straight border
+  static constexpr double farthest = 3;         // of an intersection from the vertex that it replaces, in spacings
 
   struct Run {
     std::size_t first = 0, count = 0, direction = 0;
     double length = 0, offset = 0;
+    double median = 0; // of the offsets of its points
   };
   // Of the new loop: a run, or an edge that stays.
   struct Element {
@@ -82,7 +104,7 @@ private:
           std::fabs((border.vertex(first + count).point - border.vertex(first).point) * directions[d]);
         if(length >= shortest_run * spacing / double(count) &&
            length > (best.direction == d ? 1 : advantage) * best.length)
-          best = {first, count, d, length, 0};
+          best = {first, count, d, length};
       }
     }
     return best;
@@ -103,14 +125,14 @@ private:
         queue.emplace(run.length, first);
         continue;
       }
-      run.offset = offset_of(run);
+      find_offset(run);
       for(std::size_t i = 0; i < run.count; ++i)
         run_of[(first + i) % size] = runs.size();
       runs.push_back(run);
     }
   }
 
-  double offset_of(const Run& run) const
+  void find_offset(Run& run) const
   {
     std::vector<double> offsets;
     double spacing = 0;
@@ -121,14 +143,18 @@ private:
       spacing += border.spacing((run.first + i) % size) / double(run.count);
     }
     std::sort(offsets.begin(), offsets.end());
-    const double low = offsets.back() - border.tolerance * spacing, high = offsets.front() + border.tolerance * spacing;
+    const auto low = [&](double tolerance) { return offsets.back() - tolerance * spacing; };
+    const auto high = [&](double tolerance) { return offsets.front() + tolerance * spacing; };
+    run.median = (std::max)(low(border.tolerance), (std::min)(high(border.tolerance), offsets[offsets.size() / 2]));
     for(std::size_t end : {run.first, run.first + run.count}) {
       const Outline_vertex& v = border.vertex(end);
       const double offset = Border_points::offset(v.point, directions[run.direction]);
-      if(v.stays() && offset >= low && offset <= high)
-        return offset;
+      if(v.stays() && offset >= low(tolerance_at_end) && offset <= high(tolerance_at_end)) {
+        run.offset = offset;
+        return;
+      }
     }
-    return (std::max)(low, (std::min)(high, offsets[offsets.size() / 2]));
+    run.offset = run.median;
   }
 
   // --- The loop
@@ -244,7 +270,7 @@ private:
         }
       }
     }
-    if(is_run_before)
+    if(is_run_before && !is_spike(runs[a.run], end, border.vertex(b.first + 1), b.run))
       add(end, foot(runs[a.run], end.point), result);
     if(begin.stays() || (!is_run_before && !is_run_after)) {
       if(begin.stays() && !result.empty() && !result.back().stays() &&
@@ -252,8 +278,18 @@ private:
         result.pop_back();
       result.push_back(begin);
     }
-    if(is_run_after)
+    if(is_run_after && !is_spike(runs[b.run], begin, border.vertex(a.first), a.run))
       add(begin, foot(runs[b.run], begin.point), result);
+  }
+
+  // Whether the foot of an end of a straight border is above the border, which goes to the other vertex.
+  bool is_spike(const Run& run, const Outline_vertex& end, const Outline_vertex& other, std::size_t run_of_border) const
+  {
+    if(!end.stays() || run_of_border != none)
+      return false;
+    const Kernel::Vector_2 f = foot(run, end.point) - end.point, w = other.point - end.point;
+    const double sine = f.x() * w.y() - f.y() * w.x();
+    return f * w > 0 && sine * sine < smallest_sine * smallest_sine * f.squared_length() * w.squared_length();
   }
 
   const Border_points& border;
