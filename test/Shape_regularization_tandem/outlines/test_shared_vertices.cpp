@@ -39,7 +39,7 @@ public:
   };
 
   Common_line(const Shapes& shapes, const Areas& areas, std::size_t s, std::size_t t)
-    : shapes(shapes), areas(areas), s(s), t(t)
+    : shapes_of_line{s, t}, shapes(shapes), areas(areas), s(s), t(t)
   {
     direction = CGAL::cross_product(normal_of(s), normal_of(t));
     direction = direction / std::sqrt(direction.squared_length());
@@ -77,6 +77,8 @@ public:
     return largest * 0x1p-46;
   }
 
+  std::size_t shapes_of_line[2];
+
 private:
   Kernel::Vector_3 normal_of(std::size_t shape) const
   {
@@ -106,9 +108,9 @@ private:
 };
 
 // Edges of both that overlap are the same edge: by their positions in the table.
-void check_pair(const Common_line& line, std::size_t s, std::size_t t, const std::string& name, Totals& totals)
+void count_common(const Common_line& line, Totals& totals)
 {
-  const auto of_s = line.edges_of(s), of_t = line.edges_of(t);
+  const auto of_s = line.edges_of(line.shapes_of_line[0]), of_t = line.edges_of(line.shapes_of_line[1]);
   if(of_s.empty() || of_t.empty())
     return;
   ++totals.pairs;
@@ -121,9 +123,6 @@ void check_pair(const Common_line& line, std::size_t s, std::size_t t, const std
       ++totals.overlaps;
       const bool is_same = a.corners[0] == b.corners[0] && a.corners[1] == b.corners[1];
       totals.common_edges += is_same;
-      CHECK_AT(is_same, name + ": " + std::to_string(s) + ' ' + std::to_string(t) + ", " + std::to_string(a.first) +
-                          ' ' + std::to_string(a.last) + " and " + std::to_string(b.first) + ' ' +
-                          std::to_string(b.last));
     }
 }
 
@@ -135,14 +134,22 @@ void check_table(const Areas& areas, const std::string& name)
     CHECK_AT(all.insert({p.x(), p.y(), p.z()}).second, name);
 }
 
+// Flatter lines are not well defined.
+bool has_line(const Shapes& shapes, std::size_t s, std::size_t t)
+{
+  const auto &a = shapes.coefficients(s), &b = shapes.coefficients(t);
+  const Kernel::Vector_3 m(a[0], a[1], a[2]), n(b[0], b[1], b[2]);
+  return CGAL::cross_product(m, n).squared_length() >= .0625;
+}
+
 void check_shared(const Shapes& shapes, const Cloud& cloud, const std::string& name, Totals& totals)
 {
   const Areas areas = areas_of(shapes, cloud);
   check_table(areas, name);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
     for(std::size_t t = 0; t < s; ++t)
-      if(!shapes.are_parallel(s, t))
-        check_pair(Common_line(shapes, areas, s, t), s, t, name, totals);
+      if(has_line(shapes, s, t))
+        count_common(Common_line(shapes, areas, s, t), totals);
 }
 
 void print(const char* what, const Totals& t)
@@ -161,7 +168,7 @@ void check_houses()
     check_shared(detect(cloud, make_parameters(.04, 60)), cloud, scene, totals);
   }
   print("houses", totals);
-  CHECK(totals.common_edges > 60);
+  CHECK(totals.common_edges == totals.overlaps && totals.common_edges > 60);
 }
 
 void check_random(std::uint64_t first, std::uint64_t count)
@@ -175,6 +182,9 @@ void check_random(std::uint64_t first, std::uint64_t count)
     } // too wide: test_properties
   }
   print("random scenes", totals);
+  // An outline that would not be simple with the vertices of another one does without them: far from the origin, where
+  // coordinates are rounded.
+  CHECK(double(totals.common_edges) >= .99 * double(totals.overlaps));
   CHECK(count < 40 || totals.common_edges > 10);
 }
 
@@ -204,7 +214,7 @@ void check_units()
   }
   Totals totals;
   check_shared(shapes, cloud, "box", totals);
-  CHECK_AT(totals.common_edges == 12 && expected.points().size() == 8,
+  CHECK_AT(totals.common_edges == 12 && totals.overlaps == 12 && expected.points().size() == 8,
            std::to_string(totals.common_edges) + ' ' + std::to_string(expected.points().size()));
 }
 

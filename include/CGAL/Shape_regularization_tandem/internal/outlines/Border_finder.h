@@ -43,6 +43,15 @@ public:
   // The ends of those that meet at a corner are there.
   Border_pieces pieces_of(std::size_t s, Straight_borders& borders) const;
 
+  // With the planes of the shapes that may have points close to those of the shape.
+  std::vector<Border_line> lines_near(std::size_t s) const
+  {
+    std::vector<Border_line> result;
+    for(const Near_plane& other : planes_near(s))
+      result.push_back(line_of(s, other.plane));
+    return result;
+  }
+
   Straight_border border_of(std::size_t s, const Border_piece& piece) const;
   Kernel::Point_3 on_line(const Border_line& line, double along) const;
 

@@ -72,7 +72,7 @@ public:
   const std::vector<Outline_vertex>& vertices() const { return vertices_; }
   std::vector<Polygon>& polygons() { return polygons_; }
 
-  std::vector<Border_line> lines; // of the straight borders
+  std::vector<Border_line> lines; // of the straight borders, and then others of the plane
 
 private:
   using Position_in_loops = std::vector<std::size_t>::const_iterator;

@@ -115,5 +115,6 @@ private:
 } // namespace CGAL
 
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation_impl.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation_loops_impl.h>
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_H

@@ -40,6 +40,17 @@ struct Outline_vertex {
 
 using Outline_loop = std::vector<Outline_vertex>;
 
+// Positive, if the inside is to the left.
+inline double twice_area(const Outline_loop& loop)
+{
+  double result = 0;
+  for(std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    const Kernel::Vector_2 p = loop[i].point - loop[0].point, q = loop[i + 1].point - loop[0].point;
+    result += p.x() * q.y() - p.y() * q.x();
+  }
+  return result;
+}
+
 } // namespace outlines
 } // namespace internal
 } // namespace Tandem

@@ -14,15 +14,14 @@
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Regular_loop.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/common_ends.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/edges_on_lines.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/joined_polygons.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/points_of_shape.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/rectangle_of_hole.h>
 
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/for_each.h>
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -40,54 +39,6 @@ void for_each_shape(std::size_t n, Function f)
     f(s);
     return true;
   });
-}
-
-inline Shape_points points_of_shape(const std::vector<Kernel::Point_3>& points, const Shapes& shapes, const Unit& unit,
-                                    std::size_t s)
-{
-  const auto point = [&](std::size_t i) { return unit.in(points[i]); };
-  Shape_points result = {Plane_frame(shapes, s, point(shapes.points(s)[0])), {}, {}, {}};
-  using Item = std::pair<Kernel::Point_2, std::uint32_t>;
-  std::vector<Item> items;
-  for(std::uint32_t i : shapes.points(s))
-    items.emplace_back(result.frame.flat(point(i)), i);
-  CGAL::hilbert_sort(items.begin(), items.end(),
-                     CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Item>>());
-  for(const auto& [flat, i] : items) {
-    result.flat.push_back(flat);
-    result.points.push_back(point(i));
-  }
-  return result;
-}
-
-// Vertices with equal coordinates become one.
-inline Polygon_table joined(std::vector<Shape_polygons>& of_shapes)
-{
-  Polygon_table result;
-  std::map<Position, std::uint32_t> number_of;
-  for(Shape_polygons& shape : of_shapes) {
-    std::vector<std::uint32_t> numbers;
-    for(const Position& p : shape.vertices) {
-      const auto added = number_of.emplace(p, std::uint32_t(result.points.size()));
-      if(added.second)
-        result.points.push_back(p);
-      numbers.push_back(added.first->second);
-    }
-    const auto renumber = [&](auto& corners) {
-      for(std::uint32_t& corner : corners)
-        corner = numbers[corner];
-    };
-    for(Polygon& polygon : shape.polygons) {
-      renumber(polygon.outer);
-      for(Polygon::Loop& hole : polygon.holes)
-        renumber(hole);
-      for(auto& triangle : polygon.triangles)
-        renumber(triangle);
-    }
-    result.polygons.push_back(std::move(shape.polygons));
-    result.areas.push_back(shape.area);
-  }
-  return result;
 }
 
 class Polygon_maker {
@@ -140,6 +91,8 @@ private:
         borders[s].borders.push_back(finder.border_of(s, piece));
         drafts[s].lines.push_back(piece.line);
       }
+      for(const Border_line& line : finder.lines_near(s))
+        drafts[s].lines.push_back(line);
     });
   }
 
@@ -172,9 +125,8 @@ private:
         moved.add_edges(drafts[s]);
         add_wishes(s, moved);
       }
-    moved.decide([&](const Border_line& line, double along) {
-      return position_on(line, line.origin + along * line.direction);
-    });
+    moved.decide(
+      [&](const Border_line& line, double along) { return position_on(line, line.origin + along * line.direction); });
     for_each_shape(n, [&](std::size_t s) {
       if(is_framed[s])
         make_regular(s, moved);
@@ -231,16 +183,16 @@ private:
   {
     std::vector<Outline_loop> loops = drafts[s].loops(), changed;
     for(const Outline_loop& loop : loops)
-      changed.push_back(with_edges_on_lines(loop, drafts[s].lines, [&](const Outline_vertex& v, const Border_line& line) {
-        const Position& p = v.position;
-        return fixed_vertex(s, v, position_on(line, Kernel::Point_3(p[0], p[1], p[2])));
-      }));
+      changed.push_back(
+        with_edges_on_lines(loop, drafts[s].lines, [&](const Outline_vertex& v, const Border_line& line) {
+          const Position& p = v.position;
+          return fixed_vertex(s, v, position_on(line, Kernel::Point_3(p[0], p[1], p[2])));
+        }));
     drafts[s].replace(std::move(loops), changed);
   }
 
   void share_vertices()
   {
-    share_lines(drafts, [&](std::size_t s) { return int(shapes.coplanar_group(s)); });
     for_each_shape(n, [&](std::size_t s) { find_edges_on_lines(s); });
     Common_vertices common;
     for(const Outline_draft& draft : drafts)

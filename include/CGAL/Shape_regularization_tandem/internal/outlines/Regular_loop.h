@@ -6,12 +6,11 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_REGULAR_LOOP_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_REGULAR_LOOP_H
 
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Border_points.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Edge_runs.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -20,16 +19,13 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-// A *run* is a sequence of edges whose border points are within the tolerance of one line of a given direction. It becomes
-// an edge on that line, which is at the median of the points, or goes through the end of a straight border where the
-// points permit that, too. The longest run comes first. Edges in no run stay.
+// A run of edges becomes an edge on its line, which is at the median of its points, or goes through the end of a straight
+// border where the points permit that, too. Edges in no run stay.
 class Regular_loop {
 public:
   Regular_loop(const Border_points& border, const std::vector<Kernel::Vector_2>& directions)
-    : border(border), directions(directions), size(border.size()), run_of(size, none)
-  {
-    find_runs();
-  }
+    : border(border), directions(directions), size(border.size()), found(border, directions), runs(found.all())
+  {}
 
   Outline_loop loop() const
   {
@@ -37,9 +33,8 @@ public:
     Outline_loop result;
     for(std::size_t i = 0; i < elements.size() && elements.size() > 1; ++i)
       join(elements[i], elements[(i + 1) % elements.size()], result);
-    if(result.size() < 3)
-      result = border.loop();
-    return result;
+    const double share = result.size() < 3 ? 0 : twice_area(result) / twice_area(border.loop());
+    return share > smallest_share && share * smallest_share < 1 ? result : border.loop();
   }
 
   // f(an end of a straight border, as its number in the loop, and where the line of the run behind it crosses the border)
@@ -63,99 +58,16 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = std::size_t(-1);
-  static constexpr double shortest_run = 3;     // in spacings
-  static constexpr double advantage = 1.2;      // by which a run of a direction of less points has to be longer
-  static constexpr double smallest_sine = .25;  // between lines that are intersected
-  static constexpr double tolerance_at_end = 2; // of the points of a run through the end of a straight border
-  static constexpr double farthest = 3;         // of an intersection from the vertex that it replaces, in spacings
+  static constexpr std::size_t none = Edge_runs::none;
+  static constexpr double smallest_share = .5; // of the area that remains: a narrow piece could become a line
+  static constexpr double smallest_sine = .25; // between lines that are intersected
+  static constexpr double farthest = 3;        // of an intersection from the vertex that it replaces, in spacings
 
-  struct Run {
-    std::size_t first = 0, count = 0, direction = 0;
-    double length = 0, offset = 0;
-    double median = 0; // of the offsets of its points
-  };
+  using Run = Edge_runs::Run;
   // Of the new loop: a run, or an edge that stays.
   struct Element {
     std::size_t first, count, run;
   };
-
-  // --- Runs
-
-  bool may_continue(std::size_t edge) const { return border.is_free(edge) && run_of[edge] == none; }
-
-  Run longest_run(std::size_t first) const
-  {
-    Run best;
-    if(!may_continue(first))
-      return best;
-    for(std::size_t d = 0; d < directions.size(); ++d) {
-      Border_points::Range range;
-      double spacing = 0;
-      for(std::size_t count = 1; count < size; ++count) {
-        const std::size_t edge = (first + count - 1) % size;
-        if(!may_continue(edge) || (count > 1 && border.vertex(edge).stays()))
-          break;
-        range.add(border.offsets(edge, directions[d]));
-        spacing += border.spacing(edge);
-        if(range.length() > 2 * border.tolerance * spacing / double(count))
-          break;
-        const double length =
-          std::fabs((border.vertex(first + count).point - border.vertex(first).point) * directions[d]);
-        if(length >= shortest_run * spacing / double(count) &&
-           length > (best.direction == d ? 1 : advantage) * best.length)
-          best = {first, count, d, length};
-      }
-    }
-    return best;
-  }
-
-  void find_runs()
-  {
-    std::priority_queue<std::pair<double, std::size_t>> queue;
-    for(std::size_t i = 0; i < size; ++i)
-      queue.emplace(longest_run(i).length, i);
-    while(!queue.empty()) {
-      const auto [length, first] = queue.top();
-      queue.pop();
-      Run run = longest_run(first);
-      if(run.count == 0)
-        continue;
-      if(run.length < length) { // others have taken a part of it
-        queue.emplace(run.length, first);
-        continue;
-      }
-      find_offset(run);
-      for(std::size_t i = 0; i < run.count; ++i)
-        run_of[(first + i) % size] = runs.size();
-      runs.push_back(run);
-    }
-  }
-
-  void find_offset(Run& run) const
-  {
-    std::vector<double> offsets;
-    double spacing = 0;
-    for(std::size_t i = 0; i < run.count; ++i) {
-      border.for_each_point((run.first + i) % size, [&](const Kernel::Point_2& p) {
-        offsets.push_back(Border_points::offset(p, directions[run.direction]));
-      });
-      spacing += border.spacing((run.first + i) % size) / double(run.count);
-    }
-    std::sort(offsets.begin(), offsets.end());
-    const auto low = [&](double tolerance) { return offsets.back() - tolerance * spacing; };
-    const auto high = [&](double tolerance) { return offsets.front() + tolerance * spacing; };
-    run.median = (std::max)(low(border.tolerance), (std::min)(high(border.tolerance), offsets[offsets.size() / 2]));
-    for(std::size_t end : {run.first, run.first + run.count}) {
-      const Outline_vertex& v = border.vertex(end);
-      const double offset = Border_points::offset(v.point, directions[run.direction]);
-      if(v.stays() && offset >= low(tolerance_at_end) && offset <= high(tolerance_at_end)) {
-        run.offset = offset;
-        return;
-      }
-    }
-    run.offset = run.median;
-  }
 
   // --- The loop
 
@@ -163,7 +75,8 @@ private:
   std::vector<Element> all_elements() const
   {
     const auto begins = [&](std::size_t i) {
-      return run_of[i] == none || run_of[i] != run_of[(i + size - 1) % size] || runs[run_of[i]].first == i;
+      return found.of_edge(i) == none || found.of_edge(i) != found.of_edge((i + size - 1) % size) ||
+             runs[found.of_edge(i)].first == i;
     };
     std::size_t start = 0;
     while(start < size && !begins(start))
@@ -172,7 +85,7 @@ private:
     for(std::size_t i = 0; i < size && start < size; ++i) {
       const std::size_t edge = (start + i) % size;
       if(begins(edge))
-        result.push_back({edge, 0, run_of[edge]});
+        result.push_back({edge, 0, found.of_edge(edge)});
       ++result.back().count;
     }
     return result;
@@ -295,8 +208,8 @@ private:
   const Border_points& border;
   const std::vector<Kernel::Vector_2>& directions;
   std::size_t size; // of the loop
-  std::vector<std::size_t> run_of;
-  std::vector<Run> runs;
+  Edge_runs found;
+  const std::vector<Run>& runs;
 };
 
 } // namespace outlines

@@ -10,36 +10,12 @@
 
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
 namespace outlines {
-
-// Adds to each draft the lines of its plane that other shapes have; plane_of(s) is a coplanar group.
-template <class Plane_of>
-void share_lines(std::vector<Outline_draft>& drafts, Plane_of plane_of)
-{
-  using Key = std::pair<int, int>;
-  const auto key_of = [](const Border_line& line) { return Key(line.planes[0], line.planes[1]); };
-  std::map<int, std::map<Key, Border_line>> lines_of_plane;
-  for(const Outline_draft& draft : drafts)
-    for(const Border_line& line : draft.lines)
-      for(int plane : line.planes)
-        lines_of_plane[plane].emplace(key_of(line), line);
-  for(std::size_t s = 0; s < drafts.size(); ++s) {
-    std::set<Key> own;
-    for(const Border_line& line : drafts[s].lines)
-      own.insert(key_of(line));
-    for(const auto& [key, line] : lines_of_plane[plane_of(s)])
-      if(own.count(key) == 0)
-        drafts[s].lines.push_back(line);
-  }
-}
 
 // Up to the rounding of coordinates.
 inline bool is_on_line(const Outline_vertex& v, const Border_line& line)

@@ -106,15 +106,10 @@ private:
 // Empty if there is none. Directions come in pairs.
 inline Outline_loop rectangle_of_hole(const Border_points& border, const std::vector<Kernel::Vector_2>& directions)
 {
-  double twice_area = 0;
-  for(std::size_t i = 0; i < border.size(); ++i) {
-    if(border.vertex(i).stays())
-      return {};
-    const Kernel::Vector_2 p = border.vertex(i).point - border.vertex(0).point,
-                           q = border.vertex(i + 1).point - border.vertex(0).point;
-    twice_area += p.x() * q.y() - p.y() * q.x();
-  }
-  for(std::size_t d = 0; d < directions.size() && twice_area < 0; d += 2) {
+  const Outline_loop& hole = border.loop();
+  if(twice_area(hole) >= 0 || std::any_of(hole.begin(), hole.end(), [](const Outline_vertex& v) { return v.stays(); }))
+    return {};
+  for(std::size_t d = 0; d < directions.size(); d += 2) {
     const Fitted_rectangle rectangle(border, directions[d]);
     if(rectangle.fits())
       return rectangle.loop();
