@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// polygons() as a user calls it: kernels, entries of planes, frames, and what it refuses.
+
+#undef NDEBUG
+
+#include "testing/box_cloud.h"
+
+#include <CGAL/Shape_regularization_tandem/detect_planes.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace np = CGAL::Tandem::parameters;
+
+template <class Kernel>
+struct Result {
+  Pairs<Kernel> cloud;
+  CGAL::Tandem::Planar_shapes_3<Kernel> shapes;
+  CGAL::Tandem::Shape_polygons_3<Kernel> areas;
+};
+
+template <class Kernel>
+Result<Kernel> result_of(const Pairs<Kernel>& cloud, bool is_by_plane = false)
+{
+  const auto list = np::maximum_distance(.02).minimum_region_size(50).point_map(First<Kernel>());
+  Result<Kernel> r = {cloud, CGAL::Tandem::detect_planes(cloud, list.normal_map(Second<Kernel>())),
+                      CGAL::Tandem::Shape_polygons_3<Kernel>()};
+  r.areas = CGAL::Tandem::polygons(r.shapes, cloud, np::point_map(First<Kernel>()).one_for_each_plane(is_by_plane));
+  return r;
+}
+
+// The cloud is the same in every kernel, and so are the polygons.
+void check_kernels()
+{
+  const auto box = make_box_cloud(400);
+  const auto a = result_of<Epick>(make_pairs<Epick>(box));
+  const auto b = result_of<CGAL::Simple_cartesian<double>>(make_pairs<CGAL::Simple_cartesian<double>>(box));
+  CHECK(a.areas.points().size() == 8 && b.areas.points().size() == 8);
+  for(std::size_t i = 0; i < a.areas.points().size(); ++i)
+    for(int k = 0; k < 3; ++k)
+      CHECK(a.areas.points()[i][k] == b.areas.points().at(i)[k]);
+  const auto c = result_of<CGAL::Simple_cartesian<float>>(make_pairs<CGAL::Simple_cartesian<float>>(box));
+  CHECK(c.areas.number_of_entries() == 6 && c.areas.points().size() == 8);
+}
+
+template <class Polygon>
+double area_of(const Polygon& polygon)
+{
+  double result = CGAL::to_double(polygon.outer_boundary().area());
+  for(auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+    result += CGAL::to_double(hole->area());
+  return result;
+}
+
+void check_frames()
+{
+  const auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
+  for(std::size_t i = 0; i < r.areas.number_of_entries(); ++i) {
+    const auto frame = r.areas.frame(i);
+    const auto polygons = r.areas.polygons_2(i);
+    CHECK(polygons.size() == r.areas.polygons(i).size() && polygons.size() == 1);
+    double flat = 0, in_space = 0;
+    for(std::size_t p = 0; p < polygons.size(); ++p) {
+      const auto& outer = polygons[p].outer_boundary();
+      CHECK(outer.is_simple() && outer.is_counterclockwise_oriented());
+      flat += area_of(polygons[p]);
+      for(std::size_t k = 0; k < outer.size(); ++k) {
+        const Epick::Point_3& corner = r.areas.points()[r.areas.polygons(i)[p].outer[k]];
+        CHECK(frame.to_2d(corner) == outer[k]);
+        CHECK(CGAL::squared_distance(frame.to_3d(outer[k]), corner) < 1e-28);
+      }
+    }
+    for(const auto& t : r.areas.triangles(i))
+      in_space += std::sqrt(CGAL::squared_area(r.areas.points()[t[0]], r.areas.points()[t[1]], r.areas.points()[t[2]]));
+    double largest = 0;
+    for(int k = 0; k < 3; ++k)
+      largest = (std::max)(largest, std::fabs(r.shapes.coefficients(i)[std::size_t(k)]));
+    CHECK_AT(std::fabs(r.areas.area(i) - in_space) < 1e-12, std::to_string(in_space));
+    CHECK_AT(std::fabs(r.areas.area(i) * largest - flat) < 1e-12, std::to_string(flat));
+  }
+}
+
+// Two squares of one plane, as one entry or as two.
+void check_planes()
+{
+  Pairs<Epick> cloud;
+  std::mt19937 random(3);
+  for(int i = 0; i < 2000; ++i)
+    cloud.emplace_back(Epick::Point_3(random_unit(random) + (i % 2 ? 3 : 0), random_unit(random), 0),
+                       Epick::Vector_3(0, 0, 1));
+  const auto by_shape = result_of<Epick>(cloud), by_plane = result_of<Epick>(cloud, true);
+  CHECK(by_shape.areas.number_of_entries() == 2 && by_plane.areas.number_of_entries() == 1);
+  CHECK(by_plane.areas.polygons(0).size() == 2);
+  const double sum = by_shape.areas.area(0) + by_shape.areas.area(1);
+  CHECK_AT(std::fabs(by_plane.areas.area(0) / sum - 1) < .02, std::to_string(sum));
+}
+
+template <class Exception, class Function>
+bool throws(Function f)
+{
+  try {
+    f();
+  } catch(const Exception&) {
+    return true;
+  }
+  return false;
+}
+
+void check_refused()
+{
+  auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
+  r.cloud.pop_back();
+  CHECK(
+    throws<std::invalid_argument>([&] { CGAL::Tandem::polygons(r.shapes, r.cloud, np::point_map(First<Epick>())); }));
+  r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
+  auto data = r.shapes.data();
+  ++data.size[0]; // a point of another process
+  const CGAL::Tandem::Planar_shapes_3<Epick> part(data);
+  CHECK(throws<std::logic_error>([&] { CGAL::Tandem::polygons(part, r.cloud, np::point_map(First<Epick>())); }));
+  const std::vector<Epick::Point_3> none;
+  CHECK(CGAL::Tandem::polygons(CGAL::Tandem::Planar_shapes_3<Epick>(), none).number_of_entries() == 0);
+}
+
+int main()
+{
+  check_kernels();
+  check_frames();
+  check_planes();
+  check_refused();
+  return report();
+}
