@@ -33,6 +33,21 @@ file(STRINGS "${WORK_DIR}/out.obj" faces REGEX "^f ")
 list(FILTER faces EXCLUDE REGEX "^f [0-9]+ [0-9]+ [0-9]+$")
 expect_equal("faces that are no triangles" "${faces}" "")
 
+# Shapes share their corners: three faces of a cube have seven.
+expect(0 "shapes +3 in" cube.ply ${epsilon} --polygons out.off)
+file(STRINGS "${WORK_DIR}/out.off" lines)
+list(GET lines 2 counts)
+expect_equal("vertices and faces" "${counts}" "7 3 0")
+
+# The name of the coordinate reference system, as it is given.
+expect(0 "shapes +3 in" cube.ply ${epsilon} --polygons named.json --crs "urn:ogc:def:crs:EPSG::25833")
+file(READ "${WORK_DIR}/named.json" text)
+if(NOT text MATCHES "\"crs\": {\"type\": \"name\", \"properties\": {\"name\": \"urn:ogc:def:crs:EPSG::25833\"}}")
+  complain("no crs: ${text}")
+endif()
+expect(2 "crs needs --polygons with a name that ends in .geojson or .json" cube.ply --polygons out.ply --crs EPSG:25833)
+expect(2 "polygons is 'm.stl', must end in .geojson, .json, .ply, .obj or .off" missing.ply --polygons m.stl)
+
 expect(2 "triangulate needs --polygons" cube.ply --triangulate)
 expect(2 "mesh-planes needs --mesh" cube.ply --mesh-planes 10)
 expect(2 "mesh-method needs --mesh" cube.ply --mesh-method kinetic)
