@@ -277,7 +277,7 @@ expect(1 ": --maximum-distance is 1e-09 while the extent" cube.ply --maximum-dis
 expect(2 "named twice" cube.ply --output ./cube.ply)
 expect(2 "named twice" cube.ply --output new.ply --labels "a folder/../new.ply")
 expect(2 "named twice" cube.ply --vg new.ply --polygons new.ply)
-expect(2 "polygons is 'new.stl', must end in .geojson, .json, .ply or .obj" cube.ply --polygons new.stl)
+expect(2 "polygons is 'new.stl', must end in .geojson, .json, .ply, .obj or .off" cube.ply --polygons new.stl)
 expect(2 "polygons is 'new'" missing.ply --polygons new)
 expect(2 "vg-by-plane needs --vg" cube.ply --vg-by-plane)
 expect(2 "threads is 0" missing.ply --threads 0)

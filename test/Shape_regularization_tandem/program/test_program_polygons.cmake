@@ -46,7 +46,6 @@ if(NOT text MATCHES "\"crs\": {\"type\": \"name\", \"properties\": {\"name\": \"
   complain("no crs: ${text}")
 endif()
 expect(2 "crs needs --polygons with a name that ends in .geojson or .json" cube.ply --polygons out.ply --crs EPSG:25833)
-expect(2 "polygons is 'm.stl', must end in .geojson, .json, .ply, .obj or .off" missing.ply --polygons m.stl)
 
 expect(2 "triangulate needs --polygons" cube.ply --triangulate)
 expect(2 "mesh-planes needs --mesh" cube.ply --mesh-planes 10)
