@@ -35,6 +35,9 @@ public:
   Edge_runs(const Border_points& border, const std::vector<Kernel::Vector_2>& directions)
     : border(border), directions(directions), size(border.size()), run_of(size, none)
   {
+    for(std::size_t edge = 0; edge < size; ++edge)
+      for(const Kernel::Vector_2& direction : directions)
+        ranges.push_back(border.offsets(edge, direction));
     find_runs();
   }
 
@@ -61,7 +64,7 @@ private:
         const std::size_t edge = (first + count - 1) % size;
         if(!may_continue(edge) || (count > 1 && border.vertex(edge).stays()))
           break;
-        range.add(border.offsets(edge, directions[d]));
+        range.add(ranges[edge * directions.size() + d]);
         spacing += border.spacing(edge);
         if(range.length() > 2 * border.tolerance * spacing / double(count))
           break;
@@ -124,7 +127,8 @@ private:
 
   const Border_points& border;
   const std::vector<Kernel::Vector_2>& directions;
-  std::size_t size; // of the loop
+  std::size_t size;                         // of the loop
+  std::vector<Border_points::Range> ranges; // of the offsets of each edge, for all directions
   std::vector<std::size_t> run_of;
   std::vector<Run> runs;
 };

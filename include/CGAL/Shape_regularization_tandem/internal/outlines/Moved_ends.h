@@ -20,6 +20,13 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
+// A vertex on a line, and where it is to be.
+struct Wanted_end {
+  Position position;
+  Border_line line;
+  Kernel::Point_3 wanted;
+};
+
 class Moved_ends {
 public:
   // All edges on lines that the shapes have.
@@ -42,13 +49,13 @@ public:
       }
   }
 
-  // Where the vertex is to be, on its line.
-  void add_wish(const Outline_vertex& vertex, const Border_line& line, const Kernel::Point_3& wanted)
+  void add_wish(const Wanted_end& wish)
   {
-    End& end = ends[vertex.position];
+    const Border_line& line = wish.line;
+    End& end = ends[wish.position];
     end.is_corner |= end.count > 0 && (end.line.planes[0] != line.planes[0] || end.line.planes[1] != line.planes[1]);
     end.line = line;
-    end.sum += line.along(wanted);
+    end.sum += line.along(wish.wanted);
     ++end.count;
   }
 

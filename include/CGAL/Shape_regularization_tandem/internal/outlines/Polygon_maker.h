@@ -119,12 +119,17 @@ private:
   // Ends of straight borders that are no corners move to where regular edges begin.
   void make_regular()
   {
+    std::vector<std::vector<Wanted_end>> wanted(n);
+    for_each_shape(n, [&](std::size_t s) {
+      if(is_framed[s])
+        wanted[s] = wanted_ends(s);
+    });
     Moved_ends moved;
-    for(std::size_t s = 0; s < n; ++s)
-      if(is_framed[s]) {
-        moved.add_edges(drafts[s]);
-        add_wishes(s, moved);
-      }
+    for(std::size_t s = 0; s < n; ++s) {
+      moved.add_edges(drafts[s]);
+      for(const Wanted_end& end : wanted[s])
+        moved.add_wish(end);
+    }
     moved.decide(
       [&](const Border_line& line, double along) { return position_on(line, line.origin + along * line.direction); });
     for_each_shape(n, [&](std::size_t s) {
@@ -133,16 +138,18 @@ private:
     });
   }
 
-  void add_wishes(std::size_t s, Moved_ends& moved) const
+  std::vector<Wanted_end> wanted_ends(std::size_t s) const
   {
+    std::vector<Wanted_end> result;
     const std::vector<Kernel::Vector_2> along = directions.of_shape(s, all[s].frame);
     for(const Outline_loop& loop : drafts[s].loops()) {
       const Border_points border(loop, drafts[s].dense_loop(loop));
       Regular_loop(border, along).for_each_wanted_end([&](std::size_t i, const Kernel::Point_2& p) {
         const int number = loop[i].border >= 0 ? loop[i].border : loop[(i + loop.size() - 1) % loop.size()].border;
-        moved.add_wish(loop[i], drafts[s].lines[std::size_t(number)], all[s].frame.lifted(p));
+        result.push_back({loop[i].position, drafts[s].lines[std::size_t(number)], all[s].frame.lifted(p)});
       });
     }
+    return result;
   }
 
   void make_regular(std::size_t s, const Moved_ends& moved)
