@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How good the outlines of shapes are: for a cloud, or for the house of the generated scenes, whose areas are known.
-//   outline_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE
+//   outline_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE [FOLDER]
+// For the shapes with most points FOLDER gets I.points and I.outline, in the plane of the shape, for gnuplot.
 //   outline_figures house [POINTS [NOISE, a share of the diagonal]]
 
 #include "criteria/outline_figures.h"
@@ -11,7 +12,9 @@
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 
+#include <fstream>
 #include <iostream>
+#include <string>
 
 using namespace CGAL::Tandem::benchmark;
 namespace scenes = CGAL::Tandem::scenes;
@@ -65,6 +68,34 @@ void measure_house(std::size_t points, double noise)
             << errors.surplus / errors.truth << "\n";
 }
 
+void write_plots(const std::string& folder, const Outline_cloud& cloud, const Outline_shapes& shapes,
+                 const Outline_areas& areas)
+{
+  constexpr std::size_t largest_number = 12;
+  for(std::size_t s = 0; s < shapes.number_of_shapes() && s < largest_number; ++s) {
+    const auto& c = shapes.coefficients(s);
+    const Outline_kernel::Vector_3 n(c[0], c[1], c[2]);
+    const bool is_level = std::fabs(c[2]) > .9;
+    const Outline_kernel::Vector_3 across =
+      is_level ? Outline_kernel::Vector_3(c[2], 0, -c[0]) : Outline_kernel::Vector_3(-c[1], c[0], 0);
+    const Outline_kernel::Vector_3 u = across / std::sqrt(across.squared_length()), v = CGAL::cross_product(n, u);
+    const auto write = [&](std::ostream& out, const Outline_kernel::Point_3& p) {
+      out << u * (p - CGAL::ORIGIN) << ' ' << v * (p - CGAL::ORIGIN) << '\n';
+    };
+    std::ofstream points(folder + '/' + std::to_string(s) + ".points"),
+      outline(folder + '/' + std::to_string(s) + ".outline");
+    for(std::size_t i : shapes.points(s))
+      write(points, cloud[i].first);
+    for(const auto& edge : edges_of(areas, s)) {
+      write(outline, edge.source());
+      write(outline, edge.target());
+      outline << '\n';
+    }
+    if(!points || !outline)
+      throw std::runtime_error(folder + " cannot be written to");
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -74,14 +105,18 @@ try {
     measure_house(argc > 2 ? std::stoul(argv[2]) : 100000, argc > 3 ? std::stod(argv[3]) : .0004);
     return 0;
   }
-  if(argc != 5)
-    throw std::invalid_argument("usage: outline_figures CLOUD.ply DISTANCE ANGLE SIZE | house [POINTS [NOISE]]");
+  if(argc != 5 && argc != 6)
+    throw std::invalid_argument(
+      "usage: outline_figures CLOUD.ply DISTANCE ANGLE SIZE [FOLDER] | house [POINTS [NOISE]]");
   const Ply_cloud input = read_ply(name);
   const Outline_cloud cloud = cloud_of(input.points, input.normals);
   const Outline_shapes shapes =
     detect(cloud, input.has_normals(), parameters_of(std::stod(argv[2]), std::stod(argv[3]), std::stoul(argv[4])));
-  print(figures_of(cloud, shapes,
-                   CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()))));
+  const Outline_areas areas =
+    CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
+  print(figures_of(cloud, shapes, areas));
+  if(argc == 6)
+    write_plots(argv[5], cloud, shapes, areas);
   return 0;
 } catch(const std::exception& e) {
   std::cerr << "outline_figures: " << e.what() << "\n";
