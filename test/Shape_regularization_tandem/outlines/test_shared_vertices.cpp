@@ -182,9 +182,9 @@ void check_random(std::uint64_t first, std::uint64_t count)
     } // too wide: test_properties
   }
   print("random scenes", totals);
-  // An outline that would not be simple with the vertices of another one does without them: far from the origin, where
-  // coordinates are rounded.
-  CHECK(double(totals.common_edges) >= .99 * double(totals.overlaps));
+  // Far from the origin, where coordinates are rounded to a share of the spacing, outlines that would not be simple with
+  // the vertices of others do without them: a scene in a few hundred.
+  CHECK(count < 40 || double(totals.common_edges) >= .97 * double(totals.overlaps));
   CHECK(count < 40 || totals.common_edges > 10);
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_draft.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <utility>
 #include <vector>
@@ -40,6 +41,26 @@ public:
     }
   }
 
+  // Of vertices of a line that differ by the rounding of coordinates, one becomes that of all.
+  void join()
+  {
+    for(const auto& [line, vertices] : on_line)
+      for(std::size_t i = 1; i < vertices.size(); ++i)
+        if(vertices[i].first - vertices[i - 1].first <= rounding) {
+          const Position a = joined(vertices[i - 1].second), b = joined(vertices[i].second);
+          if(a != b)
+            joined_with[(std::max)(a, b)] = (std::min)(a, b);
+        }
+  }
+
+  // What the vertex is after that.
+  Position joined(Position p) const
+  {
+    for(auto found = joined_with.find(p); found != joined_with.end(); found = joined_with.find(p))
+      p = found->second;
+    return p;
+  }
+
   // f(position of the loop, the loop with further vertices), where there are any.
   template <class Make_vertex, class Function>
   void for_each_longer_loop(const Outline_draft& draft, Make_vertex make_vertex, Function f) const
@@ -65,7 +86,7 @@ private:
   using Key = std::pair<int, int>;
   using Vertex = std::pair<double, Position>; // position along the line, and in space
 
-  // Vertices that are as close as the rounding of coordinates are not put apart.
+  // Vertices that are as close as the rounding of coordinates are one.
   static constexpr double rounding = 0x1p-48;
 
   static Key key_of(const Border_line& line) { return {line.planes[0], line.planes[1]}; }
@@ -92,6 +113,7 @@ private:
   }
 
   std::map<Key, std::vector<Vertex>> on_line;
+  std::map<Position, Position> joined_with; // the smaller one
 };
 
 } // namespace outlines

@@ -14,12 +14,10 @@
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Regular_loop.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/common_ends.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/edges_on_lines.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/for_each_shape.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/joined_polygons.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/points_of_shape.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/rectangle_of_hole.h>
-
-#include <CGAL/for_each.h>
-#include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -30,16 +28,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 namespace outlines {
-
-template <class Function>
-void for_each_shape(std::size_t n, Function f)
-{
-  using Index = boost::counting_iterator<std::size_t>;
-  CGAL::for_each<CGAL::Parallel_if_available_tag>(CGAL::make_range(Index(0), Index(n)), [&](std::size_t s) {
-    f(s);
-    return true;
-  });
-}
 
 class Polygon_maker {
 public:
@@ -198,13 +186,36 @@ private:
     drafts[s].replace(std::move(loops), changed);
   }
 
+  void collect(Common_vertices& vertices) const
+  {
+    for(const Outline_draft& draft : drafts)
+      vertices.add(draft);
+    vertices.sort();
+  }
+
+  void join_vertices(std::size_t s, const Common_vertices& apart)
+  {
+    std::vector<Outline_loop> loops = drafts[s].loops(), changed(loops.size());
+    for(std::size_t l = 0; l < loops.size(); ++l)
+      for(std::size_t i = 0; i < loops[l].size(); ++i) {
+        const Position p = apart.joined(loops[l][i].position);
+        if(p == loops[l][i].position)
+          continue;
+        if(changed[l].empty())
+          changed[l] = loops[l];
+        changed[l][i] = fixed_vertex(s, loops[l][i], p);
+      }
+    drafts[s].replace(std::move(loops), changed);
+  }
+
   void share_vertices()
   {
     for_each_shape(n, [&](std::size_t s) { find_edges_on_lines(s); });
-    Common_vertices common;
-    for(const Outline_draft& draft : drafts)
-      common.add(draft);
-    common.sort();
+    Common_vertices apart, common;
+    collect(apart);
+    apart.join();
+    for_each_shape(n, [&](std::size_t s) { join_vertices(s, apart); });
+    collect(common);
     for_each_shape(n, [&](std::size_t s) {
       const auto vertex = [&](const Outline_vertex& like, const Position& p) { return fixed_vertex(s, like, p); };
       std::vector<Outline_loop> loops = drafts[s].loops(), longer(loops.size());
