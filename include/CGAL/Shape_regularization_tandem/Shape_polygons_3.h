@@ -27,7 +27,8 @@ namespace Tandem {
 
 An *entry* is what one shape or one plane has: any number of polygons, also none. The corners of all polygons are in one
 table of points. Each corner is on its plane, as closely as doubles allow, and where two shapes meet, corners on the line
-of their planes are on both; a point that several polygons have is in the table once. Polygons of an entry are simple and
+of their planes are on both; a point that several polygons have is in the table once. Where a common
+corner would make an outline cross itself, it is left out of that one. Polygons of an entry are simple and
 have no common points, holes included: this holds exactly in the frame of the entry.
 
 \tparam GeomTraits a model of `Kernel`

@@ -183,7 +183,7 @@ void check_random(std::uint64_t first, std::uint64_t count)
   }
   print("random scenes", totals);
   // Far from the origin, where coordinates are rounded to a share of the spacing, outlines that would not be simple with
-  // the vertices of others do without them: a scene in a few hundred.
+  // the vertices of others do without them.
   CHECK(count < 40 || double(totals.common_edges) >= .97 * double(totals.overlaps));
   CHECK(count < 40 || totals.common_edges > 10);
 }

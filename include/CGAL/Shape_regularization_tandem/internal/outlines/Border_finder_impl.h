@@ -258,7 +258,10 @@ inline Straight_border Border_finder::border_of(std::size_t s, const Piece& piec
                                       end.third};
     chain.push_back({end.third < 0 ? end.along : line.along(v.point), v});
   }
-  const double step = std::ldexp(1, std::ilogb(piece.spacing)), first = chain[0].first, last = chain[1].first;
+  const double first = chain[0].first, last = chain[1].first, largest = (std::max)(std::fabs(first), std::fabs(last));
+  // Copies of points have a spacing of about nothing: no more than 2^16 vertices, at places that differ.
+  const double shortest_step = (std::max)(std::ldexp(last - first, -16), std::ldexp(largest, -50));
+  const double step = std::ldexp(1, std::ilogb((std::max)(double(piece.spacing), shortest_step)));
   for(double i = std::ceil(first / step + .5); i * step < last - step / 2; ++i)
     chain.push_back({i * step, {on_line(line, i * step), -1}});
   for(const Border_vertex_position& c : piece.crossings)
