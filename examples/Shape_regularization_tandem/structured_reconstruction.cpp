@@ -8,7 +8,9 @@
 // Structuring moves points onto the planes that it gets, onto the lines where two of
 // them meet and onto their corners, so the regularity is kept. Corners that are closer
 // than three times the spacing, however, are merged into one between them, which is on none of
-// its planes exactly: the attraction_factor of the structure sets how close.
+// its planes exactly, and neither are the points of lines that end there. The attraction_factor
+// of the structure sets how close: on the building of CGAL's data, with a
+// maximum distance of .15 and a spacing of .4, such points are up to 1 away.
 
 #include "house_cloud.h"
 #include "structured_mesh.h"
