@@ -53,6 +53,7 @@ enum cell_size_t { cell_size };
 enum communicator_t { communicator };
 enum fixed_directions_t { fixed_directions };
 enum maximum_distance_map_t { maximum_distance_map };
+enum maximum_number_of_planes_t { maximum_number_of_planes };
 enum one_for_each_plane_t { one_for_each_plane };
 enum regularity_t { regularity };
 enum settings_t { settings };
@@ -88,7 +89,8 @@ enum surfel_size_t { surfel_size };
   X(regularize_axis_symmetry, regularize_axis_symmetry_t)                                                              \
   X(symmetry_direction, symmetry_direction_t)                                                                          \
   X(fixed_directions, fixed_directions_t)                                                                              \
-  X(one_for_each_plane, one_for_each_plane_t)
+  X(one_for_each_plane, one_for_each_plane_t)                                                                          \
+  X(maximum_number_of_planes, maximum_number_of_planes_t)
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef

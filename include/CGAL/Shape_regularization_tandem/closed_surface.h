@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_CLOSED_SURFACE_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_CLOSED_SURFACE_H
+
+#include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Boundary_faces.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/limited_partition.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Surface_input.h>
+#include <CGAL/Shape_regularization_tandem/named_parameters.h>
+
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief A closed surface of the planes of shapes, as points and faces. `closed_surface()` makes it.
+
+Each edge has two faces, which are oriented alike, and the faces at a point are one fan: `points` and `faces` are a
+polygon soup that `CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh()` takes as it is.
+
+\tparam GeomTraits a model of `Kernel`
+*/
+template <class GeomTraits>
+struct Closed_surface_3 {
+  /// the corners
+  std::vector<typename GeomTraits::Point_3> points;
+  /// positions of the corners of each face in `points`, counterclockwise as seen from outside. Faces need not be convex;
+  /// a part of a plane with holes is several faces.
+  std::vector<std::vector<std::size_t>> faces;
+  /// the coplanar group of the plane of each face; -1 for a wall that was added, and for a side of the box of the points
+  std::vector<int> plane_of_face;
+  /// the number of distinct planes that were considered
+  std::size_t number_of_planes = 0;
+
+  /// whether nothing is enclosed
+  bool is_empty() const { return faces.empty(); }
+};
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief finds a closed surface whose faces are in the planes of shapes.
+
+The planes cut the box of the points into cells, and a minimum cut chooses those that are inside. Walls that have no
+points, as in airborne scans, are added below the borders of shapes. \ref Tandem_models_surface describes the method.
+
+The surface is closed, oriented outward and a two-manifold; it has several parts where there are several buildings. It
+is empty if the planes enclose nothing, or fewer than four of them have an area. Corners are rounded to `FT`: where
+they are closer than that, as of a `Kernel` of `float` far from the origin, faces may touch or cross.
+
+It is in the header `CGAL/Shape_regularization_tandem/closed_surface.h`, which `CGAL/Shape_regularization_tandem.h` does
+not include.
+
+With n planes, those of walls included, whose points meet their neighbors only, there are O(n) cells; planes that cross
+each other everywhere make O(n<sup>3</sup>) of them. For each cell, 256 rays are tested with each plane, and each plane is
+tested with all cells. The outlines of `polygons()` are found before. With `CGAL_LINKED_WITH_TBB` this runs in
+parallel. The result is the same for every number of threads.
+
+\param shapes the result of a detection
+\param points the range of points that it is of
+\param np an optional sequence of named parameters, among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map from the values of the range to points}
+    \cgalParamDefault{that of the range: the identity, or the point map of a `CGAL::Point_set_3`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number_of_planes}
+    \cgalParamDescription{how many of the distinct planes are considered: those with most points}
+    \cgalParamType{`int`, at least 4}
+    \cgalParamDefault{200}
+  \cgalParamNEnd
+  \cgalParamNBegin{symmetry_direction}
+    \cgalParamDescription{the direction upward: rays leave to its side, and walls that have no points go down from
+    borders}
+    \cgalParamType{`GeomTraits::Vector_3`}
+    \cgalParamDefault{(0, 0, 1)}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throw std::invalid_argument the number of points is not that of the detection; fewer than four planes are asked for; the
+direction is null
+\throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
+*/
+template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                            const NamedParameters& np = NamedParameters())
+{
+  namespace surface = internal::surface;
+  using FT = typename GeomTraits::FT;
+  internal::outlines::check_input(shapes, points.size());
+  const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, 200);
+  if(most < 4)
+    throw std::invalid_argument("maximum_number_of_planes is " + std::to_string(most) + ", must be at least 4.");
+  const surface::Vector up = surface::upward(
+    internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
+  const surface::Surface_input input(internal::outlines::coordinates_of(points, np),
+                                     internal::outlines::Shapes(shapes.data()), std::size_t(most), up);
+  Closed_surface_3<GeomTraits> result;
+  result.number_of_planes = input.number_of_planes();
+  if(result.number_of_planes < surface::Surface_input::fewest_planes)
+    return result;
+  const surface::Cells cells = surface::limited_partition(input.planes(), input.box());
+  const surface::Inside_cost cost(cells, input.planes(), up);
+  const surface::Inside_cells inside(cells, cost);
+  std::map<int, std::size_t> number;
+  for(const surface::Face& face : surface::Boundary_faces(cells, inside).faces()) {
+    result.plane_of_face.push_back(input.group(face.plane));
+    result.faces.emplace_back();
+    for(int v : face.vertices) {
+      const auto added = number.emplace(v, result.points.size());
+      if(added.second) {
+        const surface::Point p = input.out(cells.points[std::size_t(v)]);
+        result.points.emplace_back(FT(p.x()), FT(p.y()), FT(p.z()));
+      }
+      result.faces.back().push_back(added.first->second);
+    }
+  }
+  return result;
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_CLOSED_SURFACE_H
