@@ -34,6 +34,7 @@ struct Mesh_method {
   bool is_built;
   const char* needs;
 };
+constexpr Mesh_method cells_method = {"cells", 200, 1000, true, ""};
 constexpr Mesh_method kinetic_method = {"kinetic", 100, 1000, has_kinetic_mesh, "CGAL 6 and Eigen 3"};
 constexpr Mesh_method polygonal_method = {"polygonal", 16, 60, has_polygonal_mesh,
                                           "Eigen 3, and the solver GLPK or SCIP"};
@@ -49,8 +50,6 @@ struct Built_with {
   bool tbb = true, cuda = true, mpi = true, gzip = true, laszip = true, view = true;
   bool kinetic_mesh = true, polygonal_mesh = true, mesh_seconds = true;
 
-  bool mesh() const { return kinetic_mesh || polygonal_mesh; }
-
   std::vector<std::string> backends() const
   {
     std::vector<std::string> names = {"auto", "sequential"};
@@ -63,7 +62,7 @@ struct Built_with {
 
   std::vector<std::string> mesh_methods() const
   {
-    std::vector<std::string> names;
+    std::vector<std::string> names = {cells_method.name};
     if(kinetic_mesh)
       names.emplace_back(kinetic_method.name);
     if(polygonal_mesh)
@@ -74,8 +73,8 @@ struct Built_with {
   // How many planes the methods take.
   std::string mesh_planes() const
   {
-    return (kinetic_mesh ? limits_of(kinetic_method) : "") + (kinetic_mesh && polygonal_mesh ? "; " : "") +
-           (polygonal_mesh ? limits_of(polygonal_method) : "");
+    return limits_of(cells_method) + (kinetic_mesh ? "; " + limits_of(kinetic_method) : "") +
+           (polygonal_mesh ? "; " + limits_of(polygonal_method) : "");
   }
 };
 

@@ -15,7 +15,7 @@ _detect_planes()
       COMPREPLY=($(compgen -W "auto auto-local" -- "$current"))
       ;;
     --mesh-method)
-      COMPREPLY=($(compgen -W "$("$program" --help | grep -ow 'kinetic\|polygonal' | sort -u)" -- "$current"))
+      COMPREPLY=($(compgen -W "$("$program" --help | grep -ow 'cells\|kinetic\|polygonal' | sort -u)" -- "$current"))
       ;;
     --output-directory)
       mapfile -t COMPREPLY < <(compgen -d -- "$current")

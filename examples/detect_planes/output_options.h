@@ -61,7 +61,8 @@ inline void add_result_options(po::options_description& group, Options& o, const
   add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
       "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
       "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply, "
-      ".obj or .off (a face for each polygon, triangles for one with holes). Shapes share the vertices on the lines where "
+      ".obj or .off (a face for each polygon, triangles for one with holes). Shapes share the vertices on the lines "
+      "where "
       "they meet. A shape of very few points has no polygon");
   add("crs", po::value<std::string>(&o.crs)->value_name("NAME"),
       "the name of the coordinate reference system, such as urn:ogc:def:crs:EPSG::25833, which --polygons (.geojson, "
@@ -74,12 +75,13 @@ inline void add_result_options(po::options_description& group, Options& o, const
 
 inline std::string text_of_mesh_methods(const Built_with& built)
 {
-  const std::string kinetic = "kinetic, by the kinetic space partition of CGAL 6",
-                    polygonal = "polygonal, by the polygonal surface reconstruction of CGAL, whose time depends on the "
-                                "cloud and grows fast with the number of planes";
-  if(!built.polygonal_mesh)
-    return kinetic;
-  return built.kinetic_mesh ? kinetic + " (default), or " + polygonal : polygonal;
+  std::string text = "cells (default), by cells that the planes cut where they have points";
+  if(built.kinetic_mesh)
+    text += "; kinetic, by the kinetic space partition of CGAL 6";
+  if(built.polygonal_mesh)
+    text += "; polygonal, by the polygonal surface reconstruction of CGAL, whose time depends on the cloud and grows "
+            "fast with the number of planes";
+  return text;
 }
 
 inline void add_mesh_options(po::options_description& group, Options& o, const Built_with& built)
@@ -116,8 +118,8 @@ inline void add_output_options(po::options_description& visible, po::options_des
   add_cloud_options(group, o, built);
   add_result_options(group, o, built);
   add_view_option(built.view ? group : hidden, o);
-  add_mesh_options(built.mesh() ? group : hidden, o, built);
-  add_mesh_seconds(built.mesh() && built.mesh_seconds ? group : hidden, o);
+  add_mesh_options(group, o, built);
+  add_mesh_seconds(built.mesh_seconds ? group : hidden, o);
   visible.add(group);
 }
 

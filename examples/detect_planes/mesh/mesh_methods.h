@@ -56,6 +56,9 @@ struct Too_many_faces : std::runtime_error {
 // memory grow with the cube of the number of planes. The solver has `seconds` of processor time.
 Surface polygonal_mesh(const Mesh_input& input, int seconds);
 
+// By CGAL::Tandem::closed_surface(), of the planes with most points.
+Surface cells_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes);
+
 // By CGAL::Kinetic_space_partition_3: the boundary of the volumes that are inside.
 Surface kinetic_mesh(const Mesh_input& input);
 

@@ -19,11 +19,11 @@ namespace {
 constexpr std::size_t fewest_planes = 4;
 constexpr int longest_seconds = 60;
 
-// The one that takes more planes, if it is there.
 const Mesh_method& method_of(const Options& o)
 {
-  const bool is_kinetic = o.mesh_method.empty() ? has_kinetic_mesh : o.mesh_method == kinetic_method.name;
-  return is_kinetic ? kinetic_method : polygonal_method;
+  if(o.mesh_method.empty() || o.mesh_method == cells_method.name)
+    return cells_method;
+  return o.mesh_method == kinetic_method.name ? kinetic_method : polygonal_method;
 }
 
 struct Made_surface {
@@ -37,13 +37,17 @@ std::string number_of(std::size_t planes, std::size_t all)
   return std::to_string(planes) + (planes < all ? " of " + std::to_string(all) : "") + " planes";
 }
 
-// Of as many planes as the method takes.
-Made_surface make_surface(const Mesh_input& all, const Options& o)
+// Of as many planes as the method takes. all: the planes of the shapes.
+Made_surface make_surface(const Point_set& points, const Shapes& shapes, const Mesh_input& all, const Options& o)
 {
   const Mesh_method& method = method_of(o);
   const int seconds = int(o.mesh_seconds.value_or(longest_seconds));
   Made_surface made;
   made.planes = (std::min)(all.planes.size(), o.mesh_planes ? std::size_t(*o.mesh_planes) : method.by_default);
+  if(&method == &cells_method) {
+    made.surface = cells_mesh(points, shapes, made.planes);
+    return made;
+  }
   while(true) {
     const Mesh_input input = largest_planes(all, made.planes);
     try {
@@ -109,9 +113,9 @@ void check_mesh_options(const Options& o)
 {
   const Mesh_method& method = method_of(o);
   if(!method.is_built)
-    throw Usage_error((o.mesh_method.empty() ? "--mesh" : "--mesh-method " + o.mesh_method) + " needs " + method.needs +
+    throw Usage_error("--mesh-method " + o.mesh_method + " needs " + method.needs +
                       ": this program was built without it");
-  if(o.mesh_seconds && (&method == &kinetic_method || !has_time_limit))
+  if(o.mesh_seconds && (&method != &polygonal_method || !has_time_limit))
     throw Usage_error("--mesh-seconds is for the solver GLPK of --mesh-method polygonal");
   const long long fewest = fewest_planes, most = (long long)(method.on_demand);
   if(o.mesh_planes && (*o.mesh_planes < fewest || *o.mesh_planes > most))
@@ -139,7 +143,7 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
   const std::size_t usable = input.planes.size();
   if(usable < fewest_planes)
     throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(usable) + " were found");
-  const Made_surface made = make_surface(input, o);
+  const Made_surface made = make_surface(points, shapes, input, o);
   const Surface& surface = made.surface;
   if(surface.faces.empty())
     throw std::runtime_error("--mesh: no volume was found that " + number_of(made.planes, usable) + " enclose" +

@@ -72,4 +72,32 @@ NR > 2 + n {
 }
 END { printf "%d right angles, %d others\n", right, others }
 ]=])
-expect_shell(0 "^$" ". ./boxes.sh && . ./line.sh && . ./tower.sh")
+# Nine boxes along a diagonal, whose lids have points on a part only. Each face is on a plane, also where CGAL would
+# halve the space by an octree, and so the lid of the box in the middle.
+file(WRITE "${WORK_DIR}/row.awk" [=[
+BEGIN {
+  for(m = 0; m < 9; ++m) for(i = 0; i < 20; ++i) for(j = 0; j < 20; ++j) for(k = 0; k < 2; ++k) {
+    a = 2 * m + (i + .5) / 20; b = 2 * m + (j + .5) / 20; c = 2 * m + k
+    print a, c, b; print c, a, b
+    if(!k || i < 8) print a, b, c
+  }
+}
+]=])
+file(WRITE "${WORK_DIR}/walls.awk" [=[
+NR == FNR { a[NR] = $1; b[NR] = $2; c[NR] = $3; d[NR] = $4; planes = NR; next }
+FNR == 2 { n = $1 }
+FNR > 2 && FNR <= 2 + n { x[FNR - 3] = $1; y[FNR - 3] = $2; z[FNR - 3] = $3 }
+FNR > 2 + n {
+  is_wall = 1
+  for(p = 1; p <= planes && is_wall; ++p) {
+    is_wall = 0
+    for(i = 2; i <= NF; ++i) {
+      h = a[p] * x[$i] + b[p] * y[$i] + c[p] * z[$i] + d[p]
+      if(h > 1e-6 || h < -1e-6) is_wall = 1
+    }
+  }
+  walls += is_wall
+}
+END { printf "%d faces on no plane\n", walls }
+]=])
+expect_shell(0 "^$" ". ./boxes.sh && . ./line.sh && . ./tower.sh && awk -f row.awk > row.xyz")

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "mesh/mesh_methods.h"
+
+#include <CGAL/Shape_regularization_tandem/closed_surface.h>
+
+namespace program {
+
+Surface cells_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes)
+{
+  auto made = CGAL::Tandem::closed_surface(shapes, points,
+                                           CGAL::Tandem::parameters::maximum_number_of_planes(int(number_of_planes)));
+  return {std::move(made.points), std::move(made.faces)};
+}
+
+} // namespace program
