@@ -14,7 +14,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Regular_loop.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/common_ends.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/edges_on_lines.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/for_each_shape.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/joined_polygons.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/points_of_shape.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/rectangle_of_hole.h>
@@ -40,7 +40,7 @@ public:
       projections.emplace_back(plane_of(s), shapes.is_flipped(s));
     triangulations.resize(n);
     std::vector<std::unique_ptr<Shape_points>> made(n);
-    for_each_shape(n, [&](std::size_t s) {
+    for_each_in_parallel(n, [&](std::size_t s) {
       made[s] = std::make_unique<Shape_points>(points_of_shape(points, shapes, unit, s));
       triangulations[s] = std::make_unique<Outline_triangulation>(made[s]->flat);
       made[s]->spacing = triangulations[s]->spacings();
@@ -53,11 +53,11 @@ public:
   {
     draw_borders();
     is_framed.resize(n);
-    for_each_shape(n, [&](std::size_t s) { is_framed[s] = draft_outline(s); });
+    for_each_in_parallel(n, [&](std::size_t s) { is_framed[s] = draft_outline(s); });
     make_regular();
     share_vertices();
     std::vector<Shape_polygons> of_shapes(n);
-    for_each_shape(n, [&](std::size_t s) { of_shapes[s] = polygons_of(s); });
+    for_each_in_parallel(n, [&](std::size_t s) { of_shapes[s] = polygons_of(s); });
     Polygon_table result = joined(of_shapes);
     for(std::size_t s = 0; s < n; ++s)
       result.frames.emplace_back(shapes.coefficients(s), shapes.is_flipped(s));
@@ -72,9 +72,9 @@ private:
     std::vector<Border_pieces> pieces(n);
     borders.resize(n);
     drafts.resize(n);
-    for_each_shape(n, [&](std::size_t s) { pieces[s] = finder.pieces_of(s, borders[s]); });
+    for_each_in_parallel(n, [&](std::size_t s) { pieces[s] = finder.pieces_of(s, borders[s]); });
     join_common_ends(pieces);
-    for_each_shape(n, [&](std::size_t s) {
+    for_each_in_parallel(n, [&](std::size_t s) {
       for(const Border_piece& piece : pieces[s]) {
         borders[s].borders.push_back(finder.border_of(s, piece));
         drafts[s].lines.push_back(piece.line);
@@ -108,9 +108,12 @@ private:
   void make_regular()
   {
     std::vector<std::vector<Wanted_end>> wanted(n);
-    for_each_shape(n, [&](std::size_t s) {
-      if(is_framed[s])
-        wanted[s] = wanted_ends(s);
+    std::vector<std::vector<Kernel::Vector_2>> along(n); // what edges may be parallel to
+    for_each_in_parallel(n, [&](std::size_t s) {
+      if(!is_framed[s])
+        return;
+      along[s] = directions.of_shape(s, all[s].frame);
+      wanted[s] = wanted_ends(s, along[s]);
     });
     Moved_ends moved;
     for(std::size_t s = 0; s < n; ++s) {
@@ -120,16 +123,15 @@ private:
     }
     moved.decide(
       [&](const Border_line& line, double along) { return position_on(line, line.origin + along * line.direction); });
-    for_each_shape(n, [&](std::size_t s) {
+    for_each_in_parallel(n, [&](std::size_t s) {
       if(is_framed[s])
-        make_regular(s, moved);
+        make_regular(s, along[s], moved);
     });
   }
 
-  std::vector<Wanted_end> wanted_ends(std::size_t s) const
+  std::vector<Wanted_end> wanted_ends(std::size_t s, const std::vector<Kernel::Vector_2>& along) const
   {
     std::vector<Wanted_end> result;
-    const std::vector<Kernel::Vector_2> along = directions.of_shape(s, all[s].frame);
     for(const Outline_loop& loop : drafts[s].loops()) {
       const Border_points border(loop, drafts[s].dense_loop(loop));
       Regular_loop(border, along).for_each_wanted_end([&](std::size_t i, const Kernel::Point_2& p) {
@@ -140,9 +142,8 @@ private:
     return result;
   }
 
-  void make_regular(std::size_t s, const Moved_ends& moved)
+  void make_regular(std::size_t s, const std::vector<Kernel::Vector_2>& along, const Moved_ends& moved)
   {
-    const std::vector<Kernel::Vector_2> along = directions.of_shape(s, all[s].frame);
     std::vector<Outline_loop> loops = drafts[s].loops(), regular;
     for(const Outline_loop& loop : loops) {
       Outline_loop with_moved = loop;
@@ -210,13 +211,13 @@ private:
 
   void share_vertices()
   {
-    for_each_shape(n, [&](std::size_t s) { find_edges_on_lines(s); });
+    for_each_in_parallel(n, [&](std::size_t s) { find_edges_on_lines(s); });
     Common_vertices apart, common;
     collect(apart);
     apart.join();
-    for_each_shape(n, [&](std::size_t s) { join_vertices(s, apart); });
+    for_each_in_parallel(n, [&](std::size_t s) { join_vertices(s, apart); });
     collect(common);
-    for_each_shape(n, [&](std::size_t s) {
+    for_each_in_parallel(n, [&](std::size_t s) {
       const auto vertex = [&](const Outline_vertex& like, const Position& p) { return fixed_vertex(s, like, p); };
       std::vector<Outline_loop> loops = drafts[s].loops(), longer(loops.size());
       common.for_each_longer_loop(drafts[s], vertex,

@@ -10,10 +10,9 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_INSIDE_COST_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_INSIDE_COST_H
 
+#include <CGAL/Shape_regularization_tandem/internal/outlines/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Plane_coverage.h>
 
-#include <CGAL/for_each.h>
-#include <boost/iterator/counting_iterator.hpp>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -57,16 +56,6 @@ private:
   static constexpr double cost_of_boundary = .1; // of a unit of area without points
   static constexpr int number_of_rays = 256;
 
-  template <class Function>
-  static void for_each_in_parallel(std::size_t n, Function f)
-  {
-    using Index = boost::counting_iterator<std::size_t>;
-    CGAL::for_each<CGAL::Parallel_if_available_tag>(CGAL::make_range(Index(0), Index(n)), [&](std::size_t i) {
-      f(i);
-      return true;
-    });
-  }
-
   // Each point has an equal share of the area of its plane.
   void find_covered_areas()
   {
@@ -75,7 +64,7 @@ private:
       if(cells_.facets[f].plane != none)
         facets[std::size_t(cells_.facets[f].plane)].push_back(f);
     covered_.assign(cells_.facets.size(), 0);
-    for_each_in_parallel(planes_.size(), [&](std::size_t p) { cover(planes_[p], facets[p]); });
+    outlines::for_each_in_parallel(planes_.size(), [&](std::size_t p) { cover(planes_[p], facets[p]); });
   }
 
   void cover(const Plane_coverage& plane, const std::vector<std::size_t>& facets)
@@ -120,7 +109,7 @@ private:
   {
     const std::vector<Vector> directions = directions_of_rays(up);
     std::vector<int> result(cells_.cells.size(), 0);
-    for_each_in_parallel(result.size(), [&](std::size_t c) {
+    outlines::for_each_in_parallel(result.size(), [&](std::size_t c) {
       Vector sum = CGAL::NULL_VECTOR;
       int count = 0;
       for(int f : cells_.facets_of(int(c)))

@@ -28,8 +28,9 @@ namespace surface {
 class Plane_coverage {
 public:
   // The points are close to the plane.
-  Plane_coverage(const Coefficients& plane, std::vector<Point> points) : Plane_coverage(plane, points, true)
+  Plane_coverage(const Coefficients& plane, std::vector<Point> points) : Plane_coverage(plane)
   {
+    set_hull(points);
     points_ = std::move(points);
     std::vector<Kernel::Point_2> flat_points;
     for(const Point& p : points_)
@@ -50,7 +51,9 @@ public:
   // A plane that no point covers: it may only be a boundary between these corners.
   static Plane_coverage without_points(const Coefficients& plane, const std::vector<Point>& corners)
   {
-    return Plane_coverage(plane, corners, true);
+    Plane_coverage result(plane);
+    result.set_hull(corners);
+    return result;
   }
 
   const Coefficients& plane() const { return plane_; }
@@ -102,12 +105,15 @@ private:
   static constexpr int rounds = 4;
   static constexpr double points_in_a_square = 8; // on average: where the points are sparse there is one, too
 
-  Plane_coverage(const Coefficients& plane, const std::vector<Point>& corners, bool)
-    : plane_(plane), normal_(plane[0], plane[1], plane[2])
+  explicit Plane_coverage(const Coefficients& plane) : plane_(plane), normal_(plane[0], plane[1], plane[2])
   {
     const Vector axis = Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]).base1();
     first_ = axis / std::sqrt(axis.squared_length());
     second_ = CGAL::cross_product(normal_, first_);
+  }
+
+  void set_hull(const std::vector<Point>& corners)
+  {
     origin_ = corners.front() - height(corners.front()) * normal_;
     std::vector<Kernel::Point_2> flat_corners;
     for(const Point& p : corners)

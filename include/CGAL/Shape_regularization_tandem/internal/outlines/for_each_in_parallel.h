@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FOR_EACH_SHAPE_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FOR_EACH_SHAPE_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FOR_EACH_IN_PARALLEL_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FOR_EACH_IN_PARALLEL_H
 
 #include <CGAL/for_each.h>
 #include <boost/iterator/counting_iterator.hpp>
@@ -16,11 +16,11 @@ namespace outlines {
 
 // f(0) to f(n - 1), in parallel where TBB is linked.
 template <class Function>
-void for_each_shape(std::size_t n, Function f)
+void for_each_in_parallel(std::size_t n, Function f)
 {
   using Index = boost::counting_iterator<std::size_t>;
-  CGAL::for_each<CGAL::Parallel_if_available_tag>(CGAL::make_range(Index(0), Index(n)), [&](std::size_t s) {
-    f(s);
+  CGAL::for_each<CGAL::Parallel_if_available_tag>(CGAL::make_range(Index(0), Index(n)), [&](std::size_t i) {
+    f(i);
     return true;
   });
 }
@@ -30,4 +30,4 @@ void for_each_shape(std::size_t n, Function f)
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FOR_EACH_SHAPE_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_FOR_EACH_IN_PARALLEL_H
