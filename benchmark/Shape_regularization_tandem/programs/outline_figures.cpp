@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How good the outlines of shapes are: for a cloud, or for the house of the generated scenes, whose areas are known.
+// How good the outlines of shapes are, and their closed surface: for a cloud, or for the house of the generated scenes, whose areas are known.
 //   outline_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE [FOLDER]
 // For the shapes with most points FOLDER gets I.points and I.outline, in the plane of the shape, for gnuplot.
 //   outline_figures house [POINTS [NOISE, a share of the diagonal]]
 
-#include "criteria/outline_figures.h"
+#include "criteria/surface_figures.h"
 
 #include "clouds/ply_cloud.h"
 
@@ -63,6 +63,7 @@ void measure_house(std::size_t points, double noise)
   const Outline_areas areas =
     CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
   print(figures_of(cloud, shapes, areas));
+  print_surface(cloud, shapes);
   const Area_errors errors = errors_of(model, scene, shapes, areas);
   std::cout << "truth " << errors.truth << " missing " << errors.missing / errors.truth << " surplus "
             << errors.surplus / errors.truth << "\n";
@@ -115,6 +116,7 @@ try {
   const Outline_areas areas =
     CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
   print(figures_of(cloud, shapes, areas));
+  print_surface(cloud, shapes);
   if(argc == 6)
     write_plots(argv[5], cloud, shapes, areas);
   return 0;
