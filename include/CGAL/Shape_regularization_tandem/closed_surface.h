@@ -6,9 +6,9 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
-#include <CGAL/Shape_regularization_tandem/internal/surface/Boundary_faces.h>
-#include <CGAL/Shape_regularization_tandem/internal/surface/limited_partition.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Short_edges.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Surface_input.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/limited_partition.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
 #include <cstddef>
@@ -41,6 +41,9 @@ struct Closed_surface_3 {
   std::vector<int> plane_of_face;
   /// the number of distinct planes that were considered
   std::size_t number_of_planes = 0;
+  /// the number of points of shapes whose plane is the surface where they are. What is far below the number of all points
+  /// of shapes says that much of the scan is no part of a volume.
+  std::size_t number_of_points = 0;
 
   /// whether nothing is enclosed
   bool is_empty() const { return faces.empty(); }
@@ -108,13 +111,18 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
                                      internal::outlines::Shapes(shapes.data()), std::size_t(most), up);
   Closed_surface_3<GeomTraits> result;
   result.number_of_planes = input.number_of_planes();
-  if(result.number_of_planes < surface::Surface_input::fewest_planes)
+  if(input.planes().size() < surface::Surface_input::fewest_planes)
     return result;
   const surface::Cells cells = surface::limited_partition(input.planes(), input.box());
   const surface::Inside_cost cost(cells, input.planes(), up);
   const surface::Inside_cells inside(cells, cost);
+  for(std::size_t f = 0; f < cells.facets.size(); ++f)
+    if(inside.is_boundary(int(f)))
+      result.number_of_points += cost.number_of_points(int(f));
+  const double shortest = 1e-9 * input.extent(); // what is closer is an effect of rounding
+  const surface::Short_edges edges(cells.points, surface::Boundary_faces(cells, inside).faces(), shortest);
   std::map<int, std::size_t> number;
-  for(const surface::Face& face : surface::Boundary_faces(cells, inside).faces()) {
+  for(const surface::Face& face : edges.faces()) {
     result.plane_of_face.push_back(input.group(face.plane));
     result.faces.emplace_back();
     for(int v : face.vertices) {

@@ -41,9 +41,79 @@ double checked_volume(const Surface& surface, const std::string& name)
   CHECK_AT(CGAL::is_closed(mesh), name + ": not closed");
   CHECK_AT(PMP::triangulate_faces(mesh), name + ": a face that has no triangles");
   CHECK_AT(!PMP::does_self_intersect(mesh), name + ": cuts itself");
+  for(const auto& face : surface.faces)
+    for(std::size_t i = 0; i < face.size(); ++i)
+      CHECK_AT(surface.points[face[i]] != surface.points[face[(i + 1) % face.size()]], name + ": an edge of no length");
   const double volume = surface.is_empty() ? 0 : PMP::volume(mesh);
   CHECK_AT(volume > 0 || surface.is_empty(), name + ": the volume is " + std::to_string(volume));
   return volume;
+}
+
+// Points every .2 on a parallelogram, with some noise upward.
+void add_area(std::vector<Epick::Point_3>& points, const Epick::Point_3& corner, const Epick::Vector_3& u,
+              const Epick::Vector_3& v)
+{
+  static std::mt19937 random(1);
+  const int m = int(std::sqrt(u.squared_length()) / .2), n = int(std::sqrt(v.squared_length()) / .2);
+  for(int i = 0; i < m; ++i)
+    for(int j = 0; j < n; ++j) {
+      const Epick::Vector_3 noise(0, 0, .04 * (double(random()) / 4294967296. - .5));
+      points.push_back(corner + (i + .5) / m * u + (j + .5) / n * v + noise);
+    }
+}
+
+// Of roofs and the ground around them, as an airborne scanner sees them: walls and floors have no points.
+void add_gable(std::vector<Epick::Point_3>& points, double x, double eaves, double ridge)
+{
+  add_area(points, Epick::Point_3(x, 0, eaves), Epick::Vector_3(10, 0, 0), Epick::Vector_3(0, 4, ridge - eaves));
+  add_area(points, Epick::Point_3(x, 4, ridge), Epick::Vector_3(10, 0, 0), Epick::Vector_3(0, 4, eaves - ridge));
+}
+
+std::vector<Epick::Point_3> airborne_scan(double angle, bool has_flat_roof)
+{
+  std::vector<Epick::Point_3> points, result;
+  const Epick::Point_3 ground(-10, -10, 0);
+  add_area(points, ground, Epick::Vector_3(70, 0, 0), Epick::Vector_3(0, 10, 0));
+  add_area(points, ground + Epick::Vector_3(0, 18, 0), Epick::Vector_3(70, 0, 0), Epick::Vector_3(0, 10, 0));
+  for(double x : {-10, 10, 30, 50})
+    add_area(points, Epick::Point_3(x, 0, 0), Epick::Vector_3(10, 0, 0), Epick::Vector_3(0, 8, 0));
+  add_gable(points, 0, 6, 9);
+  add_gable(points, 20, 5, 8.5);
+  if(has_flat_roof)
+    add_area(points, Epick::Point_3(40, 0, 12), Epick::Vector_3(10, 0, 0), Epick::Vector_3(0, 8, 0));
+  const double c = std::cos(angle), s = std::sin(angle);
+  for(const Epick::Point_3& p : points)
+    result.emplace_back(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+  return result;
+}
+
+// Two houses of 600 and 540, and one of 960, in any direction.
+void check_airborne_scans()
+{
+  for(const double angle : {0., .1, .5, 1.})
+    for(const bool has_flat_roof : {false, true}) {
+      const std::vector<Epick::Point_3> points = airborne_scan(angle, has_flat_roof);
+      const Found_shapes shapes =
+        CGAL::Tandem::detect_planes(points, np::maximum_distance(.08).minimum_region_size(100));
+      const Surface surface = CGAL::Tandem::closed_surface(shapes, points);
+      const double volume = checked_volume(surface, "airborne scan"), truth = has_flat_roof ? 2100 : 1140;
+      CHECK_AT(std::fabs(volume - truth) < .05 * truth, "the houses have " + std::to_string(volume) + " of " +
+                                                          std::to_string(truth) + " at " + std::to_string(angle));
+      CHECK(surface.number_of_points > 3000 && surface.number_of_points < points.size());
+    }
+}
+
+// Copies of points change nothing.
+void check_copies()
+{
+  std::vector<Epick::Point_3> points;
+  for(const Box_point& item : make_box_cloud(400))
+    for(int copy = 0; copy < 30; ++copy)
+      points.emplace_back(item.position[0], item.position[1], item.position[2]);
+  const Found_shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.02).minimum_region_size(50));
+  const Surface box = CGAL::Tandem::closed_surface(shapes, points);
+  CHECK(box.faces.size() == 6 && box.number_of_points > .95 * double(points.size()));
+  checked_volume(box, "copies");
 }
 
 // Above the ground.
@@ -65,15 +135,16 @@ double true_volume_of_house()
 }
 
 // No floor, and the ground around it is not a part of it.
-void check_house()
+void check_house(std::size_t number_of_points, double maximum_distance)
 {
   scenes::Options options;
-  options.points = 100000;
+  options.points = number_of_points;
   const scenes::Scene scene = scenes::make_scene("house", options);
   std::vector<Epick::Point_3> points;
   for(const scenes::Vec& p : scene.points)
     points.emplace_back(p.x, p.y, p.z);
-  const Found_shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.04).minimum_region_size(100));
+  const Found_shapes shapes =
+    CGAL::Tandem::detect_planes(points, np::maximum_distance(maximum_distance).minimum_region_size(100));
   const Surface surface = CGAL::Tandem::closed_surface(shapes, points);
   const double volume = checked_volume(surface, "house"), truth = true_volume_of_house();
   CHECK_AT(std::fabs(volume - truth) < .03 * truth,
@@ -165,7 +236,11 @@ int main()
 {
   check_box();
   check_refusals();
-  check_house();
+  check_house(50000, .04);
+  check_house(100000, .03);
+  check_house(100000, .04);
+  check_airborne_scans();
+  check_copies();
   check_random_scenes(20);
   return report();
 }

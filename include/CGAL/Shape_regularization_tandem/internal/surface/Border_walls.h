@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Walls that no point covers, as in airborne scans: where a shape ends with another one below its border, a plane goes
-// straight down from there.
+// Walls that no point covers, as in airborne scans: where a shape ends with another one below its border, a wall is
+// assumed to go straight down from there.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_BORDER_WALLS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_BORDER_WALLS_H
 
-#include <CGAL/Shape_regularization_tandem/internal/surface/Plane_coverage.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/for_each_in_parallel.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Ray_votes.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -17,13 +18,12 @@ namespace surface {
 
 class Border_walls {
 public:
-  Border_walls(const std::vector<Plane_coverage>& planes, const Vector& up, double maximum_distance)
+  Border_walls(std::vector<Plane_coverage>& planes, const Vector& up, double maximum_distance)
     : planes_(planes), up_(up), near_(2 * maximum_distance)
   {}
 
-  // Of these polygons, each of which has a plane of its own: at most so many, from long borders to short ones.
-  std::vector<Plane_coverage> of(const outlines::Polygon_table& polygons, const std::vector<Coefficients>& planes,
-                                 std::size_t most) const
+  // Below the borders of these polygons, each of which has a plane of its own, from long ones to short ones.
+  void add(const outlines::Polygon_table& polygons, const std::vector<Coefficients>& planes)
   {
     std::vector<Border> borders;
     for(std::size_t s = 0; s < polygons.polygons.size(); ++s)
@@ -32,13 +32,21 @@ public:
           add_borders(polygons, polygon, planes[s], borders);
     std::stable_sort(borders.begin(), borders.end(),
                      [](const Border& a, const Border& b) { return a.length > b.length; });
-    std::vector<Wall> walls;
-    for(const Border& border : borders)
-      add_to(walls, border, most);
-    std::vector<Plane_coverage> result;
-    for(const Wall& wall : walls)
-      result.push_back(Plane_coverage::without_points(wall.plane, wall.corners));
-    return result;
+    std::vector<Plane_coverage> walls;
+    for(const Border& border : borders) {
+      walls.push_back(plane_of(border));
+      walls.back().reach(wall_below(border));
+      walls.back().assume(wall_below(border));
+    }
+    Ray_votes rays(up_);
+    rays.add_obstacles(planes_);
+    rays.add_obstacles(walls);
+    std::vector<double> shares(walls.size());
+    outlines::for_each_in_parallel(walls.size(),
+                                   [&](std::size_t w) { shares[w] = share_of_rays(borders[w], rays, walls[w]); });
+    const std::size_t most = planes_.size() + most_walls;
+    for(std::size_t w = 0; w < walls.size(); ++w)
+      add_wall(borders[w], shares[w] > least_share, most);
   }
 
 private:
@@ -47,11 +55,6 @@ private:
     double drop;   // to the plane below
     double length; // seen from above
   };
-  struct Wall {
-    Coefficients plane;
-    std::vector<Point> corners;
-  };
-
   static double height(const Coefficients& c, const Point& p)
   {
     return c[0] * p.x() + c[1] * p.y() + c[2] * p.z() + c[3];
@@ -59,10 +62,7 @@ private:
 
   // Within 15 degrees.
   bool is_upright(const Coefficients& c) const { return std::fabs(Vector(c[0], c[1], c[2]) * up_) < .26; }
-  bool is_near(const Coefficients& c, const Border& b) const
-  {
-    return std::fabs(height(c, b.first)) < near_ && std::fabs(height(c, b.last)) < near_;
-  }
+  bool is_near(const Coefficients& c, const Point& p) const { return std::fabs(height(c, p)) < near_; }
 
   void add_borders(const outlines::Polygon_table& polygons, const Indexed_polygon& polygon, const Coefficients& own,
                    std::vector<Border>& borders) const
@@ -94,8 +94,10 @@ private:
 
   bool ends_at_other(const Coefficients& own, const Border& border) const
   {
-    return std::any_of(planes_.begin(), planes_.end(),
-                       [&](const Plane_coverage& p) { return p.plane() != own && is_near(p.plane(), border); });
+    return std::any_of(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
+      return p.plane() != own && is_near(p.plane(), border.first) && is_near(p.plane(), border.last) &&
+             p.is_near_hull(CGAL::midpoint(border.first, border.last), near_);
+    });
   }
 
   // To the lowest plane that is below a point; 0 if there is none.
@@ -113,24 +115,51 @@ private:
     return result;
   }
 
-  // To a wall in the same plane, if there is one.
-  void add_to(std::vector<Wall>& walls, const Border& border, std::size_t most) const
+  Plane_coverage plane_of(const Border& border) const
   {
-    auto wall = std::find_if(walls.begin(), walls.end(), [&](const Wall& w) { return is_near(w.plane, border); });
-    if(wall == walls.end()) {
-      if(walls.size() == most)
-        return;
-      const Vector normal = CGAL::cross_product(border.last - border.first, up_) / border.length;
-      const double offset = -(normal * (CGAL::midpoint(border.first, border.last) - CGAL::ORIGIN));
-      wall = walls.insert(walls.end(), Wall{{normal.x(), normal.y(), normal.z(), offset}, {}});
-    }
-    for(const Point& p : {border.first, border.last}) {
-      wall->corners.push_back(p);
-      wall->corners.push_back(p - border.drop * up_);
-    }
+    const Vector normal = CGAL::cross_product(border.last - border.first, up_) / border.length;
+    const double offset = -(normal * (CGAL::midpoint(border.first, border.last) - CGAL::ORIGIN));
+    return Plane_coverage({normal.x(), normal.y(), normal.z(), offset});
   }
 
-  const std::vector<Plane_coverage>& planes_;
+  Plane_coverage::Quadrangle wall_below(const Border& border) const
+  {
+    return {border.first, border.last, border.last - border.drop * up_, border.first - border.drop * up_};
+  }
+
+  // That say that it is between inside and outside.
+  double share_of_rays(const Border& border, const Ray_votes& rays, const Plane_coverage& wall) const
+  {
+    constexpr int rows = 16;
+    std::vector<Point> places;
+    for(int i = 0; i < rows; ++i)
+      for(int j = 0; j < rows; ++j)
+        places.push_back(border.first + (i + .5) / rows * (border.last - border.first) -
+                         (j + .5) / rows * border.drop * up_);
+    return std::fabs(rays.share(places, Vector(wall.plane()[0], wall.plane()[1], wall.plane()[2]), wall));
+  }
+
+  // In a plane that is there, or in a new one, which may be a boundary there even if the wall is not assumed.
+  void add_wall(const Border& border, bool is_assumed, std::size_t most)
+  {
+    const Plane_coverage::Quadrangle wall = wall_below(border);
+    auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
+      return std::all_of(wall.begin(), wall.end(), [&](const Point& corner) { return is_near(p.plane(), corner); });
+    });
+    if(plane == planes_.end()) {
+      if(planes_.size() == most)
+        return;
+      plane = planes_.insert(planes_.end(), plane_of(border));
+    }
+    plane->reach(wall);
+    if(is_assumed)
+      plane->assume(wall);
+  }
+
+  static constexpr std::size_t most_walls = 200;
+  static constexpr double least_share = .25; // of rays: they say nothing of a border within a room or below a roof
+
+  std::vector<Plane_coverage>& planes_;
   Vector up_;
   double near_;
 };

@@ -24,6 +24,19 @@ struct Face {
   int plane;                 // none: a side of the box
 };
 
+// Where only two faces meet, both go straight on.
+inline void drop_straight_corners(std::vector<Face>& faces)
+{
+  std::map<int, int> number_of_faces;
+  for(const Face& face : faces)
+    for(int v : face.vertices)
+      ++number_of_faces[v];
+  for(Face& face : faces)
+    face.vertices.erase(
+      std::remove_if(face.vertices.begin(), face.vertices.end(), [&](int v) { return number_of_faces.at(v) == 2; }),
+      face.vertices.end());
+}
+
 class Boundary_faces {
 public:
   Boundary_faces(const Cells& cells, const Inside_cells& inside) : cells_(cells)
@@ -120,19 +133,6 @@ private:
         borders.emplace_back();
     }
     return result;
-  }
-
-  // Where only two faces meet, both go straight on.
-  static void drop_straight_corners(std::vector<Face>& faces)
-  {
-    std::map<int, int> number_of_faces;
-    for(const Face& face : faces)
-      for(int v : face.vertices)
-        ++number_of_faces[v];
-    for(Face& face : faces)
-      face.vertices.erase(
-        std::remove_if(face.vertices.begin(), face.vertices.end(), [&](int v) { return number_of_faces.at(v) == 2; }),
-        face.vertices.end());
   }
 
   const Cells& cells_;

@@ -1,21 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What it costs that cells are inside. A ray that leaves upwards crosses the area that points cover an odd number of
-// times from inside, an even one from outside. So the side of covered area with more odd rays ought to be inside, and
-// the other one not: normals need no orientation, and neither floors nor the ground below a building need points. A
-// boundary without points costs a part of its area, and all of it where the box of the points ends: the ground of a
-// scan is not a block.
+// What it costs that cells are inside. Most rays that leave a covered facet say which of its two cells is inside: it
+// costs the covered area if that one is not, or the other one is. A boundary that nothing covers costs a part of its
+// area, and all of it where the box of the points ends: the ground of a scan is not a block.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_INSIDE_COST_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_INSIDE_COST_H
 
-#include <CGAL/Shape_regularization_tandem/internal/outlines/for_each_in_parallel.h>
-#include <CGAL/Shape_regularization_tandem/internal/surface/Plane_coverage.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Covered_facets.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Ray_votes.h>
 
 namespace CGAL {
 namespace Tandem {
@@ -25,25 +19,21 @@ namespace surface {
 class Inside_cost {
 public:
   Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Vector& up)
-    : cells_(cells), planes_(planes), inside_(cells.cells.size(), 0), outside_(cells.cells.size(), 0)
+    : covered_(cells, planes), inside_(cells.cells.size(), 0), outside_(cells.cells.size(), 0)
   {
-    find_covered_areas();
-    const std::vector<int> odd = numbers_of_odd_rays(up);
+    Ray_votes rays(up);
+    rays.add_obstacles(planes);
+    std::vector<double> votes(cells.facets.size());
+    outlines::for_each_in_parallel(votes.size(), [&](std::size_t f) { votes[f] = vote(cells, planes, f, rays); });
     for(std::size_t f = 0; f < cells.facets.size(); ++f) {
       const Facet& facet = cells.facets[f];
-      const double area = area_of(cells.corners(facet));
-      const double share = facet.plane == none ? 1 : cost_of_boundary;
-      covered_[f] = (std::min)(covered_[f], area);
-      boundary_.push_back(share * (area - covered_[f]));
+      const double free = covered_[f].area - covered_[f].scanned.area - covered_[f].assumed.area;
+      boundary_.push_back((facet.plane == none ? 1 : worth_of_free) * (std::max)(0., free));
       if(facet.front == none)
         continue;
-      int in = facet.behind, out = facet.front;
-      if(odd[std::size_t(in)] == odd[std::size_t(out)])
-        continue;
-      if(odd[std::size_t(in)] < odd[std::size_t(out)])
-        std::swap(in, out);
-      outside_[std::size_t(in)] += covered_[f];
-      inside_[std::size_t(out)] += covered_[f];
+      const bool is_behind = votes[f] > 0;
+      outside_[std::size_t(is_behind ? facet.behind : facet.front)] += std::fabs(votes[f]);
+      inside_[std::size_t(is_behind ? facet.front : facet.behind)] += std::fabs(votes[f]);
     }
   }
 
@@ -52,84 +42,32 @@ public:
   double outside(int cell) const { return outside_[std::size_t(cell)]; }
   double boundary(int facet) const { return boundary_[std::size_t(facet)]; }
 
+  std::size_t number_of_points(int facet) const { return covered_[std::size_t(facet)].number_of_points; }
+
 private:
-  static constexpr double cost_of_boundary = .1; // of a unit of area without points
-  static constexpr int number_of_rays = 256;
+  static constexpr double worth_of_free = .1; // of a unit of area without points
 
-  // Each point has an equal share of the area of its plane.
-  void find_covered_areas()
+  // The area by which the cell behind a facet is inside and the one in front of it outside; negative if it is the other
+  // way round.
+  double vote(const Cells& cells, const std::vector<Plane_coverage>& planes, std::size_t f, const Ray_votes& rays) const
   {
-    std::vector<std::vector<std::size_t>> facets(planes_.size());
-    for(std::size_t f = 0; f < cells_.facets.size(); ++f)
-      if(cells_.facets[f].plane != none)
-        facets[std::size_t(cells_.facets[f].plane)].push_back(f);
-    covered_.assign(cells_.facets.size(), 0);
-    outlines::for_each_in_parallel(planes_.size(), [&](std::size_t p) { cover(planes_[p], facets[p]); });
+    const Facet& facet = cells.facets[f];
+    if(facet.plane == none)
+      return 0;
+    const std::vector<Point> corners = cells.corners(facet);
+    Vector to_front = CGAL::NULL_VECTOR;
+    for(std::size_t i = 2; i < corners.size(); ++i)
+      to_front = to_front + CGAL::cross_product(corners[i - 1] - corners[0], corners[i] - corners[0]);
+    const auto of = [&](const Covered_part& part) {
+      const double share = rays.share(part.places, to_front, planes[std::size_t(facet.plane)]);
+      return share < 0 ? -part.area : share > 0 ? part.area : 0;
+    };
+    return of(covered_[f].scanned) + worth_of_free * of(covered_[f].assumed);
   }
 
-  void cover(const Plane_coverage& plane, const std::vector<std::size_t>& facets)
-  {
-    std::vector<std::vector<Kernel::Point_2>> flat;
-    std::vector<CGAL::Bbox_2> boxes;
-    for(std::size_t f : facets) {
-      flat.emplace_back();
-      for(const Point& corner : cells_.corners(cells_.facets[f]))
-        flat.back().push_back(plane.flat(corner));
-      boxes.push_back(CGAL::bbox_2(flat.back().begin(), flat.back().end()));
-    }
-    if(plane.points().empty())
-      return;
-    const double share = plane.covered_area() / double(plane.points().size());
-    for(const Point& point : plane.points()) {
-      const Kernel::Point_2 p = plane.flat(point);
-      for(std::size_t i = 0; i < facets.size(); ++i)
-        if(CGAL::do_overlap(boxes[i], p.bbox()) &&
-           CGAL::bounded_side_2(flat[i].begin(), flat[i].end(), p) != CGAL::ON_UNBOUNDED_SIDE) {
-          covered_[facets[i]] += share;
-          break;
-        }
-    }
-  }
-
-  // Over the upper half of the sphere, evenly, on a spiral, and along no axis.
-  static std::vector<Vector> directions_of_rays(const Vector& up)
-  {
-    const Vector axis = Kernel::Plane_3(CGAL::ORIGIN, up).base1();
-    const Vector first = axis / std::sqrt(axis.squared_length()), second = CGAL::cross_product(up, first);
-    std::vector<Vector> result;
-    for(int i = 0; i < number_of_rays; ++i) {
-      const double z = 1 - (i + .5) / number_of_rays, radius = std::sqrt(1 - z * z), angle = 2.399963 * i;
-      result.push_back(radius * std::cos(angle) * first + radius * std::sin(angle) * second + z * up);
-    }
-    return result;
-  }
-
-  // From the middle of each cell.
-  std::vector<int> numbers_of_odd_rays(const Vector& up) const
-  {
-    const std::vector<Vector> directions = directions_of_rays(up);
-    std::vector<int> result(cells_.cells.size(), 0);
-    outlines::for_each_in_parallel(result.size(), [&](std::size_t c) {
-      Vector sum = CGAL::NULL_VECTOR;
-      int count = 0;
-      for(int f : cells_.facets_of(int(c)))
-        for(const Point& corner : cells_.corners(cells_.facet(f))) {
-          sum = sum + (corner - CGAL::ORIGIN);
-          ++count;
-        }
-      const Point middle = CGAL::ORIGIN + sum / count;
-      for(const Vector& d : directions)
-        result[c] += std::count_if(planes_.begin(), planes_.end(),
-                                   [&](const Plane_coverage& p) { return p.is_crossed_where_covered(middle, d); }) %
-                     2;
-    });
-    return result;
-  }
-
-  const Cells& cells_;
-  const std::vector<Plane_coverage>& planes_;
-  std::vector<double> covered_, boundary_; // of each facet
-  std::vector<double> inside_, outside_;   // of each cell
+  Covered_facets covered_;
+  std::vector<double> boundary_;         // of each facet
+  std::vector<double> inside_, outside_; // of each cell
 };
 
 } // namespace surface

@@ -1,24 +1,19 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A plane with the part that its points cover: the squares of a grid that have points.
+// A plane with the part that its points cover, and the part that a wall without points is assumed to cover.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_PLANE_COVERAGE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_PLANE_COVERAGE_H
 
-#include <CGAL/Shape_regularization_tandem/internal/surface/Cells.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Covered_squares.h>
 #include <CGAL/Tandem/Shapes_data.h>
 
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/convex_hull_2.h>
 
-#include <cstdint>
+#include <array>
 #include <iterator>
-#include <unordered_set>
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -27,38 +22,52 @@ namespace surface {
 
 class Plane_coverage {
 public:
-  // The points are close to the plane.
-  Plane_coverage(const Coefficients& plane, std::vector<Point> points) : Plane_coverage(plane)
+  using Quadrangle = std::array<Point, 4>;
+
+  // No point covers it yet.
+  explicit Plane_coverage(const Coefficients& plane) : plane_(plane), normal_(plane[0], plane[1], plane[2])
   {
-    set_hull(points);
+    const Vector axis = Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]).base1();
+    first_ = axis / std::sqrt(axis.squared_length());
+    second_ = CGAL::cross_product(normal_, first_);
+  }
+
+  // The points are close to the plane. What is nearer to each other than the resolution is one place.
+  Plane_coverage(const Coefficients& plane, std::vector<Point> points, double resolution) : Plane_coverage(plane)
+  {
     points_ = std::move(points);
+    origin_ = points_.front() - height(points_.front()) * normal_;
     std::vector<Kernel::Point_2> flat_points;
     for(const Point& p : points_)
       flat_points.push_back(flat(p));
-    side_ = largest_extent(flat_points) / 8;
-    for(int round = 0; round < rounds && side_ > 0; ++round) {
-      mark(flat_points);
-      side_ = std::sqrt(points_in_a_square * double(squares_.size()) * side_ * side_ / double(points_.size()));
-    }
-    if(side_ > 0)
-      mark(flat_points);
-    for(const Square square : squares_) {
-      const double x = double(std::int32_t(square >> 32)) * side_, y = double(std::int32_t(square)) * side_;
-      box_ += CGAL::Bbox_2(x, y, x + side_, y + side_);
-    }
+    squares_ = Covered_squares(flat_points, resolution);
+    CGAL::convex_hull_2(flat_points.begin(), flat_points.end(), std::back_inserter(hull_));
   }
 
-  // A plane that no point covers: it may only be a boundary between these corners.
-  static Plane_coverage without_points(const Coefficients& plane, const std::vector<Point>& corners)
+  // The hull has these corners, too, which are close to the plane.
+  void reach(const Quadrangle& corners)
   {
-    Plane_coverage result(plane);
-    result.set_hull(corners);
-    return result;
+    if(hull_.empty())
+      origin_ = corners.front() - height(corners.front()) * normal_;
+    std::vector<Kernel::Point_2> all = hull_, hull;
+    for(const Point& p : corners)
+      all.push_back(flat(p));
+    CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
+    hull_ = std::move(hull);
+  }
+
+  // There is a wall without points in this part of the hull.
+  void assume(const Quadrangle& part)
+  {
+    assumed_.emplace_back();
+    for(const Point& p : part)
+      assumed_.back().push_back(flat(p));
   }
 
   const Coefficients& plane() const { return plane_; }
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Kernel::Point_2>& hull() const { return hull_; }
+  bool has_assumed_part() const { return !assumed_.empty(); }
 
   // Points on a line have none.
   bool has_area() const { return hull_.size() > 2 && CGAL::polygon_area_2(hull_.begin(), hull_.end(), Kernel()) > 0; }
@@ -70,88 +79,49 @@ public:
 
   double height(const Point& p) const { return normal_ * (p - CGAL::ORIGIN) + plane_[3]; }
 
-  bool is_covered(const Point& p) const
+  bool is_in_hull(const Point& p) const { return is_in(hull_, flat(p)); }
+  bool is_near_hull(const Point& p, double distance) const
   {
     const Kernel::Point_2 q = flat(p);
-    return q.x() >= box_.xmin() && q.x() <= box_.xmax() && q.y() >= box_.ymin() && q.y() <= box_.ymax() &&
-           squares_.count(square_of(q)) > 0;
+    for(std::size_t i = 0; i < hull_.size(); ++i) {
+      const Kernel::Vector_2 edge = hull_[(i + 1) % hull_.size()] - hull_[i];
+      if(CGAL::determinant(edge, q - hull_[i]) < -distance * std::sqrt(edge.squared_length()))
+        return false;
+    }
+    return true;
   }
 
-  bool is_in_hull(const Point& p) const
-  {
-    return CGAL::bounded_side_2(hull_.begin(), hull_.end(), flat(p)) != CGAL::ON_UNBOUNDED_SIDE;
-  }
+  bool is_assumed(const Point& p) const { return is_assumed(flat(p)); }
+  double area_of_point(const Point& p) const { return squares_.area_of_point(flat(p), hull_); }
 
-  // Of a ray with the plane.
-  bool is_crossed_where_covered(const Point& start, const Vector& direction) const
+  // Where a ray meets the plane.
+  enum class Crossing { none, covered, assumed };
+  Crossing crossing(const Point& start, const Vector& direction) const
   {
     const double slope = normal_ * direction, h = height(start);
-    return slope * h < 0 && is_covered(start - h / slope * direction);
-  }
-
-  // Squares stand out at the edges of the points: those whose center is beyond the convex hull do not count.
-  double covered_area() const
-  {
-    const auto is_in = [&](Square s) {
-      const Kernel::Point_2 center((double(std::int32_t(s >> 32)) + .5) * side_,
-                                   (double(std::int32_t(s)) + .5) * side_);
-      return CGAL::bounded_side_2(hull_.begin(), hull_.end(), center) != CGAL::ON_UNBOUNDED_SIDE;
-    };
-    return double(std::count_if(squares_.begin(), squares_.end(), is_in)) * side_ * side_;
+    if(slope * h >= 0)
+      return Crossing::none;
+    const Kernel::Point_2 p = flat(start - h / slope * direction);
+    return squares_.has(p) ? Crossing::covered : is_assumed(p) ? Crossing::assumed : Crossing::none;
   }
 
 private:
-  using Square = std::uint64_t; // row and column
-  static constexpr int rounds = 4;
-  static constexpr double points_in_a_square = 8; // on average: where the points are sparse there is one, too
-
-  explicit Plane_coverage(const Coefficients& plane) : plane_(plane), normal_(plane[0], plane[1], plane[2])
+  static bool is_in(const std::vector<Kernel::Point_2>& polygon, const Kernel::Point_2& p)
   {
-    const Vector axis = Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]).base1();
-    first_ = axis / std::sqrt(axis.squared_length());
-    second_ = CGAL::cross_product(normal_, first_);
+    return CGAL::bounded_side_2(polygon.begin(), polygon.end(), p) != CGAL::ON_UNBOUNDED_SIDE;
   }
 
-  void set_hull(const std::vector<Point>& corners)
+  bool is_assumed(const Kernel::Point_2& p) const
   {
-    origin_ = corners.front() - height(corners.front()) * normal_;
-    std::vector<Kernel::Point_2> flat_corners;
-    for(const Point& p : corners)
-      flat_corners.push_back(flat(p));
-    CGAL::convex_hull_2(flat_corners.begin(), flat_corners.end(), std::back_inserter(hull_));
-  }
-
-  static double largest_extent(const std::vector<Kernel::Point_2>& points)
-  {
-    CGAL::Bbox_2 box;
-    for(const Kernel::Point_2& p : points)
-      box += p.bbox();
-    return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  }
-
-  Square square_of(const Kernel::Point_2& p) const
-  {
-    const double largest = 1 << 30; // of what is far away
-    const auto index = [&](double x) {
-      return std::uint32_t(std::int32_t((std::max)(-largest, (std::min)(largest, std::floor(x / side_)))));
-    };
-    return Square(index(p.x())) << 32 | index(p.y());
-  }
-
-  void mark(const std::vector<Kernel::Point_2>& points)
-  {
-    squares_.clear();
-    for(const Kernel::Point_2& p : points)
-      squares_.insert(square_of(p));
+    return std::any_of(assumed_.begin(), assumed_.end(), [&](const auto& part) { return is_in(part, p); });
   }
 
   Coefficients plane_;
   Vector normal_, first_, second_;
-  Point origin_;
-  double side_ = 0; // of a square
+  Point origin_ = CGAL::ORIGIN;
   std::vector<Point> points_;
-  std::unordered_set<Square> squares_;
-  CGAL::Bbox_2 box_; // of the squares
+  Covered_squares squares_;
+  std::vector<std::vector<Kernel::Point_2>> assumed_;
   std::vector<Kernel::Point_2> hull_;
 };
 

@@ -49,12 +49,10 @@ public:
     : unit_(points, shapes)
   {
     const double maximum_distance = unit_.in(shapes.parameters().maximum_distance);
-    add_planes(points, shapes, most);
+    add_planes(points, shapes, most, maximum_distance);
     box_ = CGAL::Bbox_3(box_.xmin() - 2 * maximum_distance, box_.ymin() - 2 * maximum_distance,
                         box_.zmin() - 2 * maximum_distance, box_.xmax() + 2 * maximum_distance,
                         box_.ymax() + 2 * maximum_distance, box_.zmax() + 2 * maximum_distance);
-    if(groups_.size() < fewest_planes)
-      return;
     outlines::Polygon_table polygons = outlines::Polygon_maker(points, shapes).polygons();
     for(outlines::Position& p : polygons.points)
       for(double& x : p)
@@ -62,13 +60,16 @@ public:
     std::vector<Coefficients> of_shapes;
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       of_shapes.push_back(unit_.in(shapes.coefficients(s)));
-    const std::vector<Plane_coverage> walls = Border_walls(planes_, up, maximum_distance).of(polygons, of_shapes, most);
-    planes_.insert(planes_.end(), walls.begin(), walls.end());
+    Border_walls(planes_, up, maximum_distance).add(polygons, of_shapes);
   }
 
   std::size_t number_of_planes() const { return groups_.size(); } // that have points
   const std::vector<Plane_coverage>& planes() const { return planes_; }
   const CGAL::Bbox_3& box() const { return box_; } // of the points, and somewhat around them
+  double extent() const
+  {
+    return (std::max)({box_.xmax() - box_.xmin(), box_.ymax() - box_.ymin(), box_.zmax() - box_.zmin()});
+  }
 
   // The coplanar group of a plane; none if it has no points, or is a side of the box.
   int group(int plane) const
@@ -79,7 +80,7 @@ public:
   Point out(const Point& p) const { return Point(unit_.out(p.x()), unit_.out(p.y()), unit_.out(p.z())); }
 
 private:
-  void add_planes(const std::vector<Point>& points, const outlines::Shapes& shapes, std::size_t most)
+  void add_planes(const std::vector<Point>& points, const outlines::Shapes& shapes, std::size_t most, double resolution)
   {
     const std::vector<std::size_t> shape_of_group = shapes.distinct_planes();
     std::vector<std::vector<Point>> of_group(shape_of_group.size());
@@ -93,7 +94,7 @@ private:
     for(std::size_t g : order) {
       if(planes_.size() == most || of_group[g].empty())
         return;
-      Plane_coverage plane(unit_.in(shapes.coefficients(shape_of_group[g])), std::move(of_group[g]));
+      Plane_coverage plane(unit_.in(shapes.coefficients(shape_of_group[g])), std::move(of_group[g]), resolution);
       if(!plane.has_area())
         continue;
       for(const Point& p : plane.points())
