@@ -7,18 +7,18 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_OUTLINE_FIGURES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_OUTLINE_FIGURES_H
 
-#include "testing/scenes.h"
+#include "clouds/outline_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/property_map.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,18 +26,42 @@ namespace CGAL {
 namespace Tandem {
 namespace benchmark {
 
-using Outline_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Outline_cloud = std::vector<std::pair<Outline_kernel::Point_3, Outline_kernel::Vector_3>>;
-using Outline_point_map = CGAL::First_of_pair_property_map<Outline_cloud::value_type>;
-using Outline_shapes = Planar_shapes_3<Outline_kernel>;
 using Outline_areas = Shape_polygons_3<Outline_kernel>;
 
 struct Outline_figures {
   std::size_t shapes = 0, polygons = 0, holes = 0, edges = 0, regular_edges = 0;
-  double length = 0, regular_length = 0; // of edges
+  double length = 0, regular_length = 0;       // of edges
+  std::size_t corners = 0, shared_corners = 0; // those that several shapes have, to the last bit
+  std::size_t crossing_loops = 0;              // that are not simple
   std::size_t border_points = 0;
   double sum_of_distances = 0; // of border points, in spacings
 };
+
+inline void count_corners(const Outline_areas& areas, Outline_figures& f)
+{
+  std::map<Outline_kernel::Point_3, std::set<std::size_t>> shapes_at;
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
+    for(const Indexed_polygon& polygon : areas.polygons(s)) {
+      for(std::uint32_t i : polygon.outer)
+        shapes_at[areas.points()[i]].insert(s);
+      for(const Indexed_polygon::Loop& hole : polygon.holes)
+        for(std::uint32_t i : hole)
+          shapes_at[areas.points()[i]].insert(s);
+    }
+  f.corners = shapes_at.size();
+  for(const auto& [p, shapes] : shapes_at)
+    f.shared_corners += shapes.size() > 1;
+}
+
+inline void count_crossing_loops(const Outline_areas& areas, Outline_figures& f)
+{
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
+    for(const auto& polygon : areas.polygons_2(s)) {
+      f.crossing_loops += !polygon.outer_boundary().is_simple();
+      for(const auto& hole : polygon.holes())
+        f.crossing_loops += !hole.is_simple();
+    }
+}
 
 // All edges of an entry, as segments.
 inline std::vector<Outline_kernel::Segment_3> edges_of(const Outline_areas& areas, std::size_t s)
@@ -92,6 +116,8 @@ border_points_of(const Outline_cloud& cloud, const Outline_shapes& shapes, std::
 inline Outline_figures figures_of(const Outline_cloud& cloud, const Outline_shapes& shapes, const Outline_areas& areas)
 {
   Outline_figures f;
+  count_corners(areas, f);
+  count_crossing_loops(areas, f);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
     const auto edges = edges_of(areas, s);
     f.shapes += !edges.empty();
@@ -119,12 +145,14 @@ inline Outline_figures figures_of(const Outline_cloud& cloud, const Outline_shap
   return f;
 }
 
-inline void print(const Outline_figures& f)
+inline void print(const std::string& name, const Outline_figures& f, double seconds)
 {
-  std::cout << "shapes " << f.shapes << " polygons " << f.polygons << " holes " << f.holes << " edges a shape "
-            << double(f.edges) / double(f.shapes) << " regular edges " << double(f.regular_edges) / double(f.edges)
-            << " regular length " << f.regular_length / f.length << " mean distance of border points "
-            << f.sum_of_distances / double(f.border_points) << " spacings\n";
+  std::cout << name << ": shapes " << f.shapes << " polygons " << f.polygons << " holes " << f.holes
+            << " edges a shape " << double(f.edges) / double(f.shapes) << " regular edges "
+            << double(f.regular_edges) / double(f.edges) << " regular length " << f.regular_length / f.length
+            << " mean distance of border points " << f.sum_of_distances / double(f.border_points)
+            << " spacings, corners " << f.corners << " shared " << f.shared_corners << " loops that cross themselves "
+            << f.crossing_loops << " seconds " << seconds << "\n";
 }
 
 struct Area_errors {

@@ -1,14 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How good the closed surface of shapes is.
+// How good a surface made of the planes of shapes is.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SURFACE_FIGURES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SURFACE_FIGURES_H
 
-#include "criteria/outline_figures.h"
-
-#include <CGAL/Shape_regularization_tandem/closed_surface.h>
+#include "clouds/outline_cloud.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -19,50 +17,78 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <chrono>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <iostream>
-#include <set>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace benchmark {
 
-using Surface_triangles = CGAL::Surface_mesh<Outline_kernel::Point_3>;
+struct Surface_figures {
+  std::size_t planes = 0; // that have a face
+  std::size_t faces = 0, border_edges = 0;
+  double share_within = 0;  // of the points of shapes, within maximum_distance of the surface
+  double mean_distance = 0; // of these points, in maximum_distance
+  double volume = 0;
+  bool cuts_itself = false;
+};
 
-// Of the points of shapes, those that are within maximum_distance of the surface.
-inline double share_within(const Outline_cloud& cloud, const Outline_shapes& shapes, const Surface_triangles& mesh)
+// The planes that a face is on, up to a millionth of the extent of the points.
+template <class Faces>
+std::size_t number_of_planes(const std::vector<Outline_kernel::Point_3>& points, const Faces& faces,
+                             const std::vector<Outline_kernel::Plane_3>& planes)
 {
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Surface_triangles>;
-  const CGAL::AABB_tree<CGAL::AABB_traits<Outline_kernel, Primitive>> tree(mesh.faces_begin(), mesh.faces_end(), mesh);
-  const double distance = shapes.parameters().maximum_distance;
-  std::size_t within = 0, all = 0;
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    for(std::size_t i : shapes.points(s)) {
-      within += tree.squared_distance(cloud[i].first) <= distance * distance;
-      ++all;
-    }
-  return double(within) / double(all);
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  const double size = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+  const double tolerance = 1e-12 * size * size;
+  return std::size_t(std::count_if(planes.begin(), planes.end(), [&](const auto& plane) {
+    return std::any_of(faces.begin(), faces.end(), [&](const auto& face) {
+      return std::all_of(face.begin(), face.end(),
+                         [&](std::size_t corner) { return CGAL::squared_distance(points[corner], plane) < tolerance; });
+    });
+  }));
 }
 
-inline void print_surface(const Outline_cloud& cloud, const Outline_shapes& shapes)
+template <class Faces>
+Surface_figures surface_figures(const std::vector<Outline_kernel::Point_3>& points, const Faces& faces,
+                                const std::vector<Outline_kernel::Plane_3>& planes, const Cloud_with_shapes& input)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  const auto start = std::chrono::steady_clock::now();
-  const auto surface = closed_surface(shapes, cloud, parameters::point_map(Outline_point_map()));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::set<int> planes(surface.plane_of_face.begin(), surface.plane_of_face.end());
-  planes.erase(-1);
-  std::cout << "surface: " << surface.faces.size() << " faces in " << planes.size() << " of "
-            << shapes.number_of_coplanar_groups() << " planes, " << seconds << " s";
-  if(!surface.is_empty()) {
-    Surface_triangles mesh;
-    PMP::polygon_soup_to_polygon_mesh(surface.points, surface.faces, mesh);
-    PMP::triangulate_faces(mesh);
-    std::cout << ", volume " << PMP::volume(mesh) << ", " << 100 * share_within(cloud, shapes, mesh)
-              << " % of the points within maximum_distance" << (CGAL::is_closed(mesh) ? "" : ", not closed")
-              << (PMP::does_self_intersect(mesh) ? ", cuts itself" : "");
-  }
-  std::cout << "\n";
+  using Mesh = CGAL::Surface_mesh<Outline_kernel::Point_3>;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+  Surface_figures f;
+  f.faces = faces.size();
+  f.planes = number_of_planes(points, faces, planes);
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
+  for(const auto e : mesh.edges())
+    f.border_edges += mesh.is_border(e);
+  PMP::triangulate_faces(mesh);
+  f.volume = f.border_edges == 0 ? PMP::volume(mesh) : 0;
+  f.cuts_itself = PMP::does_self_intersect(mesh);
+  const CGAL::AABB_tree<CGAL::AABB_traits<Outline_kernel, Primitive>> tree(mesh.faces_begin(), mesh.faces_end(), mesh);
+  const double unit = input.shapes.parameters().maximum_distance;
+  std::size_t all = 0;
+  for(std::size_t s = 0; s < input.shapes.number_of_shapes(); ++s)
+    for(std::size_t i : input.shapes.points(s)) {
+      const double distance = std::sqrt(tree.squared_distance(input.cloud[i].first)) / unit;
+      f.share_within += distance <= 1;
+      f.mean_distance += distance;
+      ++all;
+    }
+  f.share_within /= double(all);
+  f.mean_distance /= double(all);
+  return f;
+}
+
+inline void print(const Surface_figures& f)
+{
+  std::cout << "planes with faces " << f.planes << " faces " << f.faces << " border edges " << f.border_edges
+            << " share of points within maximum_distance " << f.share_within << " mean distance " << f.mean_distance
+            << " volume " << f.volume << (f.cuts_itself ? " cuts itself" : "");
 }
 
 } // namespace benchmark

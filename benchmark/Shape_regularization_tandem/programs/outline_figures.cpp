@@ -1,72 +1,73 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How good the outlines of shapes are, and their closed surface: for a cloud, or for the house of the generated scenes, whose areas are known.
+// How good the outlines of shapes are: straightened only, regularized by CGAL's regularize_closed_contour(), and those of
+// polygons(). For a cloud, or for the house of the generated scenes, whose areas are known.
 //   outline_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE [FOLDER]
 // For the shapes with most points FOLDER gets I.points and I.outline, in the plane of the shape, for gnuplot.
 //   outline_figures house [POINTS [NOISE, a share of the diagonal]]
 
-#include "criteria/surface_figures.h"
+#include "clouds/outline_cloud.h"
+#include "criteria/contour_regularization.h"
+#include "criteria/outline_figures.h"
 
-#include "clouds/ply_cloud.h"
-
-#include <CGAL/Shape_regularization_tandem/detect_planes.h>
-
+#include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace CGAL::Tandem::benchmark;
 namespace scenes = CGAL::Tandem::scenes;
 
 namespace {
 
-constexpr double epsilon_of_house = .03, angle_of_house = 25;
-constexpr std::size_t smallest_of_house = 100;
+using Polygon_maker = CGAL::Tandem::internal::outlines::Polygon_maker;
 
-Outline_cloud cloud_of(const std::vector<scenes::Vec>& points, const std::vector<scenes::Vec>& normals)
+// Prints the figures of the outlines that make() returns, and the seconds that it takes.
+template <class Make>
+Outline_areas measure(const std::string& name, const Cloud_with_shapes& input, Make make)
 {
-  Outline_cloud cloud;
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    const scenes::Vec &p = points[i], n = normals.empty() ? scenes::Vec{0, 0, 0} : normals[i];
-    cloud.emplace_back(Outline_kernel::Point_3(p.x, p.y, p.z), Outline_kernel::Vector_3(n.x, n.y, n.z));
+  const auto start = std::chrono::steady_clock::now();
+  Outline_areas areas = make();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  print(name, figures_of(input.cloud, input.shapes, areas), seconds);
+  if(!input.scene.points.empty()) {
+    const Area_errors errors = errors_of(scenes::make_house(), input.scene, input.shapes, areas);
+    std::cout << "  truth " << errors.truth << " missing " << errors.missing / errors.truth << " surplus "
+              << errors.surplus / errors.truth << "\n";
   }
-  return cloud;
+  return areas;
 }
 
-Outline_shapes detect(const Outline_cloud& cloud, bool has_normals, const CGAL::Tandem::Parameters& parameters)
+std::vector<double> border_spacings(const Cloud_with_shapes& input)
 {
-  const auto np = CGAL::Tandem::parameters::settings(parameters).point_map(Outline_point_map());
-  return has_normals ? CGAL::Tandem::detect_planes(
-                         cloud, np.normal_map(CGAL::Second_of_pair_property_map<Outline_cloud::value_type>()))
-                     : CGAL::Tandem::detect_planes(cloud, np);
+  std::vector<double> result;
+  for(std::size_t s = 0; s < input.shapes.number_of_shapes(); ++s) {
+    std::vector<double> all;
+    for(const auto& [p, spacing] : border_points_of(input.cloud, input.shapes, s))
+      all.push_back(spacing);
+    std::nth_element(all.begin(), all.begin() + std::ptrdiff_t(all.size() / 2), all.end());
+    result.push_back(all.empty() ? 0 : all[all.size() / 2]);
+  }
+  return result;
 }
 
-CGAL::Tandem::Parameters parameters_of(double distance, double angle, std::size_t smallest)
+Outline_areas measure_all(const Cloud_with_shapes& input)
 {
-  CGAL::Tandem::Parameters p;
-  p.maximum_distance = p.maximum_offset = distance;
-  p.maximum_angle = angle;
-  p.minimum_region_size = smallest;
-  return p;
-}
-
-void measure_house(std::size_t points, double noise)
-{
-  scenes::Options options;
-  options.points = points;
-  options.noise = noise;
-  const scenes::Model model = scenes::make_house();
-  const scenes::Scene scene = scenes::make_scene(model, options);
-  const Outline_cloud cloud = cloud_of(scene.points, scene.normals);
-  const Outline_shapes shapes = detect(cloud, true, parameters_of(epsilon_of_house, angle_of_house, smallest_of_house));
-  const Outline_areas areas =
-    CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
-  print(figures_of(cloud, shapes, areas));
-  print_surface(cloud, shapes);
-  const Area_errors errors = errors_of(model, scene, shapes, areas);
-  std::cout << "truth " << errors.truth << " missing " << errors.missing / errors.truth << " surplus "
-            << errors.surplus / errors.truth << "\n";
+  std::vector<Outline_kernel::Point_3> points;
+  for(const auto& item : input.cloud)
+    points.push_back(item.first);
+  const auto draft = [&] { return Polygon_maker(points, input.shapes).polygons(false); };
+  const std::vector<double> spacing = border_spacings(input);
+  measure("straightened", input, [&] { return Outline_areas(draft()); });
+  measure("regularize_closed_contour", input,
+          [&] { return Outline_areas(regularized_contours(draft(), input.shapes, spacing)); });
+  return measure("polygons", input, [&] {
+    return CGAL::Tandem::polygons(input.shapes, input.cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
+  });
 }
 
 void write_plots(const std::string& folder, const Outline_cloud& cloud, const Outline_shapes& shapes,
@@ -101,24 +102,14 @@ void write_plots(const std::string& folder, const Outline_cloud& cloud, const Ou
 
 int main(int argc, char** argv)
 try {
-  const std::string name = argc > 1 ? argv[1] : "";
-  if(name == "house" && argc <= 4) {
-    measure_house(argc > 2 ? std::stoul(argv[2]) : 100000, argc > 3 ? std::stod(argv[3]) : .0004);
-    return 0;
-  }
-  if(argc != 5 && argc != 6)
-    throw std::invalid_argument(
-      "usage: outline_figures CLOUD.ply DISTANCE ANGLE SIZE [FOLDER] | house [POINTS [NOISE]]");
-  const Ply_cloud input = read_ply(name);
-  const Outline_cloud cloud = cloud_of(input.points, input.normals);
-  const Outline_shapes shapes =
-    detect(cloud, input.has_normals(), parameters_of(std::stod(argv[2]), std::stod(argv[3]), std::stoul(argv[4])));
-  const Outline_areas areas =
-    CGAL::Tandem::polygons(shapes, cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
-  print(figures_of(cloud, shapes, areas));
-  print_surface(cloud, shapes);
-  if(argc == 6)
-    write_plots(argv[5], cloud, shapes, areas);
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool has_folder = arguments.size() == 5;
+  const std::string folder = has_folder ? arguments.back() : "";
+  arguments.resize(has_folder ? 4 : arguments.size());
+  const Cloud_with_shapes input = cloud_with_shapes(arguments);
+  const Outline_areas areas = measure_all(input);
+  if(has_folder)
+    write_plots(folder, input.cloud, input.shapes, areas);
   return 0;
 } catch(const std::exception& e) {
   std::cerr << "outline_figures: " << e.what() << "\n";

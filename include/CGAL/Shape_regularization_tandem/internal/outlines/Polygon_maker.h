@@ -49,13 +49,16 @@ public:
       all.push_back(std::move(*shape));
   }
 
-  Polygon_table polygons()
+  // Once: the drafts are used up. Outlines that are not regular are straightened only.
+  Polygon_table polygons(bool are_regular = true)
   {
     draw_borders();
     is_framed.resize(n);
     for_each_in_parallel(n, [&](std::size_t s) { is_framed[s] = draft_outline(s); });
-    make_regular();
-    share_vertices();
+    if(are_regular) {
+      make_regular();
+      share_vertices();
+    }
     std::vector<Shape_polygons> of_shapes(n);
     for_each_in_parallel(n, [&](std::size_t s) { of_shapes[s] = polygons_of(s); });
     Polygon_table result = joined(of_shapes);
