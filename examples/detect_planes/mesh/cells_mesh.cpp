@@ -11,7 +11,7 @@ Surface cells_mesh(const Point_set& points, const Shapes& shapes, std::size_t nu
 {
   auto made = CGAL::Tandem::closed_surface(shapes, points,
                                            CGAL::Tandem::parameters::maximum_number_of_planes(int(number_of_planes)));
-  return {std::move(made.points), std::move(made.faces)};
+  return {std::move(made.points), std::move(made.faces), made.number_of_planes};
 }
 
 } // namespace program

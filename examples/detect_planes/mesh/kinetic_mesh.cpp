@@ -3,53 +3,20 @@
 
 #include "mesh/mesh_methods.h"
 
-#include "messages.h"
-#include "mesh/kinetic/Boundary.h"
-#include "mesh/kinetic/Volumes.h"
-#include "mesh/kinetic/inside_volumes.h"
-#include "signals.h"
-
-#include "../Shape_regularization_tandem/convex_polygons.h"
-
-#include <CGAL/Named_function_parameters.h>
-
-#include <iostream>
+#include <CGAL/Shape_regularization_tandem/Kinetic_partition.h>
+#include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
 namespace program {
 
-namespace {
-
-constexpr std::size_t number_of_intersections = 1; // a polygon grows until it meets as many others
-
-void stop_if_interrupted()
-{
-  if(is_interrupted())
-    throw Interrupted();
-}
-
-// Each plane of the input has a polygon. More of them than this size would make CGAL cut the space by an octree, whose
-// planes would be walls of the surface.
-Volumes partition(const Mesh_input& input)
-{
-  const Captured_messages errors(std::cerr), messages(std::cout);
-  const Convex_polygons<Kernel> polygons = convex_polygons<Kernel>(input.items, input.planes);
-  Volumes::Partition partition;
-  partition.insert(polygons.points, polygons.corners);
-  partition.initialize(CGAL::parameters::max_octree_node_size(input.planes.size()));
-  stop_if_interrupted();
-  partition.partition(number_of_intersections);
-  stop_if_interrupted();
-  return Volumes(partition);
-}
-
-} // namespace
-
-Surface kinetic_mesh(const Mesh_input& input)
-{
-  const Volumes volumes = partition(input);
-  const std::vector<bool> is_inside = inside_volumes(volumes, coverage_of_planes(input));
-  stop_if_interrupted();
-  return Boundary(volumes, is_inside).surface();
+Surface kinetic_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes)
+try {
+  auto made = CGAL::Tandem::closed_surface(shapes, points,
+                                           CGAL::Tandem::parameters::maximum_number_of_planes(int(number_of_planes))
+                                             .partition(CGAL::Tandem::Kinetic_partition()));
+  return {std::move(made.points), std::move(made.faces), made.number_of_planes};
+} catch(const std::runtime_error&) {
+  throw std::runtime_error("--mesh: the kinetic space partition of CGAL fails at these planes: take fewer by "
+                           "--mesh-planes, or the method cells");
 }
 
 } // namespace program

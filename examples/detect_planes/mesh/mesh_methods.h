@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The methods that make a closed surface of planes, and what they share: the points of the planes, and the surface. It is
-// empty if they enclose nothing; other failures are exceptions.
+// The methods that make a closed surface of planes. It is empty if they enclose nothing; other failures are exceptions.
 
 #ifndef DETECT_PLANES_MESH_METHODS_H
 #define DETECT_PLANES_MESH_METHODS_H
@@ -37,6 +36,7 @@ struct Surface {
   using Face = std::vector<std::size_t>; // positions of the corners in the points
   std::vector<Kernel::Point_3> points;
   std::vector<Face> faces;
+  std::size_t number_of_planes = 0; // that it could be made of: they have an area
 };
 
 // Six times that between the faces and the first point; positive if they are counterclockwise, seen from outside.
@@ -52,15 +52,15 @@ struct Too_many_faces : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// By CGAL::Tandem::closed_surface(), of the planes with most points: they cut space into cells ...
+Surface cells_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes);
+
+// ... or CGAL::Kinetic_space_partition_3 does.
+Surface kinetic_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes);
+
 // By CGAL::Polygonal_surface_reconstruction. It chooses from all faces that the planes cut each other into: time and
 // memory grow with the cube of the number of planes. The solver has `seconds` of processor time.
 Surface polygonal_mesh(const Mesh_input& input, int seconds);
-
-// By CGAL::Tandem::closed_surface(), of the planes with most points.
-Surface cells_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes);
-
-// By CGAL::Kinetic_space_partition_3: the boundary of the volumes that are inside.
-Surface kinetic_mesh(const Mesh_input& input);
 
 } // namespace program
 

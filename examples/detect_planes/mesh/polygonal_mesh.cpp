@@ -119,6 +119,7 @@ Surface polygonal_mesh(const Mesh_input& input, int seconds)
   solve(reconstruction, model, seconds, input.planes.size());
   // CGAL 5 leaves the faces unconnected and of any orientation; CGAL 6 does this itself.
   Surface surface;
+  surface.number_of_planes = input.planes.size();
   PMP::polygon_mesh_to_polygon_soup(model, surface.points, surface.faces);
   PMP::merge_duplicate_points_in_polygon_soup(surface.points, surface.faces);
   PMP::orient_polygon_soup(surface.points, surface.faces);

@@ -26,45 +26,60 @@ const Mesh_method& method_of(const Options& o)
   return o.mesh_method == kinetic_method.name ? kinetic_method : polygonal_method;
 }
 
-struct Made_surface {
-  Surface surface;
-  std::size_t planes = 0;
-  std::string warning;
-};
-
 std::string number_of(std::size_t planes, std::size_t all)
 {
   return std::to_string(planes) + (planes < all ? " of " + std::to_string(all) : "") + " planes";
 }
 
-// Of as many planes as the method takes. all: the planes of the shapes.
-Made_surface make_surface(const Point_set& points, const Shapes& shapes, const Mesh_input& all, const Options& o)
+void check_number_of_planes(std::size_t planes)
 {
-  const Mesh_method& method = method_of(o);
-  const int seconds = int(o.mesh_seconds.value_or(longest_seconds));
-  Made_surface made;
-  made.planes = (std::min)(all.planes.size(), o.mesh_planes ? std::size_t(*o.mesh_planes) : method.by_default);
-  if(&method == &cells_method) {
-    made.surface = cells_mesh(points, shapes, made.planes);
-    return made;
-  }
-  while(true) {
-    const Mesh_input input = largest_planes(all, made.planes);
+  if(planes < fewest_planes)
+    throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(planes) + " were found");
+}
+
+struct Made_surface {
+  Surface surface;
+  std::size_t usable_planes = 0; // those that have an area
+  std::string warning;           // if it has fewer planes than it was to have
+};
+
+// Of at most so many planes. With too many faces for the solver, it is of fewer.
+Made_surface make_polygonal(const Mesh_input& all, std::size_t planes, int seconds)
+{
+  check_number_of_planes(all.planes.size());
+  Made_surface made = {{}, all.planes.size(), {}};
+  while(true)
     try {
-      if constexpr(has_kinetic_mesh)
-        if(&method == &kinetic_method)
-          made.surface = kinetic_mesh(input);
       if constexpr(has_polygonal_mesh)
-        if(&method == &polygonal_method)
-          made.surface = polygonal_mesh(input, seconds);
+        made.surface = polygonal_mesh(largest_planes(all, planes), seconds);
       return made;
     } catch(const Too_many_faces& e) {
-      if(made.planes == fewest_planes)
+      planes = (std::min)(planes, all.planes.size());
+      if(planes == fewest_planes)
         throw;
       made.warning = e.what();
-      made.planes = (std::max)(made.planes * 3 / 4, fewest_planes);
+      planes = (std::max)(planes * 3 / 4, fewest_planes);
     }
-  }
+}
+
+// Of as many planes as the method takes.
+Made_surface make_surface(const Point_set& points, const Shapes& shapes, const Options& o)
+{
+  const Mesh_method& method = method_of(o);
+  const std::size_t planes = o.mesh_planes ? std::size_t(*o.mesh_planes) : method.by_default;
+  Made_surface made;
+  if(&method == &polygonal_method)
+    return make_polygonal(mesh_input(points, shapes), planes, int(o.mesh_seconds.value_or(longest_seconds)));
+  if constexpr(has_kinetic_mesh)
+    if(&method == &kinetic_method)
+      made.surface = kinetic_mesh(points, shapes, planes);
+  if(&method == &cells_method)
+    made.surface = cells_mesh(points, shapes, planes);
+  made.usable_planes = made.surface.number_of_planes;
+  check_number_of_planes(made.usable_planes);
+  if(made.usable_planes == planes && shapes.statistics().number_of_planes > planes)
+    made.usable_planes = (std::max)(planes, mesh_input(points, shapes).planes.size());
+  return made;
 }
 
 // Points and faces, as .off and .ply have them.
@@ -139,15 +154,13 @@ try {
 
 Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& shapes, const Options& o)
 {
-  const Mesh_input input = mesh_input(points, shapes);
-  const std::size_t usable = input.planes.size();
-  if(usable < fewest_planes)
-    throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(usable) + " were found");
-  const Made_surface made = make_surface(points, shapes, input, o);
+  const Made_surface made = make_surface(points, shapes, o);
   const Surface& surface = made.surface;
+  const std::string planes = number_of(surface.number_of_planes, made.usable_planes);
   if(surface.faces.empty())
-    throw std::runtime_error("--mesh: no volume was found that " + number_of(made.planes, usable) + " enclose" +
-                             (made.planes < usable ? " (" + limits_of(method_of(o)) + ")" : ""));
+    throw std::runtime_error(
+      "--mesh: no volume was found that " + planes + " enclose" +
+      (surface.number_of_planes < made.usable_planes ? " (" + limits_of(method_of(o)) + ")" : ""));
   const std::string extension = lower_case_extension(o.mesh);
   out << std::setprecision(17);
   if(extension == ".off")
@@ -156,9 +169,9 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
     write_obj(out, surface);
   else
     write_ply(out, surface);
-  Mesh_facts facts{made.planes, surface.faces.size(), usable, {}};
+  Mesh_facts facts{surface.number_of_planes, surface.faces.size(), made.usable_planes, {}};
   if(!made.warning.empty())
-    facts.warning = o.mesh + ": has " + number_of(made.planes, usable) + ", those with most points: " + made.warning;
+    facts.warning = o.mesh + ": has " + planes + ", those with most points: " + made.warning;
   return facts;
 }
 

@@ -55,6 +55,7 @@ enum fixed_directions_t { fixed_directions };
 enum maximum_distance_map_t { maximum_distance_map };
 enum maximum_number_of_planes_t { maximum_number_of_planes };
 enum one_for_each_plane_t { one_for_each_plane };
+enum partition_t { partition };
 enum regularity_t { regularity };
 enum settings_t { settings };
 enum simplicity_t { simplicity };
@@ -90,7 +91,8 @@ enum surfel_size_t { surfel_size };
   X(symmetry_direction, symmetry_direction_t)                                                                          \
   X(fixed_directions, fixed_directions_t)                                                                              \
   X(one_for_each_plane, one_for_each_plane_t)                                                                          \
-  X(maximum_number_of_planes, maximum_number_of_planes_t)
+  X(maximum_number_of_planes, maximum_number_of_planes_t)                                                              \
+  X(partition, partition_t)
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef
