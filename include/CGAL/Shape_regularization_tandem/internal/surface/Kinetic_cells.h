@@ -71,7 +71,7 @@ private:
                                                                   Partition::Linear_cell_complex_min_items>;
   using Dart = Complex::Dart_descriptor;                    // of an edge of a facet, on one side of it
   static constexpr std::size_t number_of_intersections = 1; // that a polygon goes beyond
-  static constexpr int number_of_directions = 16;           // in which a polygon has corners
+  static constexpr int number_of_directions = 8;
 
   // Where the box is about the origin, and has an extent of about 1.
   Point in(const Point& p) const
@@ -87,18 +87,21 @@ private:
                  CGAL::to_double(p.z() * unit + center_.z()));
   }
 
-  // CGAL drops corners at which a polygon turns by little, which would be all of those of a round one.
-  static std::vector<Kernel::Point_2> corners_of(const Plane_coverage& plane)
+  // Corners where the hull goes farthest in each of some directions, and a little beyond it. CGAL drops corners at which
+  // a polygon turns by little, which would be all of those of a round one; and of a symmetric one corners grow along
+  // lines that end exactly where planes meet, at which its assertions fail by rounding.
+  static std::vector<Point> corners_of(const Plane_coverage& plane)
   {
-    std::vector<Kernel::Point_2> result;
+    constexpr double first_angle = .1; // so that no direction is along a symmetric one
+    const CGAL::Bbox_2 box = CGAL::bbox_2(plane.hull().begin(), plane.hull().end());
+    const double beyond = .001 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    std::vector<Point> result;
     for(int i = 0; i < number_of_directions; ++i) {
-      const double angle = 2 * CGAL_PI * i / number_of_directions;
+      const double angle = first_angle + 2 * CGAL_PI * i / number_of_directions;
       const Kernel::Vector_2 direction(std::cos(angle), std::sin(angle));
-      const Kernel::Point_2 corner =
-        *std::max_element(plane.hull().begin(), plane.hull().end(),
-                          [&](const auto& p, const auto& q) { return (q - p) * direction > 0; });
-      if(result.empty() || result.back() != corner)
-        result.push_back(corner);
+      const auto farthest = std::max_element(plane.hull().begin(), plane.hull().end(),
+                                             [&](const auto& p, const auto& q) { return (q - p) * direction > 0; });
+      result.push_back(plane.raised(*farthest + beyond * direction));
     }
     return result;
   }
@@ -121,9 +124,9 @@ private:
   void insert(const std::vector<Plane_coverage>& planes, Partition& partition)
   {
     for(std::size_t p = 0; p < planes.size(); ++p) {
-      std::vector<Point> corners;
-      for(const Kernel::Point_2& corner : corners_of(planes[p]))
-        corners.push_back(in(planes[p].raised(corner)));
+      std::vector<Point> corners = corners_of(planes[p]);
+      for(Point& corner : corners)
+        corner = in(corner);
       std::vector<std::size_t> loop(corners.size());
       std::iota(loop.begin(), loop.end(), std::size_t(0));
       partition.insert(corners, std::vector<std::vector<std::size_t>>(1, loop));
