@@ -55,7 +55,7 @@ public:
   {
     std::frexp((std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()}), &exponent_);
     try {
-      make_partition(planes);
+      make_partition(planes, box);
     } catch(const CGAL::Failure_exception&) {
       fail();
     }
@@ -106,13 +106,14 @@ private:
     return result;
   }
 
-  void make_partition(const std::vector<Plane_coverage>& planes)
+  void make_partition(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
   {
     const Silenced_stream remarks(std::cout), errors(std::cerr);
     Partition partition;
-    insert(planes, partition);
+    const CGAL::Bbox_3 inserted = insert(planes, partition);
     // More polygons than this size would make CGAL cut the space by an octree, whose planes would be walls.
-    partition.initialize(CGAL::parameters::max_octree_node_size(planes.size()));
+    partition.initialize(
+      CGAL::parameters::max_octree_node_size(planes.size()).bbox_dilation_ratio(dilation(inserted, box)));
     partition.partition(number_of_intersections);
     Complex complex;
     partition.get_linear_cell_complex(complex);
@@ -120,19 +121,32 @@ private:
     add_cells(complex);
   }
 
-  // CGAL leaves out those that have the plane of another one.
-  void insert(const std::vector<Plane_coverage>& planes, Partition& partition)
+  // Returns the box of the polygons. CGAL leaves out those that have the plane of another one.
+  CGAL::Bbox_3 insert(const std::vector<Plane_coverage>& planes, Partition& partition)
   {
+    CGAL::Bbox_3 result;
     for(std::size_t p = 0; p < planes.size(); ++p) {
-      std::vector<Point> corners = corners_of(planes[p]);
-      for(Point& corner : corners)
-        corner = in(corner);
+      std::vector<Point> corners;
+      for(const Point& corner : corners_of(planes[p])) {
+        corners.push_back(in(corner));
+        result += corner.bbox();
+      }
       std::vector<std::size_t> loop(corners.size());
       std::iota(loop.begin(), loop.end(), std::size_t(0));
       partition.insert(corners, std::vector<std::vector<std::size_t>>(1, loop));
       if(partition.input_planes().size() > plane_of_input_.size())
         plane_of_input_.push_back(int(p));
     }
+    return result;
+  }
+
+  // By which the box of the polygons is about as large as the box that is to be cut, and larger than the polygons.
+  static double dilation(const CGAL::Bbox_3& polygons, const CGAL::Bbox_3& box)
+  {
+    double result = 1.001;
+    for(int axis = 0; axis < 3; ++axis)
+      result = (std::max)(result, (box.max(axis) - box.min(axis)) / (polygons.max(axis) - polygons.min(axis)));
+    return (std::min)(result, 1.1);
   }
 
   void add_cells(Complex& complex)
