@@ -70,7 +70,7 @@ private:
   using Complex = CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, CGAL::Linear_cell_complex_traits<3, Exact>,
                                                                   Partition::Linear_cell_complex_min_items>;
   using Dart = Complex::Dart_descriptor;                    // of an edge of a facet, on one side of it
-  static constexpr std::size_t number_of_intersections = 1; // that a polygon goes beyond
+  static constexpr std::size_t number_of_intersections = 1; // a polygon grows until it meets as many others
   static constexpr int number_of_directions = 8;
 
   // Where the box is about the origin, and has an extent of about 1.
