@@ -8,12 +8,14 @@
 
 namespace program {
 
-Surface kinetic_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes)
+Surface kinetic_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes,
+                     const Kernel::Vector_3& up)
 try {
   auto made = CGAL::Tandem::closed_surface(shapes, points,
                                            CGAL::Tandem::parameters::maximum_number_of_planes(int(number_of_planes))
+                                             .symmetry_direction(up)
                                              .partition(CGAL::Tandem::Kinetic_partition()));
-  return {std::move(made.points), std::move(made.faces), made.number_of_planes};
+  return {std::move(made.points), std::move(made.faces), made.number_of_planes, made.number_of_points};
 } catch(const std::runtime_error&) {
   throw std::runtime_error("--mesh: the kinetic space partition of CGAL fails at these planes: take fewer by "
                            "--mesh-planes, or the method cells");

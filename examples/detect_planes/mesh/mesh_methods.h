@@ -12,6 +12,7 @@
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ struct Surface {
   using Face = std::vector<std::size_t>; // positions of the corners in the points
   std::vector<Kernel::Point_3> points;
   std::vector<Face> faces;
-  std::size_t number_of_planes = 0; // that it could be made of: they have an area
+  std::size_t number_of_planes = 0;            // that it could be made of: they have an area
+  std::optional<std::size_t> number_of_points; // of shapes, whose plane is the surface there; if it is known
 };
 
 // Six times that between the faces and the first point; positive if they are counterclockwise, seen from outside.
@@ -53,10 +55,12 @@ struct Too_many_faces : std::runtime_error {
 };
 
 // By CGAL::Tandem::closed_surface(), of the planes with most points: they cut space into cells ...
-Surface cells_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes);
+Surface cells_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes,
+                   const Kernel::Vector_3& up);
 
 // ... or CGAL::Kinetic_space_partition_3 does.
-Surface kinetic_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes);
+Surface kinetic_mesh(const Point_set& points, const Shapes& shapes, std::size_t number_of_planes,
+                     const Kernel::Vector_3& up);
 
 // By CGAL::Polygonal_surface_reconstruction. It chooses from all faces that the planes cut each other into: time and
 // memory grow with the cube of the number of planes. The solver has `seconds` of processor time.

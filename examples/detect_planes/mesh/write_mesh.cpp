@@ -7,6 +7,7 @@
 #include "mesh/mesh_methods.h"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <ostream>
 #include <stdexcept>
@@ -67,16 +68,19 @@ Made_surface make_surface(const Point_set& points, const Shapes& shapes, const O
 {
   const Mesh_method& method = method_of(o);
   const std::size_t planes = o.mesh_planes ? std::size_t(*o.mesh_planes) : method.by_default;
+  const std::array<double, 3> d = o.symmetry_direction.value_or(std::array<double, 3>{0, 0, 1});
+  const Kernel::Vector_3 up(d[0], d[1], d[2]);
   Made_surface made;
   if(&method == &polygonal_method)
     return make_polygonal(mesh_input(points, shapes), planes, int(o.mesh_seconds.value_or(longest_seconds)));
   if constexpr(has_kinetic_mesh)
     if(&method == &kinetic_method)
-      made.surface = kinetic_mesh(points, shapes, planes);
+      made.surface = kinetic_mesh(points, shapes, planes, up);
   if(&method == &cells_method)
-    made.surface = cells_mesh(points, shapes, planes);
+    made.surface = cells_mesh(points, shapes, planes, up);
   made.usable_planes = made.surface.number_of_planes;
-  check_number_of_planes(made.usable_planes);
+  if(made.surface.faces.empty()) // otherwise walls without points are among them
+    check_number_of_planes(made.usable_planes);
   if(made.usable_planes == planes && shapes.statistics().number_of_planes > planes)
     made.usable_planes = (std::max)(planes, mesh_input(points, shapes).planes.size());
   return made;
@@ -169,7 +173,7 @@ Mesh_facts write_mesh(std::ostream& out, const Point_set& points, const Shapes& 
     write_obj(out, surface);
   else
     write_ply(out, surface);
-  Mesh_facts facts{surface.number_of_planes, surface.faces.size(), made.usable_planes, {}};
+  Mesh_facts facts{surface.number_of_planes, surface.faces.size(), made.usable_planes, surface.number_of_points, {}};
   if(!made.warning.empty())
     facts.warning = o.mesh + ": has " + planes + ", those with most points: " + made.warning;
   return facts;

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace program {
@@ -21,6 +22,7 @@ void check_mesh_options(const Options& o);
 struct Mesh_facts {
   std::size_t planes = 0, faces = 0; // of the surface
   std::size_t usable_planes = 0;     // those that have an area
+  std::optional<std::size_t> points; // of shapes, whose plane is the surface there; if it is known
   std::string warning;               // if it has fewer planes than it was to have
 };
 

@@ -58,16 +58,18 @@ The planes cut the box of the points into cells, and a minimum cut chooses those
 points, as in airborne scans, are added below the borders of shapes. \ref Tandem_models_surface describes the method.
 
 The surface is closed, oriented outward and a two-manifold; it has several parts where there are several buildings. It
-is empty if the planes enclose nothing, or fewer than four of them have an area. Corners are rounded to `FT`: where
-they are closer than that, as of a `Kernel` of `float` far from the origin, faces may touch or cross.
+is empty if the planes enclose nothing, or fewer than four of them, walls included, have an area. Corners are rounded to
+`FT`, and those closer than 10<sup>-9</sup> of the extent of the points become one: so faces are in their planes up to that,
+and where planes come closer to each other than rounding allows, as of a `Kernel` of `float` far from the origin, faces may touch
+or cross.
 
 It is in the header `CGAL/Shape_regularization_tandem/closed_surface.h`, which `CGAL/Shape_regularization_tandem.h` does
 not include.
 
 With n planes, those of walls included, whose points meet their neighbors only, there are O(n) cells; planes that cross
-each other everywhere make O(n<sup>3</sup>) of them. For each cell, 256 rays are tested with each plane, and each plane is
-tested with all cells. The outlines of `polygons()` are found before. With `CGAL_LINKED_WITH_TBB` this runs in
-parallel. The result is the same for every number of threads.
+each other everywhere make O(n<sup>3</sup>) of them. For each facet that has points, 256 rays are tested with each plane, and
+each plane is tested with all cells. The outlines of `polygons()` are found before. With `CGAL_LINKED_WITH_TBB` this runs
+in parallel. The result is the same for every number of threads.
 
 \param shapes the result of a detection
 \param points the range of points that it is of
