@@ -112,6 +112,18 @@ void check_program(const Options& o, const Ranks& ranks)
     throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
 }
 
+// What is to be said of the outlines is said when the line of progress is gone.
+void write_files(Output_files& files, const Shapes& shapes, const Options& o, bool is_first, Run& run)
+{
+  const std::size_t said = run.warnings.size();
+  std::optional<Progress_line> progress;
+  progress.emplace(!o.is_quiet && is_first, "writing");
+  files.write(shapes, run);
+  progress.reset();
+  for(std::size_t i = said; i < run.warnings.size(); ++i)
+    warn(run.warnings[i]);
+}
+
 // Whether there is a surface is not known before. If there is none, the others are complete. Returns why there is none.
 std::string make_mesh(Output_files& files, const Shapes& shapes, const Options& o, Run& run)
 try {
@@ -218,10 +230,7 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   }
   zeros.show();
   const Shapes& sided = sides(*shapes);
-  ranks.together([&] {
-    const Progress_line progress(!o.is_quiet && ranks.is_first(), "writing");
-    files->write(sided, run);
-  });
+  ranks.together([&] { write_files(*files, sided, o, ranks.is_first(), run); });
   ranks.together([&] {
     first_signal_removes = 0; // from here on, all files get their names
     check_signals();

@@ -10,6 +10,7 @@
 #include "input/read_cloud.h"
 #include "output/Output_file.h"
 #include "output/report.h"
+#include "output/shape_areas.h"
 #include "output/writers.h"
 #include "mesh/write_mesh.h"
 #include "output/write_results.h"
@@ -39,12 +40,14 @@ public:
   // But for the mesh.
   bool is_empty() const { return files.empty() && options.output_directory.empty(); }
 
-  // All but the mesh. None of them has its name before commit().
-  void write(const Shapes& shapes, const Run& run)
+  // All but the mesh. None of them has its name before commit(). Adds a warning where shapes have no polygon.
+  void write(const Shapes& shapes, Run& run)
   {
     Shape_areas areas;
     if(!options.polygons.empty() || !options.view.empty())
       areas = areas_of_shapes(cloud.points, shapes);
+    if(!options.polygons.empty() && areas.number_of_empty_entries() > 0)
+      run.warnings.push_back(why_empty(areas));
     for(std::size_t i = 0; i < writers.size(); ++i)
       write_file(i, Results{options, cloud, shapes, areas, run});
     if(!options.output_directory.empty())

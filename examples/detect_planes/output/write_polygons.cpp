@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <limits>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -22,18 +23,23 @@ struct Face {
 };
 using Faces = std::vector<Face>;
 
-// Without holes.
-Faces faces_of(const Shape_areas& areas, Faces_of_file kind)
+// Without holes, counterclockwise as seen from the outward side.
+Faces faces_of(const Shape_areas& areas, const Shapes& shapes, Faces_of_file kind)
 {
   Faces result;
+  const auto add = [&](std::size_t s, Polygon::Loop corners) {
+    if(shapes.is_flipped(s))
+      std::reverse(corners.begin(), corners.end());
+    result.push_back({s, std::move(corners)});
+  };
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
     for(const Polygon& polygon : areas.polygons(s)) {
       if(kind == Faces_of_file::polygons && polygon.holes.empty()) {
-        result.push_back({s, polygon.outer});
+        add(s, polygon.outer);
         continue;
       }
       for(const auto& t : polygon.triangles)
-        result.push_back({s, {t.begin(), t.end()}});
+        add(s, {t.begin(), t.end()});
     }
   return result;
 }
@@ -105,9 +111,19 @@ void write_off(std::ostream& out, const Shape_areas& areas, const Faces& faces)
 
 // --- GeoJSON, of which no more than a polygon is in memory at once
 
-// The first corner again at the end.
-Json json_of_ring(const Shape_areas& areas, const Polygon::Loop& ring)
+// Exterior rings are counterclockwise as seen from above, as RFC 7946 wants it. Upright ones are so about the normal of
+// the written plane.
+bool is_seen_from_below(const Shapes& shapes, std::size_t s)
 {
+  constexpr double rounding = 1e-9; // of unit normals; it is far less than that
+  return shapes.coefficients(s)[2] < -rounding;
+}
+
+// The first corner again at the end.
+Json json_of_ring(const Shape_areas& areas, Polygon::Loop ring, bool is_reversed)
+{
+  if(is_reversed)
+    std::reverse(ring.begin(), ring.end());
   Json json = Json::array();
   for(std::size_t i = 0; i <= ring.size(); ++i) {
     const Kernel::Point_3& p = areas.points()[ring[i % ring.size()]];
@@ -116,13 +132,15 @@ Json json_of_ring(const Shape_areas& areas, const Polygon::Loop& ring)
   return json;
 }
 
-void write_coordinates(std::ostream& out, const Shape_areas& areas, std::size_t s, Faces_of_file faces)
+void write_coordinates(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, std::size_t s,
+                       Faces_of_file faces)
 {
   const char* before = "\n   ";
+  const bool is_reversed = is_seen_from_below(shapes, s);
   const auto write_polygon = [&](const Polygon::Loop& outer, const std::vector<Polygon::Loop>& holes) {
-    Json json = Json::array({json_of_ring(areas, outer)});
+    Json json = Json::array({json_of_ring(areas, outer, is_reversed)});
     for(const Polygon::Loop& hole : holes)
-      json.push_back(json_of_ring(areas, hole));
+      json.push_back(json_of_ring(areas, hole, is_reversed));
     out << before << json;
     before = ",\n   ";
   };
@@ -149,7 +167,7 @@ void write_geojson(std::ostream& out, const Shape_areas& areas, const Shapes& sh
                              {"area", areas.area(s)}};
     out << (s == 0 ? "\n" : ",\n") << R"( {"type": "Feature", "id": )" << s << R"(, "properties": )" << properties
         << R"(, "geometry": {"type": "MultiPolygon", "coordinates": [)";
-    write_coordinates(out, areas, s, format.faces);
+    write_coordinates(out, areas, shapes, s, format.faces);
     out << "]}}";
   }
   out << "\n]}\n";
@@ -160,11 +178,11 @@ void write_geojson(std::ostream& out, const Shape_areas& areas, const Shapes& sh
 void write_polygons(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Polygon_format& format)
 {
   if(format.extension == ".obj")
-    write_obj(out, areas, faces_of(areas, format.faces));
+    write_obj(out, areas, faces_of(areas, shapes, format.faces));
   else if(format.extension == ".ply")
-    write_ply(out, areas, faces_of(areas, format.faces));
+    write_ply(out, areas, faces_of(areas, shapes, format.faces));
   else if(format.extension == ".off")
-    write_off(out, areas, faces_of(areas, format.faces));
+    write_off(out, areas, faces_of(areas, shapes, format.faces));
   else
     write_geojson(out, areas, shapes, format);
 }

@@ -14,8 +14,8 @@ namespace Tandem {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief A polygon with holes in a plane, whose corners are positions in a table of points. Left and right, here, are as
-seen from the side to which the normal of the plane points.
+\brief A polygon with holes in a plane, whose corners are positions in a table of points. The order of corners is
+that seen from the side to which the normal of `Planar_shapes_3::plane()` points, whatever the normals of the points are.
 */
 struct Indexed_polygon {
   /// the corners of a closed line, the first one once

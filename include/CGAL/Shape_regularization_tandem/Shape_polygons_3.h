@@ -11,8 +11,10 @@
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -25,11 +27,13 @@ namespace Tandem {
 \brief The areas that the points of planar shapes cover: for each shape, or each distinct plane, polygons with holes.
 `polygons()` makes it.
 
-An *entry* is what one shape or one plane has: any number of polygons, also none. The corners of all polygons are in one
+An *entry* is what one shape or one plane has: any number of polygons. An entry whose points cover less than 20 squares of
+their spacing has none: `number_of_empty_entries()` counts these. The corners of all polygons are in one
 table of points. Each corner is on its plane, as closely as doubles allow, and where two shapes meet, corners on the line
 of their planes are on both; a point that several polygons have is in the table once. Where a common
-corner would make an outline cross itself, it is left out of that one. Polygons of an entry are simple and
-have no common points, holes included: this holds exactly in the frame of the entry.
+corner would make an outline cross itself, it is left out of that one. Polygons of one entry are simple and
+have no common points, holes included: this holds exactly in the frame of the entry. Polygons of two entries may overlap,
+also where both are in one plane: `one_for_each_plane` makes one entry of these.
 
 \tparam GeomTraits a model of `Kernel`
 */
@@ -57,7 +61,7 @@ public:
 
   /*!
   The frame of an entry: the coordinates of its plane without the one along which the plane is steepest, that is, of the
-  largest number in its normal, such that the normal points to the viewer. Coordinates are not computed, so that what is
+  largest number in its normal, such that the normal of `Planar_shapes_3::plane()` points to the viewer. Coordinates are not computed, so that what is
   simple here is simple in space. Lengths, angles and areas are not those in space: `Shape_polygons_3::area()` is.
   */
   class Frame {
@@ -101,14 +105,25 @@ public:
   /// the number of entries: of shapes, or of distinct planes
   std::size_t number_of_entries() const { return table_.polygons.size(); }
 
+  /// whether entry `i` has no polygon
+  bool is_empty(std::size_t i) const { return table_.polygons[i].empty(); }
+
+  /// the number of entries that have no polygon
+  std::size_t number_of_empty_entries() const
+  {
+    return std::size_t(std::count_if(table_.polygons.begin(), table_.polygons.end(),
+                                     [](const std::vector<Indexed_polygon>& polygons) { return polygons.empty(); }));
+  }
+
   /// the corners of all polygons, each once
   const std::vector<Point_3>& points() const { return points_; }
 
   /// the polygons of entry `i`, whose corners are positions in `points()`
   const std::vector<Indexed_polygon>& polygons(std::size_t i) const { return table_.polygons[i]; }
 
-  /// the triangles of all polygons of entry `i`, counterclockwise as seen from the side to which the normals point: for
-  /// each polygon a constrained Delaunay triangulation in the frame, without further vertices
+  /// the triangles of all polygons of entry `i`, counterclockwise as seen from the side to which the normal of its
+  /// plane points: for each polygon a constrained Delaunay triangulation in the frame, without further vertices. Where
+  /// `Planar_shapes_3::is_flipped()`, the points were seen from the other side.
   std::vector<std::array<std::uint32_t, 3>> triangles(std::size_t i) const
   {
     std::vector<std::array<std::uint32_t, 3>> result;

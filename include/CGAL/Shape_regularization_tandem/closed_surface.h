@@ -98,7 +98,7 @@ in parallel. The result is the same for every number of threads.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throw std::invalid_argument the number of points is not that of the detection; fewer than four planes are asked for; the
+\throw std::invalid_argument the points are not those of the detection, as `polygons()` says; fewer than four planes are asked for; the
 direction is null
 \throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
 \throw std::runtime_error the `Kinetic_partition` fails
@@ -110,13 +110,14 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   namespace surface = internal::surface;
   using FT = typename GeomTraits::FT;
   internal::outlines::check_input(shapes, points.size());
+  const auto coordinates = internal::outlines::coordinates_of(points, np);
+  internal::outlines::check_points(shapes, coordinates);
   const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, 200);
   if(most < 4)
     throw std::invalid_argument("maximum_number_of_planes is " + std::to_string(most) + ", must be at least 4.");
   const surface::Vector up = surface::upward(
     internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
-  const surface::Surface_input input(internal::outlines::coordinates_of(points, np),
-                                     internal::outlines::Shapes(shapes.data()), std::size_t(most), up);
+  const surface::Surface_input input(coordinates, internal::outlines::Shapes(shapes.data()), std::size_t(most), up);
   Closed_surface_3<GeomTraits> result;
   result.number_of_planes = input.number_of_planes();
   if(input.planes().size() < surface::Surface_input::fewest_planes)

@@ -27,7 +27,7 @@ include.
 
 Each shape of n points takes O(n log n) time for a Delaunay triangulation in its plane, and time in proportion to the
 points that are close to planes of shapes nearby. With `CGAL_LINKED_WITH_TBB`, shapes are processed in parallel. The
-result is the same for every number of threads.
+result is the same for every number of threads, and does not depend on the order of the points of a shape.
 
 \param shapes the result of a detection
 \param points the range of points that it is of
@@ -46,7 +46,8 @@ result is the same for every number of threads.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throw std::invalid_argument the number of points is not that of the detection
+\throw std::invalid_argument the points are not those of the detection, nor the projections of these: their number is
+another one, or one of a shape is not finite or farther from its plane than `maximum_distance`
 \throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -55,11 +56,12 @@ Shape_polygons_3<GeomTraits> polygons(const Planar_shapes_3<GeomTraits>& shapes,
 {
   namespace outlines = internal::outlines;
   outlines::check_input(shapes, points.size());
+  const std::vector<outlines::Kernel::Point_3> coordinates = outlines::coordinates_of(points, np);
+  outlines::check_points(shapes, coordinates);
   const bool is_by_plane = internal::parameter<internal_np::one_for_each_plane_t>(np, false);
   const outlines::Shapes of_doubles(is_by_plane ? outlines::shapes_of_planes(shapes.data(), shapes.point_groups())
                                                 : shapes.data());
-  return Shape_polygons_3<GeomTraits>(
-    outlines::Polygon_maker(outlines::coordinates_of(points, np), of_doubles).polygons());
+  return Shape_polygons_3<GeomTraits>(outlines::Polygon_maker(coordinates, of_doubles).polygons());
 }
 
 } // namespace Tandem

@@ -7,12 +7,15 @@
 
 #include "testing/box_cloud.h"
 
+#include <CGAL/Shape_regularization_tandem/closed_surface.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -86,6 +89,31 @@ void check_frames()
   }
 }
 
+// Outer boundaries and triangles are counterclockwise about the normals of plane(), whatever the normals of the points are.
+void check_orientation()
+{
+  for(const double side : {1, -1}) {
+    auto cloud = make_pairs<Epick>(make_box_cloud(400));
+    for(auto& item : cloud)
+      item.second = side * item.second;
+    const auto r = result_of<Epick>(cloud);
+    std::size_t flipped = 0;
+    for(std::size_t i = 0; i < r.areas.number_of_entries(); ++i) {
+      flipped += r.shapes.is_flipped(i);
+      const auto& p = r.areas.points();
+      const Epick::Vector_3 normal = r.shapes.plane(i).orthogonal_vector();
+      for(const auto& t : r.areas.triangles(i))
+        CHECK(CGAL::cross_product(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]) * normal > 0);
+      Epick::Vector_3 area = CGAL::NULL_VECTOR;
+      const auto& outer = r.areas.polygons(i).at(0).outer;
+      for(std::size_t k = 1; k + 1 < outer.size(); ++k)
+        area = area + CGAL::cross_product(p[outer[k]] - p[outer[0]], p[outer[k + 1]] - p[outer[0]]);
+      CHECK(area * normal > 0);
+    }
+    CHECK_AT(flipped == 3, std::to_string(flipped));
+  }
+}
+
 // Two squares of one plane, as one entry or as two.
 void check_planes()
 {
@@ -112,6 +140,48 @@ bool throws(Function f)
   return false;
 }
 
+// Entries are counted that have no polygon: of points on two lines.
+void check_empty()
+{
+  Pairs<Epick> cloud;
+  for(int i = 0; i < 200; ++i)
+    cloud.emplace_back(Epick::Point_3(.001 * (i / 2), .001 * (i % 2), 0), Epick::Vector_3(0, 0, 1));
+  const auto r = result_of<Epick>(cloud);
+  CHECK(r.areas.number_of_entries() == 1 && r.areas.number_of_empty_entries() == 1 && r.areas.is_empty(0));
+  const auto box = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
+  CHECK(box.areas.number_of_empty_entries() == 0 && !box.areas.is_empty(0));
+}
+
+// Another order of the range, and points that are not finite; projected points are accepted, also in `float`.
+template <class Kernel>
+void check_points_of()
+{
+  const auto r = result_of<Kernel>(make_pairs<Kernel>(make_box_cloud(400)));
+  const auto map = np::point_map(First<Kernel>());
+  auto other = r.cloud;
+  std::reverse(other.begin(), other.end());
+  CHECK(throws<std::invalid_argument>([&] { CGAL::Tandem::polygons(r.shapes, other, map); }));
+  CHECK(throws<std::invalid_argument>([&] { CGAL::Tandem::closed_surface(r.shapes, other, map); }));
+  using FT = typename Kernel::FT;
+  for(const FT value : {std::numeric_limits<FT>::quiet_NaN(), std::numeric_limits<FT>::infinity()}) {
+    other = r.cloud;
+    other[r.shapes.points(2)[0]].first = typename Kernel::Point_3(FT(0), value, FT(0));
+    CHECK(throws<std::invalid_argument>([&] { CGAL::Tandem::polygons(r.shapes, other, map); }));
+  }
+  other = r.cloud;
+  for(std::size_t s = 0; s < r.shapes.number_of_shapes(); ++s)
+    for(std::size_t i : r.shapes.points(s))
+      other[i].first = r.shapes.plane(s).projection(other[i].first);
+  const auto areas = CGAL::Tandem::polygons(r.shapes, other, map);
+  CHECK(areas.number_of_entries() == 6 && areas.number_of_empty_entries() == 0);
+}
+
+void check_points()
+{
+  check_points_of<Epick>();
+  check_points_of<CGAL::Simple_cartesian<float>>();
+}
+
 void check_refused()
 {
   auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
@@ -123,6 +193,7 @@ void check_refused()
   ++data.size[0]; // a point of another process
   const CGAL::Tandem::Planar_shapes_3<Epick> part(data);
   CHECK(throws<std::logic_error>([&] { CGAL::Tandem::polygons(part, r.cloud, np::point_map(First<Epick>())); }));
+  check_points();
   const std::vector<Epick::Point_3> none;
   CHECK(CGAL::Tandem::polygons(CGAL::Tandem::Planar_shapes_3<Epick>(), none).number_of_entries() == 0);
 }
@@ -131,7 +202,9 @@ int main()
 {
   check_kernels();
   check_frames();
+  check_orientation();
   check_planes();
+  check_empty();
   check_refused();
   return report();
 }

@@ -20,12 +20,18 @@ public:
   using Flat_ring = std::vector<Flat>;
   using Violations = std::vector<std::string>;
 
-  Polygon_checker(const program::Shapes& shapes, std::size_t s) : c_(shapes.coefficients(s))
+  // Faces of meshes are counterclockwise as seen from the outward side, rings of GeoJSON as seen from above, or, if they
+  // are upright, from where the normal of the plane points to.
+  enum class Seen_from { above, outside };
+
+  Polygon_checker(const program::Shapes& shapes, std::size_t s, Seen_from side = Seen_from::above)
+    : c_(shapes.coefficients(s))
   {
     for(int k = 1; k < 3; ++k)
       if(std::fabs(c_[k]) > std::fabs(c_[steepest_]))
         steepest_ = k;
-    is_reversed_ = (c_[steepest_] < 0) != bool(shapes.is_flipped(s));
+    const bool is_opposite = side == Seen_from::above ? c_[2] < -1e-9 : shapes.is_flipped(s);
+    is_reversed_ = (c_[steepest_] < 0) != is_opposite;
   }
 
   // Of polygons with holes.

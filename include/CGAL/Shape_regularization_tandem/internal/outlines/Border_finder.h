@@ -72,7 +72,7 @@ private:
   double overhang(float spacing, const Line& line) const { return spacing + maximum_distance / line.sine; }
   double reach(float spacing, const Line& line) const { return 2 * spacing + maximum_distance / line.sine; }
   const Shapes::Coefficients& plane_of(std::size_t s) const { return planes[shapes.coplanar_group(s)]; }
-  Kernel::Vector_3 normal_of(std::size_t s) const { return shapes.oriented_plane(s).orthogonal_vector(); }
+  Kernel::Vector_3 normal_of(std::size_t s) const { return shapes.plane(s).orthogonal_vector(); }
   std::vector<Near_plane> planes_near(std::size_t s) const;
   Line line_of(std::size_t s, int plane) const;
   std::vector<Near_point> points_near(std::size_t s, const Line& line, const CGAL::Bbox_3& box,

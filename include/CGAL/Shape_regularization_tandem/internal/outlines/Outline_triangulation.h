@@ -25,11 +25,12 @@ namespace outlines {
 
 class Outline_triangulation {
 public:
-  // Fastest if points that are close in the sequence are close in the plane.
-  explicit Outline_triangulation(const std::vector<Kernel::Point_2>& points);
+  // Fastest if points that are close in the sequence are close in the plane. Points that are closer to each other than
+  // the resolution may be copies of one.
+  explicit Outline_triangulation(const std::vector<Kernel::Point_2>& points, double resolution = 0);
 
   // Of each point: the median length of the edges at it, smoothed; 0 if all points are on a line. Edges cross the gaps
-  // between scan lines, too.
+  // between scan lines, too. Copies have the spacing of their places.
   std::vector<float> spacings() const
   {
     std::vector<float> result;
@@ -37,6 +38,10 @@ public:
       result.push_back(v->info().spacing);
     return result;
   }
+
+  // Of each point: the length of the second shortest edge at it, smoothed. So two directions count: along a scan line, it
+  // is the distance of its points.
+  std::vector<float> second_distances();
 
   void insert(const Straight_border& border, const Plane_frame& frame);
 
@@ -75,9 +80,12 @@ private:
 
   static constexpr int smoothing_rounds = 8;
   static constexpr double smallest_square = 0x1p-200; // of a spacing; coordinates are up to 1
+  static constexpr std::size_t fewest_places = 20;    // of a piece
 
-  void measure_spacings();
+  template <class Number_of_shorter>
+  void measure_spacings(Number_of_shorter number_of_shorter);
   void smooth_spacings();
+  void take_spacings_of_places(const std::vector<Kernel::Point_2>& points, double resolution);
   Vertex_handle insert(const Border_vertex_position& position, const Straight_border& border, const Plane_frame& frame);
   void mark_inside(const Outline_limits& limits);
   void mark_beyond();

@@ -4,6 +4,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_IMPL_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TRIANGULATION_IMPL_H
 
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Distinct_places.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/face_shapes.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-inline Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>& points)
+inline Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Point_2>& points, double resolution)
 {
   vertices.reserve(points.size());
   Face_handle hint;
@@ -26,25 +27,28 @@ inline Outline_triangulation::Outline_triangulation(const std::vector<Kernel::Po
   has_area = triangulation.dimension() == 2;
   if(!has_area)
     return;
-  measure_spacings();
+  measure_spacings([](std::size_t number_of_edges) { return number_of_edges / 2; });
   for(int round = 0; round < smoothing_rounds; ++round)
     smooth_spacings();
   for(Vertex_handle v : triangulation.finite_vertex_handles()) {
     Vertex_info& info = v->info(); // beside denser points more than the mean
     info.spacing = std::exp((std::max)(info.spacing, (std::min)(info.measured, info.spacing + .25f)));
   }
+  if(resolution > Distinct_places::shortest)
+    take_spacings_of_places(points, resolution);
 }
 
-// The logarithm of the median of the lengths of the edges at a vertex.
-inline void Outline_triangulation::measure_spacings()
+// The logarithm of the length of an edge at a vertex, so many of whose edges are shorter.
+template <class Number_of_shorter>
+void Outline_triangulation::measure_spacings(Number_of_shorter number_of_shorter)
 {
   std::vector<double> squared;
   for(Vertex_handle v : triangulation.finite_vertex_handles()) {
     squared.clear();
     for_each_neighbor(v, [&](Vertex_handle u) { squared.push_back(CGAL::squared_distance(u->point(), v->point())); });
-    const auto middle = squared.begin() + std::ptrdiff_t(squared.size() / 2);
-    std::nth_element(squared.begin(), middle, squared.end());
-    v->info().spacing = v->info().measured = float(std::log((std::max)(*middle, smallest_square)) / 2);
+    const auto chosen = squared.begin() + std::ptrdiff_t(number_of_shorter(squared.size()));
+    std::nth_element(squared.begin(), chosen, squared.end());
+    v->info().spacing = v->info().measured = float(std::log((std::max)(*chosen, smallest_square)) / 2);
   }
 }
 
@@ -64,6 +68,54 @@ inline void Outline_triangulation::smooth_spacings()
   auto next = smooth.begin();
   for(Vertex_handle v : triangulation.finite_vertex_handles())
     v->info().spacing = *next++;
+}
+
+inline std::vector<float> Outline_triangulation::second_distances()
+{
+  if(!has_area)
+    return std::vector<float>(vertices.size(), 0);
+  measure_spacings([](std::size_t) { return std::size_t(1); });
+  for(int round = 0; round < smoothing_rounds; ++round)
+    smooth_spacings();
+  std::vector<float> result = spacings();
+  for(float& logarithm : result)
+    logarithm = std::exp(logarithm);
+  return result;
+}
+
+// Points closer to each other than a distance are taken as one place. On a surface or a line that the points cover, places
+// at half of the distance are half as far from each other. Where they are not, the points are copies of these places. So
+// the distance is halved, until places are no farther apart than the points.
+inline void Outline_triangulation::take_spacings_of_places(const std::vector<Kernel::Point_2>& points,
+                                                           double resolution)
+{
+  struct Place {
+    float spacing = 0, second = 0;
+    bool is_known = false;
+  };
+  const std::vector<float> own = spacings();
+  std::vector<float> sorted = own;
+  std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2), sorted.end());
+  const double smallest = (std::max)(double(sorted[sorted.size() / 2]), Distinct_places::shortest);
+  std::vector<Place> before(points.size());
+  for(double distance = 2 * resolution; distance >= smallest; distance /= 2) {
+    const Distinct_places places(points, distance);
+    if(places.places().size() < fewest_places)
+      continue;
+    Outline_triangulation coarse(places.places());
+    const std::vector<float> spacing = coarse.spacings(), second = coarse.second_distances();
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      Place& place = before[i];
+      if(place.is_known)
+        continue;
+      const std::size_t next = places.place_of(i);
+      place.is_known = place.second > 0 && second[next] * std::sqrt(2.f) > place.second;
+      if(!place.is_known)
+        place = {spacing[next], second[next], false};
+      else if(place.spacing > 2 * own[i])
+        vertices[i]->info().spacing = place.spacing;
+    }
+  }
 }
 
 // --- Straight borders

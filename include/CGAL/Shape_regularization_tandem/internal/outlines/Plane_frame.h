@@ -27,13 +27,13 @@ using Position = std::array<double, 3>;
 // what lines are here, simple for example, they are as they are written. Areas shrink by `shrinkage()`.
 class Projection {
 public:
-  Projection(const Shapes::Coefficients& plane, bool is_flipped) : plane(plane)
+  explicit Projection(const Shapes::Coefficients& plane) : plane(plane)
   {
     for(std::size_t k = 1; k < 3; ++k)
       if(std::fabs(plane[k]) > std::fabs(plane[steepest]))
         steepest = k;
     axes = {(steepest + 1) % 3, (steepest + 2) % 3};
-    if((plane[steepest] < 0) != is_flipped)
+    if(plane[steepest] < 0)
       std::swap(axes[0], axes[1]);
   }
 
@@ -67,9 +67,8 @@ public:
   Plane_frame(const Shapes& shapes, std::size_t s, const Kernel::Point_3& origin) : origin(origin)
   {
     const Shapes::Coefficients& c = shapes.coefficients(s);
-    const double sign = shapes.is_flipped(s) ? -1 : 1;
-    const Kernel::Vector_3 normal(sign * c[0], sign * c[1], sign * c[2]);
-    const std::size_t steepest = Projection(c, false).steepest_axis();
+    const Kernel::Vector_3 normal(c[0], c[1], c[2]);
+    const std::size_t steepest = Projection(c).steepest_axis();
     const Kernel::Vector_3 across =
       CGAL::cross_product(Kernel::Vector_3(steepest == 1, steepest == 2, steepest == 0), normal);
     first = across / std::sqrt(across.squared_length());

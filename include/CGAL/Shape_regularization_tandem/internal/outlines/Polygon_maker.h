@@ -9,6 +9,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Moved_ends.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Own_directions.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_directions.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Regular_loop.h>
@@ -32,17 +33,18 @@ namespace outlines {
 class Polygon_maker {
 public:
   Polygon_maker(const std::vector<Kernel::Point_3>& points, const Shapes& shapes)
-    : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes()), directions(shapes)
+    : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes()),
+      resolution(2 * unit.in(shapes.parameters().maximum_distance)), directions(shapes)
   {
     for(std::size_t s : shapes.distinct_planes())
       planes.push_back(unit.in(shapes.coefficients(s)));
     for(std::size_t s = 0; s < n; ++s)
-      projections.emplace_back(plane_of(s), shapes.is_flipped(s));
+      projections.emplace_back(plane_of(s));
     triangulations.resize(n);
     std::vector<std::unique_ptr<Shape_points>> made(n);
     for_each_in_parallel(n, [&](std::size_t s) {
       made[s] = std::make_unique<Shape_points>(points_of_shape(points, shapes, unit, s));
-      triangulations[s] = std::make_unique<Outline_triangulation>(made[s]->flat);
+      triangulations[s] = std::make_unique<Outline_triangulation>(made[s]->flat, resolution);
       made[s]->spacing = triangulations[s]->spacings();
     });
     for(const auto& shape : made)
@@ -63,7 +65,7 @@ public:
     for_each_in_parallel(n, [&](std::size_t s) { of_shapes[s] = polygons_of(s); });
     Polygon_table result = joined(of_shapes);
     for(std::size_t s = 0; s < n; ++s)
-      result.frames.emplace_back(shapes.coefficients(s), shapes.is_flipped(s));
+      result.frames.emplace_back(shapes.coefficients(s));
     return result;
   }
 
@@ -99,7 +101,7 @@ private:
     std::vector<Outline_loop> loops = placed(triangulations[s]->outline(limits), s);
     triangulations[s].reset();
     if(draft.make(std::move(loops), limits.tolerance) ||
-       draft.make(placed(Outline_triangulation(all[s].flat).outline(limits), s), limits.tolerance))
+       draft.make(placed(Outline_triangulation(all[s].flat, resolution).outline(limits), s), limits.tolerance))
       return true;
     const std::vector<Outline_loop> projected = projected_outline(s);
     if(!draft.make(projected, limits.tolerance))
@@ -112,11 +114,11 @@ private:
   {
     std::vector<std::vector<Wanted_end>> wanted(n);
     std::vector<std::vector<Kernel::Vector_2>> along(n); // what edges may be parallel to
+    for_each_in_parallel(n, [&](std::size_t s) { along[s] = directions.of_shape(s, all[s].frame); });
+    add_own_directions(shapes, drafts, is_framed, along);
     for_each_in_parallel(n, [&](std::size_t s) {
-      if(!is_framed[s])
-        return;
-      along[s] = directions.of_shape(s, all[s].frame);
-      wanted[s] = wanted_ends(s, along[s]);
+      if(is_framed[s])
+        wanted[s] = wanted_ends(s, along[s]);
     });
     Moved_ends moved;
     for(std::size_t s = 0; s < n; ++s) {
@@ -264,7 +266,7 @@ private:
     std::vector<Kernel::Point_2> points;
     for(const Kernel::Point_3& p : all[s].points)
       points.push_back(frame.projected({p.x(), p.y(), p.z()}));
-    std::vector<Outline_loop> loops = Outline_triangulation(points).outline(limits);
+    std::vector<Outline_loop> loops = Outline_triangulation(points, resolution).outline(limits);
     for(Outline_loop& loop : loops)
       for(Outline_vertex& v : loop) {
         v.position = frame.on_plane(v.written);
@@ -276,6 +278,7 @@ private:
   const Shapes& shapes;
   Unit unit;
   std::size_t n;
+  double resolution; // places are known no better along a plane than across it: to both sides
   Outline_limits limits;
   std::vector<Shapes::Coefficients> planes; // of the coplanar groups
   std::vector<Projection> projections;      // of the shapes, in the unit

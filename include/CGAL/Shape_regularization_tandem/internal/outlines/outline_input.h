@@ -11,9 +11,13 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -54,11 +58,41 @@ std::vector<Kernel::Point_3> coordinates_of(const PointRange& points, const NP& 
   return result;
 }
 
-// A shape for each plane, with the points of all shapes of that plane. It is flipped if its largest shape is.
+// In doubles, of the coordinates that the detection had, which a kernel may round.
+template <class FT>
+double rounding_of()
+{
+  if constexpr(std::is_floating_point<FT>::value)
+    return double(std::numeric_limits<FT>::epsilon());
+  else
+    return std::numeric_limits<double>::epsilon();
+}
+
+// The points of shapes are within `maximum_distance` of their planes, also those that were projected. Another order of the
+// range shows by this.
+template <class Any_shapes>
+void check_points(const Any_shapes& shapes, const std::vector<Kernel::Point_3>& points)
+{
+  const double rounding = 8 * rounding_of<typename Any_shapes::Geom_traits::FT>();
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+    const Coefficients& c = shapes.coefficients(s);
+    for(std::uint32_t i : shapes.points(s)) {
+      const Kernel::Point_3& p = points[i];
+      const double x = c[0] * p.x(), y = c[1] * p.y(), z = c[2] * p.z();
+      const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
+      if(!(std::fabs(x + y + z + c[3]) <= shapes.parameters().maximum_distance + rounding * size))
+        throw std::invalid_argument("Point " + std::to_string(i) + " is not on the plane of its shape " +
+                                    std::to_string(s) +
+                                    " within the maximum distance: pass the range of the detection, in its order.");
+    }
+  }
+}
+
+// A shape for each plane, with the points of all shapes of that plane.
 inline Shapes_data shapes_of_planes(Shapes_data data, const Point_groups& points)
 {
   const std::vector<int> first = representatives(data.coplanar_group), plane_of = data.coplanar_group;
-  std::vector<std::size_t> largest(first.size(), 0), sizes(first.size(), 0);
+  std::vector<std::size_t> sizes(first.size(), 0);
   const Shapes_data of_shapes = data;
   const auto take = [&](auto& column, const auto& all) {
     column.clear();
@@ -69,14 +103,8 @@ inline Shapes_data shapes_of_planes(Shapes_data data, const Point_groups& points
   take(data.parallel_group, of_shapes.parallel_group);
   take(data.is_flipped, of_shapes.is_flipped);
   take(data.coplanar_group, of_shapes.coplanar_group);
-  for(std::size_t s = 0; s < plane_of.size(); ++s) {
-    const std::size_t plane = std::size_t(plane_of[s]), size = points.first[s + 1] - points.first[s];
-    sizes[plane] += size;
-    if(size > largest[plane]) {
-      largest[plane] = size;
-      data.is_flipped[plane] = of_shapes.is_flipped[s];
-    }
-  }
+  for(std::size_t s = 0; s < plane_of.size(); ++s)
+    sizes[std::size_t(plane_of[s])] += points.first[s + 1] - points.first[s];
   data.size = sizes;
   std::vector<std::int32_t> labels(of_shapes.shape_of.begin(), of_shapes.shape_of.end());
   for(std::int32_t& label : labels)
