@@ -49,8 +49,7 @@ void check_copies()
       for(double jitter : {0., 1e-6, 1e-3, 4e-3}) {
         if(places > 300 ? copies > 8 || jitter > 1e-6 || is_sanitized : copies > 50 && jitter > 1e-3)
           continue;
-        const std::string name =
-          std::to_string(places) + ' ' + std::to_string(copies) + ' ' + std::to_string(jitter);
+        const std::string name = std::to_string(places) + ' ' + std::to_string(copies) + ' ' + std::to_string(jitter);
         const Cloud cloud = make_copies(places, copies, jitter);
         const Shapes shapes = detect(cloud, make_parameters(epsilon, 100 * copies));
         CHECK_AT(shapes.number_of_shapes() == 2, name + ": " + std::to_string(shapes.number_of_shapes()));

@@ -66,8 +66,7 @@ std::vector<Kernel::Vector_3> edges_of(const Areas& areas, std::size_t s)
 bool are_regular(const Kernel::Vector_3& a, const Kernel::Vector_3& b)
 {
   const double product = std::sqrt(a.squared_length() * b.squared_length());
-  return std::fabs(a * b) < 1e-9 * product ||
-         std::sqrt(CGAL::cross_product(a, b).squared_length()) < 1e-9 * product;
+  return std::fabs(a * b) < 1e-9 * product || std::sqrt(CGAL::cross_product(a, b).squared_length()) < 1e-9 * product;
 }
 
 void check_square(const Areas& areas, std::size_t s, const Kernel::Vector_3& direction)

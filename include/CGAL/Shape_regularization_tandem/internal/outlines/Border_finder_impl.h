@@ -17,7 +17,6 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-constexpr double smallest_sine = .25;  // about 15 degrees: flatter lines are not well defined by their points
 constexpr double largest_cosine = .97; // of directions that differ
 
 template <class Near_point>

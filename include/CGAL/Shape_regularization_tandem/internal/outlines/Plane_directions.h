@@ -63,7 +63,6 @@ public:
   }
 
 private:
-  static constexpr double smallest_sine = .25;     // of the angle between planes: flatter lines are not well defined
   static constexpr double preference = 8;          // of orthogonal groups
   static constexpr std::size_t largest_number = 8; // of pairs: of more, one is close to any direction
   static constexpr double same_sine = 1e-9;

@@ -23,6 +23,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 using Position = std::array<double, 3>;
 
+// Of the angle between lines, or planes, that are intersected, about 15 degrees: flatter ones do not tell well where.
+constexpr double smallest_sine = .25;
+
 // Without the coordinate along which the plane is steepest, seen from where the normal points to. Nothing is rounded:
 // what lines are here, simple for example, they are as they are written. Areas shrink by `shrinkage()`.
 class Projection {

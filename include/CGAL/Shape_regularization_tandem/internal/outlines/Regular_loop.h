@@ -60,7 +60,6 @@ public:
 private:
   static constexpr std::size_t none = Edge_runs::none;
   static constexpr double smallest_share = .5; // of the area that remains: a narrow piece could become a line
-  static constexpr double smallest_sine = .25; // between lines that are intersected
   static constexpr double farthest = 3;        // of an intersection from the vertex that it replaces, in spacings
 
   using Run = Edge_runs::Run;
@@ -163,7 +162,6 @@ private:
     if(!result.empty() && CGAL::squared_distance(result.back().point, point) < 1e-12 * like.spacing * like.spacing)
       return;
     result.push_back({point, like.spacing, false, {}, point});
-    result.back().rank = like.rank;
   }
 
   // What is between the two elements; the border of a vertex is that of the edge behind it.

@@ -80,7 +80,7 @@ void check_points(const Any_shapes& shapes, const std::vector<Kernel::Point_3>& 
       const Kernel::Point_3& p = points[i];
       const double x = c[0] * p.x(), y = c[1] * p.y(), z = c[2] * p.z();
       const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
-      if(!(std::fabs(x + y + z + c[3]) <= shapes.parameters().maximum_distance + rounding * size))
+      if(!std::isfinite(size) || !(std::fabs(x + y + z + c[3]) <= shapes.parameters().maximum_distance + rounding * size))
         throw std::invalid_argument("Point " + std::to_string(i) + " is not on the plane of its shape " +
                                     std::to_string(s) +
                                     " within the maximum distance: pass the range of the detection, in its order.");
