@@ -59,9 +59,11 @@ Shape_polygons_3<GeomTraits> polygons(const Planar_shapes_3<GeomTraits>& shapes,
   const std::vector<outlines::Kernel::Point_3> coordinates = outlines::coordinates_of(points, np);
   outlines::check_points(shapes, coordinates);
   const bool is_by_plane = internal::parameter<internal_np::one_for_each_plane_t>(np, false);
-  const outlines::Shapes of_doubles(is_by_plane ? outlines::shapes_of_planes(shapes.data(), shapes.point_groups())
-                                                : shapes.data());
-  return Shape_polygons_3<GeomTraits>(outlines::Polygon_maker(coordinates, of_doubles).polygons());
+  const Shapes_data data =
+    is_by_plane ? outlines::shapes_of_planes(shapes.data(), shapes.point_groups()) : shapes.data();
+  const outlines::Shapes of_doubles(outlines::with_positive_normals(data));
+  return Shape_polygons_3<GeomTraits>(
+    outlines::with_sides_of(data.coefficients, outlines::Polygon_maker(coordinates, of_doubles).polygons()));
 }
 
 } // namespace Tandem

@@ -28,6 +28,31 @@ if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.19) # reads JSON
   endforeach()
 endif()
 
+# Rings are counterclockwise as seen from above, and upright ones about the normal of their plane.
+file(WRITE "${WORK_DIR}/rings.awk" [=[
+/"plane":/ { split($0, parts, /"plane":\[/); split(parts[2], n, /[],]/) }
+/^ *\[\[\[/ {
+  gsub(/[][]/, " ")
+  corners = split($0, c, ",") / 3
+  for(k = 0; k < 3; ++k) {
+    a = (k + 1) % 3 + 1
+    b = (k + 2) % 3 + 1
+    area[k] = 0
+    for(i = 0; i + 1 < corners; ++i)
+      area[k] += (c[3 * i + a] - c[a]) * (c[3 * i + 3 + b] - c[b]) - (c[3 * i + b] - c[b]) * (c[3 * i + 3 + a] - c[a])
+  }
+  if(n[3] * n[3] > 1e-18 ? area[2] <= 0 : n[1] * area[0] + n[2] * area[1] + n[3] * area[2] <= 0) print "clockwise: " $0
+  ++found
+}
+END { if(found != 3) print found + 0 " rings" }
+]=])
+expect_shell(0 "^$" "awk -f rings.awk out.geojson")
+
+# Shapes without a polygon are counted.
+file(WRITE "${WORK_DIR}/few.xyz" "0 0 0\n0 1 0\n0 2 0\n1 0 0\n1 1 0\n1 2 0\n2 0 0\n2 1 0\n2 2 0\n3 0 0\n3 1 0\n3 2 0\n")
+expect_warnings(few.xyz --maximum-distance .1 --minimum-region-size 10 --polygons few.json
+  WARNINGS "1 of 1 shapes cover too few points for an outline")
+
 expect(0 "shapes +3 in" cube.ply ${epsilon} --polygons out.obj --triangulate)
 file(STRINGS "${WORK_DIR}/out.obj" faces REGEX "^f ")
 list(FILTER faces EXCLUDE REGEX "^f [0-9]+ [0-9]+ [0-9]+$")

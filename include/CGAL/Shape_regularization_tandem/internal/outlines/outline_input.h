@@ -6,11 +6,12 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_INPUT_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_INPUT_H
 
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_frame.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -80,7 +81,8 @@ void check_points(const Any_shapes& shapes, const std::vector<Kernel::Point_3>& 
       const Kernel::Point_3& p = points[i];
       const double x = c[0] * p.x(), y = c[1] * p.y(), z = c[2] * p.z();
       const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(c[3]);
-      if(!std::isfinite(size) || !(std::fabs(x + y + z + c[3]) <= shapes.parameters().maximum_distance + rounding * size))
+      if(!std::isfinite(size) ||
+         !(std::fabs(x + y + z + c[3]) <= shapes.parameters().maximum_distance + rounding * size))
         throw std::invalid_argument("Point " + std::to_string(i) + " is not on the plane of its shape " +
                                     std::to_string(s) +
                                     " within the maximum distance: pass the range of the detection, in its order.");
@@ -112,6 +114,42 @@ inline Shapes_data shapes_of_planes(Shapes_data data, const Point_groups& points
       label = plane_of[std::size_t(label)];
   data.shape_of = std::move(labels);
   return data;
+}
+
+// Whether the largest number in the normal is negative.
+inline bool is_turned(const Coefficients& c)
+{
+  const auto is_smaller = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
+  return *std::max_element(c.begin(), c.begin() + 3, is_smaller) < 0;
+}
+
+// Outlines do not depend on the sides of the planes: for these planes they are made, whose largest number is positive.
+inline Shapes_data with_positive_normals(Shapes_data data)
+{
+  for(Coefficients& c : data.coefficients)
+    if(is_turned(c))
+      for(double& x : c)
+        x = -x;
+  return data;
+}
+
+// To the planes as they were.
+inline Polygon_table with_sides_of(const std::vector<Coefficients>& planes, Polygon_table table)
+{
+  const auto reverse = [](auto& corners) { std::reverse(corners.begin(), corners.end()); };
+  for(std::size_t s = 0; s < planes.size(); ++s) {
+    if(!is_turned(planes[s]))
+      continue;
+    table.frames[s] = Projection(planes[s]);
+    for(Polygon& polygon : table.polygons[s]) {
+      reverse(polygon.outer);
+      for(Polygon::Loop& hole : polygon.holes)
+        reverse(hole);
+      for(auto& triangle : polygon.triangles)
+        reverse(triangle);
+    }
+  }
+  return table;
 }
 
 } // namespace outlines
