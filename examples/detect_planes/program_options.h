@@ -120,7 +120,8 @@ inline void add_detection_options(po::options_description& all, Options& o)
     "symmetry-direction", po::value<std::string>()->value_name("X,Y,Z")->notifier([&o](const std::string& text) {
       o.symmetry_direction = parse_direction("symmetry-direction", text);
     }),
-    "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the same");
+    "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the same; "
+    "for --mesh it is the direction upward");
   add("estimate-normals", count(o.estimate_normals)->value_name("[K]"),
       "estimate the normals even if the file has some; with K by plain PCA of K neighbors, for comparisons");
   all.add(group);

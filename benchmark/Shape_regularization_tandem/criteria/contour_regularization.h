@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CGAL's regularization of closed contours in place of that of polygons(): each loop on its own, towards the directions that edges
-// of its shape get there.
+// CGAL's regularization of closed contours in place of that of polygons(): each loop on its own, towards the directions of lines with
+// other planes.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTOUR_REGULARIZATION_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTOUR_REGULARIZATION_H

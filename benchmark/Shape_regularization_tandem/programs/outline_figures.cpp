@@ -24,7 +24,7 @@ namespace scenes = CGAL::Tandem::scenes;
 
 namespace {
 
-using Polygon_maker = CGAL::Tandem::internal::outlines::Polygon_maker;
+using CGAL::Tandem::internal::outlines::outline_table;
 
 // Prints the figures of the outlines that make() returns, and the seconds that it takes.
 template <class Make>
@@ -60,7 +60,7 @@ Outline_areas measure_all(const Cloud_with_shapes& input)
   std::vector<Outline_kernel::Point_3> points;
   for(const auto& item : input.cloud)
     points.push_back(item.first);
-  const auto draft = [&] { return Polygon_maker(points, input.shapes).polygons(false); };
+  const auto draft = [&] { return outline_table(points, input.shapes.data(), false); };
   const std::vector<double> spacing = border_spacings(input);
   measure("straightened", input, [&] { return Outline_areas(draft()); });
   measure("regularize_closed_contour", input,

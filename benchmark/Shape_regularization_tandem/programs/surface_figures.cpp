@@ -11,8 +11,11 @@
 
 #include "mesh/mesh_methods.h"
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <iostream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,7 +26,7 @@ namespace {
 
 constexpr int longest_seconds = 60; // of the solver, in processor time
 
-// One line. make(number of planes) is the surface.
+// One line. make() is the surface.
 template <class Make>
 void measure(const std::string& method, const Cloud_with_shapes& input, const program::Mesh_input& planes, Make make)
 {
@@ -53,10 +56,13 @@ try {
   for(const auto& item : input.cloud)
     points.insert(item.first);
   const program::Mesh_input all = program::mesh_input(points, input.shapes);
-  for(std::size_t number : {all.planes.size(), std::size_t(30), std::size_t(16)}) {
+  std::set<std::size_t, std::greater<>> numbers;
+  for(std::size_t most : {all.planes.size(), std::size_t(30), std::size_t(16)})
+    numbers.insert((std::min)(most, all.planes.size()));
+  for(std::size_t number : numbers) {
     const program::Mesh_input planes = program::largest_planes(all, number);
     measure("closed_surface", input, planes,
-            [&] { return program::cells_mesh(points, input.shapes, planes.planes.size()); });
+            [&] { return program::cells_mesh(points, input.shapes, number, program::Kernel::Vector_3(0, 0, 1)); });
     if constexpr(program::has_polygonal_mesh)
       if(number <= program::polygonal_method.on_demand)
         measure("Polygonal_surface_reconstruction", input, planes,

@@ -5,6 +5,7 @@
 #include "Built_with.h"
 #include "file_names.h"
 #include "mesh/mesh_methods.h"
+#include "signals.h"
 
 #include <algorithm>
 #include <array>
@@ -78,6 +79,8 @@ Made_surface make_surface(const Point_set& points, const Shapes& shapes, const O
       made.surface = kinetic_mesh(points, shapes, planes, up);
   if(&method == &cells_method)
     made.surface = cells_mesh(points, shapes, planes, up);
+  if(is_interrupted())
+    throw Interrupted();
   made.usable_planes = made.surface.number_of_planes;
   if(made.surface.faces.empty()) // otherwise walls without points are among them
     check_number_of_planes(made.usable_planes);

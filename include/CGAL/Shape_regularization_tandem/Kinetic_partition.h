@@ -23,7 +23,7 @@ namespace Tandem {
 \brief the kinetic space partition of CGAL 6, for the parameter `partition` of `closed_surface()`.
 
 The convex hull of the points of each plane, about, grows until it meets another one \cgalCite{BL20}:
-`CGAL::Kinetic_space_partition_3`. It takes many times as long as the default: \ref Tandem_models_surface has figures.
+`CGAL::Kinetic_space_partition_3`. It takes many times as long as the default.
 
 It is in the header `CGAL/Shape_regularization_tandem/Kinetic_partition.h`, which no other one includes. With CGAL 5 this
 header does not compile. While CGAL makes the partition, what is written to `std::cout` and `std::cerr` is lost, in other

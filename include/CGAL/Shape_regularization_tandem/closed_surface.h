@@ -59,7 +59,7 @@ points, as in airborne scans, are added below the borders of shapes. \ref Tandem
 
 The surface is closed, oriented outward and a two-manifold; it has several parts where there are several buildings. It
 is empty if the planes enclose nothing, or fewer than four of them, walls included, have an area. Corners are rounded to
-`FT`, and those closer than 10<sup>-9</sup> of the extent of the points become one: so faces are in their planes up to that,
+`FT`, and those of an edge shorter than 10<sup>-9</sup> of the extent of the points become one: so faces are in their planes up to that,
 and where planes come closer to each other than rounding allows, as of a `Kernel` of `float` far from the origin, faces may touch
 or cross.
 
@@ -67,7 +67,7 @@ It is in the header `CGAL/Shape_regularization_tandem/closed_surface.h`, which `
 not include.
 
 With n planes, those of walls included, whose points meet their neighbors only, there are O(n) cells; planes that cross
-each other everywhere make O(n<sup>3</sup>) of them. For each facet that has points, 256 rays are tested with each plane, and
+each other everywhere make O(n<sup>3</sup>) of them. For each facet that has points or a wall, 256 rays are tested with each plane, and
 each plane is tested with all cells. The outlines of `polygons()` are found before. With `CGAL_LINKED_WITH_TBB` this runs
 in parallel. The result is the same for every number of threads.
 
@@ -129,7 +129,7 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   for(std::size_t f = 0; f < cells.facets.size(); ++f)
     if(inside.is_boundary(int(f)))
       result.number_of_points += cost.number_of_points(int(f));
-  const double shortest = 1e-9 * input.extent(); // what is closer is an effect of rounding
+  const double shortest = 1e-9 * surface::extent_of(input.box()); // what is closer is an effect of rounding
   const surface::Short_edges edges(cells.points, surface::Boundary_faces(cells, inside).faces(), shortest);
   std::map<int, std::size_t> number;
   for(const surface::Face& face : edges.faces()) {

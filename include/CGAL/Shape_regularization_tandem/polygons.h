@@ -6,7 +6,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_maker.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
@@ -61,9 +61,7 @@ Shape_polygons_3<GeomTraits> polygons(const Planar_shapes_3<GeomTraits>& shapes,
   const bool is_by_plane = internal::parameter<internal_np::one_for_each_plane_t>(np, false);
   const Shapes_data data =
     is_by_plane ? outlines::shapes_of_planes(shapes.data(), shapes.point_groups()) : shapes.data();
-  const outlines::Shapes of_doubles(outlines::with_positive_normals(data));
-  return Shape_polygons_3<GeomTraits>(
-    outlines::with_sides_of(data.coefficients, outlines::Polygon_maker(coordinates, of_doubles).polygons()));
+  return Shape_polygons_3<GeomTraits>(outlines::outline_table(coordinates, data));
 }
 
 } // namespace Tandem

@@ -40,7 +40,7 @@ Cloud make_copies(std::size_t places, std::size_t copies, double jitter)
   return cloud;
 }
 
-// The same area, whatever the number of copies is. Places are up to twice the maximum distance from each other, or less
+// The same area, whatever the number of copies is: with places that are many times the maximum distance from each other, or less
 // than it.
 void check_copies()
 {

@@ -86,7 +86,7 @@ int main()
     CHECK(square.number_of_entries() == 1);
     const Kernel::Vector_3 first = edges_of(square, 0)[0];
     check_square(square, 0, first);
-    CHECK_AT(are_regular(first, first) && std::fabs(square.area(0) / 100 - 1) < .03, std::to_string(square.area(0)));
+    CHECK_AT(std::fabs(square.area(0) / 100 - 1) < .03, std::to_string(square.area(0)));
     parallel.add_square(0, 0, 0, 10, angle);
     parallel.add_square(20, 0, 3, 8, angle);
     const Areas two = parallel.areas();

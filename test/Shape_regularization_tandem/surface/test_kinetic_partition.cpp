@@ -57,10 +57,10 @@ void check_streams()
   std::streambuf* const errors = std::cerr.rdbuf(text.rdbuf());
   const std::streamsize precision = std::cout.precision(3);
   surface_of_box<Epick>(1, kinetic.point_map(First<Epick>()));
-  CHECK(std::cout.precision() == 3 && text.str().empty());
-  std::cout.precision(precision);
+  const std::streamsize precision_after = std::cout.precision(precision);
   std::cout.rdbuf(out);
   std::cerr.rdbuf(errors);
+  CHECK(precision_after == 3 && text.str().empty());
 }
 
 int main()

@@ -93,24 +93,51 @@ private:
         queue.emplace(run.length, first);
         continue;
       }
+      trim(run);
       find_offset(run);
       for(std::size_t i = 0; i < run.count; ++i)
-        run_of[(first + i) % size] = runs.size();
+        run_of[(run.first + i) % size] = runs.size();
       runs.push_back(run);
+      if(run.first != first)
+        queue.emplace(longest_run(first).length, first);
+    }
+  }
+
+  std::vector<double> sorted_offsets(const Run& run) const
+  {
+    std::vector<double> result;
+    for(std::size_t i = 0; i < run.count; ++i)
+      border.for_each_point((run.first + i) % size, [&](const Kernel::Point_2& p) {
+        result.push_back(Border_points::offset(p, directions[run.direction]));
+      });
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Leaves out edges at its ends whose points are farther than the tolerance from most others, as at a cut corner.
+  void trim(Run& run) const
+  {
+    const std::vector<double> offsets = sorted_offsets(run);
+    const double median = offsets[offsets.size() / 2];
+    const auto is_near = [&](std::size_t edge) {
+      const Border_points::Range& range = ranges[edge % size * directions.size() + run.direction];
+      const double most = border.tolerance * border.spacing(edge % size);
+      return range.low >= median - most && range.high <= median + most;
+    };
+    while(run.count > 1 && !is_near(run.first + run.count - 1))
+      --run.count;
+    while(run.count > 1 && !is_near(run.first)) {
+      run.first = (run.first + 1) % size;
+      --run.count;
     }
   }
 
   void find_offset(Run& run) const
   {
-    std::vector<double> offsets;
+    const std::vector<double> offsets = sorted_offsets(run);
     double spacing = 0;
-    for(std::size_t i = 0; i < run.count; ++i) {
-      border.for_each_point((run.first + i) % size, [&](const Kernel::Point_2& p) {
-        offsets.push_back(Border_points::offset(p, directions[run.direction]));
-      });
+    for(std::size_t i = 0; i < run.count; ++i)
       spacing += border.spacing((run.first + i) % size) / double(run.count);
-    }
-    std::sort(offsets.begin(), offsets.end());
     const auto low = [&](double tolerance) { return offsets.back() - tolerance * spacing; };
     const auto high = [&](double tolerance) { return offsets.front() + tolerance * spacing; };
     run.median = (std::max)(low(border.tolerance), (std::min)(high(border.tolerance), offsets[offsets.size() / 2]));

@@ -116,42 +116,6 @@ inline Shapes_data shapes_of_planes(Shapes_data data, const Point_groups& points
   return data;
 }
 
-// Whether the largest number in the normal is negative.
-inline bool is_turned(const Coefficients& c)
-{
-  const auto is_smaller = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
-  return *std::max_element(c.begin(), c.begin() + 3, is_smaller) < 0;
-}
-
-// Outlines do not depend on the sides of the planes: for these planes they are made, whose largest number is positive.
-inline Shapes_data with_positive_normals(Shapes_data data)
-{
-  for(Coefficients& c : data.coefficients)
-    if(is_turned(c))
-      for(double& x : c)
-        x = -x;
-  return data;
-}
-
-// To the planes as they were.
-inline Polygon_table with_sides_of(const std::vector<Coefficients>& planes, Polygon_table table)
-{
-  const auto reverse = [](auto& corners) { std::reverse(corners.begin(), corners.end()); };
-  for(std::size_t s = 0; s < planes.size(); ++s) {
-    if(!is_turned(planes[s]))
-      continue;
-    table.frames[s] = Projection(planes[s]);
-    for(Polygon& polygon : table.polygons[s]) {
-      reverse(polygon.outer);
-      for(Polygon::Loop& hole : polygon.holes)
-        reverse(hole);
-      for(auto& triangle : polygon.triangles)
-        reverse(triangle);
-    }
-  }
-  return table;
-}
-
 } // namespace outlines
 } // namespace internal
 } // namespace Tandem

@@ -11,6 +11,12 @@
 #include <CGAL/Shape_regularization_tandem/internal/outlines/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Ray_votes.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -32,11 +38,13 @@ public:
           add_borders(polygons, polygon, planes[s], borders);
     std::stable_sort(borders.begin(), borders.end(),
                      [](const Border& a, const Border& b) { return a.length > b.length; });
+    borders.resize((std::min)(borders.size(), most_borders));
     std::vector<Plane_coverage> walls;
     for(const Border& border : borders) {
+      const Plane_coverage::Quadrangle wall = wall_below(border);
       walls.push_back(plane_of(border));
-      walls.back().reach(wall_below(border));
-      walls.back().assume(wall_below(border));
+      walls.back().reach(wall);
+      walls.back().assume(wall);
     }
     Ray_votes rays(up_);
     rays.add_obstacles(planes_);
@@ -44,7 +52,7 @@ public:
     std::vector<double> shares(walls.size());
     outlines::for_each_in_parallel(walls.size(),
                                    [&](std::size_t w) { shares[w] = share_of_rays(borders[w], rays, walls[w]); });
-    const std::size_t most = planes_.size() + most_walls;
+    const std::size_t most = planes_.size() + most_planes;
     for(std::size_t w = 0; w < walls.size(); ++w)
       add_wall(borders[w], shares[w] > least_share, most);
   }
@@ -60,8 +68,10 @@ private:
     return c[0] * p.x() + c[1] * p.y() + c[2] * p.z() + c[3];
   }
 
-  // Within 15 degrees.
-  bool is_upright(const Coefficients& c) const { return std::fabs(Vector(c[0], c[1], c[2]) * up_) < .26; }
+  bool is_upright(const Coefficients& c) const
+  {
+    return std::fabs(Vector(c[0], c[1], c[2]) * up_) < outlines::smallest_sine;
+  }
   bool is_near(const Coefficients& c, const Point& p) const { return std::fabs(height(c, p)) < near_; }
 
   void add_borders(const outlines::Polygon_table& polygons, const Indexed_polygon& polygon, const Coefficients& own,
@@ -80,7 +90,7 @@ private:
         Border border = {point(loop[i]), point(loop[(i + 1) % loop.size()]), 0, 0};
         const Vector outward = CGAL::cross_product(border.last - border.first, left);
         border.length = std::sqrt(outward.squared_length());
-        if(border.length < 5 * near_ || ends_at_other(own, border))
+        if(border.length < shortest_wall * near_ || ends_at_other(own, border))
           continue;
         border.drop = drop_at(CGAL::midpoint(border.first, border.last) + near_ / border.length * outward);
         if(border.drop > 0)
@@ -144,7 +154,8 @@ private:
   {
     const Plane_coverage::Quadrangle wall = wall_below(border);
     auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
-      return std::all_of(wall.begin(), wall.end(), [&](const Point& corner) { return is_near(p.plane(), corner); });
+      return is_upright(p.plane()) &&
+             std::all_of(wall.begin(), wall.end(), [&](const Point& corner) { return is_near(p.plane(), corner); });
     });
     if(plane == planes_.end()) {
       if(planes_.size() == most)
@@ -156,7 +167,9 @@ private:
       plane->assume(wall);
   }
 
-  static constexpr std::size_t most_walls = 200;
+  static constexpr std::size_t most_borders = 1000; // the longest ones, as each is asked about with all of them
+  static constexpr std::size_t most_planes = 200;   // that are new
+  static constexpr double shortest_wall = 5;        // times the distance within which two places are one
   static constexpr double least_share = .25; // of rays: they say nothing of a border within a room or below a roof
 
   std::vector<Plane_coverage>& planes_;

@@ -7,6 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_CELLS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_CELLS_H
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -50,13 +51,20 @@ struct Cells {
   }
 };
 
-// Of a convex polygon.
-inline double area_of(const std::vector<Point>& corners)
+// Of a convex polygon that is counterclockwise, seen from its end; twice as long as its area.
+inline Vector normal_of(const std::vector<Point>& corners)
 {
   Vector sum = CGAL::NULL_VECTOR;
   for(std::size_t i = 2; i < corners.size(); ++i)
     sum = sum + CGAL::cross_product(corners[i - 1] - corners[0], corners[i] - corners[0]);
-  return std::sqrt(sum.squared_length()) / 2;
+  return sum;
+}
+
+inline double area_of(const std::vector<Point>& corners) { return std::sqrt(normal_of(corners).squared_length()) / 2; }
+
+inline double extent_of(const CGAL::Bbox_3& box)
+{
+  return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
 }
 
 // The ends of an edge, in any direction.

@@ -9,6 +9,12 @@
 #include <CGAL/Shape_regularization_tandem/internal/outlines/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Plane_coverage.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
 namespace CGAL {
 namespace Tandem {
 namespace internal {
@@ -22,7 +28,6 @@ struct Covered_part {
 struct Covered_facet {
   double area; // of all of the facet
   Covered_part scanned, assumed;
-  std::size_t number_of_points = 0;
 };
 
 class Covered_facets {
@@ -54,15 +59,15 @@ private:
         flat.back().push_back(plane.flat(corner));
       boxes.push_back(CGAL::bbox_2(flat.back().begin(), flat.back().end()));
     }
-    for(const Point& point : plane.points()) {
+    for(std::size_t n = 0; n < plane.points().size(); ++n) {
+      const Point& point = plane.points()[n];
       const Kernel::Point_2 p = plane.flat(point);
       for(std::size_t i = 0; i < facets.size(); ++i)
         if(CGAL::do_overlap(boxes[i], p.bbox()) &&
            CGAL::bounded_side_2(flat[i].begin(), flat[i].end(), p) != CGAL::ON_UNBOUNDED_SIDE) {
           Covered_facet& facet = facets_[facets[i]];
-          facet.scanned.area += plane.area_of_point(point);
+          facet.scanned.area += plane.area_of_point(n);
           facet.scanned.places.push_back(point);
-          ++facet.number_of_points;
           break;
         }
     }
@@ -79,12 +84,17 @@ private:
   {
     Covered_facet& facet = facets_[f];
     const std::vector<Point> corners = cells_.corners(cells_.facets[f]);
+    std::vector<double> areas(2, 0.); // of the triangles that end at each corner
+    for(std::size_t i = 2; i < corners.size(); ++i)
+      areas.push_back(area_of({corners[0], corners[i - 1], corners[i]}));
+    const double sum = std::accumulate(areas.begin(), areas.end(), 0.);
+    if(!(sum > 0))
+      return;
     std::size_t tried = 0;
     double left = 0; // of a place, from the triangles before
     for(std::size_t i = 2; i < corners.size(); ++i) {
       const Vector u = corners[i - 1] - corners[0], v = corners[i] - corners[0];
-      const double share = area_of({corners[0], corners[i - 1], corners[i]}) / facet.area;
-      for(left += share * double(places_of_assumed); left >= 1; --left, ++tried) {
+      for(left += areas[i] / sum * double(places_of_assumed); left >= 1; --left, ++tried) {
         double a = double(tried) * .7548776662466927, b = double(tried) * .5698402909980532; // a sequence of no pattern
         a -= std::floor(a);
         b -= std::floor(b);

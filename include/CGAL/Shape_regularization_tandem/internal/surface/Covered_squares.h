@@ -57,6 +57,8 @@ public:
   // the convex hull have none.
   double area_of_point(const Kernel::Point_2& p, const std::vector<Kernel::Point_2>& hull) const
   {
+    if(!(side_ > 0))
+      return 0;
     const auto square = squares_.find(square_of(p));
     const Kernel::Point_2 center((std::floor(p.x() / side_) + .5) * side_, (std::floor(p.y() / side_) + .5) * side_);
     if(square == squares_.end() || CGAL::bounded_side_2(hull.begin(), hull.end(), center) == CGAL::ON_UNBOUNDED_SIDE)
@@ -67,7 +69,7 @@ public:
 private:
   using Square = std::uint64_t; // column and row
   static constexpr int rounds = 4;
-  static constexpr double places_in_a_square = 8; // on average: where the points are sparse there is one, too
+  static constexpr double places_in_a_square = 8; // on average, so that a square between sparse points has one, too
   static constexpr double most_squares_across = 1 << 30;
 
   Square square_of(const Kernel::Point_2& p) const

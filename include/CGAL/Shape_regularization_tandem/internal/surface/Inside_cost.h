@@ -19,16 +19,22 @@ namespace surface {
 class Inside_cost {
 public:
   Inside_cost(const Cells& cells, const std::vector<Plane_coverage>& planes, const Vector& up)
-    : covered_(cells, planes), inside_(cells.cells.size(), 0), outside_(cells.cells.size(), 0)
+    : inside_(cells.cells.size(), 0), outside_(cells.cells.size(), 0)
   {
+    const Covered_facets covered(cells, planes);
     Ray_votes rays(up);
     rays.add_obstacles(planes);
     std::vector<double> votes(cells.facets.size());
-    outlines::for_each_in_parallel(votes.size(), [&](std::size_t f) { votes[f] = vote(cells, planes, f, rays); });
+    outlines::for_each_in_parallel(votes.size(), [&](std::size_t f) {
+      const Facet& facet = cells.facets[f];
+      if(facet.plane != none)
+        votes[f] = vote(covered[f], normal_of(cells.corners(facet)), planes[std::size_t(facet.plane)], rays);
+    });
     for(std::size_t f = 0; f < cells.facets.size(); ++f) {
       const Facet& facet = cells.facets[f];
-      const double free = covered_[f].area - covered_[f].scanned.area - covered_[f].assumed.area;
+      const double free = covered[f].area - covered[f].scanned.area - covered[f].assumed.area;
       boundary_.push_back((facet.plane == none ? 1 : worth_of_free) * (std::max)(0., free));
+      number_of_points_.push_back(covered[f].scanned.places.size());
       if(facet.front == none)
         continue;
       const bool is_behind = votes[f] > 0;
@@ -42,32 +48,27 @@ public:
   double outside(int cell) const { return outside_[std::size_t(cell)]; }
   double boundary(int facet) const { return boundary_[std::size_t(facet)]; }
 
-  std::size_t number_of_points(int facet) const { return covered_[std::size_t(facet)].number_of_points; }
+  // That are on a facet.
+  std::size_t number_of_points(int facet) const { return number_of_points_[std::size_t(facet)]; }
 
 private:
   static constexpr double worth_of_free = .1; // of a unit of area without points
 
   // The area by which the cell behind a facet is inside and the one in front of it outside; negative if it is the other
   // way round.
-  double vote(const Cells& cells, const std::vector<Plane_coverage>& planes, std::size_t f, const Ray_votes& rays) const
+  static double vote(const Covered_facet& covered, const Vector& to_front, const Plane_coverage& plane,
+                     const Ray_votes& rays)
   {
-    const Facet& facet = cells.facets[f];
-    if(facet.plane == none)
-      return 0;
-    const std::vector<Point> corners = cells.corners(facet);
-    Vector to_front = CGAL::NULL_VECTOR;
-    for(std::size_t i = 2; i < corners.size(); ++i)
-      to_front = to_front + CGAL::cross_product(corners[i - 1] - corners[0], corners[i] - corners[0]);
     const auto of = [&](const Covered_part& part) {
-      const double share = rays.share(part.places, to_front, planes[std::size_t(facet.plane)]);
+      const double share = rays.share(part.places, to_front, plane);
       return share < 0 ? -part.area : share > 0 ? part.area : 0;
     };
-    return of(covered_[f].scanned) + worth_of_free * of(covered_[f].assumed);
+    return of(covered.scanned) + worth_of_free * of(covered.assumed);
   }
 
-  Covered_facets covered_;
-  std::vector<double> boundary_;         // of each facet
-  std::vector<double> inside_, outside_; // of each cell
+  std::vector<double> boundary_;              // of each facet
+  std::vector<std::size_t> number_of_points_; // of each facet
+  std::vector<double> inside_, outside_;      // of each cell
 };
 
 } // namespace surface

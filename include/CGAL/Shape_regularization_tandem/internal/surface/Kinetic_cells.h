@@ -53,7 +53,7 @@ public:
   Kinetic_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
     : center_((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2)
   {
-    std::frexp((std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()}), &exponent_);
+    std::frexp(extent_of(box), &exponent_);
     try {
       make_partition(planes, box);
     } catch(const CGAL::Failure_exception&) {
@@ -155,13 +155,15 @@ private:
     for(auto c = cells.begin(); c != cells.end(); ++c) {
       const Dart of_cell = complex.dart_descriptor(*c);
       const int cell = int(complex.info<3>(of_cell).volume_id);
+      fail_unless(cell >= 0 && std::size_t(cell) < cells_.cells.size());
       std::vector<std::vector<int>> loops;
       std::vector<int> planes;
       const auto facets = complex.one_dart_per_incident_cell<2, 3>(of_cell);
       for(auto f = facets.begin(); f != facets.end(); ++f) {
         const Dart first = complex.dart_descriptor(*f);
         const int input = int(complex.info<2>(first).input_polygon_index);
-        planes.push_back(input < 0 ? none : plane_of_input_.at(std::size_t(input)));
+        fail_unless(input < int(plane_of_input_.size()));
+        planes.push_back(input < 0 ? none : plane_of_input_[std::size_t(input)]);
         loops.emplace_back();
         Dart d = first;
         do {

@@ -42,6 +42,8 @@ public:
       flat_points.push_back(flat(p));
     squares_ = Covered_squares(flat_points, resolution);
     CGAL::convex_hull_2(flat_points.begin(), flat_points.end(), std::back_inserter(hull_));
+    for(const Kernel::Point_2& p : flat_points)
+      areas_.push_back(squares_.area_of_point(p, hull_));
   }
 
   // The hull has these corners, too, which are close to the plane.
@@ -94,7 +96,7 @@ public:
   }
 
   bool is_assumed(const Point& p) const { return is_assumed(flat(p)); }
-  double area_of_point(const Point& p) const { return squares_.area_of_point(flat(p), hull_); }
+  double area_of_point(std::size_t i) const { return areas_[i]; } // its share of the covered area
 
   // Where a ray meets the plane.
   enum class Crossing { none, covered, assumed };
@@ -122,6 +124,7 @@ private:
   Vector normal_, first_, second_;
   Point origin_ = CGAL::ORIGIN;
   std::vector<Point> points_;
+  std::vector<double> areas_; // of the points
   Covered_squares squares_;
   std::vector<std::vector<Kernel::Point_2>> assumed_;
   std::vector<Kernel::Point_2> hull_;

@@ -21,13 +21,14 @@ public:
   {
     const Vector axis = Kernel::Plane_3(CGAL::ORIGIN, up).base1();
     const Vector first = axis / std::sqrt(axis.squared_length()), second = CGAL::cross_product(up, first);
+    constexpr double golden_angle = 2.399963; // neighbors on the spiral are far apart
     for(int i = 0; i < number_of_rays; ++i) { // evenly over the upper half of the sphere, on a spiral, along no axis
-      const double z = 1 - (i + .5) / number_of_rays, radius = std::sqrt(1 - z * z), angle = 2.399963 * i;
+      const double z = 1 - (i + .5) / number_of_rays, radius = std::sqrt(1 - z * z), angle = golden_angle * i;
       directions_.push_back(radius * std::cos(angle) * first + radius * std::sin(angle) * second + z * up);
     }
   }
 
-  // Each has its own plane.
+  // Rays that leave one of them do not cross it.
   void add_obstacles(const std::vector<Plane_coverage>& planes)
   {
     for(const Plane_coverage& plane : planes)

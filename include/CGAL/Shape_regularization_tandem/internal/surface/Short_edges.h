@@ -83,6 +83,9 @@ private:
         return false;
     if(length != next.size())
       return false;
+    for(const auto& [f, loop] : changed)
+      if(loop.size() < 3 && !keeps_corners(f, u, v))
+        return false;
     for(auto& [f, loop] : changed) {
       if(loop.size() < 3)
         for(int w : faces_[f].vertices)
@@ -93,6 +96,18 @@ private:
     }
     faces_at_.erase(v);
     return true;
+  }
+
+  // Whether the other corners of a face that vanishes have three faces then, or two that do without it, as it is on a
+  // straight edge of both.
+  bool keeps_corners(std::size_t f, int u, int v) const
+  {
+    return std::all_of(faces_[f].vertices.begin(), faces_[f].vertices.end(), [&](int w) {
+      const std::set<std::size_t>& faces = faces_at_.at(w);
+      return w == u || w == v || faces.size() > 3 || std::all_of(faces.begin(), faces.end(), [&](std::size_t g) {
+               return g == f || faces_[g].vertices.size() > 3;
+             });
+    });
   }
 
   static std::vector<int> contracted(std::vector<int> loop, int u, int v)

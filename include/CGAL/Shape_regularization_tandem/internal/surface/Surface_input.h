@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_SURFACE_INPUT_H
 
 #include <CGAL/Shape_regularization_tandem/internal/surface/Border_walls.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_maker.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Unit.h>
 
 #include <CGAL/number_utils.h>
@@ -53,7 +53,7 @@ public:
     box_ = CGAL::Bbox_3(box_.xmin() - 2 * maximum_distance, box_.ymin() - 2 * maximum_distance,
                         box_.zmin() - 2 * maximum_distance, box_.xmax() + 2 * maximum_distance,
                         box_.ymax() + 2 * maximum_distance, box_.zmax() + 2 * maximum_distance);
-    outlines::Polygon_table polygons = outlines::Polygon_maker(points, shapes).polygons();
+    outlines::Polygon_table polygons = outlines::outline_table(points, shapes.data());
     for(outlines::Position& p : polygons.points)
       for(double& x : p)
         x = unit_.in(x);
@@ -66,10 +66,6 @@ public:
   std::size_t number_of_planes() const { return groups_.size(); } // that have points
   const std::vector<Plane_coverage>& planes() const { return planes_; }
   const CGAL::Bbox_3& box() const { return box_; } // of the points, and somewhat around them
-  double extent() const
-  {
-    return (std::max)({box_.xmax() - box_.xmin(), box_.ymax() - box_.ymin(), box_.zmax() - box_.zmin()});
-  }
 
   // The coplanar group of a plane; none if it has no points, or is a side of the box.
   int group(int plane) const

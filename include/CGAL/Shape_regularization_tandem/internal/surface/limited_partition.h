@@ -35,8 +35,7 @@ inline bool separates(const std::vector<Kernel::Point_2>& a, const std::vector<K
 
 inline Cells limited_partition(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
 {
-  const double extent = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
-  const double reach = .05 * extent; // of the planes beyond their points
+  const double reach = .05 * extent_of(box); // of the planes beyond their points
   Cell_cutter cutter(box);
   for(const Plane_coverage& plane : planes) {
     const int number = cutter.add_plane(plane.plane());
