@@ -27,56 +27,7 @@ sanitized='test_(bad_input|cell_cutter|closed_surface|regularize_planes|output_f
 
 fail() { echo "test.sh: $*" >&2; exit 1; }
 
-# Typical seconds of each part on two processors, from which the time left is guessed.
-seconds_of()
-{
-  case $1 in
-    style) echo 15 ;;
-    configure) echo 40 ;;
-    release) echo 525 ;;
-    bits) echo 55 ;;
-    asan) echo 350 ;;
-    cost) echo 75 ;;
-    tsan) echo 90 ;;
-    fuzz) echo 25 ;;
-    cuda) echo 210 ;;
-    benchmark) echo 90 ;;
-    doc) echo 10 ;;
-    *) fail "unknown part $1; choose of $all_parts" ;;
-  esac
-}
-
-python_packages='pybind11-dev python3-numpy python3-dev'
-mpi_packages='libopenmpi-dev openmpi-bin libboost-mpi-dev'
-
-install_mpi()
-{
-  # shellcheck disable=SC2086
-  "$root/scripts/install_dependencies.sh" $mpi_packages ||
-    echo "not all can be installed: many processes are not tested"
-}
-
-# install PART: what it needs beside CGAL and its companions
-install()
-{
-  case $1 in
-    style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy python3 ;;
-    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libjs-three libbenchmark-dev libnanoflann-dev help2man ||
-      echo "not all can be installed: pictures or --view are not tested, or micro-benchmarks or the manual page not built"
-      # shellcheck disable=SC2086
-      "$root/scripts/install_dependencies.sh" $python_packages ||
-        echo "not all can be installed: the Python module is not tested"
-      install_mpi ;;
-    benchmark) "$root/scripts/install_dependencies.sh" gnuplot-nox xz-utils ;;
-    bits | tsan | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev ;;
-    asan)
-      # shellcheck disable=SC2086
-      "$root/scripts/install_dependencies.sh" clang libclang-rt-dev libjs-three $python_packages
-      install_mpi ;;
-    cost) "$root/scripts/install_dependencies.sh" valgrind ;;
-    cuda) install_mpi ;;
-  esac
-}
+. "$root/scripts/test_parts.sh"
 
 now() { date +%s; }
 minutes() { echo "$(($1 / 60)):$(printf %02d $(($1 % 60)))"; }
@@ -155,7 +106,7 @@ run_release()
   "$root/scripts/sample_cloud.sh" "$build/release/examples/Shape_regularization_tandem/building.ply" ||
     echo "the sample cloud cannot be had: the examples of the building are not run"
   configuration release . -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_BENCHMARKS=ON \
-    "-DTANDEM_BUILD_PYTHON=$(has_python)" -DPython3_EXECUTABLE=/usr/bin/python3
+    "-DTANDEM_BUILD_PYTHON=$(has_python)" -DPython3_EXECUTABLE=/usr/bin/python3 "-DTANDEM_PLAYWRIGHT_DIR=$build/playwright"
 }
 
 # compile_bits NAME COMPILER FLAGS...: the test of equal bits, with these flags

@@ -1,48 +1,71 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the user does: the mouse, the keys, the controls of the panel, and the part of the address after '#':
-//   #shape=3  #direction=2  #plane=4     what is selected
-//   #color=shape, direction, plane or distance  #theme=dark  #up=y  #azimuth=30  #elevation=35  #zoom=1.5
-//   #unassigned=0  #smallest=100  #panel=0  #spin  #pick=0.5,0.5 (a click there)
-//   #check  writes what was drawn to attributes of the page, for tests
-// Several are joined by '&'.
-const modes = { shape: "Shapes", direction: "Directions", plane: "Planes", distance: "Distance" };
-
+// The state of the page: what is selected, shown and colored, and what the buttons do.
 class Page {
-  constructor(scene, points) {
-    this.shapes = new Shapes(scene);
+  constructor(scene, data) {
     this.scene = scene;
-    this.cloud = new Cloud(byId("canvas"), scene, points);
-    this.panel = new Panel(this.shapes, selection => this.select(selection), () => this.goToSelection());
+    this.shapes = new Shapes(scene, data.points, data.inputColors);
+    this.modes = { shape: "Shapes", direction: "Directions", plane: "Planes", distance: "Distance",
+                   ...data.inputColors.length > 0 ? { input: "Input" } : {} };
+    this.visibility = new Visibility(this.shapes.count);
     this.mode = "shape";
     this.smallest = 0;
     this.hasUnassigned = true;
     this.selection = null;
+    this.chosenTheme = "";
+    this.cloud = new Cloud(byId("canvas"), scene, data);
+    this.firstUp = directionOf(scene.up.join()) || axes.z;
+    this.firstUp = Object.values(axes).find(axis => axis.join() === this.firstUp.join()) || this.firstUp;
+    this.cloud.viewer.setUp(this.firstUp);
+    this.panel = new Panel(this.shapes, selection => this.select(selection), this.actions());
+    this.clip = new Clip(scene, this.cloud, () => this.changed());
+    this.list = new ShapeList(this.shapes, {
+      select: shape => this.select({ kind: "shape", index: shape }), goTo: () => this.goToSelection(),
+      toggle: shape => this.changeVisibility(() => this.visibility.toggle(shape)),
+      isHidden: shape => this.visibility.isHidden(shape), color: shape => this.shapes.color(this.mode, shape) });
+    this.measure = new Measure(this.shapes, this.cloud, this.clip, this.panel);
+    this.address = new Address(this);
+    this.connect();
+    new Controls(this);
+    this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+    tell("");
+    this.address.read();
+  }
+
+  connect() {
     this.times = [];
-    this.cloud.afterRender = time => this.measure(time);
+    this.cloud.afterMove = () => this.changed();
+    this.cloud.afterRender = time => {
+      this.measure.moveLabel();
+      this.showRate(time);
+    };
     this.cloud.afterLoss = () => tell("The browser took the graphics away. The page draws again when they return; " +
                                       "if they do not, load it again.", "error");
     this.cloud.afterReturn = () => tell("");
-    this.makeModes();
-    this.listen();
-    this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
-    tell("");
-    this.readAddress();
-    window.onhashchange = () => this.readAddress();
   }
 
-  makeModes() {
-    for (const [mode, title] of Object.entries(modes))
-      byId("colors").append(element("button", { role: "radio", id: "color-" + mode,
-                                                onclick: () => this.setMode(mode) }, title));
+  // Of what is selected.
+  actions() {
+    return [["go there", "in front of it (F)", () => this.goToSelection()],
+            ["hide", "(X)", () => this.hideSelection()],
+            ["isolate", "hide all others (I)", () => this.isolateSelection()],
+            ["slice", "a layer along its plane", () => this.sliceAtSelection()],
+            ["up", "its normal points up", () => this.setUpBySelection()]];
+  }
+
+  // Something that the link holds.
+  changed() {
+    if (this.address)
+      this.address.write();
   }
 
   setMode(mode) {
     this.mode = mode;
-    for (const name of Object.keys(modes))
+    for (const name of Object.keys(this.modes))
       byId("color-" + name).setAttribute("aria-checked", String(name === mode));
     this.cloud.set("isByDistance", mode === "distance");
+    this.cloud.set("isByInput", mode === "input");
     this.writeLegend();
     this.refresh();
   }
@@ -52,6 +75,7 @@ class Page {
     legend.textContent = { shape: "A color for each shape.",
                            direction: "A color for each direction of several shapes; the others are grey.",
                            plane: "A color for each plane of several shapes; the others are grey.",
+                           input: "The colors of the input; a surface has the mean of its points.",
                            distance: "Distance to the plane of the shape, along its normal:" }[this.mode];
     if (this.mode !== "distance")
       return;
@@ -64,17 +88,31 @@ class Page {
 
   setTheme(theme) {
     document.documentElement.dataset.theme = theme;
-    this.cloud.setBackground(getComputedStyle(document.documentElement).getPropertyValue("--back").trim());
+    const color = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    this.cloud.setBackground(color("--back"), color("--text"));
+  }
+
+  setLayers(names) {
+    for (const name of Object.keys(this.cloud.layers.objects)) {
+      this.cloud.showLayer(name, names.includes(name));
+      byId("layer-" + name).setAttribute("aria-pressed", String(names.includes(name)));
+    }
+    this.changed();
+  }
+
+  toggleLayer(name) {
+    const shown = this.cloud.layers.shown();
+    this.setLayers(shown.includes(name) ? shown.filter(other => other !== name) : [...shown, name]);
   }
 
   isShown(shape) {
     return shape === this.shapes.count ? this.hasUnassigned
-                                       : this.shapes.columns.points[shape] >= this.smallest;
+      : this.shapes.columns.points[shape] >= this.smallest && !this.visibility.isHidden(shape);
   }
 
   // Colors and states of all shapes.
   refresh() {
-    const selected = new Set(this.shapes.membersOf(this.selection));
+    const members = this.shapes.membersOf(this.selection), selected = new Set(members);
     const grey = document.documentElement.dataset.theme === "dark" ? 0.36 : 0.66;
     this.cloud.setLook(shape => {
       const isAssigned = shape < this.shapes.count;
@@ -84,6 +122,11 @@ class Page {
       return [color, selected.size === 0 ? State.normal : selected.has(shape) ? State.selected : State.dim];
     });
     this.panel.showSelection(this.selection, this.mode);
+    this.list.mark(members);
+    const { size } = this.visibility.hidden;
+    byId("hidden").hidden = size === 0;
+    byId("hidden-count").textContent = plural(size, "shape") + " hidden";
+    this.changed();
   }
 
   select(selection) {
@@ -92,7 +135,6 @@ class Page {
       this.showSelected();
     this.refresh();
     byId("panel").scrollTop = 0;
-    this.writeAddress();
   }
 
   // What is selected must not be hidden for its size.
@@ -102,18 +144,60 @@ class Page {
       this.setSmallest(0);
   }
 
-  goToSelection() {
+  changeVisibility(change) {
+    change();
+    this.refresh();
+  }
+
+  hideSelection() {
+    const members = this.shapes.membersOf(this.selection);
+    this.selection = null;
+    this.changeVisibility(() => this.visibility.hide(members));
+  }
+
+  isolateSelection() {
     const members = this.shapes.membersOf(this.selection);
     if (members.length === 0)
-      return this.cloud.lookAtAll();
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    let radius = 0;
+      return;
+    this.selection = null;
+    this.hadUnassigned = this.hadUnassigned || this.hasUnassigned;
+    this.setUnassigned(false);
+    this.changeVisibility(() => this.visibility.isolate(members));
+  }
+
+  showAll() {
+    this.setUnassigned(this.hasUnassigned || Boolean(this.hadUnassigned));
+    this.hadUnassigned = false;
+    this.changeVisibility(() => this.visibility.showAll());
+  }
+
+  // In front of a shape or a plane. Shapes of a direction are at many places: the viewer keeps the side.
+  goToSelection() {
+    const members = this.shapes.membersOf(this.selection), { viewer } = this.cloud;
+    if (members.length === 0)
+      return viewer.lookAtAll();
+    const place = viewer.camera.position, positions = [];
     for (const shape of members) {
-      this.shapes.centroid(shape).forEach((x, k) => (low[k] = Math.min(low[k], x), high[k] = Math.max(high[k], x)));
-      radius = Math.max(radius, Math.sqrt(this.shapes.columns.area[shape]));
+      const all = this.shapes.positions(shape), step = 3 * Math.max(1, Math.floor(all.length / 3 * members.length / 20000));
+      for (let i = 0; i < all.length; i += step)
+        positions.push(all[i], all[i + 1], all[i + 2]);
     }
-    const size = Math.hypot(...high.map((h, k) => h - low[k])) + 1.5 * radius;
-    this.cloud.goTo(low.map((l, k) => (l + high[k]) / 2), Math.max(size, this.cloud.extent / 1000));
+    if (positions.length === 0)
+      positions.push(...this.shapes.centroid(members[0]));
+    viewer.goTo(positions, this.selection.kind === "direction" ? place.clone().sub(viewer.controls.target)
+                                                                : this.shapes.outward(members[0], place));
+  }
+
+  sliceAtSelection() {
+    const [shape] = this.shapes.membersOf(this.selection);
+    byId("clip").open = true;
+    this.clip.sliceThrough(this.shapes.normal(shape), this.shapes.centroid(shape));
+  }
+
+  setUpBySelection() {
+    const [shape] = this.shapes.membersOf(this.selection), { viewer } = this.cloud;
+    const direction = this.shapes.outward(shape, viewer.camera.position);
+    viewer.setUp(direction.toArray().map(x => Math.abs(x) < 1e-12 ? 0 : x));
   }
 
   setSmallest(points) {
@@ -131,55 +215,19 @@ class Page {
   setPointSize(step) {
     byId("size").value = step;
     this.cloud.setPointSize(Math.pow(1.15, Number(byId("size").value)));
+    this.changed();
   }
 
   pick(x, y) {
     const shape = this.cloud.pick(x, y);
     if (this.cloud.isLost()) // nothing was drawn
       return;
-    this.select(shape < 0 ? null : { kind: "shape", index: shape });
-  }
-
-  listen() {
-    const canvas = byId("canvas");
-    let start = null;
-    canvas.addEventListener("pointerdown", event => start = event.button === 0 ? [event.offsetX, event.offsetY] : null);
-    canvas.addEventListener("pointerup", event => {
-      if (start && Math.hypot(event.offsetX - start[0], event.offsetY - start[1]) < 5)
-        this.pick(event.offsetX, event.offsetY);
-      start = null;
-    });
-    byId("smallest").oninput = event => {
-      const value = Number(event.target.value);
-      this.smallest = value === 0 ? 0 : Math.round(Math.pow(this.shapes.largest, value / 100));
-      this.writeSmallest();
-      this.refresh();
-    };
-    byId("size").oninput = event => this.setPointSize(event.target.value);
-    byId("unassigned").onchange = event => this.setUnassigned(event.target.checked);
-    document.addEventListener("keydown", event => {
-      const action = !event.ctrlKey && !event.metaKey && !event.altKey && this.keys()[event.key.toLowerCase()];
-      if (!action)
-        return;
-      action();
-      event.preventDefault();
-    });
-    this.writeSmallest();
-  }
-
-  keys() {
-    const step = n => () => this.setPointSize(Number(byId("size").value) + n);
-    const result = { escape: () => this.select(null), f: () => this.goToSelection(),
-                     r: () => this.cloud.lookAtAll(),
-                     u: () => this.setUnassigned(!this.hasUnassigned), "+": step(2), "=": step(2), "-": step(-2),
-                     y: () => this.cloud.setUp({ z: "y", y: "-y", "-y": "z" }[this.cloud.up]), t: () => this.spin(),
-                     l: () => this.toggleTheme(), h: () => document.body.classList.toggle("alone") };
-    Object.keys(modes).forEach((mode, i) => result[i + 1] = () => this.setMode(mode));
-    return result;
+    this.select(shape < 0 ? null : { kind: "shape", index: shape }); // points without a shape are none
   }
 
   toggleTheme() {
-    this.setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
+    this.chosenTheme = document.documentElement.dataset.theme === "dark" ? "light" : "dark";
+    this.setTheme(this.chosenTheme);
     this.refresh();
   }
 
@@ -190,7 +238,7 @@ class Page {
   }
 
   spin() {
-    const controls = this.cloud.controls;
+    const { controls } = this.cloud;
     controls.autoRotate = !controls.autoRotate;
     this.times = [];
     if (!this.cloud.isLost())
@@ -199,7 +247,7 @@ class Page {
   }
 
   // While it spins: the rate of the last frames.
-  measure(time) {
+  showRate(time) {
     if (!this.cloud.controls.autoRotate)
       return;
     this.times.push(time);
@@ -209,68 +257,6 @@ class Page {
     if (seconds > 0)
       tell(((this.times.length - 1) / seconds).toFixed(1) + " frames per second");
     this.cloud.requestRender();
-  }
-
-  readAddress() {
-    const address = new URLSearchParams(location.hash.slice(1));
-    const number = (name, otherwise) => Number.isFinite(parseFloat(address.get(name))) ? parseFloat(address.get(name))
-                                                                                        : otherwise;
-    if (address.has("theme"))
-      this.setTheme(address.get("theme") === "dark" ? "dark" : "light");
-    if (address.has("panel"))
-      document.body.classList.toggle("alone", address.get("panel") === "0");
-    this.cloud.resize();
-    if (["z", "y", "-y"].includes(address.get("up")))
-      this.cloud.setUp(address.get("up"));
-    if (["azimuth", "elevation", "zoom"].some(name => address.has(name)))
-      this.cloud.lookAtAll(number("azimuth", 30), number("elevation", 30), number("zoom", 1));
-    if (address.has("unassigned"))
-      this.setUnassigned(address.get("unassigned") !== "0");
-    this.setSmallest(number("smallest", this.smallest));
-    const kind = ["shape", "direction", "plane"].find(name => address.has(name));
-    this.selection = null;
-    if (kind)
-      this.select({ kind, index: number(kind, -1) });
-    this.setMode(address.get("color") in modes ? address.get("color") : this.mode);
-    if (address.has("pick")) {
-      const [x, y] = address.get("pick").split(",").map(Number), { clientWidth, clientHeight } = byId("canvas");
-      this.pick(x * clientWidth, y * clientHeight);
-    }
-    this.cloud.render();
-    if (address.has("spin"))
-      this.spin();
-    if (address.has("check"))
-      this.check();
-  }
-
-  // A browser may refuse to change the address of a file.
-  writeAddress() {
-    const address = new URLSearchParams(location.hash.slice(1));
-    for (const name of ["shape", "direction", "plane", "pick"])
-      address.delete(name);
-    if (this.selection)
-      address.set(this.selection.kind, this.selection.index);
-    try {
-      history.replaceState(null, "", "#" + address);
-    } catch (error) {
-      // the address is a convenience
-    }
-  }
-
-  // Looks at the pixels that were just drawn.
-  check() {
-    const gl = this.cloud.renderer.getContext();
-    const width = gl.drawingBufferWidth, height = gl.drawingBufferHeight;
-    const bytes = new Uint8Array(4 * width * height);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    const pixels = new Uint32Array(bytes.buffer);
-    const back = new THREE.Color(this.cloud.material.uniforms.background.value);
-    const isDrawn = i => Math.abs(bytes[4 * i] - 255 * back.r) + Math.abs(bytes[4 * i + 1] - 255 * back.g) > 4;
-    const shown = this.shapes.columns.shown.reduce((sum, n, shape) => sum + (this.isShown(shape) ? n : 0), 0);
-    Object.assign(document.body.dataset, { shown, colors: new Set(pixels).size,
-                                           drawn: pixels.filter((_, i) => isDrawn(i)).length,
-                                           selected: this.selection ? this.selection.kind + this.selection.index
-                                                                    : "none" });
   }
 }
 
@@ -291,5 +277,5 @@ setTimeout(() => { // the message comes first
   byId("points").remove();
   if (!document.createElement("canvas").getContext("webgl"))
     return complain("This browser does not offer WebGL, which the page needs.");
-  window.page = new Page(scene, points);
+  window.page = new Page(scene, { points, layers: decodeLayers(scene), inputColors: readBytes("input-colors") });
 }, 20);

@@ -16,7 +16,7 @@ function element(tag, attributes = {}, ...children) {
 const byId = id => document.getElementById(id);
 const count = n => n.toLocaleString("en");
 const plural = (n, word) => count(n) + " " + word + (n === 1 ? "" : "s");
-const rounded = x => x === null ? "?" : String(Number(x.toPrecision(3)));
+const rounded = (x, digits = 3) => x === null ? "?" : String(Number(x.toPrecision(digits)));
 const degrees = x => x === null ? "?" : x.toFixed(2) + "\u00b0";
 const letter = { shape: "", direction: "D", plane: "P" };
 
@@ -24,6 +24,14 @@ function swatch(color) {
   const result = element("span", { class: "swatch" });
   result.style.background = cssColor(color);
   return result;
+}
+
+// Rows of a name, what it is, and maybe attributes of that.
+function factList(facts) {
+  const list = element("dl");
+  for (const [name, value, attributes] of facts)
+    list.append(element("dt", {}, name), element("dd", attributes || {}, value));
+  return list;
 }
 
 // The bytes of the name are UTF-8, as a rule.
@@ -36,12 +44,12 @@ function nameOfCloud(scene) {
 }
 
 class Panel {
-  // select({ kind, index }) and goTo() are what its buttons do.
-  constructor(shapes, select, goTo) {
+  // select({ kind, index }) is what its chips and rows do; actions: name, title and function of the other buttons
+  constructor(shapes, select, actions) {
     this.shapes = shapes;
     this.scene = shapes.scene;
     this.select = select;
-    this.goTo = goTo;
+    this.actions = actions;
     this.writeHeader();
     this.rows = { direction: new Map(), plane: new Map() };
     this.writeList("direction", "directions");
@@ -129,12 +137,10 @@ class Panel {
     const facts = selection.kind === "shape" ? this.shapeFacts(selection.index, mode)
                                              : this.groupFacts(selection, mode);
     const title = { shape: "Shape ", direction: "Direction D", plane: "Plane P" }[selection.kind] + selection.index;
-    const list = element("dl");
-    for (const [name, value, attributes] of facts)
-      list.append(element("dt", {}, name), element("dd", attributes || {}, value));
+    const button = ([name, hint, act]) => element("button", { class: "small", title: hint, onclick: act }, name);
     target.append(element("h2", {}, element("span", {}, title),
-                          element("button", { class: "small", onclick: () => this.goTo() }, "go there"),
-                          element("button", { class: "small", onclick: () => this.select(null) }, "\u00d7")), list);
+                          button(["\u00d7", "select nothing (Esc)", () => this.select(null)])),
+                  element("div", { class: "actions" }, ...this.actions.map(button)), factList(facts));
   }
 
   equation(shape) {

@@ -3,8 +3,11 @@
 //
 // The shapes, their groups and colors.
 class Shapes {
-  constructor(scene) {
+  // points: positions and marks; inputColors: three bytes for each of them, or nothing
+  constructor(scene, points, inputColors) {
     this.scene = scene;
+    this.points = points;
+    this.inputColors = inputColors;
     this.columns = scene.shapes;
     this.count = this.columns.points.length;
     this.largest = this.columns.points.reduce((a, b) => Math.max(a, b), 2);
@@ -15,6 +18,20 @@ class Shapes {
       this.orthogonal[a].push(b);
       this.orthogonal[b].push(a);
     }
+    this.starts = [0];
+    this.columns.shown.forEach((size, shape) => this.starts.push(this.starts[shape] + size));
+    this.inputMeans = inputColors.length > 0 ? this.columns.shown.map((_, shape) => this.meanOfInput(shape)) : [];
+  }
+
+  // The first and behind the last of its points that are shown; behind the shapes: of those without one.
+  range(shape) { return this.starts.slice(shape, shape + 2); }
+  positions(shape) { return this.points.positions.subarray(...this.range(shape).map(i => 3 * i)); }
+
+  meanOfInput(shape) {
+    const [first, last] = this.range(shape), sum = [0, 0, 0];
+    for (let i = 3 * first; i < 3 * last; ++i)
+      sum[i % 3] += this.inputColors[i];
+    return sum.map(x => x / (255 * Math.max(last - first, 1)));
   }
 
   // Largest first, by the number of points: `rank` is the place in that order.
@@ -46,15 +63,24 @@ class Shapes {
   normal(shape) { return this.columns.coefficients.slice(4 * shape, 4 * shape + 3); }
   centroid(shape) { return this.columns.centroid.slice(3 * shape, 3 * shape + 3); }
 
+  // To the outward side; if it is not known, to the viewer, who is at the place.
+  outward(shape, place) {
+    const normal = vector(this.normal(shape)), side = this.columns.outward[shape];
+    const isSeen = side !== 0 ? side > 0 : normal.dot(place.clone().sub(vector(this.centroid(shape)))) >= 0;
+    return isSeen ? normal : normal.negate();
+  }
+
   // Red, green, blue from 0 to 1. A shape that is alone in its group is grey.
   color(mode, shape) {
     if (mode === "direction" || mode === "plane")
       return groupColor(this.groupOf(mode, shape));
-    return wheelColor(shape);
+    return mode === "input" ? this.inputMeans[shape] : wheelColor(shape);
   }
 
   // A little light, so that corners show.
   litColor(mode, shape) {
+    if (mode === "input")
+      return this.color(mode, shape);
     const [x, y, z] = this.normal(shape);
     const share = 0.7 + 0.3 * Math.abs(0.36 * x + 0.48 * y + 0.8 * z);
     return this.color(mode, shape).map(c => c * share);

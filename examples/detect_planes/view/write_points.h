@@ -6,12 +6,10 @@
 #ifndef DETECT_PLANES_WRITE_POINTS_H
 #define DETECT_PLANES_WRITE_POINTS_H
 
+#include "view/Base64_lines.h"
 #include "view/Thinned_points.h"
 
 #include <CGAL/Bbox_3.h>
-
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 
 #include <cmath>
 #include <ostream>
@@ -23,16 +21,6 @@ namespace program {
 inline Kernel::Point_3 point_at(const Point_set& points, std::size_t position)
 {
   return points.point(*(points.begin() + std::ptrdiff_t(position)));
-}
-
-inline std::string base64(std::string bytes)
-{
-  namespace it = boost::archive::iterators;
-  using Digits = it::base64_from_binary<it::transform_width<std::string::const_iterator, 6, 8>>;
-  const std::size_t padding = (3 - bytes.size() % 3) % 3;
-  bytes.append(padding, '\0');
-  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
-  return text.replace(text.size() - padding, padding, padding, '=');
 }
 
 // A block has a box: its corner, relative to the center of the page, and the step of the coordinates along each axis,

@@ -4,6 +4,7 @@
 #include "output/writers.h"
 #include "view/Thinned_points.h"
 #include "view/shape_facts.h"
+#include "view/write_layers.h"
 #include "view/write_points.h"
 
 #include <CGAL/Bbox_3.h>
@@ -75,6 +76,16 @@ Json json_of_shapes(const Point_set& points, const Shapes& shapes, const Shape_a
           {"shifted", shifted}};
 }
 
+// For each shape 1 if its outward side is that of its normal, -1 if it is the other one, 0 if it is not known.
+std::vector<int> outward_sides(const Shapes& shapes, const Run& run)
+{
+  const bool are_known = run.normals == "given" || run.normals.find("viewpoint") != std::string::npos;
+  std::vector<int> sides;
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+    sides.push_back(!are_known ? 0 : shapes.is_flipped(s) ? -1 : 1);
+  return sides;
+}
+
 // But for the shapes.
 Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run, const Thinned_points& thinned)
 {
@@ -93,12 +104,14 @@ Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run
           {"maximum_distance", shapes.parameters().maximum_distance},
           {"center", {center.x(), center.y(), center.z()}},
           {"extent", {box.x_span(), box.y_span(), box.z_span()}},
+          {"up", shapes.parameters().symmetry_direction},
           {"orthogonal", shapes.orthogonal_groups()}};
 }
 
 // Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
-// from the inside to the outside, with the blocks of each reach apart.
-void write_points(std::ostream& out, const Point_set& points, const Shapes& shapes, const Thinned_points& thinned)
+// from the inside to the outside, with the blocks of each reach apart. Gives the positions as they were written.
+std::vector<std::uint32_t> write_points(std::ostream& out, const Point_set& points, const Shapes& shapes,
+                                        const Thinned_points& thinned)
 {
   const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   const Kernel::Point_3 center = center_of(box);
@@ -115,6 +128,7 @@ void write_points(std::ostream& out, const Point_set& points, const Shapes& shap
     writer.write(out, written, next);
     written = next;
   }
+  return positions;
 }
 
 } // namespace
@@ -126,12 +140,16 @@ void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes
   write_pieces(out, page_before_data);
   out << "<script type=\"application/json\" id=\"scene\">";
   Json scene = json_of_scene(points, shapes, run, thinned);
-  scene["shapes"] = json_of_shapes(points, shapes, areas, center_of(box_of_shapes(points, shapes)));
+  const Kernel::Point_3 center = center_of(box_of_shapes(points, shapes));
+  scene["shapes"] = json_of_shapes(points, shapes, areas, center);
+  scene["shapes"]["outward"] = outward_sides(shapes, run);
   scene["shapes"]["shown"] = thinned.shown;                     // one more: points without a shape
   out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
-  write_points(out, points, shapes, thinned);
+  const std::vector<std::uint32_t> positions = write_points(out, points, shapes, thinned);
   out << "</script>\n";
+  write_areas(out, areas, center);
+  write_input_colors(out, points, positions);
   write_pieces(out, page_after_data);
 }
 

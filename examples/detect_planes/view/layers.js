@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Outlines and triangles of the shapes, as write_layers.h describes their elements of the page.
+function readBytes(id) {
+  const lines = byId(id).textContent.trim().split("\n").filter(line => line !== "").map(bytesOf);
+  byId(id).remove();
+  const result = new Uint8Array(lines.reduce((sum, line) => sum + line.length, 0));
+  let size = 0;
+  for (const line of lines) {
+    result.set(line, size);
+    size += line.length;
+  }
+  return result;
+}
+
+function decodeLayers(scene) {
+  const corners = new Float32Array(readBytes("corners").buffer);
+  return { corners, segments: segmentsOf(scene, new Uint32Array(readBytes("loops").buffer), corners),
+           triangles: trianglesOf(scene, new Uint32Array(readBytes("triangles").buffer), corners) };
+}
+
+const markOf = shape => [shape & 255, (shape >> 8) & 255, shape >> 16, 0];
+
+// Ends and shape of each segment.
+function segmentsOf(scene, numbers, corners) {
+  const ends = [], marks = [];
+  const point = corner => corners.subarray(3 * corner, 3 * corner + 3);
+  let next = 0;
+  for (let shape = 0; shape < scene.shapes.points.length && next < numbers.length; ++shape)
+    for (let loops = numbers[next++]; loops > 0; --loops) {
+      const size = numbers[next++];
+      for (let k = 0; k < size; ++k) {
+        ends.push(...point(numbers[next + k]), ...point(numbers[next + (k + 1) % size]));
+        marks.push(...markOf(shape));
+      }
+      next += size;
+    }
+  return { ends: new Float32Array(ends), marks: new Uint8Array(marks) };
+}
+
+// Each triangle has corners of its own, as these tell its shape.
+function trianglesOf(scene, numbers, corners) {
+  const positions = [], marks = [];
+  let next = 0;
+  for (let shape = 0; shape < scene.shapes.points.length && next < numbers.length; ++shape)
+    for (let n = 3 * numbers[next++]; n > 0; --n) {
+      const corner = numbers[next++];
+      positions.push(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]);
+      marks.push(...markOf(shape));
+    }
+  return { positions: new Float32Array(positions), marks: new Uint8Array(marks) };
+}
+
+class Layers {
+  // All share the uniforms.
+  constructor(scene, uniforms) {
+    this.scene = scene;
+    this.uniforms = uniforms;
+    this.objects = {};
+  }
+
+  addPoints(points, inputColors) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(points.positions, 3));
+    geometry.setAttribute("mark", new THREE.BufferAttribute(points.marks, 4));
+    if (inputColors.length > 0)
+      geometry.setAttribute("inputColor", new THREE.BufferAttribute(inputColors, 3, true));
+    this.add("points", new THREE.Points(geometry, this.material(pointShader, discShader)));
+  }
+
+  addTriangles({ positions, marks }) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+    geometry.setAttribute("mark", new THREE.BufferAttribute(marks, 4));
+    this.add("surface", new THREE.Mesh(geometry, this.material(triangleShader, flatShader, {
+      side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 })));
+  }
+
+  addSegments({ ends, marks }) {
+    const geometry = new THREE.InstancedBufferGeometry(), pairs = new THREE.InstancedInterleavedBuffer(ends, 6, 1);
+    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([0, -1, 0, 0, 1, 0, 1, -1, 0, 1, 1, 0]), 3));
+    geometry.setIndex([0, 2, 1, 1, 2, 3]);
+    geometry.setAttribute("first", new THREE.InterleavedBufferAttribute(pairs, 3, 0));
+    geometry.setAttribute("last", new THREE.InterleavedBufferAttribute(pairs, 3, 3));
+    geometry.setAttribute("mark", new THREE.InstancedBufferAttribute(marks, 4));
+    geometry.maxInstancedCount = marks.length / 4;
+    this.add("outlines", new THREE.Mesh(geometry, this.material(segmentShader, flatShader, { side: THREE.DoubleSide })));
+  }
+
+  material(vertexShader, fragmentShader, options = {}) {
+    return new THREE.RawShaderMaterial({ vertexShader, fragmentShader, uniforms: this.uniforms, ...options });
+  }
+
+  add(name, object) {
+    object.frustumCulled = false;
+    object.visible = name === "points";
+    this.objects[name] = object;
+    this.scene.add(object);
+  }
+
+  isShown(name) { return this.objects[name].visible; }
+  show(name, isShown) { this.objects[name].visible = isShown; }
+  shown() { return Object.keys(this.objects).filter(name => this.isShown(name)); }
+}
