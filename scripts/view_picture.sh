@@ -5,7 +5,7 @@
 # A picture of a page that detect_planes --view has written, by a Chromium without a window.
 #   view_picture.sh                           the picture of the manual, from the demo
 #   view_picture.sh PAGE.html PICTURE.png [ADDRESS [WIDTHxHEIGHT]]    another one
-# ADDRESS is what page.js reads after '#', for example 'color=direction&theme=dark'.
+# ADDRESS is what address.js reads after '#', for example 'color=direction&theme=dark'.
 # Exit code 77: there is no Chromium.
 
 set -eu
@@ -16,7 +16,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 if [ $# -eq 0 ]; then
   "$root/scripts/demo.sh"
   set -- "${TANDEM_BUILD_DIR:-$root/build/release}/demo/building.html" \
-    "$root/doc/Shape_regularization_tandem/fig/view.png" "color=plane&direction=5&theme=light" 1160x720
+    "$root/doc/Shape_regularization_tandem/fig/view.png" "color=plane&direction=5&theme=light&layers=outlines,surface" 880x560
 fi
 [ $# -ge 2 ] && [ $# -le 4 ] || fail "needs PAGE.html and PICTURE.png"
 [ -r "$1" ] || fail "$1 cannot be read"

@@ -14,6 +14,7 @@
 class Address {
   constructor(page) {
     this.page = page;
+    this.timer = null; // while something is to be written
     window.addEventListener("hashchange", () => this.read());
   }
 
@@ -22,7 +23,8 @@ class Address {
   read() {
     const { page } = this, words = Address.words(), { viewer } = page.cloud;
     this.isReading = true;
-    const number = (name, otherwise) => Number.isFinite(parseFloat(words.get(name))) ? parseFloat(words.get(name)) : otherwise;
+    const number = (name, otherwise) => Number.isFinite(parseFloat(words.get(name))) ? parseFloat(words.get(name))
+                                                                                      : otherwise;
     if (words.has("theme"))
       page.setTheme(page.chosenTheme = words.get("theme") === "dark" ? "dark" : "light");
     if (words.has("panel"))
@@ -70,7 +72,10 @@ class Address {
     if (this.isReading)
       return;
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.writeNow(), 150);
+    this.timer = setTimeout(() => {
+      this.timer = null;
+      this.writeNow();
+    }, 150);
   }
 
   // A browser may refuse to change the address of a file.
@@ -95,7 +100,8 @@ class Address {
 
   // Empty where that is what a page shows without the word.
   values() {
-    const { page } = this, { viewer } = page.cloud, hidden = page.visibility.toWords(), layers = page.cloud.layers.shown().join();
+    const { page } = this, { viewer } = page.cloud, hidden = page.visibility.toWords();
+    const layers = page.cloud.layers.shown().join();
     if (!hidden)
       tell("Too many shapes are hidden, in no order: the link of this page does not say which.");
     return { camera: viewer.toText(), up: viewer.up.join() === page.firstUp.join() ? "" : textOfDirection(viewer.up),
@@ -133,5 +139,6 @@ function describePicture(page) {
   const colors = [...sizes.values()].filter(size => size > pixels.length / 5000).length;
   Object.assign(document.body.dataset, { shown, colors,
                                          drawn: pixels.filter((_, i) => isDrawn(i)).length,
-                                         selected: page.selection ? page.selection.kind + page.selection.index : "none" });
+                                         selected: page.selection ? page.selection.kind + page.selection.index
+                                                                  : "none" });
 }

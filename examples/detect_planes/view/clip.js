@@ -32,10 +32,13 @@ class Clip {
 
   makeBoxSliders() {
     this.sliders = ["x", "y", "z"].map((name, k) => {
-      const make = (end, value) => element("input", { type: "range", min: 0, max: steps, value, id: "clip-" + name + end,
-        "aria-label": (end === "0" ? "smallest " : "largest ") + name, oninput: event => this.moveBox(k, end, event.target) });
+      const make = (end, value) => element("input", {
+        type: "range", min: 0, max: steps, value, id: "clip-" + name + end,
+        "aria-label": (end === "0" ? "smallest " : "largest ") + name,
+        oninput: event => this.moveBox(k, end, event.target) });
       const low = make("0", 0), high = make("1", steps), text = element("output");
-      byId("clip-box").append(element("div", { class: "pair" }, element("span", {}, name), element("div", {}, low, high), text));
+      byId("clip-box").append(element("div", { class: "pair" }, element("span", {}, name),
+                                      element("div", {}, low, high), text));
       return { low, high, text };
     });
   }
@@ -54,7 +57,8 @@ class Clip {
 
   makeSliceControls() {
     const buttons = byId("slice-kind");
-    const add = (name, title, act) => buttons.append(element("button", { id: "slice-" + name, role: "radio", onclick: act }, title));
+    const add = (name, title, act) =>
+      buttons.append(element("button", { id: "slice-" + name, role: "radio", onclick: act }, title));
     add("none", "none", () => this.setSlice(null));
     for (const [name, normal] of Object.entries(sliceNames))
       add(name, name, () => this.sliceThrough(normal, [0, 0, 0]));
@@ -93,17 +97,20 @@ class Clip {
   }
 
   show() {
-    const position = (x, k) => Math.abs(x) >= far ? (x < 0 ? 0 : steps) : steps * (x / (this.scene.extent[k] || 1) + 0.5);
+    const position = (x, k) => Math.abs(x) >= far ? (x < 0 ? 0 : steps)
+                                                   : steps * (x / (this.scene.extent[k] || 1) + 0.5);
     this.sliders.forEach(({ low, high, text }, k) => {
       low.value = position(this.low[k], k);
       high.value = position(this.high[k], k);
       low.parentElement.style.setProperty("--from", 100 * low.value / steps + "%");
       low.parentElement.style.setProperty("--to", 100 * high.value / steps + "%");
       const name = x => Math.abs(x) >= far ? "\u2026" : rounded(x + this.scene.center[k], 5);
-      text.textContent = Math.abs(this.low[k]) >= far && this.high[k] >= far ? "all" : name(this.low[k]) + " \u2013 " + name(this.high[k]);
+      const isAll = this.low[k] <= -far && this.high[k] >= far;
+      text.textContent = isAll ? "all" : name(this.low[k]) + " \u2013 " + name(this.high[k]);
     });
     const slice = this.slice;
-    const kind = !slice ? "none" : Object.keys(sliceNames).find(name => sliceNames[name].join() === slice.normal.join());
+    const kind = !slice ? "none"
+                        : Object.keys(sliceNames).find(name => sliceNames[name].join() === slice.normal.join());
     for (const name of ["none", "x", "y", "z"])
       byId("slice-" + name).setAttribute("aria-checked", String(name === kind));
     byId("slice-values").hidden = !slice;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is on the canvas: one draw call for each layer. A table, of one texel for each shape and one for the points without
-// a shape, gives color and state, so that nothing is done for each point but on the graphics processor.
+// What is on the canvas: one draw call for each layer. A table, of one texel for each shape and one for the points
+// without a shape, gives color and state, so that nothing is done for each point but on the graphics processor.
 const State = { hidden: 0, dim: 85, normal: 170, selected: 255 };
 const tableWidth = 256, far = 1e30;
 
@@ -49,7 +49,8 @@ class Cloud {
     this.uniforms = {
       table: value(this.table), tableHeight: value(this.tableHeight), noShape: value(this.noShape),
       worldSize: value(spacing), pixelsPerUnit: value(1), smallestSize: value(1), nearest: value(1),
-      background: value(new THREE.Color()), isByDistance: value(false), isByInput: value(false), isPicking: value(false),
+      background: value(new THREE.Color()), isByDistance: value(false), isByInput: value(false),
+      isPicking: value(false),
       hasSelection: value(false), halfWidth: value(new THREE.Vector2()), lineColor: value(new THREE.Color()),
       lineShade: value(0), clipLow: value(vector([-far, -far, -far])), clipHigh: value(vector([far, far, far])),
       sliceNormal: value(vector([0, 0, 0])), sliceOffset: value(0), sliceReach: value(far) };

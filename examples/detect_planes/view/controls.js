@@ -74,7 +74,7 @@ class Controls {
 
   toggleHelp() { byId("help").hidden = !byId("help").hidden; }
 
-  // Text is typed into a field without being taken for keys of the page. Sliders keep their arrows, which are no such keys.
+  // Text is typed into a field without being taken for keys of the page. Sliders keep their arrows, which are none.
   press(event) {
     const isText = event.target.matches && event.target.matches("input[type=search], input[type=text], textarea");
     if (isText && event.key === "Escape")

@@ -79,13 +79,15 @@ class Layers {
 
   addSegments({ ends, marks }) {
     const geometry = new THREE.InstancedBufferGeometry(), pairs = new THREE.InstancedInterleavedBuffer(ends, 6, 1);
-    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([0, -1, 0, 0, 1, 0, 1, -1, 0, 1, 1, 0]), 3));
+    const rectangle = new Float32Array([0, -1, 0, 0, 1, 0, 1, -1, 0, 1, 1, 0]);
+    geometry.setAttribute("position", new THREE.BufferAttribute(rectangle, 3));
     geometry.setIndex([0, 2, 1, 1, 2, 3]);
     geometry.setAttribute("first", new THREE.InterleavedBufferAttribute(pairs, 3, 0));
     geometry.setAttribute("last", new THREE.InterleavedBufferAttribute(pairs, 3, 3));
     geometry.setAttribute("mark", new THREE.InstancedBufferAttribute(marks, 4));
     geometry.maxInstancedCount = marks.length / 4;
-    this.add("outlines", new THREE.Mesh(geometry, this.material(segmentShader, flatShader, { side: THREE.DoubleSide })));
+    const material = this.material(segmentShader, flatShader, { side: THREE.DoubleSide });
+    this.add("outlines", new THREE.Mesh(geometry, material));
   }
 
   material(vertexShader, fragmentShader, options = {}) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The list of all shapes. Only the rows that can be seen are elements, as there may be many shapes.
-const rowHeight = 26; // as in page.css
+const rowHeight = matchMedia("(pointer: coarse)").matches ? 38 : 26; // pixels
 
 class ShapeList {
   // actions: select, goTo, toggle, isHidden, color
@@ -10,6 +10,7 @@ class ShapeList {
     Object.assign(this, { shapes, actions, sorting: "points", isDescending: true, selected: new Set() });
     this.window = byId("list");
     this.space = this.window.firstElementChild;
+    this.window.style.setProperty("--row", rowHeight + "px");
     this.makeHead();
     this.window.onscroll = () => this.draw();
     new ResizeObserver(() => this.draw()).observe(this.window);

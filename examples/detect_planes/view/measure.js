@@ -9,8 +9,9 @@ class Measure {
     this.positions = new THREE.BufferAttribute(new Float32Array(6), 3);
     geometry.setAttribute("position", this.positions);
     const options = { color: 0xe5432d, depthTest: false, transparent: true };
+    const dots = new THREE.PointsMaterial({ ...options, size: 9, sizeAttenuation: false });
     this.objects = [new THREE.LineSegments(geometry, new THREE.LineBasicMaterial(options)),
-                    new THREE.Points(geometry, new THREE.PointsMaterial({ ...options, size: 9, sizeAttenuation: false }))];
+                    new THREE.Points(geometry, dots)];
     for (const object of this.objects) {
       object.frustumCulled = false;
       object.renderOrder = 1;
@@ -68,12 +69,12 @@ class Measure {
     const facts = [["Distance", text(d.length())],
                    ["Along x, y, z", d.toArray().map(text).join("  ")],
                    ["Up, level", text(height) + ", " + text(Math.sqrt(Math.max(0, d.lengthSq() - height * height)))]];
+    const normal = place => vector(this.shapes.normal(place.shape)), { direction } = this.shapes.columns;
     if (a.shape !== null)
-      facts.push(["From shape " + a.shape, text(Math.abs(vector(this.shapes.normal(a.shape)).dot(d))) + " along its normal"]);
+      facts.push(["From shape " + a.shape, text(Math.abs(normal(a).dot(d))) + " along its normal"]);
     if (a.shape !== null && b.shape !== null && a.shape !== b.shape) {
-      const cosine = Math.abs(vector(this.shapes.normal(a.shape)).dot(vector(this.shapes.normal(b.shape))));
-      const isParallel = this.shapes.columns.direction[a.shape] === this.shapes.columns.direction[b.shape];
-      facts.push(["Planes", isParallel ? "parallel" : "angle " + degrees(Math.acos(Math.min(1, cosine)) * 180 / Math.PI)]);
+      const angle = Math.acos(Math.min(1, Math.abs(normal(a).dot(normal(b))))) * 180 / Math.PI;
+      facts.push(["Planes", direction[a.shape] === direction[b.shape] ? "parallel" : "angle " + degrees(angle)]);
     }
     return facts;
   }
@@ -85,10 +86,11 @@ class Measure {
       this.positions.set(this.places[Math.min(i, n - 1)].point.toArray(), 3 * i);
     this.positions.needsUpdate = true;
     target.textContent = "";
+    const end = element("button", { class: "small", title: "end", onclick: () => this.turn(false) }, "\u00d7");
+    const next = n === 0 ? "Click on two places." : "Click on the second place.";
     if (this.isOn)
-      target.append(element("h2", {}, element("span", {}, "Measure"),
-                            element("button", { class: "small", title: "end", onclick: () => this.turn(false) }, "\u00d7")),
-                    n < 2 ? element("p", {}, n === 0 ? "Click on two places." : "Click on the second place.") : factList(this.facts()));
+      target.append(element("h2", {}, element("span", {}, "Measure"), end),
+                    n < 2 ? element("p", {}, next) : factList(this.facts()));
     this.cloud.requestRender();
     this.moveLabel();
   }

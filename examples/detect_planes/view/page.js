@@ -176,16 +176,24 @@ class Page {
     const members = this.shapes.membersOf(this.selection), { viewer } = this.cloud;
     if (members.length === 0)
       return viewer.lookAtAll();
-    const place = viewer.camera.position, positions = [];
+    const place = viewer.camera.position;
+    viewer.goTo(this.positionsOf(members), this.selection.kind === "direction"
+      ? place.clone().sub(viewer.controls.target) : this.shapes.outward(members[0], place));
+  }
+
+  // Of some of the points that are drawn.
+  positionsOf(members) {
+    const positions = [];
     for (const shape of members) {
-      const all = this.shapes.positions(shape), step = 3 * Math.max(1, Math.floor(all.length / 3 * members.length / 20000));
-      for (let i = 0; i < all.length; i += step)
-        positions.push(all[i], all[i + 1], all[i + 2]);
+      const all = this.shapes.positions(shape);
+      const step = 3 * Math.max(1, Math.floor(all.length / 3 * members.length / 20000));
+      for (let i = 0; i < all.length; i += step) {
+        const p = [all[i], all[i + 1], all[i + 2]];
+        if (this.clip.has(p))
+          positions.push(...p);
+      }
     }
-    if (positions.length === 0)
-      positions.push(...this.shapes.centroid(members[0]));
-    viewer.goTo(positions, this.selection.kind === "direction" ? place.clone().sub(viewer.controls.target)
-                                                                : this.shapes.outward(members[0], place));
+    return positions.length > 0 ? positions : this.shapes.centroid(members[0]);
   }
 
   sliceAtSelection() {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the graphics processor does for points, outlines and triangles: the color and the state of a shape are a texel of
-// a table, and what is outside of the clip box or of the slice is not drawn. While picking, colors are indices.
+// What the graphics processor does for points, outlines and triangles: the color and the state of a shape are a texel
+// of a table, and what is outside of the clip box or of the slice is not drawn. While picking, colors are indices.
 const lookShader = `
   precision highp float;
   uniform mat4 modelViewMatrix, projectionMatrix;
@@ -93,7 +93,9 @@ const segmentShader = lookShader + `
   varying vec3 color, place;
 
   // The end of a segment, or where it comes in front of the viewer.
-  vec3 visible(vec3 a, vec3 b) { return a.z > -nearest ? mix(a, b, clamp((a.z + nearest) / (a.z - b.z), 0.0, 1.0)) : a; }
+  vec3 visible(vec3 a, vec3 b) {
+    return a.z > -nearest ? mix(a, b, clamp((a.z + nearest) / (a.z - b.z), 0.0, 1.0)) : a;
+  }
 
   void main() {
     vec4 look = lookOf(mark);

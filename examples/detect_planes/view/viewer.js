@@ -31,8 +31,10 @@ class Viewer {
     this.controls.screenSpacePanning = true;
     this.controls.enableKeys = false;
     this.controls.autoRotateSpeed = 4;
-    this.controls.addEventListener("change", () => this.afterMove());
-    this.controls.addEventListener("start", () => this.first = null);
+    this.controls.addEventListener("change", () => {
+      this.first = null;
+      this.afterMove();
+    });
     this.controls.addEventListener("end", () => this.afterEnd());
   }
 
@@ -45,7 +47,6 @@ class Viewer {
   // All of the box. Azimuth 0: the viewer stands in the direction of x, 90: of y (if z points up), as in
   // scripts/render.sh.
   lookAtAll(azimuth = 30, elevation = 30, zoom = 1) {
-    this.first = [azimuth, elevation, zoom]; // until the viewer moves
     const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;
     const up = vector(this.up).normalize();
     const x = vector(Math.abs(up.x) < 0.9 ? [1, 0, 0] : [0, 1, 0]);
@@ -58,6 +59,7 @@ class Viewer {
     this.standAt(new THREE.Vector3(), toViewer);
     this.camera.position.setLength(Math.max(this.distanceTo(corners), this.extent / 100) / zoom);
     this.finish();
+    this.first = [azimuth, elevation, zoom]; // until the viewer moves
   }
 
   standAt(target, toViewer) {

@@ -8,7 +8,8 @@ const { run, square } = require("./view_browser.js");
 async function drag(b, id, share) {
   const slider = b.tab.locator(id);
   await slider.scrollIntoViewIfNeeded();
-  const box = await slider.boundingBox(), value = Number(await slider.inputValue()) / Number(await slider.getAttribute("max"));
+  const box = await slider.boundingBox();
+  const value = Number(await slider.inputValue()) / Number(await slider.getAttribute("max"));
   const at = part => [box.x + 8 + part * (box.width - 16), box.y + box.height / 2];
   await b.tab.mouse.move(...at(value));
   await b.tab.mouse.down();
@@ -48,7 +49,7 @@ run(async b => {
   b.expect(await b.shareOfBackground(region) > 0.95, "the slice is not empty in the middle");
   await drag(b, "#slice-place", 0);
   b.expect(await b.shareOfShape(region, floor) > 0.95, "the lowest slice has no floor");
-  b.expect((await b.address()).includes("slice=0,0,1,-1.5"), "the address does not have the slice: " + await b.address());
+  b.expect((await b.address()).includes("slice=0,0,1,-1.5"), "the address does not have the slice");
   await drag(b, "#slice-reach", 1);
   b.expect(await b.shareOfShape(region, ceiling) > 0.95, "the thickest slice has no ceiling");
   await b.click("#slice-none");

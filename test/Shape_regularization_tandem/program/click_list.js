@@ -87,12 +87,13 @@ async function testMany(b) {
   const start = Date.now();
   await b.tab.fill("#search", "49999");
   b.equal(await rows(b), [total - 1], "the row that is found");
-  b.expect(Date.now() - start < 1500, "to find a row takes " + (Date.now() - start) + " ms");
+  b.expect(Date.now() - start < 8000, "to find a row takes " + (Date.now() - start) + " ms");
 }
 
 run(async b => {
   await b.open("unassigned=0&size=8&elevation=75");
-  const ceiling = await b.shapeAt(2, 1.5), floor = await b.shapeAt(2, -1.5), region = square(await b.place([0, 0, 0]), 40);
+  const ceiling = await b.shapeAt(2, 1.5), floor = await b.shapeAt(2, -1.5);
+  const region = square(await b.place([0, 0, 0]), 40);
   await testRows(b, ceiling, floor, region);
   await testHiding(b, ceiling, floor, region);
   await testMany(b);

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Clicks, keys and fingers on the page of detect_planes --view: each test of click_*.js in a Chromium without a window.
-# PROGRAM is tested in WORK_DIR, on a room. PLAYWRIGHT is the folder of scripts/install_playwright.sh. Skipped where that,
-# node, Chromium or three.js is missing.
+# PROGRAM is tested in WORK_DIR, on a room. PLAYWRIGHT is the folder of scripts/install_playwright.sh. Skipped where
+# that, node, Chromium or three.js is missing.
 
 cmake_minimum_required(VERSION 3.19)
 
@@ -32,7 +32,7 @@ expect_equal("exit code" "${status}: ${err}" "0: ")
 foreach(name IN ITEMS select layers clip list save touch)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env "NODE_PATH=${PLAYWRIGHT}/node_modules" "CHROMIUM=${CHROMIUM}"
                           "${NODE}" "${CMAKE_CURRENT_LIST_DIR}/click_${name}.js" "${WORK_DIR}/room.html"
-                  RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err TIMEOUT 120)
+                  RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err TIMEOUT 300)
   if(NOT status EQUAL 0)
     complain("click_${name}.js: ${status}\n${out}${err}")
   endif()

@@ -19,7 +19,7 @@ class Browser {
   async open(address = "", name = file) {
     await this.tab.goto("about:blank");
     await this.tab.goto("file://" + name + "#theme=light&" + address);
-    await this.tab.waitForFunction(() => window.page || document.body.dataset.error);
+    await this.tab.waitForFunction(() => (window.page && page.address) || document.body.dataset.error);
     await this.settle();
   }
 
@@ -38,8 +38,11 @@ class Browser {
   address() { return this.tab.evaluate(() => location.hash); }
   button(name) { return this.tab.getByRole("button", { name, exact: true }); }
 
-  // The page writes its address some time after a change.
-  async settle() { await this.tab.waitForTimeout(250); }
+  // The page writes its address some time after a change, and draws in the next frame.
+  async settle() {
+    await this.tab.waitForTimeout(40);
+    await this.tab.waitForFunction(() => page.address.timer === null && !page.cloud.isRequested);
+  }
 
   async click(where) {
     await (typeof where === "string" ? this.tab.click(where) : where.click());
@@ -64,8 +67,8 @@ class Browser {
     }, point);
   }
 
-  // The share of the pixels of a region, [left, top, width, height], that have a color, by the red, green and blue of the
-  // page. The picture is drawn again, as its pixels are gone after the task.
+  // The share of the pixels of a region, [left, top, width, height], that have a color: red, green and blue from 0 to 1.
+  // The picture is drawn again, as its pixels are gone after the task.
   share(region, color) {
     return this.tab.evaluate(([[left, top, width, height], color]) => {
       page.cloud.render();
@@ -86,7 +89,7 @@ class Browser {
     return this.share(region, await this.tab.evaluate(() => page.cloud.uniforms.background.value.toArray()));
   }
 
-  // The shape of a plane of the room: the one whose normal is along the axis, at the height from the center.
+  // The shape of a face of the room: its normal is along the axis, and it is at this height from the center.
   shapeAt(axis, height) {
     return this.tab.evaluate(([axis, height]) => Array.from({ length: page.shapes.count }, (_, s) => s)
       .find(s => Math.abs(page.shapes.normal(s)[axis]) > 0.99 && Math.abs(page.shapes.centroid(s)[axis] - height) < 0.05),
