@@ -20,36 +20,41 @@ function decodeLayers(scene) {
            triangles: trianglesOf(scene, new Uint32Array(readBytes("triangles").buffer), corners) };
 }
 
-const markOf = shape => [shape & 255, (shape >> 8) & 255, shape >> 16, 0];
+function setMark(marks, place, shape) {
+  marks[4 * place] = shape & 255;
+  marks[4 * place + 1] = (shape >> 8) & 255;
+  marks[4 * place + 2] = shape >> 16;
+}
 
-// Ends and shape of each segment.
+// Ends and shape of each segment: there are fewer than numbers.
 function segmentsOf(scene, numbers, corners) {
-  const ends = [], marks = [];
-  const point = corner => corners.subarray(3 * corner, 3 * corner + 3);
-  let next = 0;
+  const ends = new Float32Array(6 * numbers.length), marks = new Uint8Array(4 * numbers.length);
+  let next = 0, segments = 0;
   for (let shape = 0; shape < scene.shapes.points.length && next < numbers.length; ++shape)
     for (let loops = numbers[next++]; loops > 0; --loops) {
       const size = numbers[next++];
-      for (let k = 0; k < size; ++k) {
-        ends.push(...point(numbers[next + k]), ...point(numbers[next + (k + 1) % size]));
-        marks.push(...markOf(shape));
+      for (let k = 0; k < size; ++k, ++segments) {
+        const first = 3 * numbers[next + k], last = 3 * numbers[next + (k + 1) % size];
+        ends.set(corners.subarray(first, first + 3), 6 * segments);
+        ends.set(corners.subarray(last, last + 3), 6 * segments + 3);
+        setMark(marks, segments, shape);
       }
       next += size;
     }
-  return { ends: new Float32Array(ends), marks: new Uint8Array(marks) };
+  return { ends: ends.slice(0, 6 * segments), marks: marks.slice(0, 4 * segments) };
 }
 
 // Each triangle has corners of its own, as these tell its shape.
 function trianglesOf(scene, numbers, corners) {
-  const positions = [], marks = [];
-  let next = 0;
+  const positions = new Float32Array(3 * numbers.length), marks = new Uint8Array(4 * numbers.length);
+  let next = 0, size = 0;
   for (let shape = 0; shape < scene.shapes.points.length && next < numbers.length; ++shape)
-    for (let n = 3 * numbers[next++]; n > 0; --n) {
-      const corner = numbers[next++];
-      positions.push(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]);
-      marks.push(...markOf(shape));
+    for (let n = 3 * numbers[next++]; n > 0; --n, ++size) {
+      const corner = 3 * numbers[next++];
+      positions.set(corners.subarray(corner, corner + 3), 3 * size);
+      setMark(marks, size, shape);
     }
-  return { positions: new Float32Array(positions), marks: new Uint8Array(marks) };
+  return { positions: positions.slice(0, 3 * size), marks: marks.slice(0, 4 * size) };
 }
 
 class Layers {

@@ -80,6 +80,43 @@ foreach(i RANGE 2) # squares of 0.161, or a spacing wider where the planes of ot
   endforeach()
 endforeach()
 
+# --- Its layers: the faces meet in seven corners; an outline of at least four of them and two triangles for each face;
+# colors where the input has any.
+macro(expect_element id pattern)
+  if(NOT "${page}" MATCHES "<script type=\"text/plain\" id=\"${id}\">\n(${pattern})</script>\n")
+    complain("the element ${id} of the page does not match ${pattern}")
+  endif()
+  set(element "${CMAKE_MATCH_1}")
+endmacro()
+function(expect_bytes id least)
+  expect_element(${id} "[A-Za-z0-9+/=]+\n")
+  string(LENGTH "${element}" length)
+  math(EXPR bytes "(${length} - 1) / 4 * 3")
+  if(bytes LESS least)
+    complain("the element ${id} of the page has ${bytes} bytes")
+  endif()
+  set(failures ${failures} PARENT_SCOPE)
+endfunction()
+expect_bytes(corners 84)   # 7 of 12 bytes
+expect_bytes(loops 72)     # 3 x (1 number of loops, 1 of corners, 4 corners)
+expect_bytes(triangles 84) # 3 x (1 number of triangles, 2 x 3 corners)
+expect_element(input-colors "")
+foreach(i RANGE 2)
+  string(JSON side GET "${scene}" shapes outward ${i})
+  if(NOT side MATCHES "^-?1$") # the normals are given
+    complain("the outward side of shape ${i} is ${side}")
+  endif()
+endforeach()
+string(REPLACE "\n" " 10 20 30\n" colored "${cube}")
+set(channels "property uchar red\nproperty uchar green\nproperty uchar blue\n")
+file(WRITE "${WORK_DIR}/colored.ply" "${ply_header}${positions}${normals}${channels}end_header\n${colored}")
+expect(0 "^$" colored.ply ${epsilon} --quiet --view colored.html)
+file(READ "${WORK_DIR}/colored.html" page)
+expect_element(input-colors "(ChQe)+\n") # 10 20 30
+string(LENGTH "${element}" length)
+math(EXPR expected "4 * ${n} + 1")
+expect_equal("length of the colors" ${length} ${expected})
+
 # --- Large coordinates, and a name that is markup
 make_cube(far_cube 4500000)
 file(WRITE "${WORK_DIR}/<script>.ply" "${ply_header}${positions}${normals}end_header\n${far_cube}")
