@@ -61,6 +61,16 @@ run(async b => {
   b.equal(await b.shareOfShape(region, ceiling), 0, "with the slice of the floor the share of the ceiling");
   b.expect(await b.shareOfShape(region, floor) > 0.95, "the slice of the floor has no floor");
 
+  // All layers are clipped.
+  await b.press("Escape");
+  await b.press("p");
+  for (const key of ["s", "o"]) {
+    await b.press(key);
+    b.equal(await b.shareOfShape(region, ceiling), 0, "with the layer of " + key + " the share of the ceiling");
+  }
+  b.expect(await b.shareOfShape(region, floor) > 0.95, "the floor has no surface");
+  await b.press("p");
+
   // The link.
   const address = (await b.address()).slice(1);
   await b.open(address);

@@ -24,6 +24,13 @@ run(async b => {
   b.expect(await b.shareOfShape([0, 60, 390, 340], ceiling) > 1.1 * share, "the room is not larger");
   b.equal(await b.state("page.selection"), null, "after two fingers the selection");
 
+  // Nor does a tap of two.
+  await touch("touchStart", [[190, 200]]);
+  await touch("touchStart", [[190, 200], [198, 200]]);
+  await touch("touchEnd", []);
+  await b.settle();
+  b.equal(await b.state("page.selection"), null, "after a tap of two fingers the selection");
+
   // One that moves turns; one that does not selects.
   const y = await b.state("page.cloud.camera.position.y");
   await touch("touchStart", [[150, 200]]);
