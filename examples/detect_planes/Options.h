@@ -26,14 +26,14 @@ struct Options {
   std::vector<std::string> inputs;
   std::string output, output_directory, labels, planes, report, vg, polygons, mesh, mesh_method, view;
   std::string crs;                          // of --polygons
-  std::string columns, classes;             // of the inputs
+  std::string columns, classes, format;     // of the inputs
   std::string tolerance_column, noise_text; // of the tolerance of each point
   std::optional<Noise_model> noise;
   std::string colors; // of the output: shape, input or empty
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
     surfel_size;
   std::optional<long long> mesh_planes, mesh_seconds, minimum_region_size, k_neighbors, cell_size, threads,
-    estimate_normals;
+    estimate_normals, sample;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;
   std::optional<std::array<double, 3>> symmetry_direction, viewpoint;
@@ -41,7 +41,7 @@ struct Options {
   bool has_local_distances = false; // of --maximum-distance auto-local, or of auto where the noise varies
   double estimated_distance = 0;    // of auto
   std::string estimate_note;        // what is said of it
-  bool ignores_zeros = false;
+  bool ignores_zeros = false, has_decimal_commas = false;
   bool has_group_for_each_plane = false, has_triangles_only = false, is_oriented = false, is_quiet = false;
   bool wants_help = false, wants_version = false;
 };

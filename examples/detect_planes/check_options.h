@@ -132,7 +132,7 @@ inline void check_formats(const Options& o, const Built_with& built)
     throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
   if(!o.colors.empty() && o.output.empty() && o.output_directory.empty())
     throw Usage_error("--colors needs --output or --output-directory");
-  input_settings(o.inputs, o.columns, o.classes, o.tolerance_column);
+  input_settings(o);
 }
 
 // Ranges that the library does not know; parameters_of() checks the others.
@@ -142,6 +142,7 @@ inline void check(const Options& o, const Built_with& built)
     throw Usage_error("no INPUT given");
   check_word("backend", o.backend, Built_with().backends(), built.backends());
   check_count("threads", o.threads, 1, 4096);
+  check_count("sample", o.sample, 0, 1000000000);
   if(o.estimate_normals && *o.estimate_normals != by_library)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
   if(o.has_group_for_each_plane && o.vg.empty())

@@ -11,6 +11,9 @@ _detect_planes()
       COMPREPLY=($(compgen -W "$("$program" --help | sed -n 's/^ *--backend NAME *\([a-z, ]*\);.*/\1/p' | tr -d ,)" \
         -- "$current"))
       ;;
+    --format)
+      COMPREPLY=($(compgen -W "ply las laz pcd off ptx xyz txt csv pts pwn xyzn xyzrgb asc" -- "$current"))
+      ;;
     --maximum-distance)
       COMPREPLY=($(compgen -W "auto auto-local" -- "$current"))
       ;;

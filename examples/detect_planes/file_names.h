@@ -59,25 +59,37 @@ inline std::string input_extension(const std::string& path)
   return lower_case_extension(is_gzip(path) ? name.stem() : name);
 }
 
-constexpr std::array<const char*, 5> table_extensions = {".xyz", ".txt", ".csv", ".pts", ".pwn"};
+constexpr std::array<const char*, 8> table_extensions = {".xyz", ".txt",  ".csv",    ".pts",
+                                                         ".pwn", ".xyzn", ".xyzrgb", ".asc"};
 constexpr std::array<const char*, 7> output_extensions = {".ply", ".las", ".laz", ".pcd", ".xyz", ".txt", ".csv"};
 
-inline bool is_table(const std::string& path)
+// With commas between them.
+inline std::string table_names()
 {
-  const std::string extension = input_extension(path);
+  std::string names;
+  for(const char* extension : table_extensions)
+    names += (names.empty() ? "" : ", ") + std::string(extension);
+  return names;
+}
+
+inline bool is_table(const std::string& extension)
+{
   return std::find(table_extensions.begin(), table_extensions.end(), extension) != table_extensions.end();
 }
 
-inline bool is_las(const std::string& path)
+inline bool is_las(const std::string& extension) { return extension == ".las" || extension == ".laz"; }
+
+// Of a cloud that is read.
+inline bool is_input_extension(const std::string& extension)
 {
-  const std::string extension = input_extension(path);
-  return extension == ".las" || extension == ".laz";
+  return is_table(extension) || is_las(extension) || extension == ".ply" || extension == ".pcd" ||
+         extension == ".off" || extension == ".ptx";
 }
 
-inline bool is_cloud(const std::string& path)
+// The extension that a file is read by: that of --format, or its own.
+inline std::string input_format(const std::string& path, const std::string& format)
 {
-  const std::string extension = input_extension(path);
-  return is_table(path) || is_las(path) || extension == ".ply" || extension == ".pcd" || extension == ".off";
+  return format.empty() ? input_extension(path) : format;
 }
 
 // Devices and pipes without an extension get PLY.

@@ -77,19 +77,40 @@ inline std::vector<int> parse_classes(const std::string& text)
   return classes;
 }
 
+// The value of --format, as an extension.
+inline std::string parse_format(const std::string& text)
+{
+  std::string extension = "." + text;
+  if(!is_input_extension(extension))
+    throw Usage_error("--format is '" + text + "', must be ply, las, laz, pcd, off, ptx or that of a text table (" +
+                      table_names() + ") without the point");
+  return extension;
+}
+
 // Throws std::invalid_argument where the options are wrong, or cannot be meant.
-inline Input_settings input_settings(const std::vector<std::string>& inputs, const std::string& columns,
-                                     const std::string& classes, const std::string& tolerance = "")
+inline Input_settings input_settings(const Options& o)
 {
   Input_settings settings;
-  settings.tolerance = tolerance;
-  if(!columns.empty()) {
-    settings.columns = parse_columns(columns, tolerance);
-    if(std::none_of(inputs.begin(), inputs.end(), is_table))
-      throw std::invalid_argument("--columns is for text tables (.xyz, .txt, .csv, .pts or .pwn)");
-  }
-  if(!classes.empty())
-    settings.classes = parse_classes(classes);
+  settings.tolerance = o.tolerance_column;
+  settings.has_decimal_commas = o.has_decimal_commas;
+  if(!o.columns.empty())
+    settings.columns = parse_columns(o.columns, o.tolerance_column);
+  if(!o.format.empty())
+    settings.format = parse_format(o.format);
+  const auto has_input_of = [&](auto is_right) {
+    return std::any_of(o.inputs.begin(), o.inputs.end(),
+                       [&](const std::string& path) { return is_right(input_format(path, settings.format)); });
+  };
+  if(!o.columns.empty() && !has_input_of(is_table))
+    throw Usage_error("--columns is for text tables (" + table_names() + ")");
+  if(o.has_decimal_commas && !has_input_of([](const std::string& f) { return is_table(f) || f == ".ptx"; }))
+    throw Usage_error("--decimal-comma is for text tables (" + table_names() + ") and .ptx");
+  if(o.sample && !has_input_of([](const std::string& f) { return f == ".ply" || f == ".off"; }))
+    throw Usage_error("--sample is for meshes (.ply, .off)");
+  if(o.sample)
+    settings.sample = std::size_t(*o.sample);
+  if(!o.classes.empty())
+    settings.classes = parse_classes(o.classes);
   return settings;
 }
 

@@ -7,6 +7,7 @@
 #define DETECT_PLANES_PROGRAM_OPTIONS_H
 
 #include "check_options.h"
+#include "input/input_options.h"
 #include "option_values.h"
 #include "output_options.h"
 #include "tolerance/tolerance_options.h"
@@ -29,8 +30,8 @@ inline std::string usage(const Built_with& built)
   std::string text = "usage: detect_planes INPUT... [options]\n\n"
                      "Finds the planes of a point cloud and makes parallel, orthogonal and coplanar ones exactly so.\n"
                      "INPUT is a file .ply, .las, " +
-                     std::string(built.laszip ? ".laz, " : "") +
-                     ".pcd, .off or a text table (.xyz, .txt, .csv, .pts, .pwn)";
+                     std::string(built.laszip ? ".laz, " : "") + ".pcd, .off, .ptx or a text table (" + table_names() +
+                     ")";
   if(built.gzip)
     text += std::string(",\nalso with .gz behind") + (built.laszip ? " (but .laz)" : "");
   text +=
@@ -44,32 +45,6 @@ inline std::string usage(const Built_with& built)
 }
 
 namespace po = boost::program_options;
-
-inline void add_input_options(po::options_description& all, Options& o, const Built_with& built)
-{
-  const std::string las = built.laszip ? ".las and .laz" : ".las";
-  po::options_description group("Input");
-  auto add = group.add_options();
-  add("columns", po::value<std::string>(&o.columns)->value_name("NAMES"),
-      "the columns of text tables, of x y z nx ny nz r g b intensity classification, and _ for one to pass over "
-      "(default: from a line of names, or from the values; the output says which)");
-  add("classes", po::value<std::string>(&o.classes)->value_name("LIST"),
-      ("only the points of these classes, as 2,6 (of " + las +
-       ", or of a property or column 'classification'); the others are in no output")
-        .c_str());
-  add("viewpoint", po::value<std::string>()->value_name("X,Y,Z")->notifier([&o](const std::string& text) {
-    o.viewpoint = parse_place("viewpoint", text);
-  }),
-      "the place from which all points were seen, in the coordinates of the input: estimated normals, and the outward "
-      "sides of planes, are those towards it; for --noise the place of the sensor. It is an error for an input with "
-      "normals of its own, which have a side, unless --estimate-normals or --noise is given (default: the VIEWPOINT of "
-      ".pcd files, where it is not "
-      "0 0 0 1 0 0 0, which only --oriented uses)");
-  add("ignore-zeros", po::bool_switch(&o.ignores_zeros),
-      "points that are exactly at 0 0 0, as invalid pixels of depth cameras are, have no shape, and nothing depends on "
-      "them");
-  all.add(group);
-}
 
 inline void add_detection_options(po::options_description& all, Options& o)
 {

@@ -46,10 +46,11 @@ public:
       tolerances = points.add_property_map<double>(tolerance_name).first;
   }
 
-  void add(const Point_row& row)
+  // Whether the point is of the classes.
+  bool add(const Point_row& row)
   {
     if(!classes.empty() && std::find(classes.begin(), classes.end(), int(row.classification)) == classes.end())
-      return;
+      return false;
     const Point_set::Index i = *points.insert(Kernel::Point_3(row.point[0], row.point[1], row.point[2]));
     if(fields.normal)
       points.normal(i) = Kernel::Vector_3(row.normal[0], row.normal[1], row.normal[2]);
@@ -61,6 +62,16 @@ public:
       classifications[i] = row.classification;
     if(fields.tolerance)
       tolerances[i] = row.tolerance;
+    return true;
+  }
+
+  // `new_colors[i]` is that of the i-th point.
+  template <class Colors>
+  void set_colors(const Colors& new_colors)
+  {
+    std::size_t count = 0;
+    for(Point_set::Index i : points)
+      colors[i] = new_colors[count++];
   }
 
   // Makes 16 bits of colors that use 8.

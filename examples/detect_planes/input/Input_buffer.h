@@ -36,13 +36,6 @@ struct Byte_range {
   std::uint64_t first, last;
 };
 
-// What a reader of CGAL gets of a file: a header in place of the one of the file, and the bytes that follow it.
-struct Point_data {
-  std::string header;
-  Byte_range body = {0, 0};
-  std::size_t count = 0; // of the points that the file announces, 0 if it does not
-};
-
 // Reads a range of a file, after a text that may be put before it. A signal ends it early: CGAL's
 // readers do not know of signals, but they stop where a file ends.
 class Input_buffer : public std::streambuf {

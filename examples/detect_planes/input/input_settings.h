@@ -7,8 +7,10 @@
 #include "input/table_columns.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +22,19 @@ struct Input_settings {
   std::vector<Column> columns; // of text tables; empty: recognized
   std::vector<int> classes;    // only these points; empty: all
   std::string tolerance;       // the column, property or field that has the tolerance of each point; empty: none has
+  std::string format;          // the extension that tells the format; empty: that of each file
+  bool has_decimal_commas = false;   // numbers of text tables
+  std::optional<std::size_t> sample; // points to put on the faces of a mesh; 0: their corners
 };
+
+// `what` ends in the word that has no attributes but those of its format, as "is OFF, whose points".
+inline void check_no_attributes(const Input_settings& settings, const std::string& what)
+{
+  if(!settings.classes.empty())
+    throw std::runtime_error(what + " have no 'classification', which --classes needs");
+  if(!settings.tolerance.empty())
+    throw std::runtime_error(what + " have no '" + settings.tolerance + "', which --tolerance-column names");
+}
 
 // Of degrees in place of lengths.
 constexpr const char* advice_on_degrees = "project such coordinates first, to UTM, for example";

@@ -15,6 +15,13 @@
 
 namespace program {
 
+// What there is to read of a file. CGAL's reader gets a header in place of the one of the file, and the bytes of the points.
+struct Off_parts {
+  std::string header;
+  Byte_range points, faces;
+  std::size_t number_of_points, number_of_faces;
+};
+
 inline std::size_t checked_count(long long n, const char* items)
 {
   if(n < 0)
@@ -52,7 +59,7 @@ inline std::size_t count_points(Text_lines& lines, std::size_t most)
 }
 
 // The numbers of points, faces and edges may stand beside the word OFF, or on a row of their own.
-inline Point_data find_off_points(Byte_source& file)
+inline Off_parts find_off_parts(Byte_source& file)
 {
   Input_buffer in(file);
   Text_lines lines(in);
@@ -68,15 +75,20 @@ inline Point_data find_off_points(Byte_source& file)
   long long points = 0, faces = 0, edges = 0;
   if(!(words >> points >> faces >> edges))
     throw std::runtime_error("the numbers of points, faces and edges are missing");
-  Point_data data{word + '\n' + std::to_string(points) + " 0 0\n", {in.position(), 0}, checked_count(points, "points")};
-  const std::size_t rows = count_points(lines, data.count);
-  data.body.last = in.position();
-  if(rows < data.count)
-    throw std::runtime_error("is truncated: " + std::to_string(data.count) + " points announced, " +
+  Off_parts parts = {word + '\n' + std::to_string(points) + " 0 0\n",
+                     {in.position(), 0},
+                     {0, 0},
+                     checked_count(points, "points"),
+                     checked_count(faces, "faces")};
+  const std::size_t rows = count_points(lines, parts.number_of_points);
+  parts.points.last = parts.faces.first = in.position();
+  if(rows < parts.number_of_points)
+    throw std::runtime_error("is truncated: " + std::to_string(parts.number_of_points) + " points announced, " +
                              std::to_string(rows) + " rows found");
-  if(count_rows(lines, checked_count(faces, "faces")) < std::size_t(faces))
+  if(count_rows(lines, parts.number_of_faces) < parts.number_of_faces)
     throw std::runtime_error("is truncated: less rows of faces than announced");
-  return data;
+  parts.faces.last = in.position();
+  return parts;
 }
 
 } // namespace program

@@ -1,17 +1,20 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads the header of a PLY file and rejects what CGAL's reader would misread or
-// crash on: unknown types, missing, mixed or repeated properties.
+// Reads the header of a PLY file, and rejects unknown types and missing or repeated properties.
 
 #ifndef DETECT_PLANES_PLY_HEADER_H
 #define DETECT_PLANES_PLY_HEADER_H
 
 #include "input/Text_lines.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -28,7 +31,7 @@ struct Ply_header {
   };
   struct Element {
     std::string name;
-    std::uint64_t count;
+    std::uint64_t count = 0;
     std::vector<Property> properties;
   };
   std::string format;
@@ -112,28 +115,32 @@ inline Ply_header read_ply_header(Text_lines& lines)
   throw std::runtime_error("the PLY header has no end");
 }
 
-// CGAL reads coordinates as float or double, the same for all; normals of a float
-// cloud as float.
-inline void check_ply_coordinates(const Ply_header::Element& vertices)
+// The place of a number among the properties of an element, or their count: the one of that name, else the first one
+// whose name differs by case.
+inline std::size_t find_ply_number(const Ply_header::Element& element, const std::string& name)
 {
-  std::map<std::string, std::uint64_t> size;
-  for(const Ply_header::Property& p : vertices.properties) {
-    const bool is_real = !p.is_list() && is_real_ply_type(p.type);
-    if(!size.emplace(p.name, is_real ? ply_type_size(p.type) : 0).second)
+  const auto find = [&](auto is_name) {
+    const auto found = std::find_if(element.properties.begin(), element.properties.end(),
+                                    [&](const auto& p) { return !p.is_list() && is_name(p.name); });
+    return std::size_t(found - element.properties.begin());
+  };
+  const auto is_same = [&name](const std::string& other) {
+    return std::equal(name.begin(), name.end(), other.begin(), other.end(),
+                      [](unsigned char a, unsigned char b) { return a == std::tolower(b); });
+  };
+  const std::size_t exact = find([&name](const std::string& other) { return other == name; });
+  return exact < element.properties.size() ? exact : find(is_same);
+}
+
+inline void check_ply_points(const Ply_header::Element& points)
+{
+  std::set<std::string> names;
+  for(const Ply_header::Property& p : points.properties)
+    if(!names.insert(p.name).second)
       throw std::runtime_error("the points of the PLY file have two properties '" + p.name + "'");
-  }
-  for(const char* name : {"x", "y", "z"}) {
-    if(size.count(name) == 0)
+  for(const char* name : {"x", "y", "z"})
+    if(find_ply_number(points, name) == points.properties.size())
       throw std::runtime_error(std::string("the points of the PLY file have no property '") + name + "'");
-    if(size[name] == 0 || size[name] != size["x"])
-      throw std::runtime_error("the coordinates x, y and z must be all float or all double");
-  }
-  if(size.count("nx") * size.count("ny") * size.count("nz") == 0)
-    return;
-  for(const char* name : {"nx", "ny", "nz"})
-    if(size[name] == 0 || size[name] > size["x"])
-      throw std::runtime_error(std::string("the normals must be float") +
-                               (size["x"] == 4 ? ", as the coordinates are" : " or double"));
 }
 
 } // namespace program

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds the points in a PLY file, and checks that the file has what its header says: CGAL's
-// reader believes each number of items, and takes values for points wherever they stand.
+// Finds the points in a PLY file, and checks that the file has what its header says.
 
 #ifndef DETECT_PLANES_PLY_POINTS_H
 #define DETECT_PLANES_PLY_POINTS_H
@@ -15,6 +14,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -198,37 +198,45 @@ private:
   bool is_limited = true;
 };
 
-// The header of the points alone: CGAL reads all elements, even if they have no properties.
-inline std::string header_of_points(const Ply_header& header, const Ply_header::Element& points)
-{
-  std::string text = "ply\nformat " + header.format + " 1.0\nelement vertex " + std::to_string(points.count) + '\n';
-  for(const Ply_header::Property& p : points.properties)
-    text += "property " + (p.is_list() ? "list " + p.count_type + ' ' : "") + p.type + ' ' + p.name + '\n';
-  return text + "end_header\n";
-}
+// An element, and where its rows are.
+struct Ply_part {
+  Ply_header::Element element;
+  Byte_range bytes;
+};
 
-inline Point_data find_ply_points(Byte_source& file)
+// What there is to read of a file.
+struct Ply_parts {
+  std::string format;
+  Ply_part points;
+  std::vector<Ply_part> faces;
+};
+
+inline Ply_parts find_ply_parts(Byte_source& file)
 {
   Input_buffer in(file);
   Text_lines lines(in);
   const Ply_header header = read_ply_header(lines);
   Ply_scanner scanner(in, header);
-  Point_data points;
+  Ply_parts parts = {header.format, {}, {}};
+  bool has_points = false;
   for(const Ply_header::Element& element : header.elements) {
     const bool is_points = element.name == "vertex" || element.name == "vertices";
-    if(is_points && !points.header.empty())
+    if(is_points && has_points)
       throw std::runtime_error("the PLY file has two elements of points");
     if(is_points)
-      check_ply_coordinates(element);
+      check_ply_points(element);
     const std::uint64_t first = in.position();
     scanner.skip(element, is_points);
     if(is_points)
-      points = {header_of_points(header, element), {first, in.position()}, std::size_t(element.count)};
+      parts.points = {element, {first, in.position()}};
+    has_points = has_points || is_points;
+    if(element.count > 0 && (element.name == "face" || element.name == "faces" || element.name == "tristrips"))
+      parts.faces.push_back({element, {first, in.position()}});
   }
-  if(points.header.empty())
+  if(!has_points)
     throw std::runtime_error("the PLY file has no element 'vertex'");
   scanner.check_end();
-  return points;
+  return parts;
 }
 
 } // namespace program

@@ -3,23 +3,16 @@
 
 #include "input/read_cloud.h"
 #include "Built_with.h"
-#include "messages.h"
 
 #include "file_names.h"
-#include "input/off_points.h"
 #include "input/readers.h"
-#include "input/ply_points.h"
-
-#include <CGAL/Point_set_3/IO.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
-#include <new>
-#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace program {
 
@@ -27,20 +20,38 @@ namespace {
 
 std::string known_inputs()
 {
-  return std::string(".ply, .las, ") + (has_laszip ? ".laz, " : "") + ".pcd, .xyz, .txt, .csv, .pts, .pwn, .off" +
+  return std::string(".ply, .las, ") + (has_laszip ? ".laz, " : "") + ".pcd, .off, .ptx, " + table_names() +
          (has_gzip ? ", or one of these with .gz" : "");
 }
 
-void check_format(const std::string& path)
+// The format that the first bytes tell, or nothing.
+std::string format_of_bytes(const std::string& path)
 {
-  const std::string extension = input_extension(path);
-  if(extension == ".e57")
-    throw std::runtime_error("E57 is not read; convert it to LAS, PLY or PCD with CloudCompare or PDAL, for example");
-  if(!is_cloud(path))
-    throw std::runtime_error("unknown format '" + extension + "', expected " + known_inputs());
+  std::string bytes(8, '\0');
+  std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
+  for(const auto& [beginning, format] : {std::pair<const char*, const char*>("ply\n", "ply"),
+                                         {"ply\r", "ply"},
+                                         {"LASF", "las"},
+                                         {"# .PCD", "pcd"},
+                                         {"OFF", "off"}})
+    if(bytes.compare(0, std::strlen(beginning), beginning) == 0)
+      return format;
+  return "";
 }
 
-void check_file(const std::string& path)
+void check_format(const std::string& path, const std::string& given)
+{
+  const std::string extension = input_format(path, given);
+  if(extension == ".e57")
+    throw std::runtime_error("E57 is not read; convert it to LAS, PLY or PCD with CloudCompare or PDAL, for example");
+  if(is_input_extension(extension))
+    return;
+  const std::string format = format_of_bytes(path);
+  throw std::runtime_error("unknown format '" + extension + "', expected " + known_inputs() + "; --format " +
+                           (format.empty() ? "NAME tells it" : format + " reads it as what its first bytes say"));
+}
+
+void check_file(const std::string& path, const Input_settings& settings)
 {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -56,74 +67,24 @@ void check_file(const std::string& path)
   errno = 0;
   if(!std::ifstream(path, std::ios::binary))
     throw std::runtime_error(std::string("cannot be opened (") + std::strerror(errno) + ")");
-  check_format(path);
-}
-
-bool read_by_cgal(Byte_source& file, const Point_data& data, bool is_off, Point_set& points)
-{
-  Input_buffer in(file, data.body, data.header);
-  std::istream stream(&in);
-  if(is_off)
-    return CGAL::IO::read_OFF(stream, points);
-  const bool is_read = CGAL::IO::read_PLY(stream, points);
-  // CGAL takes what follows a number for the next one: .5 after the 1 of 1.5, where an integer is expected.
-  skip_blanks_of(in);
-  if(is_read && in.left() > 0)
-    throw std::runtime_error("a value is not of the type that the header says");
-  return is_read;
-}
-
-void read_ply_or_off(Byte_source& file, bool is_off, Point_set& points)
-{
-  const Point_data data = is_off ? find_off_points(file) : find_ply_points(file);
-  bool is_read = false;
-  std::string reason;
-  try {
-    const Captured_messages messages;
-    is_read = read_by_cgal(file, data, is_off, points);
-    reason = messages.first_line();
-  } catch(const std::bad_alloc&) {
-    throw;
-  } catch(const std::exception& e) {
-    reason = e.what();
-  }
-  if(!is_read || points.size() < data.count)
-    throw std::runtime_error("unreadable after point " + std::to_string(points.size()) +
-                             (data.count > 0 ? " of " + std::to_string(data.count) : "") +
-                             (reason.empty() ? "" : " (" + reason + ")"));
-  if(data.count > 0 && points.size() > data.count)
-    throw std::runtime_error("has " + std::to_string(points.size()) + " rows of points, " + std::to_string(data.count) +
-                             " announced");
-}
-
-// The points of the classes, in their order.
-void keep_classes(const std::vector<int>& classes, Point_set& points)
-{
-  const auto classification = find_property<std::uint8_t>(points, classification_name);
-  if(!classification)
-    throw std::runtime_error("has no property 'classification', which --classes needs");
-  Point_set kept;
-  kept.copy_properties(points);
-  for(Point_set::Index i : points)
-    if(std::find(classes.begin(), classes.end(), int((*classification)[i])) != classes.end())
-      kept.insert(points, i);
-  points = kept;
+  check_format(path, settings.format);
 }
 
 void read_format(const std::string& path, const Input_settings& settings, Point_set& points, Input_notes& notes)
 {
   const std::unique_ptr<Byte_source> file = open_bytes(path);
-  const std::string extension = input_extension(path);
-  if(is_las(path))
+  const std::string extension = input_format(path, settings.format);
+  if(is_las(extension))
     return read_las(*file, path, settings, points, notes);
-  if(is_table(path))
-    return read_table(*file, path, settings, points, notes);
+  if(is_table(extension))
+    return read_table(*file, extension, settings, points, notes);
   if(extension == ".pcd")
     return read_pcd(*file, settings, points, notes);
-  read_ply_or_off(*file, extension == ".off", points);
-  convert_attributes(settings, points);
-  if(!settings.classes.empty())
-    keep_classes(settings.classes, points);
+  if(extension == ".ptx")
+    return read_ptx(*file, settings, points, notes);
+  if(extension == ".ply")
+    return read_ply(*file, settings, points, notes);
+  read_off(*file, settings, points, notes);
 }
 
 void check_points(Point_set& points)
@@ -213,7 +174,7 @@ void read_cloud(const std::string& path, const Input_settings& settings, bool ma
                 Input_notes& notes)
 {
   try {
-    check_file(path);
+    check_file(path, settings);
     read_format(path, settings, points, notes);
     if(is_interrupted())
       throw Interrupted();
@@ -231,11 +192,12 @@ void read_cloud(const std::string& path, const Input_settings& settings, bool ma
   }
 }
 
-void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen)
+void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen,
+                  const Input_settings& settings)
 {
   for(std::size_t input : chosen) {
     try {
-      check_file(paths[input]);
+      check_file(paths[input], settings);
     } catch(const std::runtime_error& e) {
       rethrow_with(paths[input], e);
     }

@@ -45,7 +45,8 @@ struct Input_cloud {
 };
 
 // Finds what is wrong before any file is read. `chosen`: the places of the files to read, in increasing order.
-void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen);
+void check_inputs(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen,
+                  const Input_settings& settings);
 
 // Of several inputs some may have no points, which is a warning.
 void read_clouds(const std::vector<std::string>& paths, const std::vector<std::size_t>& chosen,

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What reads the formats, but for those that CGAL reads.
+// What reads the formats.
 
 #ifndef DETECT_PLANES_READERS_H
 #define DETECT_PLANES_READERS_H
@@ -18,13 +18,16 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
 
 void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes);
 
-// A text table: a point in each row. `path` is for the extension and for messages.
-void read_table(Byte_source& file, const std::string& path, const Input_settings& settings, Point_set& points,
+// A text table: a point in each row.
+void read_table(Byte_source& file, const std::string& extension, const Input_settings& settings, Point_set& points,
                 Input_notes& notes);
 
-// Of the properties that CGAL's reader makes of a PLY file: color, intensity, classification and tolerance get the names
-// and types of point_set.h, others are removed, but for the normals.
-void convert_attributes(const Input_settings& settings, Point_set& points);
+// Scans of a scanner, each with its place.
+void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes);
+
+// PLY and OFF may be meshes, whose faces have points where the settings say so.
+void read_off(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes);
+void read_ply(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes);
 
 } // namespace program
 

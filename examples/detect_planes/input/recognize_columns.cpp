@@ -50,9 +50,26 @@ std::vector<Column> columns_by(const std::vector<std::string>& names, Column_of 
   return has_coordinates(columns) ? columns : std::vector<Column>();
 }
 
-Column column_of_geographic_name(const std::string& text)
+// Without a unit in parentheses.
+std::string map_name(const std::string& text)
 {
   const std::string name = plain_name(text);
+  return name.substr(0, name.find_first_of("(["));
+}
+
+Column column_of_map_name(const std::string& text)
+{
+  const std::string name = map_name(text);
+  if(is_in(name, {"easting", "east", "e", "x"}))
+    return Column::x;
+  if(is_in(name, {"northing", "north", "n", "y"}))
+    return Column::y;
+  return is_in(name, {"elevation", "elev", "height", "h", "altitude", "alt", "z"}) ? Column::z : column_of_name(text);
+}
+
+Column column_of_geographic_name(const std::string& text)
+{
+  const std::string name = map_name(text);
   if(is_in(name, {"lon", "long", "longitude"}))
     return Column::x;
   if(is_in(name, {"lat", "latitude"}))
@@ -101,12 +118,20 @@ std::vector<Column> columns_of_names(const std::vector<std::string>& names)
   return columns_by(names, column_of_name);
 }
 
+std::vector<Column> map_columns_of_names(const std::vector<std::string>& names)
+{
+  return columns_by(names, column_of_map_name);
+}
+
 std::vector<Column> geographic_columns_of_names(const std::vector<std::string>& names)
 {
   return columns_by(names, column_of_geographic_name);
 }
 
-std::vector<Column> recognize_columns(const Sample& rows, const std::string& extension)
+namespace {
+
+// Of a table whose first column does not count the rows.
+std::vector<Column> recognize_others(const Sample& rows, const std::string& extension)
 {
   const std::size_t count = rows.empty() ? 0 : rows.front().size();
   if(count < 3)
@@ -116,8 +141,9 @@ std::vector<Column> recognize_columns(const Sample& rows, const std::string& ext
   std::size_t c = 3;
   if(extension == ".pts" && (count == 4 || count == 7))
     columns[c++] = Column::intensity;
-  if(extension == ".pwn" && count >= 6) {
-    place(columns, c, Column::nx);
+  const bool has_normals = extension == ".pwn" || extension == ".xyzn";
+  if((has_normals || extension == ".xyzrgb") && count >= 6) {
+    place(columns, c, has_normals ? Column::nx : Column::red);
     c += 3;
   }
   while(c + 3 <= count) {
@@ -135,6 +161,35 @@ std::vector<Column> recognize_columns(const Sample& rows, const std::string& ext
      is_number(rows, std::size_t(left - columns.begin())))
     *left = Column::intensity;
   return columns;
+}
+
+} // namespace
+
+bool counts_rows(const Sample& rows)
+{
+  constexpr std::size_t fewest_rows = 10, fewest_columns = 4;
+  if(rows.size() < fewest_rows || rows.front().size() < fewest_columns || std::floor(rows[0][0]) != rows[0][0])
+    return false;
+  bool is_second_constant = true;
+  for(std::size_t i = 1; i < rows.size(); ++i) {
+    if(rows[i][0] != rows[i - 1][0] + 1)
+      return false;
+    is_second_constant = is_second_constant && rows[i][1] == rows[0][1];
+  }
+  return !is_second_constant;
+}
+
+std::vector<Column> recognize_columns(const Sample& rows, const std::string& extension)
+{
+  if(counts_rows(rows)) {
+    Sample others = rows;
+    for(std::vector<double>& row : others)
+      row.erase(row.begin());
+    std::vector<Column> columns = recognize_others(others, extension);
+    columns.insert(columns.begin(), Column::none);
+    return columns;
+  }
+  return recognize_others(rows, extension);
 }
 
 } // namespace program

@@ -140,11 +140,18 @@ std::vector<std::string> names_of_header(std::string_view line);
 // The columns of these names, or none if they do not name x, y and z.
 std::vector<Column> columns_of_names(const std::vector<std::string>& names);
 
+// The same for names of maps, such as Easting, Northing and Elevation. A unit in parentheses may follow them.
+std::vector<Column> map_columns_of_names(const std::vector<std::string>& names);
+
 // The same for longitude, latitude and height.
 std::vector<Column> geographic_columns_of_names(const std::vector<std::string>& names);
 
-// The columns of a table without a line of names. In a .pts file the intensity comes before the colors, a
-// .pwn file has normals.
+// The first column has integers that rise by one from row to row, and three at least follow it. Not where the second one
+// has always the same value: then both may be the coordinates of a raster.
+bool counts_rows(const Sample& rows);
+
+// The columns of a table without a line of names; one that counts the rows is passed over. In a .pts file the intensity
+// comes before the colors; files .pwn and .xyzn have normals, those of .xyzrgb colors.
 std::vector<Column> recognize_columns(const Sample& rows, const std::string& extension);
 
 } // namespace program

@@ -86,10 +86,10 @@ inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input,
   for(std::size_t input = 0; input < o.inputs.size(); ++input)
     if(rank_of_input[input] == ranks.rank())
       own.push_back(input);
-  ranks.together([&] { check_inputs(o.inputs, own); });
+  ranks.together([&] { check_inputs(o.inputs, own, input_settings(o)); });
   ranks.together([&] {
     const Progress_line progress(!o.is_quiet && ranks.is_first(), "reading");
-    read_clouds(o.inputs, own, input_settings(o.inputs, o.columns, o.classes, o.tolerance_column), cloud);
+    read_clouds(o.inputs, own, input_settings(o), cloud);
   });
   run.read_seconds = ranks.largest(timer.time());
   run.input = joined(o.inputs, o.inputs.size());

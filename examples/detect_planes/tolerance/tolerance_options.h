@@ -44,7 +44,8 @@ inline void add_tolerance_options(po::options_description& group, Options& o)
        "0.0028*r^2\": "
        "the tolerance of each point is "
     << CGAL::Tandem::distance_of_noise(1)
-    << " times that. The sensor is at --viewpoint, or at the VIEWPOINT of .pcd files, where it is not 0 0 0 1 0 0 0";
+    << " times that. The sensor is at --viewpoint, or at the VIEWPOINT of .pcd files, where it is not 0 0 0 1 0 0 0, "
+       "or of a .ptx file of one scan";
   auto add = group.add_options();
   add("maximum-distance",
       po::value<std::string>()->value_name("D")->notifier([&o](const std::string& s) { set_maximum_distance(s, o); }),
@@ -73,7 +74,10 @@ inline void check_tolerances(const Options& o)
     throw Usage_error(std::string("--maximum-distance auto-local and ") +
                       (has_column ? "--tolerance-column" : "--noise") +
                       " both give the tolerance of each point; take one of them");
-  const auto may_have_viewpoint = [](const std::string& path) { return input_extension(path) == ".pcd"; };
+  const auto may_have_viewpoint = [&o](const std::string& path) {
+    const std::string format = input_format(path, o.format.empty() ? "" : "." + o.format);
+    return format == ".pcd" || format == ".ptx";
+  };
   if(o.noise && !o.viewpoint && std::none_of(o.inputs.begin(), o.inputs.end(), may_have_viewpoint))
     throw Usage_error("--noise needs the place of the sensor: --viewpoint X,Y,Z (0,0,0 if it is the origin)");
 }

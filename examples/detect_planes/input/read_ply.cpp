@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/readers.h"
+
+#include "input/Cloud_builder.h"
+#include "input/Mesh_faces.h"
+#include "input/Ply_rows.h"
+#include "input/find_name.h"
+#include "input/ply_points.h"
+#include "input/table_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+// The property that has each of the columns.
+class Ply_columns {
+public:
+  Ply_columns(const Ply_header::Element& points, const std::string& tolerance) : none(points.properties.size())
+  {
+    places.fill(none);
+    for(Column c : {Column::x, Column::y, Column::z, Column::nx, Column::ny, Column::nz})
+      place(c) = find_ply_number(points, name_of(c));
+    std::vector<std::string> names; // of those that are neither coordinates nor normals
+    for(std::size_t i = 0; i < none; ++i) {
+      const bool is_other =
+        !points.properties[i].is_list() && std::find(places.begin(), places.end(), i) == places.end();
+      names.push_back(is_other ? points.properties[i].name : "");
+    }
+    for(std::size_t i = 0; i < none; ++i)
+      if(const Column c = column_of_name(names[i]); c >= Column::red && c != Column::none && !has(c))
+        place(c) = i;
+    if(!tolerance.empty())
+      place(Column::tolerance) = find_name(names, tolerance, "property");
+  }
+
+  bool has(Column c) const { return places[std::size_t(c)] < none; }
+
+  bool has_three(Column first) const
+  {
+    return has(first) && has(Column(int(first) + 1)) && has(Column(int(first) + 2));
+  }
+
+  double get(const std::vector<double>& numbers, Column c) const { return numbers[places[std::size_t(c)]]; }
+
+  std::array<double, 3> get_three(const std::vector<double>& numbers, Column first) const
+  {
+    return {get(numbers, first), get(numbers, Column(int(first) + 1)), get(numbers, Column(int(first) + 2))};
+  }
+
+private:
+  std::size_t& place(Column c) { return places[std::size_t(c)]; }
+
+  std::size_t none;
+  std::array<std::size_t, std::size_t(Column::none)> places;
+};
+
+// Channels of 8 bits, of 16 bits, or real ones from 0 to 1: all points tell which.
+class Ply_colors {
+public:
+  void look_at(const std::array<double, 3>& color)
+  {
+    for(double x : color) {
+      largest = (std::max)(largest, x);
+      is_integer = is_integer && x == std::floor(x);
+    }
+  }
+
+  void add(const std::array<double, 3>& color) { colors.push_back(color); }
+
+  Input_color operator[](std::size_t i) const
+  {
+    const double unit = !is_integer && largest <= 1 ? 65535 : largest <= 255 ? 257 : 1;
+    Input_color color = {0, 0, 0};
+    for(std::size_t c = 0; c < 3; ++c)
+      if(const double x = unit * colors[i][c]; x > 0)
+        color[c] = std::uint16_t(std::lround((std::min)(x, 65535.)));
+    return color;
+  }
+
+private:
+  std::vector<std::array<double, 3>> colors;
+  double largest = 0;
+  bool is_integer = true;
+};
+
+Point_row row_of(const Ply_columns& columns, const Fields& fields, const std::vector<double>& numbers)
+{
+  Point_row row;
+  const std::array<double, 3> point = columns.get_three(numbers, Column::x);
+  std::copy(point.begin(), point.end(), row.point);
+  if(fields.normal) {
+    const std::array<double, 3> normal = columns.get_three(numbers, Column::nx);
+    std::copy(normal.begin(), normal.end(), row.normal);
+  }
+  if(fields.intensity)
+    row.intensity = float(columns.get(numbers, Column::intensity));
+  if(fields.classification) {
+    const double x = columns.get(numbers, Column::classification);
+    row.classification = x > 0 && x < 256 ? std::uint8_t(x) : std::uint8_t(0);
+  }
+  if(fields.tolerance)
+    row.tolerance = columns.get(numbers, Column::tolerance);
+  return row;
+}
+
+void add_faces(Byte_source& file, const std::string& format, const Ply_part& part, Mesh_faces& faces)
+{
+  const std::vector<Ply_header::Property>& properties = part.element.properties;
+  const auto are_corners = [](const Ply_header::Property& p) {
+    return p.is_list() && (p.name == "vertex_indices" || p.name == "vertex_index");
+  };
+  const auto corners = std::find_if(properties.begin(), properties.end(), are_corners);
+  if(part.element.name == "tristrips" || corners == properties.end())
+    throw std::runtime_error("has '" + part.element.name +
+                             "' without the corners of single faces; --sample 0 takes its points");
+  Ply_rows rows(file, format, part);
+  std::vector<double> numbers, face;
+  for(std::uint64_t i = 0; i < part.element.count; ++i) {
+    rows.next(numbers, std::size_t(corners - properties.begin()), face);
+    faces.add(face);
+  }
+}
+
+void read_points(Byte_source& file, const Ply_parts& parts, const Input_settings& settings, Point_set& points)
+{
+  const Ply_columns columns(parts.points.element, settings.tolerance);
+  const Fields fields = {columns.has_three(Column::nx), columns.has_three(Column::red), columns.has(Column::intensity),
+                         columns.has(Column::classification), columns.has(Column::tolerance)};
+  if(!settings.classes.empty() && !fields.classification)
+    throw std::runtime_error("has no property 'classification', which --classes needs");
+  Ply_rows rows(file, parts.format, parts.points);
+  Cloud_builder builder(points, fields, settings.classes);
+  Ply_colors colors;
+  std::vector<double> numbers;
+  for(std::uint64_t i = 0; i < parts.points.element.count; ++i) {
+    rows.next(numbers);
+    const bool is_kept = builder.add(row_of(columns, fields, numbers));
+    if(!fields.color)
+      continue;
+    const std::array<double, 3> color = columns.get_three(numbers, Column::red);
+    colors.look_at(color);
+    if(is_kept)
+      colors.add(color);
+  }
+  if(fields.color)
+    builder.set_colors(colors);
+}
+
+} // namespace
+
+void read_ply(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes)
+{
+  const Ply_parts parts = find_ply_parts(file);
+  std::uint64_t number_of_faces = 0;
+  for(const Ply_part& part : parts.faces)
+    number_of_faces += part.element.count;
+  const bool is_sampled = samples_faces(number_of_faces, settings, notes);
+  if(is_sampled)
+    check_no_attributes(settings, "has faces: the points that --sample puts on them");
+  read_points(file, parts, settings, points);
+  if(!is_sampled)
+    return;
+  Mesh_faces faces(points);
+  for(const Ply_part& part : parts.faces)
+    add_faces(file, parts.format, part, faces);
+  points = faces.sample(*settings.sample);
+}
+
+} // namespace program

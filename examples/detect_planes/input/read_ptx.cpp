@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/readers.h"
+
+#include "input/Cloud_builder.h"
+#include "input/Table_rows.h"
+#include "input/table_values.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+// What stands before the points of a scan. Rows of the matrix are images of the axes, the last one is the place of the
+// scanner.
+struct Ptx_header {
+  std::uint64_t count = 0;
+  std::array<std::array<double, 4>, 4> matrix;
+};
+
+std::vector<double> numbers_of(const Text_row& row)
+{
+  Table_values rest(row.text);
+  std::vector<double> numbers;
+  for(std::string_view text; rest.next(text);) {
+    const std::optional<double> number = parse_number(text);
+    if(!number)
+      fail_at_row(row.number, "has '" + std::string(text.substr(0, 40)) + "' where a number is expected");
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+// A row of the header, with that many numbers.
+std::vector<double> read_numbers(Table_rows& rows, std::size_t count)
+{
+  if(!rows.next())
+    throw std::runtime_error("is truncated: the header of a scan is not complete");
+  const std::vector<double> numbers = numbers_of(rows.row());
+  if(numbers.size() != count)
+    fail_at_row(rows.row().number, "of the header of a scan has " + std::to_string(numbers.size()) +
+                                     " numbers instead of " + std::to_string(count));
+  return numbers;
+}
+
+// The numbers of columns and rows, the place and the axes of the scanner, and the matrix. The first row is read.
+Ptx_header read_header(Table_rows& rows)
+{
+  constexpr double most = 1e9;
+  Ptx_header header;
+  const auto count_of = [&](const std::vector<double>& numbers) {
+    if(numbers.size() != 1 || !(numbers[0] >= 0 && numbers[0] <= most) || numbers[0] != std::floor(numbers[0]))
+      fail_at_row(rows.row().number, "is not the number of columns or rows of a scan, with which .ptx files begin");
+    return std::uint64_t(numbers[0]);
+  };
+  header.count = count_of(numbers_of(rows.row()));
+  header.count *= count_of(read_numbers(rows, 1));
+  for(int i = 0; i < 4; ++i)
+    read_numbers(rows, 3);
+  for(std::array<double, 4>& row : header.matrix) {
+    const std::vector<double> numbers = read_numbers(rows, 4);
+    std::copy(numbers.begin(), numbers.end(), row.begin());
+  }
+  return header;
+}
+
+// In the coordinates that all scans have.
+void move_point(const Ptx_header& header, double (&p)[3])
+{
+  const auto& m = header.matrix;
+  const std::array<double, 3> from = {p[0], p[1], p[2]};
+  for(std::size_t i = 0; i < 3; ++i)
+    p[i] = std::fma(from[0], m[0][i], std::fma(from[1], m[1][i], std::fma(from[2], m[2][i], m[3][i])));
+}
+
+Point_row row_of(const std::vector<double>& numbers)
+{
+  Point_row row;
+  std::copy(numbers.begin(), numbers.begin() + 3, row.point);
+  row.intensity = float(numbers[3]);
+  for(std::size_t c = 0; c < 3 && numbers.size() == 7; ++c)
+    row.color[c] = numbers[4 + c] > 0 ? wide_channel(std::uint8_t((std::min)(numbers[4 + c], 255.))) : std::uint16_t(0);
+  return row;
+}
+
+// Adds the points of all scans.
+class Ptx_reader {
+public:
+  Ptx_reader(Table_rows& rows, Point_set& points) : rows(rows), points(points) {}
+
+  void read(Input_notes& notes)
+  {
+    std::size_t scans = 0;
+    for(; rows.next(); ++scans) {
+      const Ptx_header header = read_header(rows);
+      const auto& place = header.matrix[3];
+      if(scans == 0)
+        notes.viewpoint = {{place[0], place[1], place[2]}, false};
+      for(std::uint64_t i = 0; i < header.count; ++i)
+        read_point(header, i);
+    }
+    if(scans > 1)
+      notes.viewpoint.reset();
+    notes.lines.emplace_back("scans", std::to_string(scans) +
+                                        (scans > 1 ? " in one file, of no single viewpoint" : "") + ", " +
+                                        std::to_string(empty) + " pixels without a point left out");
+  }
+
+private:
+  void read_point(const Ptx_header& header, std::uint64_t i)
+  {
+    if(!rows.next())
+      throw std::runtime_error("is truncated: " + std::to_string(i) + " of the " + std::to_string(header.count) +
+                               " points of a scan");
+    const std::vector<double> numbers = numbers_of(rows.row());
+    if(!builder)
+      begin(numbers.size());
+    if(numbers.size() != size || (size != 4 && size != 7))
+      fail_at_row(rows.row().number, "has " + std::to_string(numbers.size()) +
+                                       " numbers, expected x y z intensity or x y z intensity r g b, as all rows");
+    Point_row row = row_of(numbers);
+    if(row.point[0] == 0 && row.point[1] == 0 && row.point[2] == 0) {
+      ++empty;
+      return;
+    }
+    move_point(header, row.point);
+    builder->add(row);
+  }
+
+  void begin(std::size_t numbers)
+  {
+    size = numbers;
+    Fields fields;
+    fields.intensity = true;
+    fields.color = size == 7;
+    builder.emplace(points, fields, no_classes);
+  }
+
+  Table_rows& rows;
+  Point_set& points;
+  const std::vector<int> no_classes;
+  std::optional<Cloud_builder> builder;
+  std::size_t size = 0;    // of a row
+  std::uint64_t empty = 0; // pixels
+};
+
+} // namespace
+
+void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& points, Input_notes& notes)
+{
+  check_no_attributes(settings, "is PTX, whose points");
+  Input_buffer in(file);
+  Text_lines lines(in);
+  Table_rows rows(lines, settings.has_decimal_commas);
+  Ptx_reader(rows, points).read(notes);
+}
+
+} // namespace program
