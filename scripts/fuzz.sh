@@ -4,7 +4,7 @@
 #
 # Gives mutated files and options to what reads them in detect_planes, until SECONDS are over or a fault is found. It
 # starts from the corpus of the repository and from what earlier runs have found.
-#   fuzz.sh [TARGET [SECONDS [SEED]]]  TARGET: some of ply, xyz, off, las, pcd, options, or all (default: all); SECONDS of each
+#   fuzz.sh [TARGET [SECONDS [SEED]]]  TARGET: some of ply, xyz, off, las, pcd, ptx, options, or all (default: all); SECONDS of each
 #                                      (default: 60); SEED of the mutations (default: another one each time)
 #   TANDEM_BUILD_DIR  parent of the build folder `fuzz`, which gets new inputs in corpus/TARGET, and inputs that cause a
 #                     fault in faults/ (default: build of this repository)
@@ -19,7 +19,7 @@ sources=$root/test/Shape_regularization_tandem/fuzz
 targets=${1:-all}
 seconds=${2:-60}
 seed=${3:-0}
-[ "$targets" != all ] || targets='ply xyz off las pcd options'
+[ "$targets" != all ] || targets='ply xyz off las pcd ptx options'
 
 # Small files must not need much memory or time. In bytes, MB and seconds.
 limits='-max_len=1024 -malloc_limit_mb=64 -rss_limit_mb=1024 -timeout=10'

@@ -177,7 +177,7 @@ run_fuzz()
   export TANDEM_BUILD_DIR="$build" TANDEM_JOBS="$jobs"
   ! grep -qs '^TANDEM_BUILD_FUZZERS:BOOL=ON' "$build/asan/CMakeCache.txt" || export TANDEM_FUZZ_DIR="$build/asan"
   "$root/scripts/fuzz.sh" ply 4 1 || fail "a fuzz target failed"
-  "$root/scripts/fuzz.sh" 'xyz off las pcd options' 2 1 || fail "a fuzz target failed"
+  "$root/scripts/fuzz.sh" 'xyz off las pcd ptx options' 2 1 || fail "a fuzz target failed"
 }
 
 # All that is found, with CUDA and MPI together: the libraries, the program and the Python module. For the device that

@@ -84,6 +84,10 @@ std::size_t read_as_file(const std::uint8_t* bytes, std::size_t size, const char
   file.write(bytes, size);
   const std::size_t count = read_with(file.path(), {});
   program::Input_settings settings;
+  settings.sample = 3;
+  settings.has_decimal_commas = true;
+  read_with(file.path(), settings);
+  settings = {};
   settings.tolerance = "shape";
   const std::size_t with_tolerance = read_with(file.path(), settings);
   expect(with_tolerance == 0 || with_tolerance == count, "points depend on the tolerance");
