@@ -6,6 +6,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Short_edges.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Surface_input.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/limited_partition.h>
@@ -117,7 +118,9 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
     throw std::invalid_argument("maximum_number_of_planes is " + std::to_string(most) + ", must be at least 4.");
   const surface::Vector up = surface::upward(
     internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
-  const surface::Surface_input input(coordinates, internal::outlines::Shapes(shapes.data()), std::size_t(most), up);
+  const internal::outlines::Shapes of_doubles(shapes.data());
+  surface::Surface_input input(coordinates, of_doubles, std::size_t(most));
+  input.add_walls(internal::outlines::outline_table(coordinates, shapes.data()), of_doubles, up);
   Closed_surface_3<GeomTraits> result;
   result.number_of_planes = input.number_of_planes();
   if(input.planes().size() < surface::Surface_input::fewest_planes)

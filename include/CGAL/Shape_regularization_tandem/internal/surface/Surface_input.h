@@ -8,7 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_SURFACE_INPUT_H
 
 #include <CGAL/Shape_regularization_tandem/internal/surface/Border_walls.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Unit.h>
 
 #include <CGAL/number_utils.h>
@@ -45,7 +45,7 @@ public:
   static constexpr std::size_t fewest_planes = 4; // that enclose something
 
   // At most `most` planes that have points.
-  Surface_input(const std::vector<Point>& points, const outlines::Shapes& shapes, std::size_t most, const Vector& up)
+  Surface_input(const std::vector<Point>& points, const outlines::Shapes& shapes, std::size_t most)
     : unit_(points, shapes)
   {
     const double maximum_distance = unit_.in(shapes.parameters().maximum_distance);
@@ -53,14 +53,18 @@ public:
     box_ = CGAL::Bbox_3(box_.xmin() - 2 * maximum_distance, box_.ymin() - 2 * maximum_distance,
                         box_.zmin() - 2 * maximum_distance, box_.xmax() + 2 * maximum_distance,
                         box_.ymax() + 2 * maximum_distance, box_.zmax() + 2 * maximum_distance);
-    outlines::Polygon_table polygons = outlines::outline_table(points, shapes.data());
+  }
+
+  // Below the borders of these outlines of the shapes.
+  void add_walls(outlines::Polygon_table polygons, const outlines::Shapes& shapes, const Vector& up)
+  {
     for(outlines::Position& p : polygons.points)
       for(double& x : p)
         x = unit_.in(x);
     std::vector<Coefficients> of_shapes;
     for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
       of_shapes.push_back(unit_.in(shapes.coefficients(s)));
-    Border_walls(planes_, up, maximum_distance).add(polygons, of_shapes);
+    Border_walls(planes_, up, unit_.in(shapes.parameters().maximum_distance)).add(polygons, of_shapes);
   }
 
   std::size_t number_of_planes() const { return groups_.size(); } // that have points
