@@ -1,0 +1,65 @@
+#!/bin/sh
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The lines of the README and of the manual that call CMake build what they are for and nothing else. They configure;
+# what make would do then is listed only.
+#   test_build_lines.sh FOLDER   FOLDER: is made anew
+
+set -eu
+
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+folder=${1:?"test_build_lines.sh: which folder?"}
+manual=$root/doc/Shape_regularization_tandem
+failures=0
+
+complain() { echo "test_build_lines.sh: $*" >&2; failures=1; }
+
+# Regular expressions of the targets that a build folder may have, and the one that it has to have.
+targets_of()
+{
+  case $1 in
+    library) echo tandem_engine ;;
+    module) echo 'tandem_engine|tandem_python' ;;
+    deb) echo 'tandem_engine|detect_planes(_[a-z]*)?' ;;
+    *) return 1 ;;
+  esac
+}
+main_target_of()
+{
+  case $1 in
+    library) echo tandem_engine ;;
+    module) echo tandem_python ;;
+    deb) echo detect_planes ;;
+  esac
+}
+
+# check FILE NAME: the lines of that file for the folder build/NAME
+check()
+{
+  file=$1; name=$2
+  configure=$(sed -n "s|^cmake -S \. -B build/$name ||p" "$file")
+  build=$(sed -n "s|^cmake --build build/$name *\([^&]*\)&.*|\1|p" "$file")
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  # Precompiled headers cannot be listed without being made.
+  # shellcheck disable=SC2086
+  cmake -G 'Unix Makefiles' -S "$root" -B "$folder" $configure -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
+    -DPython3_EXECUTABLE=/usr/bin/python3 > "$folder/log" 2>&1 || { cat "$folder/log" >&2; complain "$name is not configured"; return; }
+  # shellcheck disable=SC2086
+  cmake --build "$folder" $build -- --dry-run --keep-going > "$folder/log" 2>&1 || true
+  sed -n 's|.*CMakeFiles/\([a-z_0-9]*\)\.dir/[^ ]*\.o.*|\1|p' "$folder/log" | sort -u > "$folder/targets"
+  ! grep -Evx "$(targets_of "$name")" "$folder/targets" >&2 || complain "$file: build/$name builds these targets, too"
+  grep -qx "$(main_target_of "$name")" "$folder/targets" || complain "$file: build/$name does not build what it is for"
+}
+
+checked=0
+for file in "$root/README.md" "$manual/Installation.txt" "$manual/Python.txt"; do
+  for name in $(sed -n 's|^cmake -S \. -B build/\([a-z]*\) .*|\1|p' "$file"); do
+    targets_of "$name" > /dev/null || { complain "$file: build/$name is not known here"; continue; }
+    check "$file" "$name"
+    checked=$((checked + 1))
+  done
+done
+[ "$checked" -ge 4 ] || complain "only $checked lines were found"
+exit $failures
