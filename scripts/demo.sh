@@ -5,7 +5,7 @@
 # Installs what is missing, builds the program detect_planes and runs it on the
 # building of CGAL's Debian package libcgal-demo. It makes files of the result, a page that shows it in 3D, and a picture
 # of the page where Chromium is installed.
-#   TANDEM_BUILD_DIR  where to build (default: build/release of this repository)
+#   TANDEM_BUILD_DIR  where to build (default: build/demo of this repository)
 #   TANDEM_WITH_TBB   OFF builds the sequential back end only
 #   TANDEM_JOBS       compilers at a time (default: number of processors)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
@@ -17,12 +17,35 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 architecture=$("$root/scripts/cuda_architecture.sh")
 cuda=${architecture:+-DTANDEM_WITH_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=$architecture}
 cuda=${cuda:--DTANDEM_WITH_CUDA=OFF}
-build=${TANDEM_BUILD_DIR:-$root/build/release}
+build=${TANDEM_BUILD_DIR:-$root/build/demo}
 jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
-result=$build/demo
+result=$build/result
 cloud=$result/building.ply
 
 fail() { echo "demo.sh: $*" >&2; exit 1; }
+
+# Of the lines of make or ninja on standard input, how far they are, and on a terminal also at which file: there in one
+# line, otherwise in steps of ten percent.
+show_progress()
+{
+  is_terminal=0
+  [ ! -t 1 ] || is_terminal=1
+  awk -v is_terminal=$is_terminal '
+    match($0, /^\[ *[0-9]+[%\/][0-9]*\]/) {
+      split(substr($0, 2, RLENGTH - 2), part, /[%\/]/)
+      percent = part[2] ? int(100 * part[1] / part[2]) : part[1] + 0
+      name = $NF
+      sub(/.*\//, "", name)
+      if (is_terminal)
+        printf "\r  %3d %% %-40.40s", percent, name
+      else if (percent >= step) {
+        printf "  %3d %%\n", percent
+        step = percent - percent % 10 + 10
+      }
+      fflush()
+    }
+    END { if (is_terminal) print "" }'
+}
 
 install_packages()
 {
@@ -42,12 +65,16 @@ install_packages
 "$root/scripts/sample_cloud.sh" "$cloud"
 
 # shellcheck disable=SC2086
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release $cuda -DTANDEM_BUILD_TESTS=OFF -DTANDEM_BUILD_EXAMPLES=ON \
-  -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" > "$result/cmake.log" 2>&1 ||
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release $cuda -DTANDEM_WITH_MPI=OFF -DTANDEM_BUILD_TESTS=OFF \
+  -DTANDEM_BUILD_EXAMPLES=ON '-DTANDEM_EXAMPLES=^detect_planes$' -DTANDEM_WITH_TBB="${TANDEM_WITH_TBB:-ON}" > "$result/cmake.log" 2>&1 ||
   { cat "$result/cmake.log" >&2; fail "cmake failed"; }
-echo "Building detect_planes (some minutes) ..."
-cmake --build "$build" --target detect_planes -j "$jobs" > "$result/build.log" 2>&1 ||
-  { cat "$result/build.log" >&2; fail "the build failed"; }
+echo "Building detect_planes with $jobs compilers at a time (some minutes) ..."
+built=$result/built
+rm -f "$built"
+{ cmake --build "$build" --target detect_planes -j "$jobs" 2>&1 && : > "$built"; } |
+  tee "$result/build.log" | show_progress
+[ -f "$built" ] || { cat "$result/build.log" >&2; fail "the build failed"; }
+rm "$built"
 program=$build/examples/detect_planes/detect_planes
 
 # Those of all figures of this building; the distance is the depth of its facade. What is not given is estimated.

@@ -42,7 +42,7 @@ esac
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" gnuplot-nox
 if [ $# -eq 0 ]; then
   "$root/scripts/demo.sh"
-  set -- "${TANDEM_BUILD_DIR:-$root/build/release}/demo/building_shapes.ply" \
+  set -- "${TANDEM_BUILD_DIR:-$root/build/demo}/result/building_shapes.ply" \
     "$root/doc/Shape_regularization_tandem/fig/building.png" --width 720 --height 560
 fi
 [ $# -ge 2 ] || fail "needs SHAPES.ply and PICTURE.png (--help explains)"

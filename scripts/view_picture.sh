@@ -15,7 +15,7 @@ fail() { echo "view_picture.sh: $*" >&2; exit 1; }
 root=$(cd "$(dirname "$0")/.." && pwd)
 if [ $# -eq 0 ]; then
   "$root/scripts/demo.sh"
-  set -- "${TANDEM_BUILD_DIR:-$root/build/release}/demo/building.html" \
+  set -- "${TANDEM_BUILD_DIR:-$root/build/demo}/result/building.html" \
     "$root/doc/Shape_regularization_tandem/fig/view.png" "color=plane&direction=5&theme=light&layers=outlines,surface" 760x480
 fi
 [ $# -ge 2 ] && [ $# -le 4 ] || fail "needs PAGE.html and PICTURE.png"
