@@ -114,19 +114,25 @@ private:
     return result;
   }
 
-  // Leaves out edges at its ends whose points are farther than the tolerance from most others, as at a cut corner.
+  // Leaves out an edge at an end of the run whose points are farther than the tolerance from most others, if it is the
+  // only one there: as at a cut corner, and not along a border that is rough.
   void trim(Run& run) const
   {
     const std::vector<double> offsets = sorted_offsets(run);
     const double median = offsets[offsets.size() / 2];
+    std::size_t far = 0;
     const auto is_near = [&](std::size_t edge) {
       const Border_points::Range& range = ranges[edge % size * directions.size() + run.direction];
       const double most = border.tolerance * border.spacing(edge % size);
       return range.low >= median - most && range.high <= median + most;
     };
-    while(run.count > 1 && !is_near(run.first + run.count - 1))
+    for(std::size_t i = 0; i < run.count; ++i)
+      far += !is_near(run.first + i);
+    if(far != 1)
+      return;
+    if(run.count > 1 && !is_near(run.first + run.count - 1))
       --run.count;
-    while(run.count > 1 && !is_near(run.first)) {
+    else if(run.count > 1 && !is_near(run.first)) {
       run.first = (run.first + 1) % size;
       --run.count;
     }
