@@ -42,7 +42,7 @@ void check_disks()
         const double a = (i + .5) / 40, b = (j + .5) / 40, angle = 2 * CGAL_PI * a;
         add(k, a, b);
         add(a, k, b);
-        add(.5 + .75 * b * std::cos(angle), .5 + .75 * b * std::sin(angle), k);
+        add(.5 + b * std::cos(angle), .5 + b * std::sin(angle), k);
       }
   const Found_shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.01).minimum_region_size(200));
   const Surface surface = CGAL::Tandem::closed_surface(shapes, points, kinetic);

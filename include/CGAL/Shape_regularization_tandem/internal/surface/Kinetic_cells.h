@@ -54,17 +54,17 @@ public:
     : center_((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2)
   {
     std::frexp(extent_of(box), &exponent_);
-    try {
-      make_partition(planes, box);
-    } catch(const CGAL::Failure_exception&) {
-      fail();
-    }
-    check();
+    for(const double first_angle : {.1, .2, .3, .4}) // none is along a symmetric polygon
+      if(make_cells(planes, box, first_angle))
+        return;
+    throw std::runtime_error("The kinetic space partition of CGAL fails at these planes: ask for fewer of them by "
+                             "maximum_number_of_planes, or take the default partition.");
   }
 
   const Cells& cells() const { return cells_; }
 
 private:
+  struct No_partition {};
   using Partition = CGAL::Kinetic_space_partition_3<Kernel>;
   using Exact = Partition::Intersection_kernel;
   using Complex = CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, CGAL::Linear_cell_complex_traits<3, Exact>,
@@ -87,12 +87,28 @@ private:
                  CGAL::to_double(p.z() * unit + center_.z()));
   }
 
+  // CGAL fails, seldom, at polygons of ordinary planes, and not at those with other corners in them.
+  bool make_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box, double first_angle)
+  try {
+    plane_of_input_.clear();
+    cells_ = Cells();
+    exact_.clear();
+    numbers_.clear();
+    facets_.clear();
+    make_partition(planes, box, first_angle);
+    check();
+    return true;
+  } catch(const CGAL::Failure_exception&) {
+    return false;
+  } catch(const No_partition&) {
+    return false;
+  }
+
   // Corners where the hull goes farthest in each of some directions, and a little beyond it. CGAL drops corners at which
   // a polygon turns by little, which would be all of those of a round one; and of a symmetric one corners grow along
   // lines that end exactly where planes meet, at which its assertions fail by rounding.
-  static std::vector<Point> corners_of(const Plane_coverage& plane)
+  static std::vector<Point> corners_of(const Plane_coverage& plane, double first_angle)
   {
-    constexpr double first_angle = .1; // so that no direction is along a symmetric one
     const CGAL::Bbox_2 box = CGAL::bbox_2(plane.hull().begin(), plane.hull().end());
     const double beyond = .001 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
     std::vector<Point> result;
@@ -106,11 +122,11 @@ private:
     return result;
   }
 
-  void make_partition(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
+  void make_partition(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box, double first_angle)
   {
     const Silenced_stream remarks(std::cout), errors(std::cerr);
     Partition partition;
-    const CGAL::Bbox_3 inserted = insert(planes, partition);
+    const CGAL::Bbox_3 inserted = insert(planes, first_angle, partition);
     // More polygons than this size would make CGAL cut the space by an octree, whose planes would be walls.
     partition.initialize(
       CGAL::parameters::max_octree_node_size(planes.size()).bbox_dilation_ratio(dilation(inserted, box)));
@@ -122,12 +138,12 @@ private:
   }
 
   // Returns the box of the polygons. CGAL leaves out those that have the plane of another one.
-  CGAL::Bbox_3 insert(const std::vector<Plane_coverage>& planes, Partition& partition)
+  CGAL::Bbox_3 insert(const std::vector<Plane_coverage>& planes, double first_angle, Partition& partition)
   {
     CGAL::Bbox_3 result;
     for(std::size_t p = 0; p < planes.size(); ++p) {
       std::vector<Point> corners;
-      for(const Point& corner : corners_of(planes[p])) {
+      for(const Point& corner : corners_of(planes[p], first_angle)) {
         corners.push_back(in(corner));
         result += corner.bbox();
       }
@@ -242,16 +258,10 @@ private:
     }
   }
 
-  [[noreturn]] static void fail()
-  {
-    throw std::runtime_error("The kinetic space partition of CGAL fails at these planes: ask for fewer of them by "
-                             "maximum_number_of_planes, or take the default partition.");
-  }
-
   static void fail_unless(bool condition)
   {
     if(!condition)
-      fail();
+      throw No_partition();
   }
 
   Point center_;
