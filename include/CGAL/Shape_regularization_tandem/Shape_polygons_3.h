@@ -61,8 +61,9 @@ public:
 
   /*!
   The frame of an entry: the coordinates of its plane without the one along which the plane is steepest, that is, of the
-  largest number in its normal, such that the normal of `Planar_shapes_3::plane()` points to the viewer. Coordinates are not computed, so that what is
-  simple here is simple in space. Lengths, angles and areas are not those in space: `Shape_polygons_3::area()` is.
+  largest number in its normal, such that the normal of `Planar_shapes_3::plane()` points to the viewer. Coordinates are
+  not computed, so that what is simple here is simple in space. Lengths, angles and areas are not those in space:
+  `Shape_polygons_3::area()` is.
   */
   class Frame {
   public:

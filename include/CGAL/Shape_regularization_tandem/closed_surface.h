@@ -60,17 +60,17 @@ points, as in airborne scans, are added below the borders of shapes. \ref Tandem
 
 The surface is closed, oriented outward and a two-manifold; it has several parts where there are several buildings. It
 is empty if the planes enclose nothing, or fewer than four of them, walls included, have an area. Corners are rounded to
-`FT`, and those of an edge shorter than 10<sup>-9</sup> of the extent of the points become one: so faces are in their planes up to that,
-and where planes come closer to each other than rounding allows, as of a `Kernel` of `float` far from the origin, faces may touch
-or cross.
+`FT`, and the ends of an edge shorter than 10<sup>-9</sup> of the extent of the points become one: so faces are in their
+planes up to that, and where planes come closer to each other than rounding allows, as of a `Kernel` of `float` far from
+the origin, faces may touch or cross.
 
 It is in the header `CGAL/Shape_regularization_tandem/closed_surface.h`, which `CGAL/Shape_regularization_tandem.h` does
 not include.
 
 With n planes, those of walls included, whose points meet their neighbors only, there are O(n) cells; planes that cross
-each other everywhere make O(n<sup>3</sup>) of them. For each facet that has points or a wall, 256 rays are tested with each plane, and
-each plane is tested with all cells. The outlines of `polygons()` are found before. With `CGAL_LINKED_WITH_TBB` this runs
-in parallel. The result is the same for every number of threads.
+each other everywhere make O(n<sup>3</sup>) of them. For each facet that has points or a wall, 256 rays are tested with
+each plane, and each plane is tested with all cells. The outlines of `polygons()` are found before. With
+`CGAL_LINKED_WITH_TBB` this runs in parallel. The result is the same for every number of threads.
 
 \param shapes the result of a detection
 \param points the range of points that it is of
@@ -99,8 +99,8 @@ in parallel. The result is the same for every number of threads.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throw std::invalid_argument the points are not those of the detection, as `polygons()` says; fewer than four planes are asked for; the
-direction is null
+\throw std::invalid_argument the points are not those of the detection, as `polygons()` says; fewer than four planes are
+asked for; the direction is null
 \throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
 \throw std::runtime_error the `Kinetic_partition` fails
 */

@@ -5,12 +5,7 @@
 
 cmake_minimum_required(VERSION 3.19)
 
-include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
-
-need_python3()
-expect_shell(0 "^$" "\"${python3}\" \"${CMAKE_CURRENT_LIST_DIR}/room_clouds.py\"")
-expect(0 "columns +x y z\n.*shapes +3 in 3 planes .*hash +[0-9a-f]+" plain.xyz)
-string(REGEX MATCH "hash +[0-9a-f]+" hash "${out}")
+include("${CMAKE_CURRENT_LIST_DIR}/room_support.cmake")
 
 # --- Names that tell nothing, or a wrong format
 foreach(name IN ITEMS plain cloud.doc cloud.las cloud.ply)

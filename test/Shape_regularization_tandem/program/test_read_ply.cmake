@@ -6,10 +6,7 @@
 
 cmake_minimum_required(VERSION 3.19)
 
-include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
-
-need_python3()
-expect_shell(0 "^$" "\"${python3}\" \"${CMAKE_CURRENT_LIST_DIR}/room_clouds.py\"")
+include("${CMAKE_CURRENT_LIST_DIR}/room_support.cmake")
 
 # --- Names and types. Binary and text files have the same result.
 foreach(name IN ITEMS upper int uint short mixed big)

@@ -93,8 +93,10 @@ private:
         queue.emplace(run.length, first);
         continue;
       }
-      trim(run);
-      find_offset(run);
+      std::vector<double> offsets = sorted_offsets(run);
+      if(trim(run, offsets[offsets.size() / 2]))
+        offsets = sorted_offsets(run);
+      find_offset(run, offsets);
       for(std::size_t i = 0; i < run.count; ++i)
         run_of[(run.first + i) % size] = runs.size();
       runs.push_back(run);
@@ -114,33 +116,30 @@ private:
     return result;
   }
 
-  // Leaves out an edge at an end of the run whose points are farther than the tolerance from most others, if it is the
-  // only one there: as at a cut corner, and not along a border that is rough.
-  void trim(Run& run) const
+  // Leaves out an edge at an end of the run whose points are farther than the tolerance from the median, if it is the
+  // only one there: as at a cut corner, and not along a border that is rough. Returns whether there is one.
+  bool trim(Run& run, double median) const
   {
-    const std::vector<double> offsets = sorted_offsets(run);
-    const double median = offsets[offsets.size() / 2];
-    std::size_t far = 0;
-    const auto is_near = [&](std::size_t edge) {
-      const Border_points::Range& range = ranges[edge % size * directions.size() + run.direction];
-      const double most = border.tolerance * border.spacing(edge % size);
-      return range.low >= median - most && range.high <= median + most;
+    const auto is_far = [&](std::size_t i) {
+      const std::size_t edge = (run.first + i) % size;
+      const Border_points::Range& range = ranges[edge * directions.size() + run.direction];
+      const double most = border.tolerance * border.spacing(edge);
+      return range.low < median - most || range.high > median + most;
     };
+    std::size_t number = 0;
     for(std::size_t i = 0; i < run.count; ++i)
-      far += !is_near(run.first + i);
-    if(far != 1)
-      return;
-    if(run.count > 1 && !is_near(run.first + run.count - 1))
-      --run.count;
-    else if(run.count > 1 && !is_near(run.first)) {
+      number += is_far(i);
+    const bool is_first = is_far(0);
+    if(run.count == 1 || number != 1 || !(is_first || is_far(run.count - 1)))
+      return false;
+    if(is_first)
       run.first = (run.first + 1) % size;
-      --run.count;
-    }
+    --run.count;
+    return true;
   }
 
-  void find_offset(Run& run) const
+  void find_offset(Run& run, const std::vector<double>& offsets) const
   {
-    const std::vector<double> offsets = sorted_offsets(run);
     double spacing = 0;
     for(std::size_t i = 0; i < run.count; ++i)
       spacing += border.spacing((run.first + i) % size) / double(run.count);

@@ -35,8 +35,8 @@ public:
       planes_.push_back(&plane);
   }
 
-  // Of rays from these places of one of the planes, the share that says that the front is outside and what is behind inside, less
-  // the share that says the opposite.
+  // Of rays from these places of one of the planes, the share that says that the front is outside and what is behind
+  // inside, less the share that says the opposite.
   double share(const std::vector<Point>& places, const Vector& to_front, const Plane_coverage& plane) const
   {
     constexpr std::size_t step = 97; // odd, so that all directions occur, and in no order
