@@ -42,10 +42,14 @@ std::string format_of_bytes(const std::string& path)
 void check_format(const std::string& path, const std::string& given)
 {
   const std::string extension = input_format(path, given);
-  if(extension == ".e57")
-    throw std::runtime_error("E57 is not read; convert it to LAS, PLY or PCD with CloudCompare or PDAL, for example");
   if(is_input_extension(extension))
     return;
+  if(extension == ".e57" || extension == ".rcp")
+    throw std::runtime_error("files " + extension + " are not read; convert to LAS, PLY or PCD, for example with " +
+                             "CloudCompare or PDAL");
+  if(extension == ".stl" || extension == ".obj" || extension == ".glb")
+    throw std::runtime_error("meshes " + extension + " are not read; convert to PLY or OFF, and give --sample N, " +
+                             "the number of points on its faces");
   const std::string format = format_of_bytes(path);
   throw std::runtime_error("unknown format '" + extension + "', expected " + known_inputs() + "; --format " +
                            (format.empty() ? "NAME tells it" : format + " reads it as what its first bytes say"));

@@ -19,7 +19,8 @@ def _numbers(name: str, values: Any, kinds: str, what: str) -> npt.NDArray[Any]:
     except ValueError as error:  # rows of different lengths
         raise ValueError(f"{name} must be an array of {what}: {error}") from None
     if array.dtype.kind not in kinds:
-        raise ValueError(f"{name} must be an array of {what}, but its type is {array.dtype}")
+        advice = f"; of a cloud of Open3D pass np.asarray(cloud.{name})" if hasattr(values, name) else ""
+        raise ValueError(f"{name} must be an array of {what}, but its type is {array.dtype}{advice}")
     return array
 
 

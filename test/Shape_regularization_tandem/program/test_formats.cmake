@@ -137,7 +137,9 @@ expect(1 "more.xyz: row 1729 has more than 3 values" more.xyz)
 expect(1 "word.xyz: row 1729 has 'three' where the number z is expected" word.xyz)
 expect(1 "comma.csv: row 1 is neither a point.*with a decimal point" comma.csv)
 file(WRITE "${WORK_DIR}/cube.e57" "ASTM-E57")
-expect(1 "cube.e57: E57 is not read; convert it" cube.e57)
+expect(1 "cube.e57: files .e57 are not read; convert to LAS" cube.e57)
+file(WRITE "${WORK_DIR}/cube.stl" "solid cube")
+expect(1 "cube.stl: meshes .stl are not read; convert to PLY or OFF, and give --sample N" cube.stl)
 
 # --- Files that others make, as far as the specifications tell: every format of points, every kind of PCD
 find_program(python3 python3)

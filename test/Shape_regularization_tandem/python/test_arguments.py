@@ -48,6 +48,13 @@ class Arrays(unittest.TestCase):
                 self.assertIsNone(tandem.find_violation(points, shapes))
         self.assertTrue(normals.flags.writeable)
 
+    def test_a_cloud_in_place_of_its_points(self):
+        class Cloud:  # as that of Open3D
+            points = room()[0]
+
+        with self.assertRaisesRegex(ValueError, r"its type is object; of a cloud .* pass np.asarray\(cloud.points\)"):
+            tandem.detect_planes(Cloud())
+
     def test_read_only_arrays(self):
         points = room()[0].copy()
         points.flags.writeable = False
