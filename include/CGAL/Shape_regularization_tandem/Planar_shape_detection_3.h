@@ -152,6 +152,7 @@ public:
       Statistics& statistics = data.statistics;
       statistics.is_cancelled = is_cancelled();
       statistics.estimate_note = estimate_note_;
+      statistics.angle_note = angle_note(parameters_);
       statistics.backend = engine_ ? engine_->name() : Backend::name();
       Stage_times& times = statistics.times;
       times.sort += import_time_;
