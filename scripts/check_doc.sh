@@ -4,8 +4,8 @@
 #
 # Checks the manual: all examples are listed with a description; it has the sections to which comments of the headers
 # refer; it builds without a warning; its search knows the names of the package; names of CGAL are links where there is a
-# tag file, and plain text where there is none; the outputs of examples are those of a run; and the figures of the
-# building are the same everywhere.
+# tag file, and plain text where there is none; its links lead to pages and anchors that are there; the outputs of examples
+# are those of a run; and the figures of the building are the same everywhere.
 #   TANDEM_DOC_DIR    where the manual is built (default: build/doc of this repository)
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
@@ -94,3 +94,4 @@ TANDEM_DOC_DIR=$TANDEM_DOC_DIR TANDEM_CGAL_TAGS='' "$root/scripts/doc.sh"
 for name in detect_planes maximum_distance Planar_shapes_3 Guarantees; do
   grep -q "\['$name'," "$html"/search/all_*.js || fail "the search does not know $name"
 done
+"$root/scripts/check_links.py" "$html" || fail "links are broken"

@@ -11,6 +11,7 @@
 #include "output/write_results.h"
 #include "ranks/Ranks.h"
 #include "sentence.h"
+#include "tolerance/Tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_noise.h>
 
@@ -108,6 +109,8 @@ inline std::vector<std::string> result_warnings(const Point_set& points, const S
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,
                                 " is less than a tenth of the noise of the points, ", noise,
                                 ": --maximum-distance should be two to three times the noise"));
+  if(!s.angle_note.empty())
+    warnings.push_back(with_options(s.angle_note));
   return warnings;
 }
 

@@ -91,6 +91,8 @@ inline std::string with_options(std::string note)
 {
   const std::pair<const char*, const char*> words[] = {
     {"maximum_distance", "--maximum-distance"},
+    {"maximum_angle", "--maximum-angle"},
+    {"angle_tolerance", "--angle-tolerance"},
     {"a tolerance for each point", "a tolerance for each point (--maximum-distance auto-local)"}};
   for(const auto& [word, option] : words)
     if(const std::size_t place = note.find(word); place != note.npos)

@@ -74,7 +74,9 @@ public:
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Planar_shape_detection_3(const Point_range& points, const NamedParameters& np = NamedParameters())
     : Planar_shape_detection_3(points, np, internal::make_traits<Traits>(np))
-  {}
+  {
+    internal::Is_readable<Traits, NamedParameters>(); // here, so that an error names the line of the caller
+  }
 
   /*!
   reads the points, estimates the parameters that are not given, and finds the neighbors of the points, with these
@@ -91,8 +93,7 @@ public:
       internal::check_given_parameters(parameters_);
       internal::check_same_parameters(Ranks(backend_), parameters_);
       internal::Stop_watch watch;
-      in_ =
-        internal::read_points(backend_, points, internal::reader_of(points, np, traits_), typename Execution::Upload());
+      in_ = internal::read_range<typename Execution::Upload>(backend_, points, np, traits_);
       estimate_note_ = internal::set_scale(backend_, in_, internal::has_own_offset(np), parameters_);
       import_time_ = watch.lap();
       if(progress_.show(0) && in_.total.points >= parameters_.minimum_region_size)
@@ -151,6 +152,7 @@ public:
       Statistics& statistics = data.statistics;
       statistics.is_cancelled = is_cancelled();
       statistics.estimate_note = estimate_note_;
+      statistics.angle_note = angle_note(parameters_);
       statistics.backend = engine_ ? engine_->name() : Backend::name();
       Stage_times& times = statistics.times;
       times.sort += import_time_;

@@ -9,7 +9,6 @@
 #include <CGAL/Default.h>
 #include <CGAL/number_utils.h>
 
-#include <iterator>
 #include <type_traits>
 
 namespace CGAL {
@@ -65,11 +64,6 @@ public:
   using Construct_plane_3 = typename GeomTraits::Construct_plane_3;
 
   static constexpr bool has_normal_map = !std::is_same<NormalMap, CGAL::Default>::value;
-
-  static_assert(
-    std::is_convertible<typename std::iterator_traits<typename PointRange::const_iterator>::iterator_category,
-                        std::random_access_iterator_tag>::value,
-    "The range of points needs random access iterators.");
 
   explicit Tandem_traits_3(const GeomTraits& geom_traits = GeomTraits(), const Execution& execution = Execution())
     : geom_traits_(geom_traits), execution_(execution)

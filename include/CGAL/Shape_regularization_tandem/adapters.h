@@ -116,15 +116,17 @@ std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& poi
                                                            const Planar_shapes_3<GeomTraits>& shapes,
                                                            const NamedParameters& np = NamedParameters())
 {
-  using Traits = typename internal::Traits_for<CGAL::Sequential_tag, PointRange, NamedParameters, false>::type;
-  const auto map = internal::point_map_of<Traits>(points, np);
+  using Traits_for = internal::Traits_for<CGAL::Sequential_tag, PointRange, NamedParameters, false>;
   std::vector<Point_with_plane<GeomTraits>> out;
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    const typename GeomTraits::Plane_3 plane = shapes.oriented_plane(s);
-    const typename GeomTraits::Vector_3 normal = plane.orthogonal_vector();
-    for(std::size_t i : shapes.points(s))
-      out.emplace_back(plane.projection(get(map, *(points.begin() + std::ptrdiff_t(i)))), normal,
-                       int(shapes.coplanar_group(s)));
+  if constexpr(internal::Range_check<PointRange>::value && Traits_for::Check::value) {
+    const auto map = internal::point_map_of<typename Traits_for::type>(points, np);
+    for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
+      const typename GeomTraits::Plane_3 plane = shapes.oriented_plane(s);
+      const typename GeomTraits::Vector_3 normal = plane.orthogonal_vector();
+      for(std::size_t i : shapes.points(s))
+        out.emplace_back(plane.projection(get(map, *(points.begin() + std::ptrdiff_t(i)))), normal,
+                         int(shapes.coplanar_group(s)));
+    }
   }
   return out;
 }

@@ -44,7 +44,7 @@ std::vector<double> estimate_local_distances(const PointRange& points, const Nam
     auto backend = traits.backend();
     const internal::Ranks<decltype(backend)> ranks(backend);
     return ranks.together([&] {
-      const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+      const internal::Import in = internal::read_range(backend, points, np, traits);
       return internal::estimate_local_distances(backend, in);
     });
   });

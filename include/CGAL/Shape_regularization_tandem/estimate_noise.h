@@ -32,7 +32,7 @@ double estimate_noise(const PointRange& points, const NamedParameters& np = Name
   const internal::Round_to_nearest rounding;
   return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();
-    const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+    const internal::Import in = internal::read_range(backend, points, np, traits);
     return internal::measure_cloud(backend, in).noise;
   });
 }

@@ -55,7 +55,7 @@ Parameters estimate_parameters(const PointRange& points, const NamedParameters& 
       Parameters p = internal::read_parameters(np);
       internal::check_given_parameters(p);
       internal::check_same_parameters(ranks, p);
-      const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+      const internal::Import in = internal::read_range(backend, points, np, traits);
       const Distance_estimate said = internal::complete_parameters(backend, in, internal::has_own_offset(np), p);
       if(estimate != nullptr)
         *estimate = said;

@@ -51,7 +51,7 @@ bool is_valid_result(const PointRange& points, const Planar_shapes_3<GeomTraits>
   return internal::with_traits<internal::Checking_tag<NamedParameters>>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();
     return internal::Ranks<decltype(backend)>(backend).together([&] {
-      internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+      internal::Import in = internal::read_range(backend, points, np, traits);
       internal::Result_checker<GeomTraits> checker(in, shapes);
       const bool is_valid = checker.check(backend);
       if(why)

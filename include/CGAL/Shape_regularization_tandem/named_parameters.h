@@ -3,7 +3,8 @@
 //
 // Named parameters that chain in any order, in the spelling of CGAL's. Those that
 // CGAL has are CGAL's own, so np of `CGAL::parameters` are accepted wherever ours
-// are; the others have tags of this package. Nothing is added to CGAL.
+// are; the others have tags of this package. Added to CGAL are only names that
+// later versions of CGAL have: programs with them compile with older ones, too.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_NAMED_PARAMETERS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_NAMED_PARAMETERS_H
@@ -12,6 +13,7 @@
 #include <CGAL/version.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Tandem {
@@ -155,9 +157,32 @@ const CGAL::Named_function_parameters<T, Tag, Base>& cgal_parameters(const Named
   return np;
 }
 
+template <typename NP, typename = void>
+struct Is_list : std::false_type {};
+
+template <typename NP>
+struct Is_list<NP, std::void_t<decltype(cgal_parameters(std::declval<const NP&>()))>> : std::true_type {};
+
+// One compile-time error where the type is no list. All else is as if nothing was given then.
+template <typename NP>
+struct List_check {
+  static constexpr bool value = Is_list<NP>::value;
+  static_assert(value, "This is no list of named parameters: pass CGAL::Tandem::parameters::maximum_distance(0.05) or "
+                       "others, and point_map(map) in the same list; a struct Parameters is passed as "
+                       "CGAL::Tandem::parameters::settings(p).");
+};
+
+template <typename Tag, typename NP, typename Default_type, bool is_list = Is_list<NP>::value>
+struct Lookup : CGAL::internal_np::Lookup_named_param_def<Tag, NP, Default_type> {};
+
+template <typename Tag, typename NP, typename Default_type>
+struct Lookup<Tag, NP, Default_type, false> {
+  using type = Default_type;
+};
+
 // The type of a parameter, or Default_type where it is not given.
 template <typename Tag, typename NP, typename Default_type>
-using Parameter_type = typename CGAL::internal_np::Lookup_named_param_def<Tag, NP, Default_type>::type;
+using Parameter_type = typename Lookup<Tag, NP, Default_type>::type;
 
 template <typename Tag, typename NP>
 using Is_given = std::integral_constant<bool, !std::is_same<Parameter_type<Tag, NP, CGAL::internal_np::Param_not_found>,
@@ -204,6 +229,21 @@ auto combine(const NP& np, const CGAL::Named_function_parameters<T, Tag>& one, c
 
 } // namespace parameters
 } // namespace Tandem
+
+/// \cond SKIP_IN_MANUAL
+namespace parameters {
+
+#if CGAL_VERSION_NR < 1050600900
+using CGAL::Tandem::parameters::k_neighbors;
+using CGAL::Tandem::parameters::maximum_distance;
+using CGAL::Tandem::parameters::minimum_region_size;
+#endif
+#if CGAL_VERSION_NR < 1060000900
+using CGAL::Tandem::parameters::angle_tolerance;
+#endif
+
+} // namespace parameters
+/// \endcond
 } // namespace CGAL
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_NAMED_PARAMETERS_H

@@ -93,6 +93,78 @@ inline void drop_unassigned(Import& in, std::vector<int>& plane_of)
   in.item.clear();
 }
 
+// One compile-time error where a map does not fit, as those of internal/range_checks.h.
+template <class Kernel, class Plane_iterator, class NP>
+struct Planes_check {
+  using Item = typename std::iterator_traits<Plane_iterator>::reference;
+  using Plane_map = Parameter_type<internal_np::plane_t, NP, CGAL::Identity_property_map<std::decay_t<Item>>>;
+  using Index_map = Parameter_type<internal_np::plane_index_t, NP, No_value>;
+  static constexpr bool has_indices = Is_given<internal_np::plane_index_t, NP>::value;
+  static constexpr bool are_planes =
+    std::is_convertible<typename Got<Plane_map, Item>::type, typename Kernel::Plane_3>::value;
+  static constexpr bool are_indices = std::is_constructible<int, typename Got<Index_map, std::size_t>::type>::value;
+  static constexpr bool value = has_indices && are_planes && are_indices;
+  static_assert(has_indices, "regularize_planes() needs the named parameter plane_index_map.");
+  static_assert(
+    !has_indices || are_planes,
+    "The items of the range of planes are not planes of the kernel of the points, nor does plane_map make them "
+    "so: pass plane_map(map), where map is a property map from an item of the range to Plane_3.");
+  static_assert(
+    !has_indices || !are_planes || are_indices,
+    "plane_index_map does not give an int for the position of a point: pass plane_index_map(map), where map is "
+    "a property map from std::size_t to int.");
+};
+
+// regularize_planes() for arguments that are right.
+template <class PlaneRange, class PointRange, class NamedParameters>
+Plane_relations regularize_given_planes(PlaneRange& planes, const PointRange& points, const NamedParameters& np)
+{
+  using Maps = Traits_for<CGAL::Sequential_tag, PointRange, NamedParameters, false>;
+  using Traits =
+    Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
+  using Plane_item = typename std::iterator_traits<decltype(planes.begin())>::value_type;
+  using RT = typename Maps::Kernel::RT;
+  const Round_to_nearest rounding;
+  Parameters p;
+  p.maximum_offset = 0.01;
+  read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
+  read_real<internal_np::maximum_offset_t>(np, p.maximum_offset);
+  read_real<internal_np::maximum_distance_t>(np, p.maximum_distance);
+  read_real<internal_np::regularity_t>(np, p.regularity);
+  read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);
+  read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
+  read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);
+  read_directions(np, p);
+  const auto options = check_plane_options(p, Is_given<internal_np::maximum_distance_t, NamedParameters>::value);
+
+  const auto plane_map = parameter<internal_np::plane_t>(np, CGAL::Identity_property_map<Plane_item>());
+  std::vector<Coefficients> coefficients;
+  for(auto it = planes.begin(); it != planes.end(); ++it) {
+    const typename Traits::Plane_3 s = get(plane_map, *it);
+    coefficients.push_back(
+      {CGAL::to_double(s.a()), CGAL::to_double(s.b()), CGAL::to_double(s.c()), CGAL::to_double(s.d())});
+  }
+  const Traits traits(parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
+  Sequential_backend backend;
+  Import in =
+    read_points(backend, points, Item_reader<Traits>(traits, point_map_of<Traits>(points, np), CGAL::Default()));
+  auto plane_of = read_plane_indices(in, parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
+  drop_unassigned(in, plane_of);
+  const std::vector<Coefficients> given = coefficients;
+  Plane_relations result = relate_planes(backend, in, plane_of, options, coefficients);
+  const std::vector<Vector> directions = group_directions(result.parallel_group, coefficients);
+  result.fixed_direction = fixed_directions_of(directions, p);
+  result.symmetry_group = symmetry_groups(directions, p);
+  change_to_unit_normals(given, result);
+  std::size_t s = 0;
+  for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
+    if(result.is_changed[s]) {
+      const Coefficients& c = coefficients[s];
+      put(plane_map, *it, traits.construct_plane_3_object()(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
+    }
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -180,55 +252,12 @@ linear in the number of points.
 template <class PlaneRange, class PointRange, class NamedParameters>
 Plane_relations regularize_planes(PlaneRange&& planes, const PointRange& points, const NamedParameters& np)
 {
-  static_assert(internal::Is_given<internal_np::plane_index_t, NamedParameters>::value,
-                "regularize_planes() needs the named parameter plane_index_map.");
   using Maps = internal::Traits_for<CGAL::Sequential_tag, PointRange, NamedParameters, false>;
-  using Traits =
-    Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
-  using Plane_item = typename std::iterator_traits<decltype(planes.begin())>::value_type;
-  using RT = typename Maps::Kernel::RT;
-  const internal::Round_to_nearest rounding;
-  Parameters p;
-  p.maximum_offset = 0.01;
-  internal::read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
-  internal::read_real<internal_np::maximum_offset_t>(np, p.maximum_offset);
-  internal::read_real<internal_np::maximum_distance_t>(np, p.maximum_distance);
-  internal::read_real<internal_np::regularity_t>(np, p.regularity);
-  internal::read_switch<internal_np::regularize_parallelism_t>(np, p.regularize_parallelism);
-  internal::read_switch<internal_np::regularize_orthogonality_t>(np, p.regularize_orthogonality);
-  internal::read_switch<internal_np::regularize_coplanarity_t>(np, p.regularize_coplanarity);
-  internal::read_directions(np, p);
-  const auto options =
-    internal::check_plane_options(p, internal::Is_given<internal_np::maximum_distance_t, NamedParameters>::value);
-
-  const auto plane_map = internal::parameter<internal_np::plane_t>(np, CGAL::Identity_property_map<Plane_item>());
-  std::vector<Coefficients> coefficients;
-  for(auto it = planes.begin(); it != planes.end(); ++it) {
-    const typename Traits::Plane_3 s = get(plane_map, *it);
-    coefficients.push_back(
-      {CGAL::to_double(s.a()), CGAL::to_double(s.b()), CGAL::to_double(s.c()), CGAL::to_double(s.d())});
+  if constexpr(internal::Range_check<PointRange>::value && Maps::Check::value) {
+    if constexpr(internal::Planes_check<typename Maps::Kernel, decltype(planes.begin()), NamedParameters>::value)
+      return internal::regularize_given_planes(planes, points, np);
   }
-  const Traits traits(internal::parameter<internal_np::geom_traits_t>(np, typename Maps::Kernel()));
-  internal::Sequential_backend backend;
-  internal::Import in = internal::read_points(
-    backend, points,
-    internal::Item_reader<Traits>(traits, internal::point_map_of<Traits>(points, np), CGAL::Default()));
-  auto plane_of =
-    internal::read_plane_indices(in, internal::parameter<internal_np::plane_index_t>(np, 0), coefficients.size());
-  internal::drop_unassigned(in, plane_of);
-  const std::vector<Coefficients> given = coefficients;
-  Plane_relations result = internal::relate_planes(backend, in, plane_of, options, coefficients);
-  const std::vector<internal::Vector> directions = internal::group_directions(result.parallel_group, coefficients);
-  result.fixed_direction = internal::fixed_directions_of(directions, p);
-  result.symmetry_group = internal::symmetry_groups(directions, p);
-  internal::change_to_unit_normals(given, result);
-  std::size_t s = 0;
-  for(auto it = planes.begin(); it != planes.end(); ++it, ++s)
-    if(result.is_changed[s]) {
-      const Coefficients& c = coefficients[s];
-      put(plane_map, *it, traits.construct_plane_3_object()(RT(c[0]), RT(c[1]), RT(c[2]), RT(c[3])));
-    }
-  return result;
+  return Plane_relations();
 }
 
 } // namespace Tandem

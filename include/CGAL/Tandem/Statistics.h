@@ -132,6 +132,9 @@ struct Statistics {
   /// a sentence on `maximum_distance`, where it was estimated and one value for all points is a compromise: there are steps
   /// of depth, surfaces close behind others, noise that varies, or surfaces that bend. Otherwise empty
   std::string estimate_note;
+  /// which of `maximum_angle` and `angle_tolerance`, which are in degrees, is also the cosine of an allowed angle, and so
+  /// may have been meant as one, and what to pass then. Otherwise empty
+  std::string angle_note;
   std::string backend; ///< the name of the back end that executed: "sequential", "parallel", ...
 
   /// the number of points with an invalid position, normal or tolerance, or too far away, which belong to no shape

@@ -138,6 +138,24 @@ inline void check_parameters(const Parameters& p)
   check_directions(p);
 }
 
+// What is to be said of an angle that is also the cosine of an allowed one, as others take it. Otherwise empty.
+inline std::string cosine_note(const char* name, double degrees, double largest)
+{
+  const double meant = std::acos(degrees) * (180 / std::acos(-1.)); // NaN above 1
+  if(!(degrees > 0 && meant >= smallest_angle_deg && meant < largest))
+    return {};
+  return std::string(name) + " is " + to_text(degrees) + " degrees: if that was meant as a cosine, pass " +
+         to_text(std::round(10 * meant) / 10);
+}
+
+// Those of all angles.
+inline std::string angle_note(const Parameters& p)
+{
+  const std::string of_normals = cosine_note("maximum_angle", p.maximum_angle, 90);
+  const std::string of_planes = cosine_note("angle_tolerance", p.angle_tolerance, 45);
+  return of_normals + (of_normals.empty() || of_planes.empty() ? "" : "; ") + of_planes;
+}
+
 } // namespace Tandem
 } // namespace CGAL
 

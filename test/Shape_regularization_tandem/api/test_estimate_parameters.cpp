@@ -79,6 +79,19 @@ void test_given()
   CHECK(r.maximum_offset == .25 && r.angle_tolerance == 4);
 }
 
+// Names that some versions of CGAL have, and that this package adds to the others.
+void test_names_of_cgal()
+{
+  const Points points = make_points(300, .002f);
+  const CGAL::Identity_property_map<Epick::Point_3> map;
+  const auto p = estimate_parameters(points, CGAL::parameters::maximum_distance(.5).point_map(map));
+  CHECK(p.maximum_distance == .5);
+  CHECK(estimate_parameters(points, CGAL::parameters::minimum_region_size(77)).minimum_region_size == 77);
+  CHECK(estimate_parameters(points, CGAL::parameters::k_neighbors(20)).k_neighbors == 20);
+  CHECK(estimate_parameters(points, CGAL::parameters::angle_tolerance(4)).angle_tolerance == 4);
+  CHECK(estimate_parameters(points, CGAL::parameters::all_default()).angle_tolerance == 8);
+}
+
 void test_degenerate()
 {
   CHECK(distance_of({}) > 0);
@@ -105,6 +118,7 @@ int main()
   test_rule();
   test_motions();
   test_given();
+  test_names_of_cgal();
   test_degenerate();
   return report();
 }

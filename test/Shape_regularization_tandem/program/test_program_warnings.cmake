@@ -53,6 +53,13 @@ expect_warnings(thin.xyz --maximum-distance 0.0003 WARNINGS "only 4[0-9.]* % of 
 # Points without noise may have any tolerance.
 expect_warnings(cube.ply --maximum-distance 0.00001)
 
+# --- Angles that are cosines
+expect_warnings(cube.ply ${epsilon} --maximum-angle 0.9
+                WARNINGS "--maximum-angle is 0.9 degrees: if that was meant as a cosine, pass 25.8")
+expect_warnings(cube.ply ${epsilon} --maximum-angle 1 --angle-tolerance 0.5)
+expect_warnings(cube.ply ${epsilon} --angle-tolerance 0.99
+                WARNINGS "--angle-tolerance is 0.99 degrees: if that was meant as a cosine, pass 8.1")
+
 # --- What was read is warned of in the report, too
 file(WRITE "${WORK_DIR}/none.ply" "ply\nformat ascii 1.0\nelement vertex 0\n${positions}${normals}end_header\n")
 expect_warnings(cube.ply none.ply ${epsilon} WARNINGS "none.ply: has no points")

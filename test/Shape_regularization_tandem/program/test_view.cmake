@@ -43,6 +43,15 @@ if(NOT "${page}" MATCHES "^<!DOCTYPE html>" OR NOT "${page}" MATCHES "</html>\n$
   complain("the page is not complete")
 endif()
 
+# --- The licence of three.js, which asks for its text in all copies
+foreach(text IN ITEMS "Copyright (c) 2010-2019 three.js authors" "Permission is hereby granted, free of charge"
+        "The above copyright notice and this permission notice shall be included in")
+  string(FIND "${page}" "${text}" place)
+  if(place EQUAL -1)
+    complain("the page does not have '${text}'")
+  endif()
+endforeach()
+
 # --- Its data: expect_scene() sets the variable scene from the variable page, and checks the numbers.
 macro(expect_scene)
   string(REGEX MATCH "id=\"scene\">({[^<]*)</script>\n<script type=\"text/plain\" id=\"points\">\n([^<]*)\n</script>"

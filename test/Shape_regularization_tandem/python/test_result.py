@@ -66,6 +66,13 @@ class Guarantees(unittest.TestCase):
         self.assertEqual((total, sum(reasons.values())), (np.count_nonzero(shapes.labels == -1),) * 2)
         self.assertEqual(list(reasons), ["without_normal", "misfit", "without_neighbors", "in_small_regions", "clutter"])
 
+    def test_a_note_on_a_cosine(self):
+        points, normals = room()
+        shapes = tandem.detect_planes(points, normals, maximum_angle=0.9)
+        expected = "maximum_angle is 0.9 degrees: if that was meant as a cosine, pass 25.8"
+        self.assertEqual(shapes.statistics["angle_note"], expected)
+        self.assertEqual(shapes_of_room().statistics["angle_note"], "")
+
     def test_work(self):
         work = shapes_of_room().statistics["work"]
         self.assertEqual(list(work), ["prepare", "rounds", "finish"])

@@ -86,7 +86,7 @@ private:
   {
     auto& [points, coordinates, normals, tolerances, far_points, assigned, free_points, shapes, directions, planes,
            pairs, coverage, distance, freedom, complexity, score, rounds, times, work, bytes, step, is_coarse,
-           has_estimated, is_cancelled, note, backend] = s;
+           has_estimated, is_cancelled, estimate_note, angle_note, backend] = s;
     visit(of + "number_of_points", points);
     visit(of + "number_of_ignored_coordinates", coordinates);
     visit(of + "number_of_ignored_normals", normals);
@@ -124,7 +124,8 @@ private:
     visit(of + "is_grid_coarse", is_coarse);
     visit(of + "has_estimated_normals", has_estimated);
     visit(of + "is_cancelled", is_cancelled);
-    visit(of + "estimate_note", note);
+    visit(of + "estimate_note", estimate_note);
+    visit(of + "angle_note", angle_note);
     visit(of + "backend", backend);
   }
 

@@ -230,7 +230,7 @@ private:
     sums_.fit_error = ranks.total(sums_.fit_error);
     sums_.peak_bytes = ranks.total(data_.statistics.peak_bytes);
     return check_sizes(size) && check_sides(size) && passes(count_violation(data_, in_, sums_)) &&
-           passes(cost_violation(data_.statistics, in_, sums_));
+           passes(note_violation(data_)) && passes(cost_violation(data_.statistics, in_, sums_));
   }
 
   // Size: the number of points, and no shape is below the minimum.

@@ -8,13 +8,13 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RANGE_MAPS_H
 
 #include <CGAL/Shape_regularization_tandem/Tandem_traits_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/range_checks.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/property_map.h>
 
-#include <iterator>
+#include <type_traits>
 
 namespace CGAL {
 
@@ -27,8 +27,7 @@ namespace internal {
 // The maps that a range has by itself. A plain range has its values as points, and no normals.
 template <class PointRange>
 struct Own_maps {
-  using Value = typename std::iterator_traits<typename PointRange::const_iterator>::value_type;
-  using Point_map = CGAL::Identity_property_map<Value>;
+  using Point_map = CGAL::Identity_property_map<Item_of<PointRange>>;
   using Normal_map = CGAL::Default;
   static constexpr bool may_have_normals = false;
 
@@ -52,15 +51,16 @@ struct Own_maps<CGAL::Point_set_3<Point, Vector>> {
 };
 
 // The traits for a range and named parameters. Where use_own_normals is false, only a normal map of the named
-// parameters counts. The kernel is that of the points, unless one is given.
+// parameters counts. The kernel is that of the points, unless one is given. Check is for functions that read points only.
 template <class ConcurrencyTag, class PointRange, class NP, bool use_own_normals>
 struct Traits_for {
   using Own = Own_maps<PointRange>;
   using Point_map = Parameter_type<internal_np::point_t, NP, typename Own::Point_map>;
   using Own_normal_map = typename std::conditional<use_own_normals, typename Own::Normal_map, CGAL::Default>::type;
   using Normal_map = Parameter_type<internal_np::normal_t, NP, Own_normal_map>;
-  using Point_3 = typename boost::property_traits<Point_map>::value_type;
-  using Kernel = Parameter_type<internal_np::geom_traits_t, NP, typename CGAL::Kernel_traits<Point_3>::Kernel>;
+  using Kernel =
+    Parameter_type<internal_np::geom_traits_t, NP, typename Kernel_of<typename Map_value<Point_map>::type>::type>;
+  using Check = std::conjunction<List_check<NP>, Point_check<Kernel, PointRange, Point_map>>;
   using type = Tandem_traits_3<Kernel, PointRange, Point_map, Normal_map, ConcurrencyTag>;
 };
 
@@ -108,6 +108,27 @@ Item_reader<Traits> reader_of(const typename Traits::Point_range& points, const 
   return Item_reader<Traits>(traits, point_map_of<Traits>(points, np), normal_map_of<Traits>(points, np), tolerance_of);
 }
 
+// Whether the items can be read; the first check that fails is the only error.
+template <class Traits, class NP, class Range = typename Traits::Point_range,
+          class Kernel = typename Traits::Geom_traits>
+using Is_readable = std::conjunction<
+  List_check<NP>, Range_check<Range>, Point_check<Kernel, Range, typename Traits::Point_map>,
+  Normal_check<Kernel, Range, typename Traits::Normal_map>,
+  Same_map_check<Parameter_type<internal_np::point_t, NP, typename Traits::Point_map>, typename Traits::Point_map>,
+  Same_map_check<Parameter_type<internal_np::normal_t, NP, typename Traits::Normal_map>, typename Traits::Normal_map>,
+  Tolerance_check<Range, Parameter_type<internal_np::maximum_distance_map_t, NP,
+                                        CGAL::Constant_property_map<Item_of<Range>, double>>>>;
+
+// Reads the range; nothing where it does not compile.
+template <class Upload = No_upload, class Backend, class Traits, class NP>
+Import read_range(Backend& backend, const typename Traits::Point_range& points, const NP& np, const Traits& traits)
+{
+  if constexpr(Is_readable<Traits, NP>::value)
+    return read_points(backend, points, reader_of(points, np, traits), Upload());
+  else
+    return Import();
+}
+
 // The traits of that geometry and, where processes work together, of the communicator of the named parameters.
 template <class Traits, class NP>
 Traits make_traits(const typename Traits::Geom_traits& geom_traits, const NP& np)
@@ -133,13 +154,14 @@ Traits make_traits(const NP& np)
 template <class ConcurrencyTag, class PointRange, class NP, class F>
 auto with_traits(const PointRange& points, const NP& np, F f)
 {
-  using Kernel = typename Traits_for<ConcurrencyTag, PointRange, NP, false>::Kernel;
-  const Kernel kernel = parameter<internal_np::geom_traits_t>(np, Kernel());
+  using Plain = Traits_for<ConcurrencyTag, PointRange, NP, false>;
+  using Traits = typename Plain::type;
+  const auto kernel = parameter<internal_np::geom_traits_t>(np, typename Plain::Kernel());
   using Own = Own_maps<PointRange>;
-  if constexpr(Own::may_have_normals && !Is_given<internal_np::normal_t, NP>::value)
+  if constexpr(Is_readable<Traits, NP>::value && Own::may_have_normals && !Is_given<internal_np::normal_t, NP>::value)
     if(Own::has_normals(points))
       return f(make_traits<typename Traits_for<ConcurrencyTag, PointRange, NP, true>::type>(kernel, np));
-  return f(make_traits<typename Traits_for<ConcurrencyTag, PointRange, NP, false>::type>(kernel, np));
+  return f(make_traits<Traits>(kernel, np));
 }
 
 } // namespace internal

@@ -74,6 +74,15 @@ inline double rounding_of_distances(const Shapes_data& data, const Import& in)
                     epsilon);
 }
 
+// The notes that follow from the parameters.
+inline std::string note_violation(const Shapes_data& data)
+{
+  const std::string expected = angle_note(data.parameters);
+  return data.statistics.angle_note == expected ? std::string()
+                                                : "the statistics are wrong: angle_note is \"" +
+                                                    data.statistics.angle_note + "\" instead of \"" + expected + "\"";
+}
+
 // What the points, the grid and the relations say.
 inline std::string count_violation(const Shapes_data& data, const Import& in, const Point_sums& sums)
 {

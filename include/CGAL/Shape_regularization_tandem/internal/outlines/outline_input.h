@@ -40,21 +40,24 @@ void check_input(const Any_shapes& shapes, std::size_t number_of_points)
   }
 }
 
-// Of the caller's points, in the order of the range.
+// Of the caller's points, in the order of the range: std::vector<Kernel::Point_3>. The type is deduced so that the
+// compiler names the line of the caller where the points have another type.
 template <class PointRange, class NP>
-std::vector<Kernel::Point_3> coordinates_of(const PointRange& points, const NP& np)
+auto coordinates_of(const PointRange& points, const NP& np)
 {
-  const auto map = [&] {
-    if constexpr(Is_given<internal_np::point_t, NP>::value)
-      return parameter<internal_np::point_t>(np, 0);
-    else
-      return Own_maps<PointRange>::point_map(points);
-  }();
   std::vector<Kernel::Point_3> result;
-  result.reserve(points.size());
-  for(const auto& item : points) {
-    const auto& p = get(map, item);
-    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  if constexpr(Traits_for<CGAL::Sequential_tag, PointRange, NP, false>::Check::value) {
+    const auto map = [&] {
+      if constexpr(Is_given<internal_np::point_t, NP>::value)
+        return parameter<internal_np::point_t>(np, 0);
+      else
+        return Own_maps<PointRange>::point_map(points);
+    }();
+    result.reserve(points.size());
+    for(const auto& item : points) {
+      const auto& p = get(map, item);
+      result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    }
   }
   return result;
 }
