@@ -5,9 +5,9 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_JOIN_COPLANAR_SHAPES_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/measured_uncertainty.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
 #include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
-#include <CGAL/Tandem/internal/finish/measure_planes.h>
 
 #include <cstddef>
 #include <utility>
@@ -17,30 +17,6 @@ namespace CGAL {
 namespace Tandem {
 
 namespace internal {
-
-// Of the plane of a shape, from all of its points. Sums are in steps of the grid of the detection, from its first point.
-template <class Positions, class Points>
-Plane_uncertainty measured_uncertainty(const Positions& positions, const Points& points, const Coefficients& plane,
-                                       const Parameters& parameters, double step)
-{
-  const auto& origin = points[positions[0]];
-  Grid grid;
-  grid.origin = {origin.x(), origin.y(), origin.z()};
-  grid.step = step;
-  const double n = double(positions.size());
-  const auto for_each_point = [&](auto f) {
-    for(std::size_t i : positions) {
-      const auto v = (points[i] - origin) / step;
-      f(Vector{v.x(), v.y(), v.z()});
-    }
-  };
-  Scatter s = {n, {0, 0, 0}, {0, 0, 0, 0, 0, 0}};
-  for_each_point([&](const Vector& v) { s.centroid = add_scaled(s.centroid, 1 / n, v); });
-  std::array<double, 6> sum = {0, 0, 0, 0, 0, 0};
-  for_each_point([&](const Vector& v) { add_outer(1, add_scaled(v, -1, s.centroid), sum); });
-  s.matrix = {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]};
-  return to_caller(plane_uncertainty(s, to_grid(plane, grid), parameters.maximum_distance / step), grid);
-}
 
 // By plane, whether most points are of shapes that are flipped.
 inline std::vector<char> majority_of_sides(const Shapes_data& data, std::size_t planes)
@@ -64,8 +40,8 @@ inline std::vector<char> majority_of_sides(const Shapes_data& data, std::size_t 
 Shape s of the result is coplanar group s of `shapes`, with all of its points. Such a shape need not be connected, which
 is why `is_valid_result()` refuses the result; all else that `Planar_shapes_3` promises holds. `Planar_shapes_3::is_flipped()`
 is that of the shapes with most of the points; `uncertainty()` is measured again at all points, up to rounding in their order.
-Numbers of shapes and relations are counted again; `Statistics::score` remains that of the detection where shapes were
-joined, and what else was measured remains right.
+Numbers of shapes and relations are counted again, as the terms of `Statistics::score` are, except its links, which remain
+those of the detection. What else was measured remains right.
 
 It is in the header `CGAL/Shape_regularization_tandem/join_coplanar_shapes.h`, which `CGAL/Shape_regularization_tandem.h`
 does not include.
@@ -88,8 +64,11 @@ Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTrait
   Shapes_data data = internal::relabel_shapes(of_shapes, shapes.distinct_planes(), of_shapes.coplanar_group);
   data.is_flipped = internal::majority_of_sides(of_shapes, data.size.size());
   const Planar_shapes_3<GeomTraits> joined(data);
+  const auto position = [&](std::size_t i) {
+    return internal::Vector{coordinates[i].x(), coordinates[i].y(), coordinates[i].z()};
+  };
   for(std::size_t s = 0; s < data.size.size(); ++s)
-    data.uncertainty[s] = internal::measured_uncertainty(joined.points(s), coordinates, data.coefficients[s],
+    data.uncertainty[s] = internal::measured_uncertainty(joined.points(s), position, data.coefficients[s],
                                                          data.parameters, data.statistics.grid_step);
   data.points = joined.point_groups();
   return Planar_shapes_3<GeomTraits>(std::move(data));

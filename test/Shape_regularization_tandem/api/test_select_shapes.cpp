@@ -33,9 +33,10 @@ struct Case {
 
 Case make_case(const std::string& name, Given given)
 {
-  Cloud cloud = to_cloud(make_scene(name, scene_options(is_sanitized ? 5000 : 20000, .0005, .1)));
+  const scenes::Scene scene = make_scene(name, scene_options(is_sanitized ? 5000 : 20000, .0005, .1));
+  Cloud cloud = to_cloud(scene);
   cloud.emplace_back(Kernel::Point_3(std::nan(""), 0, 0), Kernel::Vector_3(0, 0, 1));
-  Parameters parameters = make_parameters(.02, 50);
+  Parameters parameters = make_parameters(.002 * scene.diagonal, 50);
   parameters.fixed_directions = {{0, 0, 1}};
   parameters.regularize_axis_symmetry = true;
   return {name, cloud, detect_valid(name, cloud, parameters, given), given};
@@ -156,8 +157,7 @@ void check_joined(const Case& c)
 // Where no shapes are coplanar, all that is measured again is as it was.
 void check_joined_alone(const Case& c)
 {
-  std::vector<std::size_t> first = c.shapes.distinct_planes();
-  const Shapes alone = select_shapes(c.shapes, first);
+  const Shapes alone = select_shapes(c.shapes, c.shapes.distinct_planes());
   check_valid(c.cloud, join_coplanar_shapes(alone, c.cloud, maps), c.name + ": joined alone");
   check_throws<std::invalid_argument>([&] { join_coplanar_shapes(alone, Cloud(), maps); }, {"0 points"}, __LINE__);
 }
@@ -167,14 +167,16 @@ int main()
   for(const char* name : {"village", "indoor"})
     for(Given given : {Given::normals, Given::nothing}) {
       const Case c = make_case(name, given);
+      CHECK_AT(c.shapes.number_of_shapes() > 4, c.name);
       for(const Indices& indices : selections(c.shapes.number_of_shapes()))
         check_selection(c, indices);
       check_twice(c);
       if(given == Given::normals) {
         check_refusals(c);
-        check_joined(c);
         check_joined_alone(c);
       }
+      if(given == Given::normals && c.name == "indoor")
+        check_joined(c);
     }
   return report();
 }

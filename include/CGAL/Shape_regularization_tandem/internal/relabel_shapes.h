@@ -34,17 +34,16 @@ inline std::vector<int> without_gaps(const std::vector<int>& group)
 }
 
 // What follows from sizes and relations. What was measured at points stays that of the detection: the mean distance, the
-// reasons of its free points, and the score, unless it is of the same shapes in another order.
+// reasons of its free points, and the score. Where no points were left out, only the fit and the links of the score were.
 inline void count_shapes_again(const Statistics& before, Shapes_data& data)
 {
   Statistics& t = data.statistics;
   measure_relations(data, {});
-  if(data.size.size() == before.number_of_shapes) {
-    t.score.fit = before.score.fit;
-    t.score.links = before.score.links;
-  } else
-    t.score = before.score;
   t.number_of_assigned_points = std::accumulate(data.size.begin(), data.size.end(), std::size_t(0));
+  if(t.number_of_assigned_points < before.number_of_assigned_points)
+    t.score = before.score;
+  t.score.fit = before.score.fit;
+  t.score.links = before.score.links;
   t.free_points.unselected += before.number_of_assigned_points - t.number_of_assigned_points;
   t.coverage = t.number_of_points > 0 ? double(t.number_of_assigned_points) / double(t.number_of_points) : 0;
 }
