@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Results with some of the shapes: valid, with the same planes, points and relations. And one shape for each plane.
+// Results with some of the shapes: valid, with the same planes, points and relations, and the shapes that the criteria say.
+// And one shape for each plane.
 
 #undef NDEBUG
 
@@ -11,6 +12,7 @@
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
 
 #include <cmath>
 #include <numeric>
@@ -20,6 +22,8 @@
 
 using CGAL::Tandem::join_coplanar_shapes;
 using CGAL::Tandem::select_shapes;
+using CGAL::Tandem::shape_facts;
+using CGAL::Tandem::to_text;
 using Indices = std::vector<std::size_t>;
 
 const auto maps = CGAL::Tandem::parameters::point_map(First<Kernel>());
@@ -121,6 +125,87 @@ void check_refusals(const Case& c)
   CHECK_AT(why.find("free_points") != std::string::npos, why);
 }
 
+// The shapes with is_kept(s), in their order, by the labels of a selection.
+template <class Is_kept>
+void check_criteria(const Case& c, const Shapes& selected, Is_kept is_kept, const std::string& what)
+{
+  Indices expected;
+  for(std::size_t s = 0; s < c.shapes.number_of_shapes(); ++s)
+    if(is_kept(s))
+      expected.push_back(s);
+  CHECK_AT(!expected.empty() && expected.size() < c.shapes.number_of_shapes(), what + ": " + to_text(expected.size()));
+  CHECK_AT(shape_bits(selected) == shape_bits(select_shapes(c.shapes, expected)), what);
+}
+
+void check_directions(const Case& c)
+{
+  const auto cosine = [&](std::size_t s) { return std::fabs(c.shapes.coefficients(s)[2]); };
+  const double sine_of_10_deg = std::sin(CGAL_PI / 18), sine_of_40_deg = std::sin(CGAL_PI / 4.5);
+  const Kernel::Vector_3 upward(0, 0, -7);
+  check_criteria(
+    c, select_shapes(c.shapes, c.cloud, maps.near_direction(upward)),
+    [&](std::size_t s) { return cosine(s) >= std::sqrt(1 - sine_of_10_deg * sine_of_10_deg); }, "level");
+  check_criteria(
+    c, select_shapes(c.shapes, c.cloud, maps.orthogonal_direction(upward)),
+    [&](std::size_t s) { return cosine(s) <= sine_of_10_deg; }, "walls");
+  check_criteria(
+    c, select_shapes(c.shapes, c.cloud, maps.orthogonal_direction(upward).near_angle(40)),
+    [&](std::size_t s) { return cosine(s) <= sine_of_40_deg; }, "nearly walls");
+}
+
+void check_measures(const Case& c)
+{
+  const std::vector<CGAL::Tandem::Shape_facts> facts = shape_facts(c.shapes, c.cloud, maps);
+  const double area = facts[2].area, length = facts[1].length;
+  check_criteria(
+    c, select_shapes(c.shapes, c.cloud, maps.minimum_area(area)), [&](std::size_t s) { return facts[s].area >= area; },
+    "area");
+  check_criteria(
+    c, select_shapes(c.shapes, c.cloud, maps.minimum_extent(length)),
+    [&](std::size_t s) { return facts[s].length >= length; }, "extent");
+  check_criteria(
+    c, select_shapes(c.shapes, c.cloud, maps.minimum_extent(length).minimum_area(area)),
+    [&](std::size_t s) { return facts[s].length >= length && facts[s].area >= area; }, "both");
+}
+
+// The largest of those that fit the others; shapes are sorted by their size.
+void check_largest(const Case& c)
+{
+  Shapes::Data data = c.shapes.data();
+  std::swap(data.size[0], data.size[2]); // not true, but for the order
+  data.size[3] = data.size[1];
+  const Shapes turned(data);
+  for(std::size_t n : {std::size_t(1), std::size_t(3), c.shapes.number_of_shapes() + 9}) {
+    Indices order(c.shapes.number_of_shapes());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t s, std::size_t t) { return turned.size(s) > turned.size(t); });
+    order.resize((std::min)(n, order.size()));
+    std::sort(order.begin(), order.end());
+    CHECK(shape_bits(select_shapes(turned, c.cloud, maps.largest(n))) == shape_bits(select_shapes(turned, order)));
+  }
+  const Kernel::Vector_3 upward(0, 0, 1);
+  const Shapes walls = select_shapes(c.shapes, c.cloud, maps.orthogonal_direction(upward));
+  CHECK(shape_bits(select_shapes(c.shapes, c.cloud, maps.orthogonal_direction(upward).largest(1))) ==
+        shape_bits(select_shapes(walls, Indices{0})));
+}
+
+void check_wrong_criteria(const Case& c)
+{
+  using Refusal = std::invalid_argument;
+  const auto refuse = [&](const auto& list, const char* name, const char* value) {
+    check_throws<Refusal>([&] { select_shapes(c.shapes, c.cloud, list); }, {name, value}, __LINE__);
+  };
+  refuse(maps.largest(0), "largest", "0");
+  refuse(maps.largest(-2), "largest", "-2");
+  refuse(maps.minimum_area(-1.), "minimum_area", "-1");
+  refuse(maps.minimum_extent(std::nan("")), "minimum_extent", "nan");
+  refuse(maps.near_direction(Kernel::Vector_3(0, 0, 0)), "near_direction", "not null");
+  refuse(maps.orthogonal_direction(Kernel::Vector_3(std::nan(""), 0, 0)), "orthogonal_direction", "nan");
+  refuse(maps.near_direction(Kernel::Vector_3(0, 0, 1)).near_angle(91), "near_angle", "91");
+  check_throws<Refusal>([&] { select_shapes(c.shapes, Cloud(), maps.minimum_area(1)); }, {"0 points"}, __LINE__);
+}
+
 // Of a shape, from its points and plane alone.
 double noise_of(const Case& c, const Shapes& shapes, std::size_t s)
 {
@@ -173,6 +258,10 @@ int main()
       check_twice(c);
       if(given == Given::normals) {
         check_refusals(c);
+        check_directions(c);
+        check_measures(c);
+        check_largest(c);
+        check_wrong_criteria(c);
         check_joined_alone(c);
       }
       if(given == Given::normals && c.name == "indoor")
