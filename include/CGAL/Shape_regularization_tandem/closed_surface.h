@@ -10,6 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/surface/Short_edges.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Surface_input.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/limited_partition.h>
+#include <CGAL/Shape_regularization_tandem/internal/upward.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
 #include <cstddef>
@@ -116,7 +117,7 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, 200);
   if(most < 4)
     throw std::invalid_argument("maximum_number_of_planes is " + std::to_string(most) + ", must be at least 4.");
-  const surface::Vector up = surface::upward(
+  const surface::Vector up = internal::upward(
     internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
   const internal::outlines::Shapes of_doubles(shapes.data());
   surface::Surface_input input(coordinates, of_doubles, std::size_t(most));

@@ -54,12 +54,20 @@ enum angle_tolerance_t { angle_tolerance };
 enum cell_size_t { cell_size };
 enum communicator_t { communicator };
 enum fixed_directions_t { fixed_directions };
+enum largest_t { largest };
 enum maximum_distance_map_t { maximum_distance_map };
 enum maximum_number_of_planes_t { maximum_number_of_planes };
+enum minimum_area_t { minimum_area };
+enum minimum_extent_t { minimum_extent };
+enum near_angle_t { near_angle };
+enum near_direction_t { near_direction };
 enum one_for_each_plane_t { one_for_each_plane };
+enum orthogonal_direction_t { orthogonal_direction };
 enum partition_t { partition };
+enum reach_t { reach };
 enum regularity_t { regularity };
 enum settings_t { settings };
+enum shape_points_t { shape_points };
 enum simplicity_t { simplicity };
 enum surfel_size_t { surfel_size };
 
@@ -94,6 +102,14 @@ enum surfel_size_t { surfel_size };
   X(fixed_directions, fixed_directions_t)                                                                              \
   X(one_for_each_plane, one_for_each_plane_t)                                                                          \
   X(maximum_number_of_planes, maximum_number_of_planes_t)                                                              \
+  X(largest, largest_t)                                                                                                \
+  X(minimum_area, minimum_area_t)                                                                                      \
+  X(minimum_extent, minimum_extent_t)                                                                                  \
+  X(near_direction, near_direction_t)                                                                                  \
+  X(orthogonal_direction, orthogonal_direction_t)                                                                      \
+  X(near_angle, near_angle_t)                                                                                          \
+  X(shape_points, shape_points_t)                                                                                      \
+  X(reach, reach_t)                                                                                                    \
   X(partition, partition_t)
 
 /*!

@@ -8,6 +8,7 @@
 #include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
+#include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
 namespace CGAL {
@@ -60,7 +61,8 @@ Shape_polygons_3<GeomTraits> polygons(const Planar_shapes_3<GeomTraits>& shapes,
   outlines::check_points(shapes, coordinates);
   const bool is_by_plane = internal::parameter<internal_np::one_for_each_plane_t>(np, false);
   const Shapes_data data =
-    is_by_plane ? outlines::shapes_of_planes(shapes.data(), shapes.point_groups()) : shapes.data();
+    is_by_plane ? internal::relabel_shapes(shapes.data(), shapes.distinct_planes(), shapes.data().coplanar_group)
+                : shapes.data();
   return Shape_polygons_3<GeomTraits>(outlines::outline_table(coordinates, data));
 }
 

@@ -86,9 +86,13 @@ struct Free_points {
   std::size_t in_small_regions = 0;  ///< more than half of the neighbors fit that plane; and all points of a cloud of
                                      ///< less than `minimum_region_size`
   std::size_t clutter = 0;           ///< the others: at most half do
+  std::size_t unselected = 0;        ///< their shape was left out by `select_shapes()`, whatever else holds
 
   /// all of them
-  std::size_t total() const { return without_normal + misfit + without_neighbors + in_small_regions + clutter; }
+  std::size_t total() const
+  {
+    return without_normal + misfit + without_neighbors + in_small_regions + clutter + unselected;
+  }
 };
 
 /*!

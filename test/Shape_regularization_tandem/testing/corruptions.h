@@ -93,12 +93,13 @@ private:
     visit(of + "number_of_ignored_tolerances", tolerances);
     visit(of + "number_of_far_points", far_points);
     visit(of + "number_of_assigned_points", assigned);
-    auto& [without_normal, misfit, without_neighbors, in_small_regions, clutter] = free_points;
+    auto& [without_normal, misfit, without_neighbors, in_small_regions, clutter, unselected] = free_points;
     visit(of + "free_points.without_normal", without_normal);
     visit(of + "free_points.misfit", misfit);
     visit(of + "free_points.without_neighbors", without_neighbors);
     visit(of + "free_points.in_small_regions", in_small_regions);
     visit(of + "free_points.clutter", clutter);
+    visit(of + "free_points.unselected", unselected);
     visit(of + "number_of_shapes", shapes);
     visit(of + "number_of_directions", directions);
     visit(of + "number_of_planes", planes);

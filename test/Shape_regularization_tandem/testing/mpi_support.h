@@ -143,7 +143,8 @@ inline void add_statistics(Words& words, const CGAL::Tandem::Statistics& s)
                 s.number_of_directions, s.number_of_planes, s.number_of_orthogonal_pairs, s.degrees_of_freedom,
                 s.number_of_rounds, s.is_grid_coarse, s.has_estimated_normals, s.is_cancelled});
   const CGAL::Tandem::Free_points& f = s.free_points;
-  words.insert(words.end(), {f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter});
+  words.insert(words.end(),
+               {f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter, f.unselected});
   for(const double x : {s.coverage, s.mean_distance, s.complexity, s.grid_step, s.score.fit, s.score.links,
                         s.score.size, s.score.price, s.score.freedom})
     words.push_back(to_word(x));

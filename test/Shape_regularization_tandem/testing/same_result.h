@@ -49,7 +49,7 @@ inline std::vector<std::uint64_t> shape_bits(const Shapes& shapes)
                          bits(shapes.statistics().score.fit), bits(shapes.statistics().score.links),
                          bits(shapes.statistics().score.freedom)});
   const CGAL::Tandem::Free_points& f = shapes.statistics().free_points;
-  all.insert(all.end(), {f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter});
+  all.insert(all.end(), {f.without_normal, f.misfit, f.without_neighbors, f.in_small_regions, f.clutter, f.unselected});
   return all;
 }
 

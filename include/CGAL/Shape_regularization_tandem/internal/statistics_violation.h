@@ -100,7 +100,7 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
   const double unit = epsilon / double(Score_item::tolerance_units);
   const double mean = sums.assigned > 0 ? double(sums.distance) / assigned * unit : 0;
   const double rounding = rounding_of_distances(data, in);
-  return first_violation({
+  const std::string wrong_count = first_violation({
     count_of("number_of_points", t.number_of_points, in.total.items),
     count_of("number_of_ignored_coordinates", t.number_of_ignored_coordinates, in.total.ignored_coordinates),
     count_of("number_of_ignored_normals", t.number_of_ignored_normals, in.total.ignored_normals),
@@ -118,6 +118,10 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
     {"grid_step", t.grid_step, in.grid.step, 0},
     {"complexity", t.complexity, r.complexity, 0},
     {"coverage", t.coverage, in.total.items > 0 ? assigned / points : 0, 0},
+  });
+  if(!wrong_count.empty() || t.free_points.unselected > 0) // the rest is that of all shapes
+    return wrong_count;
+  return first_violation({
     {"mean_distance", t.mean_distance, mean, rounding},
     {"score.fit", t.score.fit, r.score.fit, std::ldexp(double(sums.fit_error), -20) + assigned / double(Score::unit)},
     {"score.size", t.score.size, r.score.size, 0},
@@ -126,14 +130,16 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
   });
 }
 
-// The links, and the reasons of points without a shape, are counted again in the neighbor graph. A detection that was
-// cancelled before it had shapes may have had no graph, and no reasons.
+// The links, and the reasons of points without a shape, are counted again in the neighbor graph, unless shapes were left
+// out. A detection that was cancelled before it had shapes may have had no graph, and no reasons.
 inline std::string graph_violation(const Shapes_data& data, const Graph_counts& counts)
 {
   const Score score(data.parameters);
   const double links = to_points({0, score.links(counts.score.links, counts.score.free_links), 0, 0, 0}).links;
   const Statistics& t = data.statistics;
   const Free_points& found = t.free_points;
+  if(found.unselected > 0)
+    return {};
   Free_points expected = counts.free_points;
   if(t.number_of_shapes == 0 && expected.total() < data.parameters.minimum_region_size) {
     expected = Free_points();

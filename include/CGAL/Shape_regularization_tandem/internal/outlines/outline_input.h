@@ -93,32 +93,6 @@ void check_points(const Any_shapes& shapes, const std::vector<Kernel::Point_3>& 
   }
 }
 
-// A shape for each plane, with the points of all shapes of that plane.
-inline Shapes_data shapes_of_planes(Shapes_data data, const Point_groups& points)
-{
-  const std::vector<int> first = representatives(data.coplanar_group), plane_of = data.coplanar_group;
-  std::vector<std::size_t> sizes(first.size(), 0);
-  const Shapes_data of_shapes = data;
-  const auto take = [&](auto& column, const auto& all) {
-    column.clear();
-    for(int s : first)
-      column.push_back(all[std::size_t(s)]);
-  };
-  take(data.coefficients, of_shapes.coefficients);
-  take(data.parallel_group, of_shapes.parallel_group);
-  take(data.is_flipped, of_shapes.is_flipped);
-  take(data.coplanar_group, of_shapes.coplanar_group);
-  for(std::size_t s = 0; s < plane_of.size(); ++s)
-    sizes[std::size_t(plane_of[s])] += points.first[s + 1] - points.first[s];
-  data.size = sizes;
-  std::vector<std::int32_t> labels(of_shapes.shape_of.begin(), of_shapes.shape_of.end());
-  for(std::int32_t& label : labels)
-    if(label >= 0)
-      label = plane_of[std::size_t(label)];
-  data.shape_of = std::move(labels);
-  return data;
-}
-
 } // namespace outlines
 } // namespace internal
 } // namespace Tandem

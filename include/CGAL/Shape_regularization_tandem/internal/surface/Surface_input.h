@@ -11,13 +11,10 @@
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Unit.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -25,19 +22,6 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 namespace surface {
-
-// Of length 1.
-template <class Vector_3>
-Vector upward(const Vector_3& v)
-{
-  const double c[3] = {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
-  const double largest = (std::max)({std::fabs(c[0]), std::fabs(c[1]), std::fabs(c[2])});
-  if(!(largest > 0) || !std::isfinite(largest))
-    throw std::invalid_argument("symmetry_direction must be a vector of positive, finite length.");
-  const Vector up(c[0] / largest, c[1] / largest, c[2] / largest);
-  const double length = std::sqrt(up.squared_length());
-  return up / length;
-}
 
 // Lengths are in a unit of about the largest coordinate.
 class Surface_input {

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The uncertainty of a plane, from points in the caller's memory.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_MEASURED_UNCERTAINTY_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_MEASURED_UNCERTAINTY_H
+
+#include <CGAL/Tandem/internal/finish/measure_planes.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// position(i) of the i of `members`, of which there is one. Sums are in steps of the grid of the detection, from the first
+// point: their squares then neither overflow nor vanish.
+template <class Members, class Position>
+Plane_uncertainty measured_uncertainty(const Members& members, const Position& position, const Coefficients& plane,
+                                       const Parameters& parameters, double step)
+{
+  Grid grid;
+  grid.origin = position(members[0]);
+  grid.step = step;
+  const auto for_each_point = [&](auto f) {
+    for(std::size_t i : members) {
+      const Vector v = position(i) - grid.origin;
+      f(Vector{v.x / step, v.y / step, v.z / step});
+    }
+  };
+  Scatter s = {double(members.size()), {0, 0, 0}, {0, 0, 0, 0, 0, 0}};
+  for_each_point([&](const Vector& v) { s.centroid = add_scaled(s.centroid, 1 / s.count, v); });
+  std::array<double, 6> sum = {0, 0, 0, 0, 0, 0};
+  for_each_point([&](const Vector& v) { add_outer(1, v - s.centroid, sum); });
+  s.matrix = {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]};
+  return to_caller(plane_uncertainty(s, to_grid(plane, grid), parameters.maximum_distance / step), grid);
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_MEASURED_UNCERTAINTY_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A result with other shapes of the same planes: some are left out, or several become one. Planes do not change.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RELABEL_SHAPES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RELABEL_SHAPES_H
+
+#include <CGAL/Tandem/internal/finish/export_shapes.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// From 0, in the order in which the shapes have the groups first. group: of each shape, with gaps.
+inline std::vector<int> without_gaps(const std::vector<int>& group)
+{
+  std::vector<int> number, result;
+  int numbers = 0;
+  for(int g : group) {
+    number.resize((std::max)(number.size(), std::size_t(g) + 1), -1);
+    if(number[std::size_t(g)] < 0)
+      number[std::size_t(g)] = numbers++;
+    result.push_back(number[std::size_t(g)]);
+  }
+  return result;
+}
+
+// What follows from sizes and relations. What was measured at points stays that of the detection: the mean distance, the
+// reasons of its free points, and the score. Where no points were left out, only the fit and the links of the score were.
+inline void count_shapes_again(const Statistics& before, Shapes_data& data)
+{
+  Statistics& t = data.statistics;
+  measure_relations(data, {});
+  t.number_of_assigned_points = std::accumulate(data.size.begin(), data.size.end(), std::size_t(0));
+  if(t.number_of_assigned_points < before.number_of_assigned_points)
+    t.score = before.score;
+  t.score.fit = before.score.fit;
+  t.score.links = before.score.links;
+  t.free_points.unselected += before.number_of_assigned_points - t.number_of_assigned_points;
+  t.coverage = t.number_of_points > 0 ? double(t.number_of_assigned_points) / double(t.number_of_points) : 0;
+}
+
+// Shape s of the result is shape source[s], with the points of all shapes t that have shape_of[t] == s. Points of
+// shapes that have -1 there get none.
+inline Shapes_data relabel_shapes(const Shapes_data& data, const std::vector<std::size_t>& source,
+                                  const std::vector<int>& shape_of)
+{
+  Shapes_data result;
+  for(std::size_t s : source) {
+    result.coefficients.push_back(data.coefficients[s]);
+    result.parallel_group.push_back(data.parallel_group[s]);
+    result.coplanar_group.push_back(data.coplanar_group[s]);
+    result.is_flipped.push_back(data.is_flipped[s]);
+    result.uncertainty.push_back(data.uncertainty[s]);
+  }
+  result.parallel_group = without_gaps(result.parallel_group);
+  result.coplanar_group = without_gaps(result.coplanar_group);
+  result.size.assign(source.size(), 0);
+  for(std::size_t t = 0; t < shape_of.size(); ++t)
+    if(shape_of[t] >= 0)
+      result.size[std::size_t(shape_of[t])] += data.size[t];
+  std::vector<std::int32_t> label(data.shape_of.begin(), data.shape_of.end());
+  for(std::int32_t& l : label)
+    l = l < 0 ? -1 : shape_of[std::size_t(l)];
+  result.shape_of = std::move(label);
+  result.normal = data.normal;
+  result.parameters = data.parameters;
+  result.statistics = data.statistics;
+  relate_groups(result);
+  count_shapes_again(data.statistics, result);
+  return result;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RELABEL_SHAPES_H

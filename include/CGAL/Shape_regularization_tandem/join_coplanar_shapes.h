@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_JOIN_COPLANAR_SHAPES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_JOIN_COPLANAR_SHAPES_H
+
+#include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/measured_uncertainty.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
+#include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+
+namespace internal {
+
+// By plane, whether most points are of shapes that are flipped.
+inline std::vector<char> majority_of_sides(const Shapes_data& data, std::size_t planes)
+{
+  std::vector<std::ptrdiff_t> flipped(planes, 0);
+  for(std::size_t s = 0; s < data.size.size(); ++s)
+    flipped[std::size_t(data.coplanar_group[s])] += std::ptrdiff_t(data.size[s]) * (data.is_flipped[s] ? 1 : -1);
+  std::vector<char> result;
+  for(std::ptrdiff_t points : flipped)
+    result.push_back(points > 0);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief makes one shape of all shapes of each coplanar group: a result with one shape for each distinct plane.
+
+Shape s of the result is coplanar group s of `shapes`, with all of its points. Such a shape need not be connected, which
+is why `is_valid_result()` refuses the result; all else that `Planar_shapes_3` promises holds. `Planar_shapes_3::is_flipped()`
+is that of the shapes with most of the points; `uncertainty()` is measured again at all points, up to rounding in their order.
+Numbers of shapes and relations are counted again, as the terms of `Statistics::score` are, except its links, which remain
+those of the detection. What else was measured remains right.
+
+It is in the header `CGAL/Shape_regularization_tandem/join_coplanar_shapes.h`, which `CGAL/Shape_regularization_tandem.h`
+does not include.
+
+\param shapes the result of a detection
+\param points the range of points that it is of
+\param np an optional sequence of named parameters, of which `point_map` is read
+
+\throw std::invalid_argument the points are not those of the detection, as `polygons()` says
+\throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
+*/
+template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                                 const NamedParameters& np = NamedParameters())
+{
+  internal::outlines::check_input(shapes, points.size());
+  const auto coordinates = internal::outlines::coordinates_of(points, np);
+  internal::outlines::check_points(shapes, coordinates);
+  const Shapes_data& of_shapes = shapes.data();
+  Shapes_data data = internal::relabel_shapes(of_shapes, shapes.distinct_planes(), of_shapes.coplanar_group);
+  data.is_flipped = internal::majority_of_sides(of_shapes, data.size.size());
+  const Planar_shapes_3<GeomTraits> joined(data);
+  const auto position = [&](std::size_t i) {
+    return internal::Vector{coordinates[i].x(), coordinates[i].y(), coordinates[i].z()};
+  };
+  for(std::size_t s = 0; s < data.size.size(); ++s)
+    data.uncertainty[s] = internal::measured_uncertainty(joined.points(s), position, data.coefficients[s],
+                                                         data.parameters, data.statistics.grid_step);
+  data.points = joined.point_groups();
+  return Planar_shapes_3<GeomTraits>(std::move(data));
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_JOIN_COPLANAR_SHAPES_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_LABEL_POINTS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_LABEL_POINTS_H
+
+#include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/Plane_choice.h>
+#include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
+#include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
+#include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
+#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/internal/neighbors/measure_cloud.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+
+namespace internal {
+
+// A range among the named parameters, which copy it unless it comes by std::cref().
+template <class Range>
+const Range& referred(const Range& range)
+{
+  return range;
+}
+template <class Range>
+const Range& referred(const std::reference_wrapper<const Range>& range)
+{
+  return range.get();
+}
+
+constexpr double spacings_in_reach = 4;
+
+// The points of the shapes, by a range and maps that are those of the detection.
+template <class Backend, class Shapes, class PointRange, class NP>
+Places_in_reach places_of_shapes(Backend& backend, const Shapes& shapes, const PointRange& points, const NP& np)
+{
+  if(std::size_t(points.end() - points.begin()) != shapes.number_of_points())
+    throw std::invalid_argument("shape_points has " + to_text(points.end() - points.begin()) +
+                                " points, the shapes are of " + to_text(shapes.number_of_points()) +
+                                ": pass the range of the detection.");
+  using Maps = Traits_for<CGAL::Sequential_tag, PointRange, NP, false>;
+  using Traits =
+    Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
+  const Item_reader<Traits> reader(Traits(), point_map_of<Traits>(points, np), CGAL::Default());
+  const Import in = read_points(backend, points, reader);
+  double reach = 0;
+  read_real<internal_np::reach_t>(np, reach);
+  if(Is_given<internal_np::reach_t, NP>::value)
+    check_length("reach", reach, smallest_length);
+  else
+    reach = spacings_in_reach * measure_cloud(backend, in).spacing;
+  if(reach == 0 && shapes.number_of_shapes() > 0)
+    throw std::invalid_argument("reach cannot be estimated, as the spacing of shape_points is 0: pass it.");
+  std::vector<Shape_place> places;
+  for(std::size_t i = 0; i < in.size(); ++i)
+    if(const int s = shapes.shape_index(in.item_of(i)); s >= 0)
+      places.push_back({in.position(i), s});
+  return Places_in_reach(std::move(places), reach);
+}
+
+// f(p, i) for all valid points, in pieces; make() is called once for each, and makes f.
+template <class Backend, class Make>
+void for_each_point_to_label(Backend& backend, const Import& in, double maximum_distance, Make make)
+{
+  backend.for_each_piece(in.size(), 4096, [&](std::size_t first, std::size_t last) {
+    auto f = make();
+    for(std::size_t i = first; i < last; ++i) {
+      const double own = in.has_tolerances ? in.tolerances[i] : maximum_distance;
+      f(Point_to_label{in.position(i), in.has_normals ? in.normal(i) : Vector{0, 0, 0},
+                       (std::min)(own, maximum_distance)},
+        in.item_of(i));
+    }
+  });
+}
+
+inline double largest_coordinate(const Coordinate_box& box)
+{
+  double largest = 0;
+  for(int c = 0; c < 3; ++c)
+    largest = (std::max)({largest, std::fabs(box.low[c]), std::fabs(box.high[c])});
+  return largest;
+}
+
+// The labels of all items, by planes without end.
+template <class Backend>
+std::vector<std::int32_t> labels_by_planes(Backend& backend, const Import& in, const std::vector<Coefficients>& planes,
+                                           const Parameters& p)
+{
+  std::vector<std::int32_t> labels(in.number_of_items, -1);
+  const Plane_choice choice(planes, p.maximum_angle, largest_coordinate(in.box));
+  for_each_point_to_label(backend, in, p.maximum_distance, [&] {
+    return [&](const Point_to_label& q, std::size_t i) { labels[i] = choice.nearest(q); };
+  });
+  return labels;
+}
+
+// The same, by planes that end where no place of their shape is within reach.
+template <class Backend>
+std::vector<std::int32_t> labels_by_places(Backend& backend, const Import& in, const std::vector<Coefficients>& planes,
+                                           const Parameters& p, const Places_in_reach& places)
+{
+  std::vector<std::int32_t> labels(in.number_of_items, -1);
+  const Plane_choice choice(planes, p.maximum_angle, largest_coordinate(in.box));
+  for_each_point_to_label(backend, in, p.maximum_distance, [&] {
+    return [&, finder = Places_in_reach::Finder(places), candidates = std::vector<Label_candidate>()](
+             const Point_to_label& q, std::size_t i) mutable { labels[i] = choice.nearest(q, finder, candidates); };
+  });
+  return labels;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief labels further points by the planes of a result: those of the full cloud, for example, where shapes were detected
+in a part of its points.
+
+A point gets the shape whose plane is nearest to it, of those that take it. A shape takes a point
+- within `maximum_distance` of its plane, and
+- with a normal within `maximum_angle` of that of the plane, if there are normals, and
+- if `shape_points` are given, within `reach` of one of the points of the shape. Without them, planes have no
+  end: all points of the plane of a roof are points of the roof, and coplanar shapes cannot be told from each other.
+
+Of shapes with the same plane, the one with the nearest of `shape_points` takes the point, without these that of the
+lowest index. Each point is judged by itself, so of the promises of `Planar_shapes_3` only the first holds for
+the labels: points are within the tolerances, up to rounding. The points of a shape need not be connected, and may be fewer than
+`minimum_region_size`. A point that the detection has given to a shape may get another one, whose plane is nearer.
+
+It is in the header `CGAL/Shape_regularization_tandem/label_points.h`, which `CGAL/Shape_regularization_tandem.h` does
+not include. The result is the same for every order of the points and for every tag and number of threads. Time is
+linear in the number of points, times that of planes or, with `shape_points`, times that of these within reach.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
+\param shapes the result of a detection. With `Mpi_tag`, points of other processes are not in `shape_points`.
+\param points the points to label
+\param np an optional sequence of named parameters, among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map, normal_map}
+    \cgalParamDescription{as in `detect_planes()`, except that without normals they are not estimated}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_distance, maximum_angle}
+    \cgalParamDescription{the tolerances, in the ranges that `detect_planes()` has}
+    \cgalParamDefault{those of `shapes.parameters()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_distance_map}
+    \cgalParamDescription{as in `detect_planes()`: the tolerance of each point, which counts up to `maximum_distance`}
+    \cgalParamDefault{`maximum_distance` for all}
+  \cgalParamNEnd
+  \cgalParamNBegin{shape_points}
+    \cgalParamDescription{the range that the shapes were detected in, or `std::cref()` of it, which is not copied. Its points are
+    read through `point_map`, or that of the range.}
+    \cgalParamDefault{planes have no end}
+  \cgalParamNEnd
+  \cgalParamNBegin{reach}
+    \cgalParamDescription{the largest distance between a point and the nearest one of `shape_points` of its shape}
+    \cgalParamDefault{four times the median spacing of `shape_points`: more is needed where their density varies much}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the shape of each point, in the order of the range; -1 for points that no shape takes, and for those that a
+detection would ignore: a coordinate, normal or tolerance is not finite, or the normal is null
+
+\throw std::invalid_argument names the parameter that is outside of its range, its value and the range; or
+`shape_points` has another number of points than the range of the detection, or no spacing and no `reach`
+\throw std::length_error more than 2^31 points
+*/
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits, class PointRange,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<std::int32_t> label_points(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                       const NamedParameters& np = NamedParameters())
+{
+  const internal::Round_to_nearest rounding;
+  Parameters p = shapes.parameters();
+  internal::read_real<internal_np::maximum_distance_t>(np, p.maximum_distance);
+  internal::read_real<internal_np::maximum_angle_t>(np, p.maximum_angle);
+  check_parameters(p);
+  return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
+    auto backend = traits.backend();
+    const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+    const std::vector<Coefficients>& planes = shapes.data().coefficients;
+    if constexpr(internal::Is_given<internal_np::shape_points_t, NamedParameters>::value) {
+      const auto given = internal::parameter<internal_np::shape_points_t>(np, 0);
+      return internal::labels_by_places(backend, in, planes, p,
+                                        internal::places_of_shapes(backend, shapes, internal::referred(given), np));
+    } else {
+      return internal::labels_by_planes(backend, in, planes, p);
+    }
+  });
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_LABEL_POINTS_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_SHAPE_FACTS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_SHAPE_FACTS_H
+
+#include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
+#include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
+#include <CGAL/Shape_regularization_tandem/internal/facts/facts_of_shapes.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
+#include <CGAL/Shape_regularization_tandem/named_parameters.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace facts {
+
+inline std::vector<Shape_facts> with_areas(std::vector<Shape_facts> facts, const std::vector<double>& areas)
+{
+  for(std::size_t s = 0; s < facts.size(); ++s)
+    facts[s].area = areas[s];
+  return facts;
+}
+
+} // namespace facts
+} // namespace internal
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief measures the shapes: position, size, inclination, and distances to their points.
+
+It is in the header `CGAL/Shape_regularization_tandem/shape_facts.h`, which `CGAL/Shape_regularization_tandem.h` does not
+include.
+
+All that is measured of a shape takes O(n log n) time, for n points, and most of it is taken by `polygons()`, for the areas; the
+second function takes them from polygons that are at hand. With `CGAL_LINKED_WITH_TBB`, shapes are processed in parallel.
+The result is the same for every number of threads.
+
+\param shapes the result of a detection
+\param points the range of points that it is of
+\param np an optional sequence of named parameters, among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map from the values of the range to points}
+    \cgalParamDefault{that of the range: the identity, or the point map of a `CGAL::Point_set_3`}
+  \cgalParamNEnd
+  \cgalParamNBegin{symmetry_direction}
+    \cgalParamDescription{the direction upward. North and east are the axes y and x, after the smallest rotation that takes
+    z to it}
+    \cgalParamType{`GeomTraits::Vector_3`}
+    \cgalParamDefault{the `symmetry_direction` of the detection, which is (0, 0, 1) if it was not given}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return an entry for each shape
+
+\throw std::invalid_argument the points are not those of the detection, as `polygons()` says; the direction is null or not
+finite
+\throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
+*/
+template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                     const NamedParameters& np = NamedParameters())
+{
+  namespace facts = internal::facts;
+  const facts::Input input(shapes, points, np);
+  return facts::with_areas(facts::facts_of_all(input),
+                           internal::outlines::outline_table(input.points, input.shapes.data()).areas);
+}
+
+/*!
+\ingroup PkgShapeRegularizationTandemRef
+
+\brief does the same, with the areas of polygons that are at hand: those of the shapes, not of distinct planes.
+
+\throw std::invalid_argument also if there is not an entry of `areas` for each shape
+*/
+template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                     const Shape_polygons_3<GeomTraits>& areas,
+                                     const NamedParameters& np = NamedParameters())
+{
+  if(areas.number_of_entries() != shapes.number_of_shapes())
+    throw std::invalid_argument("There are " + std::to_string(areas.number_of_entries()) + " entries of polygons for " +
+                                std::to_string(shapes.number_of_shapes()) +
+                                " shapes: pass the polygons of the shapes.");
+  std::vector<double> of_shapes;
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
+    of_shapes.push_back(areas.area(s));
+  namespace facts = internal::facts;
+  return facts::with_areas(facts::facts_of_all(facts::Input(shapes, points, np)), of_shapes);
+}
+
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_SHAPE_FACTS_H
