@@ -99,8 +99,8 @@ has_python()
   if dpkg-query -W $python_packages > /dev/null 2>&1; then echo ON; else echo OFF; fi
 }
 
-# With the building of CGAL's data where it can be had, since its examples and the task pages are tests, and with the Python module
-# where its packages are installed.
+# With the building of CGAL's data where it can be had, since its examples and the task pages are tests, and with the
+# Python module where its packages are installed.
 run_release()
 {
   building=$build/release/examples/Shape_regularization_tandem/building.ply
