@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws closed surfaces of OFF files side by side, shaded, with lines where planes meet, into a PNG.
+"""Draws surfaces of OFF files side by side, shaded, with lines where planes meet, into a PNG. Backs are not drawn.
 
 draw_surfaces.py OUTPUT.png SURFACE.off AZIMUTH ELEVATION [SURFACE.off AZIMUTH ELEVATION ...]
 The angles, in degrees, are those of the direction to the viewer.
@@ -24,10 +24,12 @@ def dot(a, b):
 
 
 def read_off(name):
-    words = iter(open(name, encoding="ascii").read().split()[1:])
-    points, faces, _ = (int(next(words)) for _ in range(3))
-    corners = [[float(next(words)) for _ in range(3)] for _ in range(points)]
-    return corners, [[int(next(words)) for _ in range(int(next(words)))] for _ in range(faces)]
+    """Corners, and the corners of each face; colors behind these are left out."""
+    lines = (line.split("#")[0].split() for line in open(name, encoding="ascii"))
+    rows = [words for words in lines if words][1:]
+    points, faces = int(rows[0][0]), int(rows[0][1])
+    corners = [[float(x) for x in words[:3]] for words in rows[1 : points + 1]]
+    return corners, [[int(i) for i in words[1 : int(words[0]) + 1]] for words in rows[points + 1 : points + faces + 1]]
 
 
 def axes(azimuth, elevation):

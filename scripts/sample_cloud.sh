@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Unpacks the building of CGAL's Debian package libcgal-demo, unless it is there already.
-#   sample_cloud.sh CLOUD.ply
+# Unpacks a cloud of CGAL's Debian package libcgal-demo, unless it is there already.
+#   sample_cloud.sh CLOUD.ply [NAME]
+# NAME is that of a file of the package: building.ply (default), a laser scan; b9_training.ply, an airborne one.
 #   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
 set -eu
@@ -12,8 +13,9 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 
 fail() { echo "sample_cloud.sh: $*" >&2; exit 1; }
 
-[ $# -eq 1 ] || fail "usage: sample_cloud.sh CLOUD.ply"
+[ $# -eq 1 ] || [ $# -eq 2 ] || fail "usage: sample_cloud.sh CLOUD.ply [NAME]"
 cloud=$1
+name=${2:-building.ply}
 [ ! -s "$cloud" ] || exit 0
 folder=$(dirname "$cloud")
 
@@ -33,5 +35,5 @@ find_data()
 
 mkdir -p "$folder"
 find_data
-tar -xzOf "$data" data/points_3/building.ply > "$cloud.part" || fail "no building.ply in $data"
+tar -xzOf "$data" data/points_3/"$name" > "$cloud.part" || fail "no $name in $data"
 mv "$cloud.part" "$cloud"

@@ -99,14 +99,18 @@ has_python()
   if dpkg-query -W $python_packages > /dev/null 2>&1; then echo ON; else echo OFF; fi
 }
 
-# With the building of CGAL's data where it can be had, since two of its examples are tests, and with the Python module
-# where its packages are installed.
+# With the building of CGAL's data where it can be had, since its examples and the task pages are tests, and with the
+# Python module where its packages are installed.
 run_release()
 {
-  "$root/scripts/sample_cloud.sh" "$build/release/examples/Shape_regularization_tandem/building.ply" ||
-    echo "the sample cloud cannot be had: the examples of the building are not run"
+  building=$build/release/examples/Shape_regularization_tandem/building.ply
+  "$root/scripts/sample_cloud.sh" "$building" ||
+    echo "the sample cloud cannot be had: the examples of the building and the task pages are not run"
   configuration release . -DCMAKE_BUILD_TYPE=Release -DTANDEM_BUILD_BENCHMARKS=ON \
     "-DTANDEM_BUILD_PYTHON=$(has_python)" -DPython3_EXECUTABLE=/usr/bin/python3 "-DTANDEM_PLAYWRIGHT_DIR=$build/playwright"
+  step task pages
+  [ ! -s "$building" ] || TANDEM_PROGRAMS=$build/release "$root/scripts/task_pictures.sh" --check ||
+    fail "the task pages of the manual have other figures than their commands print"
 }
 
 # compile_bits NAME COMPILER FLAGS...: the test of equal bits, with these flags
