@@ -26,6 +26,8 @@ struct Shape_facts {
 // The shift is measured at the centroid of the points, through which the least-squares plane passes.
 inline Shape_facts facts_of_shape(const Point_set& points, const Shapes& shapes, const Unit& unit, std::size_t s)
 {
+  if(shapes.points(s).empty()) // a known plane
+    return {};
   const auto point = [&](std::size_t i) { return unit.in(point_at(points, i)); };
   const Kernel::Point_3 origin = point(shapes.points(s)[0]);
   const Shapes::Coefficients c = unit.in(shapes.coefficients(s));
