@@ -8,6 +8,8 @@
 
 #include "tolerance/Noise_model.h"
 
+#include <CGAL/Tandem/Coefficients.h>
+
 #include <array>
 #include <optional>
 #include <stdexcept>
@@ -21,13 +23,23 @@ using Usage_error = std::invalid_argument;
 
 constexpr long long by_library = 0; // of estimate_normals: no PCA of a given number of neighbors
 
+// Of the planes that are selected by their normals.
+struct Direction_choice {
+  enum Of { direction, vertical, horizontal } of = direction;
+  std::array<double, 3> normal = {0, 0, 0}; // of `direction`
+  double degrees = 10;                      // between it and the normals
+  std::string text;                         // of the command line
+};
+
 // What was not given is left to the library.
 struct Options {
   std::vector<std::string> inputs;
   std::string output, output_directory, labels, planes, report, vg, polygons, shapes, mesh, mesh_method, view;
-  std::string crs;                          // of --polygons
-  std::string columns, classes, format;     // of the inputs
-  std::string tolerance_column, noise_text; // of the tolerance of each point
+  std::string planes_from;                              // a file
+  std::vector<CGAL::Tandem::Coefficients> known_planes; // of it
+  std::string crs;                                      // of --polygons
+  std::string columns, classes, format, crop;           // of the inputs
+  std::string tolerance_column, noise_text;             // of the tolerance of each point
   std::optional<Noise_model> noise;
   std::string colors;                   // of the output: shape, input or empty
   std::string label_property = "shape"; // of the output
@@ -38,6 +50,9 @@ struct Options {
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;
   std::optional<std::array<double, 3>> symmetry_direction, viewpoint;
+  std::optional<long long> largest; // shapes that are selected
+  std::optional<double> minimum_area, minimum_extent;
+  std::optional<Direction_choice> near_direction;
   std::string backend = "auto";
   bool has_local_distances = false; // of --maximum-distance auto-local, or of auto where the noise varies
   double estimated_distance = 0;    // of auto

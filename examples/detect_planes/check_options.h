@@ -13,7 +13,10 @@
 #include "option_values.h"
 #include "tolerance/tolerance_options.h"
 
+#include <CGAL/Tandem/check_parameters.h>
+
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -33,7 +36,8 @@ inline void check_files(const Options& o)
   if(!o.output_directory.empty())
     for(const std::string& input : o.inputs)
       names.push_back(output_of_input(o.output_directory, input));
-  names.insert(names.end(), {o.output, o.labels, o.planes, o.report, o.vg, o.polygons, o.shapes, o.mesh, o.view});
+  names.insert(names.end(),
+               {o.output, o.planes_from, o.labels, o.planes, o.report, o.vg, o.polygons, o.shapes, o.mesh, o.view});
   for(const std::string& name : names) {
     std::error_code error;
     const fs::file_status status = fs::status(name, error);
@@ -90,6 +94,13 @@ inline void check_count(const char* name, const std::optional<long long>& value,
   if(value && (*value < smallest || *value > largest))
     throw Usage_error(std::string("--") + name + " is " + std::to_string(*value) + ", must be in [" +
                       std::to_string(smallest) + ", " + std::to_string(largest) + "]");
+}
+
+// Written so that NaN is refused.
+inline void check_positive(const char* name, const std::optional<double>& value)
+{
+  if(value && !(*value > 0 && std::isfinite(*value)))
+    throw Usage_error(std::string("--") + name + " is " + CGAL::Tandem::to_text(*value) + ", must be positive");
 }
 
 // As in: auto, sequential or parallel.
@@ -183,6 +194,12 @@ inline void check(const Options& o, const Built_with& built)
     throw Usage_error("--mesh-method needs --mesh");
   check_word("mesh-method", o.mesh_method, Built_with().mesh_methods(), built.mesh_methods());
   check_count("mesh-seconds", o.mesh_seconds, 1, 1000000);
+  check_count("largest", o.largest, 1, CGAL::Tandem::maximum_number_of_points);
+  if(!o.planes_from.empty() && o.estimate_normals && *o.estimate_normals == by_library)
+    throw Usage_error(
+      "--planes-from takes normals of the input, or by --estimate-normals K: the detection estimates others");
+  check_positive("minimum-area", o.minimum_area);
+  check_positive("minimum-extent", o.minimum_extent);
   check_tolerances(o);
   check_dashes(o);
   check_formats(o, built);
@@ -205,6 +222,11 @@ inline void check_ranks(const Options& o)
     throw Usage_error("--by-plane needs all points in one process: run it without mpirun");
   if(o.estimate_normals && *o.estimate_normals != by_library)
     throw Usage_error("--estimate-normals with a number needs all points in one process");
+  if(!o.planes_from.empty())
+    throw Usage_error("--planes-from needs all points in one process: run it without mpirun");
+  if(o.minimum_area || o.minimum_extent)
+    throw Usage_error(std::string(o.minimum_area ? "--minimum-area" : "--minimum-extent") +
+                      " needs all points in one process: run it without mpirun");
   if(o.backend == "cuda" && !has_mpi_cuda)
     throw Usage_error("--backend is 'cuda', which is for one process: this program was built without "
                       "Tandem::tandem_mpi_cuda");

@@ -9,7 +9,7 @@
 #include "Thread_limit.h"
 #include "output/Output_files.h"
 #include "cloud_warnings.h"
-#include "detection.h"
+#include "detect_on_backend.h"
 #include "messages.h"
 #include "output/Made_folders.h"
 #include "output/Write_error.h"
@@ -25,6 +25,7 @@
 #include "ranks/processes.h"
 #include "ranks/read_inputs.h"
 #include "result_warnings.h"
+#include "selection.h"
 #include "signals.h"
 #include "output/writers.h"
 
@@ -44,29 +45,6 @@
 #include <vector>
 
 namespace program {
-
-// Only the points tell whether a given distance is too small for them.
-Shapes detect_on_backend(const Point_set& points, const Options& o, Ranks& ranks)
-try {
-  Progress_line progress(!o.is_quiet && ranks.is_first(), "estimating parameters");
-  if(ranks.are_many())
-    return ranks.detect(points, o, progress);
-  if constexpr(has_cuda) {
-    if(o.backend == "cuda")
-      return detect<CGAL::Tandem::Cuda_tag>(points, o, progress);
-    if(o.backend == "auto")
-      return detect<CGAL::Tandem::Cuda_if_available_tag>(points, o, progress);
-  }
-  return o.backend == "sequential" ? detect<CGAL::Sequential_tag>(points, o, progress)
-                                   : detect<CGAL::Parallel_if_available_tag>(points, o, progress);
-} catch(const std::range_error& e) {
-  const std::string message = e.what(), parameter = "maximum_distance";
-  const Cloud_box own = box_of(points, Ranks());
-  throw std::runtime_error((message.compare(0, parameter.size(), parameter) == 0
-                              ? "--maximum-distance" + message.substr(parameter.size())
-                              : message) +
-                           (are_zeros_strange(own) ? "; " + advice_on_zeros(own) : ""));
-}
 
 // What the back end that was chosen in the end ran on.
 void name_device(const Shapes& shapes, int threads, Run& run)
@@ -149,29 +127,16 @@ std::vector<std::string> all_warnings(const Point_set& points, const Shapes& sha
   return warnings;
 }
 
-// An automatic distance is estimated here, once. Where the noise varies, it is one for each point.
-void choose_tolerances(const Point_set& points, const Ranks& ranks, Options& o)
-{
-  if(o.maximum_distance || has_tolerance_of_each_point(o))
-    return;
-  const CGAL::Tandem::Distance_estimate estimate = ranks.are_many()
-                                                     ? ranks.estimate_distance(points, o)
-                                                     : estimate_distance<CGAL::Parallel_if_available_tag>(points, o);
-  o.estimate_note = with_options(estimate.note);
-  if(estimate.noise_varies) {
-    o.has_local_distances = true;
-    o.estimated_distance = 0; // the tolerances bound it
-    o.estimate_note = estimate.note.substr(0, estimate.note.find(':')) +
-                      ": each point has a tolerance of its own (--maximum-distance D is one for all)";
-  }
-}
-
 void run(Options o, Ranks& ranks, Made_folders& folders)
 {
-  ranks.together([&] { check_program(o, ranks); });
+  ranks.together([&] {
+    check_program(o, ranks);
+    read_known_planes(o);
+  });
   const Thread_limit limit(o.threads ? int(*o.threads) : ranks.threads());
   Run run;
   run.ranks = ranks.size();
+  run.planes_from = o.planes_from;
   Input_cloud cloud;
   const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
   read_inputs(o, rank_of_input, ranks, cloud, run);
@@ -189,15 +154,16 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
 
   std::optional<Shapes> shapes;
   ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
-  if(o.is_by_plane)
-    ranks.together([&] { shapes.emplace(joined_shapes(cloud.points, *shapes)); });
   name_device(*shapes, limit.threads(), run);
   run.tolerance = tolerance_facts(cloud.points, o, *shapes, ranks);
-  run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
-  run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
   std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run);
   if(*sides.warning() != 0)
     warnings.emplace_back(sides.warning());
+  if(o.is_by_plane)
+    ranks.together([&] { shapes.emplace(joined_shapes(cloud.points, *shapes)); });
+  ranks.together([&] { select(cloud.points, o, run, *shapes, warnings); });
+  run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
+  run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
   for(const std::string& warning : warnings) {
     if(ranks.is_first())
       warn(warning);

@@ -9,11 +9,14 @@
 #include "Options.h"
 #include "file_names.h"
 #include "input/input_settings.h"
+#include "input/table_values.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <istream>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -77,6 +80,38 @@ inline std::vector<int> parse_classes(const std::string& text)
   return classes;
 }
 
+// The numbers with commas between them, which may be infinite; none if something else is there.
+inline std::vector<double> read_numbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  std::istringstream parts(text + ','); // with a part after the last comma, too
+  for(std::string part; std::getline(parts, part, ',');) {
+    part.erase(std::remove(part.begin(), part.end(), ' '), part.end());
+    const std::optional<double> number = parse_number(part);
+    if(!number || std::isnan(*number))
+      return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+// The value of --crop.
+inline Input_box parse_box(const std::string& text)
+{
+  const std::vector<double> sides = read_numbers(text);
+  Input_box box;
+  bool is_box = sides.size() == 6;
+  for(std::size_t c = 0; c < 3 && is_box; ++c) {
+    box.low[c] = sides[c];
+    box.high[c] = sides[c + 3];
+    is_box = box.low[c] <= box.high[c];
+  }
+  if(!is_box)
+    throw std::invalid_argument("--crop is '" + text +
+                                "', must be XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX: six numbers, no minimum above its maximum");
+  return box;
+}
+
 // The value of --format, as an extension.
 inline std::string parse_format(const std::string& text)
 {
@@ -111,6 +146,8 @@ inline Input_settings input_settings(const Options& o)
     settings.sample = std::size_t(*o.sample);
   if(!o.classes.empty())
     settings.classes = parse_classes(o.classes);
+  if(!o.crop.empty())
+    settings.crop = parse_box(o.crop);
   return settings;
 }
 

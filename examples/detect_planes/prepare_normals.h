@@ -39,7 +39,7 @@ inline void estimate_normals_by_pca(Point_set& points, unsigned int k)
 
 inline void prepare_normals(Point_set& points, const Options& o, Run& run)
 {
-  run.normals = points.has_normal_map() ? "given" : "estimated";
+  run.normals = points.has_normal_map() ? "given" : o.known_planes.empty() ? "estimated" : "none";
   if(!o.estimate_normals)
     return;
   points.remove_normal_map();

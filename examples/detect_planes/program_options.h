@@ -10,6 +10,7 @@
 #include "input/input_options.h"
 #include "option_values.h"
 #include "output_options.h"
+#include "selection_options.h"
 #include "tolerance/tolerance_options.h"
 
 #include <boost/program_options.hpp>
@@ -97,6 +98,11 @@ inline void add_detection_options(po::options_description& all, Options& o)
     }),
     "the same; and shapes that make nearly the same angle with it, such as the sides of a roof, make exactly the same; "
     "for --mesh it is the direction upward");
+  add(
+    "planes-from", po::value<std::string>(&o.planes_from)->value_name("FILE"),
+    "the planes of FILE instead of a detection: lines 'a b c d' as --planes writes them, or a table with columns a, b, "
+    "c and d. Each point gets the nearest plane within the maximum distance and, where the input has normals, the "
+    "maximum angle. Planes have no end, and their points need not be connected");
   add("estimate-normals", count(o.estimate_normals)->value_name("[K]"),
       "estimate the normals even if the file has some; with K by plain PCA of K neighbors, for comparisons");
   all.add(group);
@@ -171,6 +177,7 @@ inline Command_line parse(int argc, const char* const argv[], const Built_with& 
   po::options_description visible, hidden, all;
   add_input_options(visible, o, built);
   add_detection_options(visible, o);
+  add_selection_options(visible, o);
   add_execution_options(visible, o, built);
   add_output_options(visible, hidden, o, built);
   all.add(visible).add(hidden).add_options()("input", po::value<std::vector<std::string>>(&o.inputs), "");

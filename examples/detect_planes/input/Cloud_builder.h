@@ -4,6 +4,7 @@
 #ifndef DETECT_PLANES_CLOUD_BUILDER_H
 #define DETECT_PLANES_CLOUD_BUILDER_H
 
+#include "input/input_settings.h"
 #include "input/point_set.h"
 
 #include <algorithm>
@@ -28,11 +29,11 @@ struct Point_row {
 // Some writers put channels of 8 bits into 16: 255 becomes 65535.
 constexpr std::uint16_t wide_channel(std::uint8_t channel) { return std::uint16_t(257 * channel); }
 
-// Appends points to a cloud, in their order; only those of the classes, if there are any.
+// Appends points to a cloud, in their order; only those of the classes and in the box of the settings, if there are any.
 class Cloud_builder {
 public:
-  Cloud_builder(Point_set& points, const Fields& fields, const std::vector<int>& classes)
-    : points(points), fields(fields), classes(classes)
+  Cloud_builder(Point_set& points, const Fields& fields, const Input_settings& settings, Input_notes& notes)
+    : points(points), fields(fields), settings(settings), notes(notes)
   {
     if(fields.normal)
       points.add_normal_map();
@@ -46,9 +47,14 @@ public:
       tolerances = points.add_property_map<double>(tolerance_name).first;
   }
 
-  // Whether the point is of the classes.
+  // Whether the point is taken.
   bool add(const Point_row& row)
   {
+    const std::vector<int>& classes = settings.classes;
+    if(settings.crop)
+      notes.box.add(row.point);
+    if(settings.crop && !settings.crop->has(row.point))
+      return false;
     if(!classes.empty() && std::find(classes.begin(), classes.end(), int(row.classification)) == classes.end())
       return false;
     const Point_set::Index i = *points.insert(Kernel::Point_3(row.point[0], row.point[1], row.point[2]));
@@ -90,7 +96,8 @@ public:
 private:
   Point_set& points;
   Fields fields;
-  const std::vector<int>& classes;
+  const Input_settings& settings;
+  Input_notes& notes;
   Point_set::Property_map<Input_color> colors;
   Point_set::Property_map<float> intensities;
   Point_set::Property_map<std::uint8_t> classifications;

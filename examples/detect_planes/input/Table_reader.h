@@ -28,12 +28,12 @@ Integer clamped(double x)
 // Makes points of rows, and looks whether their normals are some.
 class Table_reader {
 public:
-  Table_reader(const std::vector<Column>& columns, double channel_unit, const std::vector<int>& classes,
-               Point_set& points)
+  Table_reader(const std::vector<Column>& columns, double channel_unit, const Input_settings& settings,
+               Input_notes& notes, Point_set& points)
     : columns(columns), fields{has_column(columns, Column::nx), has_column(columns, Column::red),
                                has_column(columns, Column::intensity), has_column(columns, Column::classification),
                                has_column(columns, Column::tolerance)},
-      channel_unit(channel_unit), builder(points, fields, classes)
+      channel_unit(channel_unit), builder(points, fields, settings, notes)
   {}
 
   void add(const Row_values& values)

@@ -36,6 +36,9 @@ inline void add_input_options(po::options_description& all, Options& o, const Bu
       ("only the points of these classes, as 2,6 (of " + las +
        ", or of a property or column 'classification'); the others are in no output")
         .c_str());
+  add("crop", po::value<std::string>(&o.crop)->value_name("BOX"),
+      "only the points in the box XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX, in the coordinates of the input; -inf and inf leave a "
+      "side open; the others are in no output");
   add("sample", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.sample = n; }),
       "the points are N on the faces of each mesh (.ply, .off), evenly by area and the same in each run, with the "
       "normals of the faces; 0: the corners of the faces. Without it a file with faces is refused");

@@ -4,6 +4,7 @@
 #ifndef DETECT_PLANES_INPUT_SETTINGS_H
 #define DETECT_PLANES_INPUT_SETTINGS_H
 
+#include "input/Input_box.h"
 #include "input/table_columns.h"
 
 #include <array>
@@ -19,10 +20,11 @@ namespace program {
 
 // How inputs are read.
 struct Input_settings {
-  std::vector<Column> columns; // of text tables; empty: recognized
-  std::vector<int> classes;    // only these points; empty: all
-  std::string tolerance;       // the column, property or field that has the tolerance of each point; empty: none has
-  std::string format;          // the extension that tells the format; empty: that of each file
+  std::vector<Column> columns;   // of text tables; empty: recognized
+  std::vector<int> classes;      // only these points; empty: all
+  std::optional<Input_box> crop; // only the points in it
+  std::string tolerance;         // the column, property or field that has the tolerance of each point; empty: none has
+  std::string format;            // the extension that tells the format; empty: that of each file
   bool has_decimal_commas = false;   // numbers of text tables
   std::optional<std::size_t> sample; // points to put on the faces of a mesh; 0: their corners
 };
@@ -61,6 +63,7 @@ struct Input_notes {
   std::vector<std::string> warnings;
   std::optional<Las_frame> las_frame; // of the first LAS file
   std::optional<Viewpoint> viewpoint; // of a PCD file
+  Input_box box;                      // of all points, where some are cropped
 };
 
 } // namespace program

@@ -91,6 +91,36 @@ void read_format(const std::string& path, const Input_settings& settings, Point_
   read_off(*file, settings, points, notes);
 }
 
+// Those that were not read one by one, as points on the faces of a mesh.
+void crop(const Input_settings& settings, Point_set& points, Input_notes& notes)
+{
+  if(!settings.crop)
+    return;
+  const auto is_kept = [&](Point_set::Index i) {
+    const Kernel::Point_3& p = points.point(i);
+    const double place[3] = {p.x(), p.y(), p.z()};
+    notes.box.add(place);
+    return settings.crop->has(place);
+  };
+  if(std::all_of(points.begin(), points.end(), is_kept))
+    return;
+  Point_set kept;
+  kept.copy_properties(points);
+  for(Point_set::Index i : points)
+    if(is_kept(i))
+      kept.insert(points, i);
+  points = std::move(kept);
+}
+
+// What to say of a file without points that are taken.
+std::string why_no_points(const Input_settings& settings, const Input_notes& notes)
+{
+  if(notes.box.low[0] <= notes.box.high[0])
+    return "has no points in the box of --crop" + std::string(settings.classes.empty() ? "" : " of the --classes") +
+           ": its own is " + notes.box.text();
+  return settings.classes.empty() ? "has no points" : "has no points of the --classes";
+}
+
 void check_points(Point_set& points)
 {
   if(std::none_of(points.begin(), points.end(), [&](Point_set::Index i) { return is_finite(points.point(i)); }))
@@ -180,11 +210,12 @@ void read_cloud(const std::string& path, const Input_settings& settings, bool ma
   try {
     check_file(path, settings);
     read_format(path, settings, points, notes);
+    crop(settings, points, notes);
     if(is_interrupted())
       throw Interrupted();
     if(!points.empty())
       return check_points(points);
-    const std::string message = settings.classes.empty() ? "has no points" : "has no points of the --classes";
+    const std::string message = why_no_points(settings, notes);
     if(!may_be_empty)
       throw std::runtime_error(message);
     notes.warnings.push_back(message);

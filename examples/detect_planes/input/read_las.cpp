@@ -73,7 +73,7 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
   if(!notes.las_frame)
     notes.las_frame = h.frame;
   const Las_dimension* const tolerance = tolerance_of(h, settings.tolerance);
-  Cloud_builder builder(points, {false, h.has_color(), true, true, tolerance != nullptr}, settings.classes);
+  Cloud_builder builder(points, {false, h.has_color(), true, true, tolerance != nullptr}, settings, notes);
   if(h.is_compressed) {
     if(is_gzip(path))
       throw std::runtime_error("is LAZ within gzip; decompress it with gunzip");
@@ -83,7 +83,7 @@ void read_las(Byte_source& file, const std::string& path, const Input_settings& 
   }
   check_room(in, h);
   in.skip(h.first_point - in.position());
-  if(settings.classes.empty())
+  if(settings.classes.empty() && !settings.crop)
     points.reserve(std::size_t(h.count));
   read_records(in, h, tolerance, builder);
 }

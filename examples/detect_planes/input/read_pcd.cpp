@@ -224,7 +224,7 @@ void read_pcd(Byte_source& file, const Input_settings& settings, Point_set& poin
   Cloud_builder builder(points,
                         {used.normal[0] != nullptr, used.color != nullptr, used.intensity != nullptr,
                          used.classification != nullptr, used.tolerance != nullptr},
-                        settings.classes);
+                        settings, notes);
   if(h.data == "binary")
     read_binary(in, h, used, builder);
   else if(h.data == "binary_compressed")

@@ -129,7 +129,8 @@ void add_faces(Byte_source& file, const std::string& format, const Ply_part& par
   }
 }
 
-void read_points(Byte_source& file, const Ply_parts& parts, const Input_settings& settings, Point_set& points)
+void read_points(Byte_source& file, const Ply_parts& parts, const Input_settings& settings, Point_set& points,
+                 Input_notes& notes)
 {
   const Ply_columns columns(parts.points.element, settings.tolerance);
   const Fields fields = {columns.has_three(Column::nx), columns.has_three(Column::red), columns.has(Column::intensity),
@@ -137,7 +138,7 @@ void read_points(Byte_source& file, const Ply_parts& parts, const Input_settings
   if(!settings.classes.empty() && !fields.classification)
     throw std::runtime_error("has no property 'classification', which --classes needs");
   Ply_rows rows(file, parts.format, parts.points);
-  Cloud_builder builder(points, fields, settings.classes);
+  Cloud_builder builder(points, fields, settings, notes);
   Ply_colors colors;
   std::vector<double> numbers;
   for(std::uint64_t i = 0; i < parts.points.element.count; ++i) {
@@ -165,7 +166,10 @@ void read_ply(Byte_source& file, const Input_settings& settings, Point_set& poin
   const bool is_sampled = samples_faces(number_of_faces, settings, notes);
   if(is_sampled)
     check_no_attributes(settings, "has faces: the points that --sample puts on them");
-  read_points(file, parts, settings, points);
+  Input_settings of_points = settings;
+  if(is_sampled)
+    of_points.crop.reset(); // of the points on the faces, not of corners
+  read_points(file, parts, of_points, points, notes);
   if(!is_sampled)
     return;
   Mesh_faces faces(points);

@@ -93,9 +93,11 @@ Point_row row_of(const std::vector<double>& numbers)
 // Adds the points of all scans.
 class Ptx_reader {
 public:
-  Ptx_reader(Table_rows& rows, Point_set& points) : rows(rows), points(points) {}
+  Ptx_reader(Table_rows& rows, const Input_settings& settings, Point_set& points, Input_notes& notes)
+    : rows(rows), settings(settings), points(points), notes(notes)
+  {}
 
-  void read(Input_notes& notes)
+  void read()
   {
     std::size_t scans = 0;
     for(; rows.next(); ++scans) {
@@ -140,12 +142,13 @@ private:
     Fields fields;
     fields.intensity = true;
     fields.color = size == 7;
-    builder.emplace(points, fields, no_classes);
+    builder.emplace(points, fields, settings, notes);
   }
 
   Table_rows& rows;
+  const Input_settings& settings;
   Point_set& points;
-  const std::vector<int> no_classes;
+  Input_notes& notes;
   std::optional<Cloud_builder> builder;
   std::size_t size = 0;    // of a row
   std::uint64_t empty = 0; // pixels
@@ -159,7 +162,7 @@ void read_ptx(Byte_source& file, const Input_settings& settings, Point_set& poin
   Input_buffer in(file);
   Text_lines lines(in);
   Table_rows rows(lines, settings.has_decimal_commas);
-  Ptx_reader(rows, points).read(notes);
+  Ptx_reader(rows, settings, points, notes).read();
 }
 
 } // namespace program

@@ -115,7 +115,7 @@ void read_table(Byte_source& file, const std::string& extension, const Input_set
   const auto [columns, counts_rows] = columns_of(head, sample, extension, settings.tolerance);
   check_classes(columns, settings);
   Row_parser parser(columns, head.source);
-  Table_reader reader(columns, channel_unit_of(columns, sample), settings.classes, points);
+  Table_reader reader(columns, channel_unit_of(columns, sample), settings, notes, points);
   Unclear_commas commas(head.source == Source::sample && !head.rows.empty());
   Row_counter counter(counts_rows);
   const auto add = [&](const Text_row& row) {

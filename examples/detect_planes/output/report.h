@@ -35,8 +35,11 @@ struct Run {
   std::string normals;                                    // "given", "estimated" or how else
   std::string device = "CPU";
   Tolerance_facts tolerance;
-  std::size_t zeros = 0; // points at 0 0 0 that --ignore-zeros leaves out
-  std::string mesh;      // what there is to say about it
+  std::size_t zeros = 0;   // points at 0 0 0 that --ignore-zeros leaves out
+  std::string mesh;        // what there is to say about it
+  std::string planes_from; // the file of known planes, or nothing
+  std::string selection;   // of shapes: the options, or nothing; and what there was before
+  std::size_t detected_shapes = 0, detected_points = 0;
   int threads = 1, ranks = 1;
   std::uint64_t hash = 0;
   std::size_t peak_bytes = 0; // the largest of a process, before the writing
@@ -161,6 +164,7 @@ inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json&
                   {"without_neighbors", s.free_points.without_neighbors},
                   {"in_small_regions", s.free_points.in_small_regions},
                   {"clutter", s.free_points.clutter},
+                  {"unselected", s.free_points.unselected},
                   {"total", s.free_points.total()}};
   json["criteria"] = {{"coverage", s.coverage},
                       {"mean_distance", s.mean_distance},
@@ -176,6 +180,18 @@ inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json&
     {"prepare", json_of(s.work.prepare)}, {"rounds", json_of(s.work.rounds)}, {"final", json_of(s.work.finish)}};
   json["memory"] = {{"engine_peak_bytes", s.peak_bytes},
                     {"process_peak_bytes", (std::max)(run.peak_bytes, peak_process_bytes())}};
+}
+
+// Which of the shapes that were detected the outputs have; null: all.
+inline Json json_of_selection(const CGAL::Tandem::Statistics& s, const Run& run)
+{
+  if(run.selection.empty())
+    return nullptr;
+  return {{"options", utf8(run.selection)},
+          {"shapes", s.number_of_shapes},
+          {"points", s.number_of_assigned_points},
+          {"detected_shapes", run.detected_shapes},
+          {"detected_points", run.detected_points}};
 }
 
 // A list for each member, by shape.
@@ -218,6 +234,8 @@ inline void write_report(std::ostream& out, const Shapes& shapes, const Run& run
                        {"minimum", run.tolerance.smallest},
                        {"maximum", run.tolerance.largest},
                        {"note", run.tolerance.note}};
+  json["planes_from"] = run.planes_from.empty() ? Json() : Json(utf8(run.planes_from));
+  json["selection"] = json_of_selection(s, run);
   add_figures(s, run, json);
   json["relations"] = {{"parallel_groups", members_of_groups(shapes, &Shapes::parallel_group)},
                        {"orthogonal_pairs", shapes.orthogonal_groups()},

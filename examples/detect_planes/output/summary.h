@@ -62,6 +62,16 @@ inline std::string summary(const Shapes& shapes, const Run& run)
     write_visible(out, run.tolerance.source);
     out << '\n';
   }
+  if(!run.planes_from.empty()) {
+    write_visible(row("known") << "planes of ", run.planes_from);
+    out << ", not detected: points are within the tolerances, but shapes need not be connected\n";
+  }
+  if(!run.selection.empty()) {
+    row("selection") << s.number_of_shapes << " of " << run.detected_shapes << " shapes, with "
+                     << s.number_of_assigned_points << " of " << run.detected_points << " points (";
+    write_visible(out, run.selection);
+    out << ")\n";
+  }
   row("shapes") << s.number_of_shapes << " in " << s.number_of_planes << " planes of " << s.number_of_directions
                 << " directions, " << s.number_of_orthogonal_pairs << " orthogonal pairs of directions\n";
   row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "

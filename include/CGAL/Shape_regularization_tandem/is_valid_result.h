@@ -31,7 +31,9 @@ parameters, statistics and relations agree with them.
 A result is refused, whatever it holds, unless a detection in these points can have it: its parameters are within their
 ranges, its relations are exactly those of its planes, and what the statistics count and measure is counted and measured
 again. Of times, rounds, bytes, estimated normals and the name of the back end it is checked that they are possible.
-Other parameters for the same shapes, and whether it was cancelled, cannot be told from the points.
+Other parameters for the same shapes, and whether it was cancelled, cannot be told from the points. Of a result of
+`select_shapes()` with `Free_points::unselected` points, neither can what remains of the detection: the mean distance, the score and the reasons of
+other free points.
 
 Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time
 of a detection. Distances and angles are evaluated in double; beyond its tolerance a point may be only by

@@ -68,8 +68,9 @@ Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTrait
     return internal::Vector{coordinates[i].x(), coordinates[i].y(), coordinates[i].z()};
   };
   for(std::size_t s = 0; s < data.size.size(); ++s)
-    data.uncertainty[s] = internal::measured_uncertainty(joined.points(s), position, data.coefficients[s],
-                                                         data.parameters, data.statistics.grid_step);
+    if(!joined.points(s).empty())
+      data.uncertainty[s] = internal::measured_uncertainty(joined.points(s), position, data.coefficients[s],
+                                                           data.parameters, data.statistics.grid_step);
   data.points = joined.point_groups();
   return Planar_shapes_3<GeomTraits>(std::move(data));
 }

@@ -42,6 +42,7 @@ const Range& referred(const std::reference_wrapper<const Range>& range)
 }
 
 constexpr double spacings_in_reach = 4;
+constexpr std::size_t few_to_label = 4096; // points: fewer are not worth a second thread
 
 // The points of the shapes, by a range and maps that are those of the detection.
 template <class Backend, class Shapes, class PointRange, class NP>
@@ -68,22 +69,14 @@ Places_in_reach places_of_shapes(Backend& backend, const Shapes& shapes, const P
   for(std::size_t i = 0; i < in.size(); ++i)
     if(const int s = shapes.shape_index(in.item_of(i)); s >= 0)
       places.push_back({in.position(i), s});
-  return Places_in_reach(std::move(places), reach);
+  return Places_in_reach(places, reach);
 }
 
-// f(p, i) for all valid points, in pieces; make() is called once for each, and makes f.
-template <class Backend, class Make>
-void for_each_point_to_label(Backend& backend, const Import& in, double maximum_distance, Make make)
+// maximum_distance: of points that have no tolerance of their own, or a larger one.
+inline Point_to_label point_to_label(const Import& in, std::size_t i, double maximum_distance)
 {
-  backend.for_each_piece(in.size(), 4096, [&](std::size_t first, std::size_t last) {
-    auto f = make();
-    for(std::size_t i = first; i < last; ++i) {
-      const double own = in.has_tolerances ? in.tolerances[i] : maximum_distance;
-      f(Point_to_label{in.position(i), in.has_normals ? in.normal(i) : Vector{0, 0, 0},
-                       (std::min)(own, maximum_distance)},
-        in.item_of(i));
-    }
-  });
+  const double own = in.has_tolerances ? in.tolerances[i] : maximum_distance;
+  return {in.position(i), in.has_normals ? in.normal(i) : Vector{0, 0, 0}, (std::min)(own, maximum_distance)};
 }
 
 inline double largest_coordinate(const Coordinate_box& box)
@@ -101,22 +94,43 @@ std::vector<std::int32_t> labels_by_planes(Backend& backend, const Import& in, c
 {
   std::vector<std::int32_t> labels(in.number_of_items, -1);
   const Plane_choice choice(planes, p.maximum_angle, largest_coordinate(in.box));
-  for_each_point_to_label(backend, in, p.maximum_distance, [&] {
-    return [&](const Point_to_label& q, std::size_t i) { labels[i] = choice.nearest(q); };
-  });
+  backend.for_each_on_host(
+    in.size(),
+    [&](std::size_t i) { labels[in.item_of(i)] = choice.nearest(point_to_label(in, i, p.maximum_distance)); },
+    few_to_label);
   return labels;
 }
 
-// The same, by planes that end where no place of their shape is within reach.
+// The points in the order of their cells.
+template <class Backend>
+typename Backend::Sort_table sort_by_cells(Backend& backend, const Import& in, const Places_in_reach& places)
+{
+  typename Backend::Sort_table order(in.size());
+  backend.for_each_on_host(
+    in.size(), [&](std::size_t i) { order.view().set(i, places.cell_of(in.position(i)), std::uint32_t(i)); },
+    few_to_label);
+  backend.sort(order);
+  return order;
+}
+
+// The same, by planes that end where no place of their shape is within reach. Points of a cell share what is near it.
 template <class Backend>
 std::vector<std::int32_t> labels_by_places(Backend& backend, const Import& in, const std::vector<Coefficients>& planes,
                                            const Parameters& p, const Places_in_reach& places)
 {
   std::vector<std::int32_t> labels(in.number_of_items, -1);
   const Plane_choice choice(planes, p.maximum_angle, largest_coordinate(in.box));
-  for_each_point_to_label(backend, in, p.maximum_distance, [&] {
-    return [&, finder = Places_in_reach::Finder(places), candidates = std::vector<Label_candidate>()](
-             const Point_to_label& q, std::size_t i) mutable { labels[i] = choice.nearest(q, finder, candidates); };
+  const auto order = sort_by_cells(backend, in, places);
+  backend.for_each_piece(in.size(), few_to_label, [&](std::size_t first, std::size_t last) {
+    Places_in_reach::Nearby nearby;
+    std::vector<Label_candidate> candidates;
+    std::uint64_t cell = Places_in_reach::no_cell;
+    for(std::size_t at = first; at < last; ++at) {
+      if(std::exchange(cell, order.view().key(at)) != order.view().key(at))
+        places.collect(cell, nearby);
+      const std::size_t i = order.view().index(at);
+      labels[in.item_of(i)] = choice.nearest(point_to_label(in, i, p.maximum_distance), places, nearby, candidates);
+    }
   });
   return labels;
 }

@@ -12,8 +12,6 @@
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Tandem/check_parameters.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,10 +30,9 @@ inline constexpr Count_range largest_range = {"largest", 1, maximum_number_of_po
 
 // A direction of the named parameters.
 template <class Tag, class NP>
-Vector read_direction(const NP& np, const char* name)
+Vector unit_direction(const NP& np, const char* name)
 {
-  const auto v = parameter<Tag>(np, 0);
-  const std::array<double, 3> d = {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+  const std::array<double, 3> d = read_direction(parameter<Tag>(np, 0));
   check_direction(name, d);
   return given_direction(d);
 }
@@ -67,11 +64,11 @@ void keep_directed_shapes(const Shapes_data& data, const NP& np, std::vector<std
     return std::atan2(length(cross(n, direction)), std::fabs(dot(n, direction))) * (180 / 3.14159265358979323846);
   };
   if constexpr(Is_given<internal_np::near_direction_t, NP>::value) {
-    const Vector direction = read_direction<internal_np::near_direction_t>(np, "near_direction");
+    const Vector direction = unit_direction<internal_np::near_direction_t>(np, "near_direction");
     keep_shapes(shapes, [&](std::size_t s) { return degrees_from(s, direction) <= angle; });
   }
   if constexpr(Is_given<internal_np::orthogonal_direction_t, NP>::value) {
-    const Vector direction = read_direction<internal_np::orthogonal_direction_t>(np, "orthogonal_direction");
+    const Vector direction = unit_direction<internal_np::orthogonal_direction_t>(np, "orthogonal_direction");
     keep_shapes(shapes, [&](std::size_t s) { return 90 - degrees_from(s, direction) <= angle; });
   }
 }

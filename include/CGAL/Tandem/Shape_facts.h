@@ -15,7 +15,8 @@ namespace Tandem {
 
 \brief What is known of a shape beside its plane, as a row of a table. `shape_facts()` makes it.
 
-Lengths are in the units of the points, areas in their squares, angles in degrees.
+Lengths are in the units of the points, areas in their squares, angles in degrees. All numbers are finite,
+and 0 for a shape without points.
 */
 struct Shape_facts {
   /// the number of points

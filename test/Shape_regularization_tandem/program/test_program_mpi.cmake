@@ -111,6 +111,13 @@ expect_ranks(3 0 "left out +normals, intensity, classification: not" ${tiles} la
              --planes mixed_3/planes --report mixed_3/report)
 expect_same_results(mixed mixed_3)
 
+# --- A part of the shapes, and of the points
+set(selection ${tiles} ${parameters} --near-direction 0,0,1 --largest 2)
+expect(0 "selection +[12] of [0-9]+ shapes" ${selection} --output-directory part --planes part/planes)
+string(REGEX MATCH "hash +[0-9a-f]+" hash "${out}")
+expect_ranks(3 0 "selection +[12] of [0-9]+ shapes.*${hash}" ${selection} --output-directory part_3 --planes part_3/planes)
+expect_same_results(part part_3)
+
 # --- One message, and no file
 expect_ranks(3 1 "nothere.ply: no such file" ${tiles} nothere.ply --output-directory none --planes none/planes)
 expect_ranks(2 2 "--threads is 0" ${tiles} --threads 0 --output-directory none)
@@ -129,6 +136,9 @@ if(NOT WITH_MPI_CUDA)
   expect_ranks(2 2 "--backend is 'cuda', which is for one process" ${tiles} --backend cuda)
 endif()
 expect_ranks(2 2 "--estimate-normals with a number needs all points" ${tiles} --estimate-normals 12)
+foreach(option IN ITEMS planes-from minimum-area minimum-extent)
+  expect_ranks(2 2 "--${option} needs all points in one process" ${tiles} --${option} 1)
+endforeach()
 file(MAKE_DIRECTORY "${WORK_DIR}/taken/seam.csv")
 expect_ranks(3 1 "taken/seam.csv: is a directory" ${tiles} --output-directory taken --planes taken/planes)
 expect_no_file(none out.ply out.html out.csv taken/corner.ply taken/Middle.XYZ taken/planes)

@@ -9,7 +9,6 @@
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +27,7 @@ struct Shape_place {
 
 class Places_in_reach {
 public:
-  Places_in_reach(std::vector<Shape_place> places, double reach) : reach_(reach)
+  Places_in_reach(const std::vector<Shape_place>& places, double reach) : reach_(reach)
   {
     for(const Shape_place& place : places)
       box_.add(place.position);
@@ -36,11 +35,11 @@ public:
     edge_ = (std::max)(reach, box_.extent() / largest_index) * (1 + rounding);
     std::vector<std::pair<std::uint64_t, std::size_t>> order;
     for(std::size_t i = 0; i < places.size(); ++i)
-      order.emplace_back(key_of(cell_of(places[i].position)), i);
+      order.emplace_back(cell_of(places[i].position), i);
     std::sort(order.begin(), order.end());
-    for(const auto& [key, i] : order) {
-      if(keys_.empty() || keys_.back() != key) {
-        keys_.push_back(key);
+    for(const auto& [cell, i] : order) {
+      if(cells_.empty() || cells_.back() != cell) {
+        cells_.push_back(cell);
         first_.push_back(places_.size());
       }
       places_.push_back(places[i]);
@@ -48,76 +47,74 @@ public:
     first_.push_back(places_.size());
   }
 
-  // Finds places for one thread. Queries close to the one before are faster.
-  class Finder {
-  public:
-    explicit Finder(const Places_in_reach& all) : all_(all) {}
-
-    // f(shape, squared distance) for all places within reach.
-    template <class F>
-    void for_each(const Vector& p, F f)
-    {
-      const Cell cell = all_.cell_of(p);
-      if(cell != cell_) {
-        cell_ = cell;
-        all_.find_rows(cell, rows_);
-      }
-      for(const auto& [first, last] : rows_)
-        for(std::size_t i = first; i < last; ++i) {
-          const Vector v = all_.places_[i].position - p;
-          const double squared = dot(v, v);
-          if(squared <= all_.reach_ * all_.reach_)
-            f(all_.places_[i].shape, squared);
-        }
-    }
-
-  private:
-    const Places_in_reach& all_;
-    std::array<double, 3> cell_ = {-1, -1, -1};
-    std::array<std::pair<std::size_t, std::size_t>, 9> rows_ = {};
-  };
-
-private:
-  using Cell = std::array<double, 3>; // whole numbers; those of places are from 1 on
-  static constexpr double largest_index = 1 << 20;
-
-  Cell cell_of(const Vector& p) const
+  // A number of the cell of a point, or no_cell where no place is within reach of it.
+  std::uint64_t cell_of(const Vector& p) const
   {
     const double v[3] = {p.x, p.y, p.z};
-    Cell cell;
-    for(std::size_t c = 0; c < 3; ++c)
-      cell[c] = std::floor((v[c] - box_.low[c]) / edge_) + 1;
+    std::uint64_t cell = 0;
+    for(int c = 0; c < 3; ++c) {
+      const double index = std::floor((v[c] - box_.low[c]) / edge_) + 1; // that of a place is 1 at least
+      if(!(index >= 0 && index <= largest_index + 2))
+        return no_cell;
+      cell |= std::uint64_t(index) << (index_bits * c);
+    }
     return cell;
   }
 
-  static std::uint64_t key_of(const Cell& cell)
+  static constexpr std::uint64_t no_cell = (std::uint64_t(1) << 63) - 1; // more than that of any cell
+
+  // The places of one shape near the points of a cell.
+  struct Group {
+    int shape;
+    std::size_t first, last; // in Nearby::places
+  };
+
+  // All places that may be within reach of the points of a cell, by shape.
+  struct Nearby {
+    std::vector<Shape_place> places;
+    std::vector<Group> groups;
+  };
+
+  void collect(std::uint64_t cell, Nearby& nearby) const
   {
-    return std::uint64_t(cell[2]) << 42 | std::uint64_t(cell[1]) << 21 | std::uint64_t(cell[0]);
+    nearby.places.clear();
+    nearby.groups.clear();
+    for(int row = 0; row < 9 && cell != no_cell; ++row)
+      add_row(cell, row % 3 - 1, row / 3 - 1, nearby.places);
+    std::vector<Shape_place>& places = nearby.places;
+    std::sort(places.begin(), places.end(),
+              [](const Shape_place& a, const Shape_place& b) { return a.shape < b.shape; });
+    for(std::size_t i = 0; i < places.size(); ++i) {
+      if(nearby.groups.empty() || nearby.groups.back().shape != places[i].shape)
+        nearby.groups.push_back({places[i].shape, i, i});
+      nearby.groups.back().last = i + 1;
+    }
   }
 
-  // The places in the cell and those around it: a range for each row of three cells.
-  void find_rows(const Cell& cell, std::array<std::pair<std::size_t, std::size_t>, 9>& rows) const
+  bool is_within(double squared_distance) const { return squared_distance <= reach_ * reach_; }
+
+private:
+  static constexpr int index_bits = 21;
+  static constexpr double largest_index = 1 << (index_bits - 1);
+
+  // The cells of three numbers that follow each other: those beside a cell, moved along y and z.
+  void add_row(std::uint64_t cell, int y, int z, std::vector<Shape_place>& nearby) const
   {
-    rows = {};
-    for(double index : cell)
-      if(!(index >= 0 && index <= largest_index + 2))
-        return;
-    for(int row = 0; row < 9; ++row) {
-      const Cell middle = {cell[0], cell[1] + row % 3 - 1, cell[2] + row / 3 - 1};
-      if(middle[1] < 0 || middle[2] < 0)
-        continue;
-      const std::uint64_t key = key_of(middle);
-      const auto first = std::lower_bound(keys_.begin(), keys_.end(), key - (cell[0] > 0 ? 1 : 0));
-      const auto last = std::upper_bound(first, keys_.end(), key + 1);
-      rows[std::size_t(row)] = {first_[std::size_t(first - keys_.begin())], first_[std::size_t(last - keys_.begin())]};
-    }
+    const auto index = [&](int c) { return std::int64_t(cell >> (index_bits * c) & ((1u << index_bits) - 1)); };
+    if(index(1) + y < 0 || index(2) + z < 0)
+      return;
+    const std::uint64_t middle = cell + (std::uint64_t(z) << (2 * index_bits)) + (std::uint64_t(y) << index_bits);
+    const auto first = std::lower_bound(cells_.begin(), cells_.end(), middle - (index(0) > 0));
+    const auto last = std::upper_bound(first, cells_.end(), middle + 1);
+    nearby.insert(nearby.end(), places_.begin() + std::ptrdiff_t(first_[std::size_t(first - cells_.begin())]),
+                  places_.begin() + std::ptrdiff_t(first_[std::size_t(last - cells_.begin())]));
   }
 
   double reach_, edge_;
   Coordinate_box box_;
-  std::vector<std::uint64_t> keys_; // of the cells with places, ascending
-  std::vector<std::size_t> first_;  // place of each of them
-  std::vector<Shape_place> places_; // by cell
+  std::vector<std::uint64_t> cells_; // that have places, ascending
+  std::vector<std::size_t> first_;   // place of each of them
+  std::vector<Shape_place> places_;  // by cell
 };
 
 } // namespace internal

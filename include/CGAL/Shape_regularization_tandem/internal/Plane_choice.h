@@ -27,16 +27,10 @@ struct Point_to_label {
   double tolerance;
 };
 
-// Of a shape that takes a point. The least is chosen.
+// A shape that takes a point by its plane.
 struct Label_candidate {
-  double distance;      // to its plane
-  double squared_reach; // to the nearest of its points, if they are known
-  int shape;
-
-  bool operator<(const Label_candidate& c) const
-  {
-    return std::tie(distance, squared_reach, shape) < std::tie(c.distance, c.squared_reach, c.shape);
-  }
+  double distance;
+  const Places_in_reach::Group* group;
 };
 
 class Plane_choice {
@@ -60,29 +54,41 @@ public:
   // The shape of the nearest plane that takes the point, -1 if none does. Of several, the first.
   int nearest(const Point_to_label& p) const
   {
-    Label_candidate best = {HUGE_VAL, 0, -1};
+    double least = HUGE_VAL;
+    int shape = -1;
     for(std::size_t b = 0; b < blocks_.size(); ++b)
       if(blocks_[b].least_distance(p.position) <= p.tolerance + margin_)
         for(std::size_t s = b * width; s < (std::min)((b + 1) * width, planes_.size()); ++s)
-          if(const double d = distance(p, s); d < best.distance)
-            best = {d, 0, int(s)};
-    return best.shape;
+          if(const double d = distance(p, s); d < least) {
+            least = d;
+            shape = int(s);
+          }
+    return shape;
   }
 
-  // The same of the shapes that have a point within reach. candidates: of this thread.
-  int nearest(const Point_to_label& p, Places_in_reach::Finder& places, std::vector<Label_candidate>& candidates) const
+  // The same of the shapes that have a place within reach. Of several, the one with the nearest place, then the first.
+  // candidates: memory of this thread.
+  int nearest(const Point_to_label& p, const Places_in_reach& all, const Places_in_reach::Nearby& nearby,
+              std::vector<Label_candidate>& candidates) const
   {
     candidates.clear();
-    places.for_each(p.position, [&](int shape, double squared) {
-      const auto has_shape = [shape](const Label_candidate& c) { return c.shape == shape; };
-      const auto at = std::find_if(candidates.begin(), candidates.end(), has_shape);
-      if(at == candidates.end())
-        candidates.push_back({distance(p, std::size_t(shape)), squared, shape});
-      else
-        at->squared_reach = (std::min)(at->squared_reach, squared);
-    });
-    const auto best = std::min_element(candidates.begin(), candidates.end());
-    return best == candidates.end() || best->distance == HUGE_VAL ? -1 : best->shape;
+    for(const Places_in_reach::Group& group : nearby.groups)
+      if(const double d = distance(p, std::size_t(group.shape)); d < HUGE_VAL)
+        candidates.push_back({d, &group});
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Label_candidate& a, const Label_candidate& b) { return a.distance < b.distance; });
+    for(std::size_t first = 0, last = 0; first < candidates.size(); first = last) {
+      double least = HUGE_VAL;
+      int shape = -1;
+      for(; last < candidates.size() && candidates[last].distance == candidates[first].distance; ++last)
+        if(const double d = squared_distance(p.position, *candidates[last].group, nearby); d < least) {
+          least = d;
+          shape = candidates[last].group->shape;
+        }
+      if(all.is_within(least))
+        return shape;
+    }
+    return -1;
   }
 
 private:
@@ -103,6 +109,18 @@ private:
       return least;
     }
   };
+
+  // From the nearest place of the group.
+  static double squared_distance(const Vector& p, const Places_in_reach::Group& group,
+                                 const Places_in_reach::Nearby& nearby)
+  {
+    double least = HUGE_VAL;
+    for(std::size_t i = group.first; i < group.last; ++i) {
+      const Vector v = nearby.places[i].position - p;
+      least = (std::min)(least, v.x * v.x + v.y * v.y + v.z * v.z);
+    }
+    return least;
+  }
 
   // Of the point from plane s, infinite where that does not take it.
   double distance(const Point_to_label& p, std::size_t s) const

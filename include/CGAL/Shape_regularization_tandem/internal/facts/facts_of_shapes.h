@@ -85,6 +85,8 @@ inline std::vector<Shape_facts> facts_of_all(const Input& input)
   const outlines::Unit unit(input.points, input.shapes);
   std::vector<Shape_facts> facts(input.shapes.number_of_shapes());
   outlines::for_each_in_parallel(facts.size(), [&](std::size_t s) {
+    if(input.shapes.size(s) == 0) // a known plane
+      return;
     const Shape_measures measures(input.points, input.shapes, unit, s);
     const Vector normal = measures.normal();
     facts[s] = facts_of(measures, unit, input.level, input.shapes.is_flipped(s) ? -normal : normal);

@@ -32,12 +32,9 @@ void check_input(const Any_shapes& shapes, std::size_t number_of_points)
   if(number_of_points != shapes.number_of_points())
     throw std::invalid_argument("The range has " + std::to_string(number_of_points) + " points, the shapes are of " +
                                 std::to_string(shapes.number_of_points()) + ": pass the range of the detection.");
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    if(shapes.size(s) == 0)
-      throw std::invalid_argument("Shape " + std::to_string(s) + " has no points: pass the result of a detection.");
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
     if(shapes.points(s).size() != shapes.size(s))
       throw std::logic_error("Points of shapes are in other processes: pass a result of one process.");
-  }
 }
 
 // Of the caller's points, in the order of the range: std::vector<Kernel::Point_3>. The type is deduced so that the

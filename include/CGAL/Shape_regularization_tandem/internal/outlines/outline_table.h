@@ -7,9 +7,12 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_OUTLINES_OUTLINE_TABLE_H
 
 #include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_maker.h>
+#include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,12 +56,40 @@ inline Polygon_table with_sides_of(const std::vector<Coefficients>& planes, Poly
   return table;
 }
 
-// Outlines that are not regular are straightened only.
-inline Polygon_table outline_table(const std::vector<Kernel::Point_3>& points, const Shapes_data& data,
-                                   bool are_regular = true)
+// Of shapes with points. Outlines that are not regular are straightened only.
+inline Polygon_table table_of_outlines(const std::vector<Kernel::Point_3>& points, const Shapes_data& data,
+                                       bool are_regular = true)
 {
   const Shapes shapes(with_positive_normals(data));
   return with_sides_of(data.coefficients, Polygon_maker(points, shapes).polygons(are_regular));
+}
+
+// The same with empty entries for shapes that have no points, as known planes may be.
+inline Polygon_table outline_table(const std::vector<Kernel::Point_3>& points, const Shapes_data& data,
+                                   bool are_regular = true)
+{
+  std::vector<std::size_t> source;
+  std::vector<int> number(data.size.size(), -1);
+  for(std::size_t s = 0; s < number.size(); ++s)
+    if(data.size[s] > 0) {
+      number[s] = int(source.size());
+      source.push_back(s);
+    }
+  if(source.size() == number.size())
+    return table_of_outlines(points, data, are_regular);
+  Polygon_table table = table_of_outlines(points, relabel_shapes(data, source, number), are_regular), all;
+  all.points = std::move(table.points);
+  all.polygons.resize(number.size());
+  all.areas.assign(number.size(), 0);
+  for(std::size_t s = 0; s < number.size(); ++s) {
+    all.frames.emplace_back(data.coefficients[s]);
+    if(number[s] < 0)
+      continue;
+    all.polygons[s] = std::move(table.polygons[std::size_t(number[s])]);
+    all.areas[s] = table.areas[std::size_t(number[s])];
+    all.frames[s] = table.frames[std::size_t(number[s])];
+  }
+  return all;
 }
 
 } // namespace outlines
