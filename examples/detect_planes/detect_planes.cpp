@@ -159,8 +159,6 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run);
   if(*sides.warning() != 0)
     warnings.emplace_back(sides.warning());
-  if(o.is_by_plane)
-    ranks.together([&] { shapes.emplace(joined_shapes(cloud.points, *shapes)); });
   ranks.together([&] { select(cloud.points, o, run, *shapes, warnings); });
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The shapes that the outputs have: all, or those that fit the options of the selection.
+// The shapes that the outputs have: all, or one for each plane, and of those the ones that fit the options of the selection.
 
 #ifndef DETECT_PLANES_SELECTION_H
 #define DETECT_PLANES_SELECTION_H
@@ -9,6 +9,7 @@
 #include "Options.h"
 #include "input/point_set.h"
 #include "output/report.h"
+#include "output/shape_areas.h"
 #include "output/write_results.h"
 #include "sentence.h"
 
@@ -44,6 +45,8 @@ Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Opti
 inline void select(const Point_set& points, const Options& o, Run& run, Shapes& shapes,
                    std::vector<std::string>& warnings)
 {
+  if(o.is_by_plane)
+    shapes = joined_shapes(points, shapes);
   run.selection = selection_of(o);
   if(run.selection.empty())
     return;
