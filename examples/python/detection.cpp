@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "detection.h"
-#include "maps.h"
+#include "Shapes_data.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
@@ -21,11 +21,6 @@ namespace tandem_python {
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Callback;
 using CGAL::Tandem::Parameters;
-using Planar_shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
-
-struct Shapes::Data {
-  Planar_shapes shapes;
-};
 
 template <class Range>
 auto table_of(const Range& range)
@@ -154,8 +149,6 @@ Planar_shapes detect_on_backend(const Cloud& cloud, const Settings& s, const Cal
 #endif
   return detect_with<CGAL::Sequential_tag>(cloud, s, callback);
 }
-
-Shapes share(Planar_shapes shapes) { return Shapes(std::make_shared<Shapes::Data>(Shapes::Data{std::move(shapes)})); }
 
 } // namespace
 

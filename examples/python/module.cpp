@@ -5,6 +5,7 @@
 // come here are contiguous and of the right type.
 
 #include "Result.h"
+#include "selection.h"
 
 #include <pybind11/stl.h>
 
@@ -101,6 +102,49 @@ std::string violation(const Rows& points, const Result& result)
   return without_gil([&] { return find_violation(cloud, result.shapes()); });
 }
 
+Result select(const Result& result, const std::vector<long long>& indices)
+{
+  return Result(without_gil([&] { return select_shapes(result.shapes(), indices); }), result.given());
+}
+
+Result select_by(const Result& result, const Rows& points, const Selection& selection)
+{
+  const Cloud cloud = cloud_of(points, {});
+  return Result(without_gil([&] { return select_shapes(result.shapes(), cloud, selection); }), result.given());
+}
+
+py::array_t<std::int32_t> label(const Result& result, const Rows& points, const Given& given, Labeling labeling,
+                                const std::optional<Rows>& shape_points)
+{
+  const Cloud cloud = cloud_of(points, given);
+  if(shape_points)
+    labeling.shape_points = cloud_of(*shape_points, {});
+  return array_of<std::int32_t>(without_gil([&] { return label_points(result.shapes(), cloud, labeling); }));
+}
+
+// The arguments of functions that have many, as settings.
+void add_selection(py::module_& module)
+{
+  py::class_<Selection> selection(module, "Selection", py::module_local());
+  refuse_new(selection);
+  module.def("default_selection", [] { return Selection(); });
+  selection.def_readwrite("largest", &Selection::largest)
+    .def_readwrite("minimum_area", &Selection::minimum_area)
+    .def_readwrite("minimum_extent", &Selection::minimum_extent)
+    .def_readwrite("near_angle", &Selection::near_angle)
+    .def_readwrite("near_direction", &Selection::near_direction)
+    .def_readwrite("orthogonal_direction", &Selection::orthogonal_direction);
+  py::class_<Labeling> labeling(module, "Labeling", py::module_local());
+  refuse_new(labeling);
+  module.def("default_labeling", [] { return Labeling(); });
+  labeling.def_readwrite("maximum_distance", &Labeling::maximum_distance)
+    .def_readwrite("maximum_angle", &Labeling::maximum_angle)
+    .def_readwrite("reach", &Labeling::reach);
+  module.def("select_shapes", &select);
+  module.def("select_shapes_by", &select_by);
+  module.def("label_points", &label);
+}
+
 void add_settings(py::module_& module)
 {
   py::class_<Given> given(module, "Given", py::module_local());
@@ -139,6 +183,7 @@ PYBIND11_MODULE(_tandem, module)
   module.attr("__version__") = TANDEM_VERSION;
   add_settings(module);
   add_result(module);
+  add_selection(module);
   module.def("detect_planes", &detect);
   module.def("estimate_parameters", &estimate);
   module.def("estimate_local_distances", &estimate_local);

@@ -61,6 +61,19 @@ class Settings:
     symmetry_direction: Optional[Tuple[float, float, float]]
     backend: str
 
+class Selection:
+    largest: Optional[int]
+    minimum_area: Optional[float]
+    minimum_extent: Optional[float]
+    near_angle: Optional[float]
+    near_direction: Optional[Tuple[float, float, float]]
+    orthogonal_direction: Optional[Tuple[float, float, float]]
+
+class Labeling:
+    maximum_distance: Optional[float]
+    maximum_angle: Optional[float]
+    reach: Optional[float]
+
 class Given: ...
 
 def given(
@@ -85,5 +98,18 @@ def regularize_planes(
     planes: npt.NDArray[np.float64],
     settings: Settings,
 ) -> Tuple[Any, ...]: ...
+def default_selection() -> Selection: ...
+def default_labeling() -> Labeling: ...
+def select_shapes(shapes: PlanarShapes, indices: List[int]) -> PlanarShapes: ...
+def select_shapes_by(
+    shapes: PlanarShapes, points: npt.NDArray[np.float64], selection: Selection
+) -> PlanarShapes: ...
+def label_points(
+    shapes: PlanarShapes,
+    points: npt.NDArray[np.float64],
+    given: Given,
+    labeling: Labeling,
+    shape_points: Optional[npt.NDArray[np.float64]],
+) -> npt.NDArray[np.int32]: ...
 def find_violation(points: npt.NDArray[np.float64], shapes: PlanarShapes) -> str: ...
 def backends() -> List[str]: ...
