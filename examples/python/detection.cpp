@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "detection.h"
-#include "maps.h"
+#include "Planar_shapes.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
@@ -21,12 +20,6 @@ namespace tandem_python {
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Callback;
 using CGAL::Tandem::Parameters;
-using Planar_shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
-
-struct Shapes::Data {
-  Planar_shapes shapes;
-};
-
 template <class Range>
 auto table_of(const Range& range)
 {

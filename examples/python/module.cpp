@@ -4,7 +4,7 @@
 // The extension module tandem._tandem. The package, tandem/__init__.py, checks and converts the arguments: arrays that
 // come here are contiguous and of the right type.
 
-#include "Result.h"
+#include "table.h"
 
 #include <pybind11/stl.h>
 
@@ -48,7 +48,9 @@ Result detect(const Rows& points, const Given& given, const Settings& settings, 
   const Cloud cloud = cloud_of(points, given);
   const auto callback = [&progress](double share) { return report_progress(progress, share); };
   const Shapes shapes = without_gil([&] { return detect_planes(cloud, settings, callback); });
-  return Result(shapes, given);
+  Given all = given;
+  all.points = points;
+  return Result(shapes, all);
 }
 
 py::tuple estimate(const Rows& points, const std::optional<Rows>& normals)
@@ -106,7 +108,7 @@ void add_settings(py::module_& module)
   py::class_<Given> given(module, "Given", py::module_local());
   refuse_new(given);
   module.def("given", [](const std::optional<Rows>& normals, const std::optional<Rows>& tolerances, std::size_t zeros) {
-    return Given{normals, tolerances, zeros};
+    return Given{normals, tolerances, zeros, std::nullopt};
   });
   py::class_<Settings> settings(module, "Settings", py::module_local());
   refuse_new(settings);
@@ -138,7 +140,8 @@ PYBIND11_MODULE(_tandem, module)
   module.doc() = "The compiled part of tandem.";
   module.attr("__version__") = TANDEM_VERSION;
   add_settings(module);
-  add_result(module);
+  Class result = add_result(module);
+  add_table(result);
   module.def("detect_planes", &detect);
   module.def("estimate_parameters", &estimate);
   module.def("estimate_local_distances", &estimate_local);
