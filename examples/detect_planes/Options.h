@@ -34,14 +34,15 @@ struct Direction_choice {
 // What was not given is left to the library.
 struct Options {
   std::vector<std::string> inputs;
-  std::string output, output_directory, labels, planes, report, vg, polygons, mesh, mesh_method, view;
+  std::string output, output_directory, labels, planes, report, vg, polygons, shapes, mesh, mesh_method, view;
   std::string planes_from;                              // a file
   std::vector<CGAL::Tandem::Coefficients> known_planes; // of it
   std::string crs;                                      // of --polygons
   std::string columns, classes, format, crop;           // of the inputs
   std::string tolerance_column, noise_text;             // of the tolerance of each point
   std::optional<Noise_model> noise;
-  std::string colors; // of the output: shape, input or empty
+  std::string colors;                   // of the output: shape, input or empty
+  std::string label_property = "shape"; // of the output
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
     surfel_size;
   std::optional<long long> mesh_planes, mesh_seconds, minimum_region_size, k_neighbors, cell_size, threads,
@@ -57,6 +58,7 @@ struct Options {
   double estimated_distance = 0;    // of auto
   std::string estimate_note;        // what is said of it
   bool ignores_zeros = false, has_decimal_commas = false;
+  bool is_by_plane = false; // coplanar shapes are one
   bool has_group_for_each_plane = false, has_triangles_only = false, is_oriented = false, is_quiet = false;
   bool wants_help = false, wants_version = false;
 };

@@ -36,7 +36,8 @@ inline void check_files(const Options& o)
   if(!o.output_directory.empty())
     for(const std::string& input : o.inputs)
       names.push_back(output_of_input(o.output_directory, input));
-  names.insert(names.end(), {o.output, o.planes_from, o.labels, o.planes, o.report, o.vg, o.polygons, o.mesh, o.view});
+  names.insert(names.end(),
+               {o.output, o.planes_from, o.labels, o.planes, o.report, o.vg, o.polygons, o.shapes, o.mesh, o.view});
   for(const std::string& name : names) {
     std::error_code error;
     const fs::file_status status = fs::status(name, error);
@@ -127,8 +128,27 @@ inline void check_format(const char* name, const std::string& path, const std::v
   throw Usage_error(std::string("--") + name + " is '" + path + "', must end in " + one_of(extensions));
 }
 
+// A name that every format can have, and that no reader takes for something else.
+inline void check_label_property(const std::string& name)
+{
+  constexpr std::size_t largest_size = 32; // of LAS
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_right = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  if(!is_letter(name[0]) || !std::all_of(name.begin(), name.end(), is_right) || name.size() > largest_size)
+    throw Usage_error("--label-property is '" + name + "', must be letters, digits and _, a letter first, at most " +
+                      std::to_string(largest_size));
+  const std::vector<std::string> others = {"tolerance",         "rgb",       "rgba",        "alpha",
+                                           "returnnumber",      "gpstime",   "userdata",    "numberofreturns",
+                                           "pointsourceid",     "keypoint",  "scanangle",   "scananglerank",
+                                           "scandirectionflag", "synthetic", "withheld",    "edgeofflightline",
+                                           "scannerchannel",    "overlap",   "pointformat", "nearinfrared"};
+  if(column_of_name(name) != Column::none || std::find(others.begin(), others.end(), plain_name(name)) != others.end())
+    throw Usage_error("--label-property is '" + name + "', which is the name of something else in clouds");
+}
+
 inline void check_formats(const Options& o, const Built_with& built)
 {
+  check_format("shapes", o.shapes, {".csv"});
   check_format("polygons", o.polygons, {".geojson", ".json", ".ply", ".obj", ".off"});
   check_format("mesh", o.mesh, {".off", ".obj", ".ply"});
   check_format("view", o.view, {".html", ".htm"});
@@ -142,6 +162,9 @@ inline void check_formats(const Options& o, const Built_with& built)
     throw Usage_error("--colors is '" + o.colors + "', must be shape or input");
   if(!o.colors.empty() && o.output.empty() && o.output_directory.empty())
     throw Usage_error("--colors needs --output or --output-directory");
+  if(o.label_property != Options().label_property && o.output.empty() && o.output_directory.empty())
+    throw Usage_error("--label-property needs --output or --output-directory");
+  check_label_property(o.label_property);
   input_settings(o);
 }
 
@@ -161,8 +184,8 @@ inline void check(const Options& o, const Built_with& built)
     throw Usage_error("--triangulate needs --polygons");
   if(!o.crs.empty() && !is_geojson(o.polygons))
     throw Usage_error("--crs needs --polygons with a name that ends in .geojson or .json");
-  if(o.is_oriented && o.planes.empty() && o.view.empty() && o.polygons.empty())
-    throw Usage_error("--oriented needs --planes, --view or --polygons");
+  if(o.is_oriented && o.planes.empty() && o.shapes.empty() && o.view.empty() && o.polygons.empty())
+    throw Usage_error("--oriented needs --planes, --shapes, --view or --polygons");
   if(o.mesh_planes && o.mesh.empty())
     throw Usage_error("--mesh-planes needs --mesh");
   if(o.mesh_seconds && o.mesh.empty())
@@ -187,14 +210,16 @@ inline void check(const Options& o, const Built_with& built)
 // Finds options that need all points in one process, where there are several.
 inline void check_ranks(const Options& o)
 {
-  const std::pair<const char*, std::string> outputs[] = {{"output", o.output}, {"labels", o.labels},
-                                                         {"vg", o.vg},         {"polygons", o.polygons},
-                                                         {"mesh", o.mesh},     {"view", o.view}};
+  const std::pair<const char*, std::string> outputs[] = {
+    {"output", o.output}, {"labels", o.labels}, {"vg", o.vg},    {"polygons", o.polygons},
+    {"shapes", o.shapes}, {"mesh", o.mesh},     {"view", o.view}};
   for(const auto& [name, path] : outputs)
     if(!path.empty())
       throw Usage_error(
         std::string("--") + name + " needs all points in one process: " +
         (std::string(name) == "output" ? "several write them with --output-directory" : "run it without mpirun"));
+  if(o.is_by_plane)
+    throw Usage_error("--by-plane needs all points in one process: run it without mpirun");
   if(o.estimate_normals && *o.estimate_normals != by_library)
     throw Usage_error("--estimate-normals with a number needs all points in one process");
   if(!o.planes_from.empty())

@@ -20,7 +20,7 @@
 #include "progress.h"
 #include "tolerance/zeros.h"
 #include "ranks/Ranks.h"
-#include "check_options.h"
+#include "check_program.h"
 #include "ranks/hash_of_all.h"
 #include "ranks/processes.h"
 #include "ranks/read_inputs.h"
@@ -46,18 +46,6 @@
 
 namespace program {
 
-// What is not built is bad usage, as a device that is not there is none.
-void check_backend(const Options& o)
-{
-  const std::vector<std::string> built = built_with().backends();
-  if(std::find(built.begin(), built.end(), o.backend) == built.end())
-    throw Usage_error("--backend " + o.backend + " needs " + (o.backend == "cuda" ? "CUDA" : "oneTBB") +
-                      ": this program was built without it");
-  if(o.backend == "cuda" && !CGAL::Tandem::cuda_available())
-    throw std::runtime_error("the back end cuda cannot be used: " + CGAL::Tandem::cuda_device_report() +
-                             " (--backend auto takes what there is)");
-}
-
 // What the back end that was chosen in the end ran on.
 void name_device(const Shapes& shapes, int threads, Run& run)
 {
@@ -73,21 +61,6 @@ void print(const std::string& text, const char* rest)
   errno = 0;
   if(!(std::cout << text << std::flush))
     throw std::runtime_error("standard output cannot be written" + reason_of(errno) + rest);
-}
-
-// Finds what is wrong before any work.
-void check_program(const Options& o, const Ranks& ranks)
-{
-  parameters_of(o);
-  if(ranks.are_many())
-    check_ranks(o);
-  check_backend(o);
-  if(output_extension(o.output) == ".laz" && !has_laszip)
-    throw Usage_error(o.output + ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
-  if(!o.mesh.empty())
-    check_mesh_options(o);
-  if(!o.view.empty() && !has_view)
-    throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
 }
 
 // What is to be said of the outlines is said when the line of progress is gone.
@@ -163,7 +136,6 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   const Thread_limit limit(o.threads ? int(*o.threads) : ranks.threads());
   Run run;
   run.ranks = ranks.size();
-  run.planes_from = o.planes_from;
   Input_cloud cloud;
   const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
   read_inputs(o, rank_of_input, ranks, cloud, run);
@@ -181,6 +153,8 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
 
   std::optional<Shapes> shapes;
   ranks.together([&] { shapes.emplace(detect_on_backend(cloud.points, o, ranks)); });
+  if(o.is_by_plane)
+    ranks.together([&] { shapes.emplace(joined_shapes(cloud.points, *shapes)); });
   name_device(*shapes, limit.threads(), run);
   run.tolerance = tolerance_facts(cloud.points, o, *shapes, ranks);
   std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run);

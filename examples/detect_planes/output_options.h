@@ -36,16 +36,20 @@ inline void add_cloud_options(po::options_description& group, Options& o, const 
   const std::string colors =
     "the colors of --output and --output-directory: shape, one for each, or input (default: input for " + all_las +
     ", else shape)";
+  const char* const label =
+    "the name of the shape of each point in --output and --output-directory: letters, digits and _, as in scalar_shape "
+    "(default: shape)";
   auto add = group.add_options();
   add("output", po::value<std::string>(&o.output)->value_name("FILE"), output.c_str());
   add("output-directory", po::value<std::string>(&o.output_directory)->value_name("DIR"), directory.c_str());
   add("colors", po::value<std::string>(&o.colors)->value_name("NAME"), colors.c_str());
+  add("label-property", po::value<std::string>(&o.label_property)->value_name("NAME"), label);
 }
 
 inline void add_result_options(po::options_description& group, Options& o, const Built_with& built)
 {
   const std::string oriented =
-    "the normals of the planes of --planes" + std::string(built.view ? ", --view" : "") +
+    "the normals of the planes of --planes, --shapes" + std::string(built.view ? ", --view" : "") +
     " and --polygons (.geojson, .json) point to the outward side: that of most normals of the points, if the input has "
     "normals, else that of the viewpoint (--viewpoint). Without it, they are the same for all parallel shapes";
   auto add = group.add_options();
@@ -53,11 +57,16 @@ inline void add_result_options(po::options_description& group, Options& o, const
       "a little-endian int32 for each point of the input, -1 if it belongs to no shape");
   add("planes", po::value<std::string>(&o.planes)->value_name("FILE"),
       "a line 'a b c d' for each shape: a x + b y + c z + d = 0, unit normal; the first line is shape 0");
+  add("shapes", po::value<std::string>(&o.shapes)->value_name("FILE"),
+      "a table .csv with a line for each shape: points, plane, centroid, area, length and width of the smallest "
+      "rectangle around the points, lowest and highest point, tilt, dip and azimuth, distances, by how much "
+      "regularization moved the plane, its uncertainty, parallel and coplanar group. Upward is z, or "
+      "--symmetry-direction");
+  add("by-plane", po::bool_switch(&o.is_by_plane),
+      "coplanar shapes are one shape in all outputs, so that there is one for each plane");
   add("oriented", po::bool_switch(&o.is_oriented), oriented.c_str());
   add("vg", po::value<std::string>(&o.vg)->value_name("FILE"),
       "vertex groups as text, for PolyFit, Easy3D and others: points, normals, and a group of points for each shape");
-  add("vg-by-plane", po::bool_switch(&o.has_group_for_each_plane),
-      "a group of --vg for each plane: coplanar shapes in one");
   add("polygons", po::value<std::string>(&o.polygons)->value_name("FILE"),
       "the area of each shape as polygons with corners on its plane, straight where it ends at the plane of another "
       "one: .geojson or .json (a MultiPolygon in the coordinates of the input for each shape, with holes), .ply, "
@@ -121,6 +130,8 @@ inline void add_output_options(po::options_description& visible, po::options_des
   add_mesh_options(group, o, built);
   add_mesh_seconds(built.mesh_seconds ? group : hidden, o);
   visible.add(group);
+  hidden.add_options()("vg-by-plane",
+                       po::bool_switch(&o.has_group_for_each_plane)); // of 0.2.0: --by-plane for --vg alone
 }
 
 } // namespace program

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "detection.h"
-#include "Shapes_data.h"
+#include "Planar_shapes.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
@@ -21,7 +20,6 @@ namespace tandem_python {
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Callback;
 using CGAL::Tandem::Parameters;
-
 template <class Range>
 auto table_of(const Range& range)
 {

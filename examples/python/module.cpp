@@ -4,10 +4,12 @@
 // The extension module tandem._tandem. The package, tandem/__init__.py, checks and converts the arguments: arrays that
 // come here are contiguous and of the right type.
 
-#include "Result.h"
 #include "selection.h"
+#include "table.h"
 
 #include <pybind11/stl.h>
+
+#include <cmath>
 
 namespace tandem_python {
 
@@ -49,7 +51,9 @@ Result detect(const Rows& points, const Given& given, const Settings& settings, 
   const Cloud cloud = cloud_of(points, given);
   const auto callback = [&progress](double share) { return report_progress(progress, share); };
   const Shapes shapes = without_gil([&] { return detect_planes(cloud, settings, callback); });
-  return Result(shapes, given);
+  Given all = given;
+  all.points = points;
+  return Result(shapes, all);
 }
 
 py::tuple estimate(const Rows& points, const std::optional<Rows>& normals)
@@ -107,18 +111,17 @@ Result select(const Result& result, const std::vector<long long>& indices)
   return Result(without_gil([&] { return select_shapes(result.shapes(), indices); }), result.given());
 }
 
-Result select_by(const Result& result, const Rows& points, const Selection& selection)
+Result select_by(const Result& result, const Selection& selection)
 {
-  const Cloud cloud = cloud_of(points, {});
+  const Cloud cloud = cloud_of(*result.given().points, {});
   return Result(without_gil([&] { return select_shapes(result.shapes(), cloud, selection); }), result.given());
 }
 
-py::array_t<std::int32_t> label(const Result& result, const Rows& points, const Given& given, Labeling labeling,
-                                const std::optional<Rows>& shape_points)
+py::array_t<std::int32_t> label(const Result& result, const Rows& points, const Given& given, Labeling labeling)
 {
   const Cloud cloud = cloud_of(points, given);
-  if(shape_points)
-    labeling.shape_points = cloud_of(*shape_points, {});
+  if(!labeling.reach || std::isfinite(*labeling.reach) || std::isnan(*labeling.reach))
+    labeling.shape_points = cloud_of(*result.given().points, {});
   return array_of<std::int32_t>(without_gil([&] { return label_points(result.shapes(), cloud, labeling); }));
 }
 
@@ -150,7 +153,7 @@ void add_settings(py::module_& module)
   py::class_<Given> given(module, "Given", py::module_local());
   refuse_new(given);
   module.def("given", [](const std::optional<Rows>& normals, const std::optional<Rows>& tolerances, std::size_t zeros) {
-    return Given{normals, tolerances, zeros};
+    return Given{normals, tolerances, zeros, std::nullopt};
   });
   py::class_<Settings> settings(module, "Settings", py::module_local());
   refuse_new(settings);
@@ -182,7 +185,8 @@ PYBIND11_MODULE(_tandem, module)
   module.doc() = "The compiled part of tandem.";
   module.attr("__version__") = TANDEM_VERSION;
   add_settings(module);
-  add_result(module);
+  Class result = add_result(module);
+  add_table(result);
   add_selection(module);
   module.def("detect_planes", &detect);
   module.def("estimate_parameters", &estimate);

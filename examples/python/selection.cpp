@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "selection.h"
-#include "Shapes_data.h"
+#include "Planar_shapes.h"
 
 #include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>

@@ -25,12 +25,12 @@ struct Selection {
 // What is not given is that of the shapes.
 struct Labeling {
   std::optional<double> maximum_distance, maximum_angle, reach;
-  Cloud shape_points; // null: planes have no end
+  Cloud shape_points; // of the detection; null: planes have no end
 };
 
 Shapes select_shapes(const Shapes& shapes, const std::vector<long long>& indices);
 
-// The points are those of the detection; they are read for areas and extents only.
+// The points are those of the detection, which are read for areas and extents.
 Shapes select_shapes(const Shapes& shapes, const Cloud& points, const Selection& selection);
 
 // The normals of the cloud count where there are some.

@@ -11,6 +11,7 @@
 #include "output/Output_file.h"
 #include "output/report.h"
 #include "output/shape_areas.h"
+#include "output/shape_table.h"
 #include "output/writers.h"
 #include "mesh/write_mesh.h"
 #include "output/write_results.h"
@@ -44,7 +45,7 @@ public:
   void write(const Shapes& shapes, Run& run)
   {
     Shape_areas areas;
-    if(!options.polygons.empty() || !options.view.empty())
+    if(!options.polygons.empty() || !options.shapes.empty() || !options.view.empty())
       areas = areas_of_shapes(cloud.points, shapes);
     if(!options.polygons.empty() && areas.number_of_empty_entries() > 0)
       run.warnings.push_back(why_empty(areas));
@@ -89,13 +90,15 @@ private:
     const Options& o = options;
     open(o.output, [](std::ostream& out, const Results& r) {
       write_cloud(out, r.cloud.points, Point_part(r.cloud.points, 0, r.cloud.points.size()), r.shapes,
-                  {output_extension(r.o.output), r.o.colors, first_las_frame(r.cloud)});
+                  {output_extension(r.o.output), r.o.colors, r.o.label_property, first_las_frame(r.cloud)});
     });
     open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
     open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
+    open(o.shapes, [](std::ostream& out, const Results& r) {
+      write_shape_table(out, shape_table(r.cloud.points, r.shapes, r.areas));
+    });
     open(o.vg, [](std::ostream& out, const Results& r) {
-      write_vg(out, r.cloud.points, r.shapes,
-               r.o.has_group_for_each_plane ? Vg_groups::of_planes : Vg_groups::of_shapes);
+      write_vg(out, r.cloud.points, r.o.has_group_for_each_plane ? joined_shapes(r.cloud.points, r.shapes) : r.shapes);
     });
     open(o.polygons, [](std::ostream& out, const Results& r) {
       write_polygons(out, r.areas, r.shapes,
@@ -142,7 +145,7 @@ private:
     const std::string path = output_of(part);
     files.emplace_back(path);
     write_cloud(files.back().stream(), cloud.points, Point_part(cloud.points, part.first, part.last), shapes,
-                {output_extension(path), options.colors, part.notes.las_frame});
+                {output_extension(path), options.colors, options.label_property, part.notes.las_frame});
     files.back().close();
   }
 

@@ -13,8 +13,10 @@ namespace program {
 class Output_points {
 public:
   // `has_shape_colors`: even if the input has colors.
-  Output_points(const Point_set& points, const Point_part& part, const Shapes& shapes, bool has_shape_colors)
-    : points(points), part(part), shapes(shapes), intensity(find_property<float>(points, intensity_name)),
+  Output_points(const Point_set& points, const Point_part& part, const Shapes& shapes, bool has_shape_colors,
+                const std::string& label_property)
+    : points(points), part(part), shapes(shapes), label_property(label_property),
+      intensity(find_property<float>(points, intensity_name)),
       classification(find_property<std::uint8_t>(points, classification_name)),
       tolerance(find_property<double>(points, tolerance_name))
   {
@@ -55,6 +57,7 @@ public:
   const Point_set& points;
   const Point_part part;
   const Shapes& shapes;
+  const std::string label_property; // the name of the shape of a point
   std::optional<Point_set::Property_map<float>> intensity;
   std::optional<Point_set::Property_map<std::uint8_t>> classification;
   std::optional<Point_set::Property_map<double>> tolerance; // where points have their own

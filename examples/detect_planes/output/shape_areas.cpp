@@ -3,6 +3,7 @@
 
 #include "output/shape_areas.h"
 
+#include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 namespace program {
@@ -10,6 +11,11 @@ namespace program {
 Shape_areas areas_of_shapes(const Point_set& points, const Shapes& shapes)
 {
   return CGAL::Tandem::polygons(shapes, points);
+}
+
+Shapes joined_shapes(const Point_set& points, const Shapes& shapes)
+{
+  return CGAL::Tandem::join_coplanar_shapes(shapes, points);
 }
 
 } // namespace program

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The areas that the points of the shapes cover, an entry for each shape.
+// The areas that the points of the shapes cover, an entry for each shape; and coplanar shapes as one.
 
 #ifndef DETECT_PLANES_SHAPE_AREAS_H
 #define DETECT_PLANES_SHAPE_AREAS_H
@@ -18,6 +18,9 @@ namespace program {
 using Shape_areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
 
 Shape_areas areas_of_shapes(const Point_set& points, const Shapes& shapes);
+
+// One shape for each plane.
+Shapes joined_shapes(const Point_set& points, const Shapes& shapes);
 
 // Of the entries without polygons: a sentence.
 inline std::string why_empty(const Shape_areas& areas)

@@ -45,7 +45,8 @@ void write_ply(std::ostream& out, const Output_points& cloud)
   out << "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
       << (cloud.intensity ? "property float intensity\n" : "")
       << (cloud.classification ? "property uchar classification\n" : "")
-      << (cloud.tolerance ? "property double tolerance\n" : "") << "property int shape\nend_header\n";
+      << (cloud.tolerance ? "property double tolerance\n" : "") << "property int " << cloud.label_property
+      << "\nend_header\n";
   Binary_writer binary(out);
   for(Point_set::Index i : cloud.part) {
     write_coordinates(binary, cloud, i, is_double);
@@ -66,11 +67,11 @@ void write_pcd(std::ostream& out, const Output_points& cloud)
     sizes += size;
   out << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z rgb"
       << (has_intensity ? " intensity" : "") << (has_class ? " classification" : "")
-      << (has_tolerance ? " tolerance" : "") << " shape\nSIZE" << sizes << " 4" << (has_intensity ? " 4" : "")
-      << (has_class ? " 1" : "") << (has_tolerance ? " 8" : "") << " 4\nTYPE F F F F F F F"
-      << (has_intensity ? " F" : "") << (has_class ? " U" : "") << (has_tolerance ? " F" : "")
-      << " I\nCOUNT 1 1 1 1 1 1 1" << (has_intensity ? " 1" : "") << (has_class ? " 1" : "")
-      << (has_tolerance ? " 1" : "") << " 1\nWIDTH " << cloud.part.size()
+      << (has_tolerance ? " tolerance" : "") << ' ' << cloud.label_property << "\nSIZE" << sizes << " 4"
+      << (has_intensity ? " 4" : "") << (has_class ? " 1" : "") << (has_tolerance ? " 8" : "")
+      << " 4\nTYPE F F F F F F F" << (has_intensity ? " F" : "") << (has_class ? " U" : "")
+      << (has_tolerance ? " F" : "") << " I\nCOUNT 1 1 1 1 1 1 1" << (has_intensity ? " 1" : "")
+      << (has_class ? " 1" : "") << (has_tolerance ? " 1" : "") << " 1\nWIDTH " << cloud.part.size()
       << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " << cloud.part.size() << "\nDATA binary\n";
   Binary_writer binary(out);
   for(Point_set::Index i : cloud.part) {
@@ -85,7 +86,7 @@ void write_table(std::ostream& out, const Output_points& cloud, char separator, 
 {
   std::string names = "x y z nx ny nz r g b";
   names += std::string(cloud.intensity ? " intensity" : "") + (cloud.classification ? " classification" : "") +
-           (cloud.tolerance ? " tolerance" : "") + " shape";
+           (cloud.tolerance ? " tolerance" : "") + ' ' + cloud.label_property;
   std::replace(names.begin(), names.end(), ' ', separator);
   out << comment << names << '\n';
   for(Point_set::Index i : cloud.part) {
@@ -112,7 +113,8 @@ void write_cloud(std::ostream& out, const Point_set& points, const Point_part& p
 {
   const std::string& extension = format.extension;
   const bool is_las = extension == ".las" || extension == ".laz";
-  const Output_points cloud(points, part, shapes, format.colors.empty() ? !is_las : format.colors == "shape");
+  const Output_points cloud(points, part, shapes, format.colors.empty() ? !is_las : format.colors == "shape",
+                            format.label_property);
   if constexpr(has_laszip)
     if(extension == ".laz")
       return write_laz(out, cloud, format.las_frame);

@@ -119,12 +119,12 @@ std::string padded(std::string text, std::size_t size)
 }
 
 // The record that describes the extra bytes.
-std::string extra_bytes_record()
+std::string extra_bytes_record(const std::string& name)
 {
   constexpr char int32_type = 6;
   std::string record =
     padded("", 2) + padded("LASF_Spec", 16) + std::string("\4\0\300\0", 4) + padded("extra bytes", 32);
-  record += std::string("\0\0", 2) + int32_type + '\0' + padded("shape", 32);
+  record += std::string("\0\0", 2) + int32_type + '\0' + padded(name, 32);
   return padded(record, 54 + 160) + padded("shape of detect_planes", 32);
 }
 
@@ -134,7 +134,7 @@ public:
     : out(out), binary(out), cloud(cloud), frame(frame), bounds(bounds), is_format_7(needs_format_7(cloud, frame)),
       records(frame.records)
   {
-    records.push_back(extra_bytes_record());
+    records.push_back(extra_bytes_record(cloud.label_property));
   }
 
   void write()

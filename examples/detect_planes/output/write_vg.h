@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Vertex groups as text (.vg): the points, their normals, and a group of positions for
-// each shape or plane, as PolyFit, Easy3D and programs for kinetic reconstruction read them.
+// each shape, as PolyFit, Easy3D and programs for kinetic reconstruction read them.
 
 #ifndef DETECT_PLANES_WRITE_VG_H
 #define DETECT_PLANES_WRITE_VG_H
@@ -64,45 +64,32 @@ inline void write_vg_points(std::ostream& out, const Point_set& points, const Sh
   write_vg_normals(out, points, shapes);
 }
 
-// `members` are shapes of one plane, of which the first gives color and orientation.
-inline void write_vg_group(std::ostream& out, const Shapes& shapes, const std::vector<std::size_t>& members,
-                           const std::string& label, const std::vector<std::uint32_t>& position)
+inline void write_vg_group(std::ostream& out, const Shapes& shapes, std::size_t s,
+                           const std::vector<std::uint32_t>& position)
 {
-  const std::size_t first = members.front();
-  const auto& c = shapes.coefficients(first);
-  const double sign = shapes.is_flipped(first) ? -1 : 1;
-  const Color color = color_of_shape(int(first));
-  std::size_t size = 0;
-  for(std::size_t s : members)
-    size += shapes.points(s).size();
+  const auto& c = shapes.coefficients(s);
+  const double sign = shapes.is_flipped(s) ? -1 : 1;
+  const Color color = color_of_shape(int(s));
   out << "group_type: 0\nnum_group_parameters: 4\ngroup_parameters: " << std::setprecision(17) << sign * c[0] << ' '
-      << sign * c[1] << ' ' << sign * c[2] << ' ' << sign * c[3] << "\ngroup_label: " << label
+      << sign * c[1] << ' ' << sign * c[2] << ' ' << sign * c[3] << "\ngroup_label: shape_" << s
       << "\ngroup_color: " << std::setprecision(3) << color[0] / 255. << ' ' << color[1] / 255. << ' '
-      << color[2] / 255. << "\ngroup_num_points: " << size << '\n';
+      << color[2] / 255. << "\ngroup_num_points: " << shapes.points(s).size() << '\n';
   const char* before = "";
-  for(std::size_t s : members)
-    for(std::size_t i : shapes.points(s)) {
-      out << before << position[i];
-      before = " ";
-    }
+  for(std::size_t i : shapes.points(s)) {
+    out << before << position[i];
+    before = " ";
+  }
   out << "\nnum_children: 0\n";
 }
 
-enum class Vg_groups { of_shapes, of_planes };
-
-inline void write_vg(std::ostream& out, const Point_set& points, const Shapes& shapes, Vg_groups kind)
+inline void write_vg(std::ostream& out, const Point_set& points, const Shapes& shapes)
 {
   std::uint32_t count;
   const std::vector<std::uint32_t> position = positions_in_vg(points, count);
   write_vg_points(out, points, shapes, count);
-  const bool are_planes = kind == Vg_groups::of_planes;
-  std::vector<std::vector<std::size_t>> groups(are_planes ? shapes.number_of_coplanar_groups()
-                                                          : shapes.number_of_shapes());
+  out << "num_groups: " << shapes.number_of_shapes() << '\n';
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    groups[are_planes ? shapes.coplanar_group(s) : s].push_back(s);
-  out << "num_groups: " << groups.size() << '\n';
-  for(std::size_t g = 0; g < groups.size(); ++g)
-    write_vg_group(out, shapes, groups[g], (are_planes ? "plane_" : "shape_") + std::to_string(g), position);
+    write_vg_group(out, shapes, s, position);
 }
 
 } // namespace program

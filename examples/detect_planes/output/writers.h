@@ -21,6 +21,7 @@ namespace program {
 struct Cloud_format {
   std::string extension;
   std::string colors;                 // of the points: input, shape, or empty for what the format is used for
+  std::string label_property;         // the name of the shape of a point
   std::optional<Las_frame> las_frame; // of the input
 };
 

@@ -22,7 +22,8 @@ class ShapeList {
   value(name, shape) { return name === "shape" ? shape : this.shapes.columns[name][shape]; }
 
   makeHead() {
-    const titles = { shape: "shape", points: "points", area: "area", direction: "dir.", plane: "plane" };
+    const titles = { shape: "shape", points: "points", area: "area", parallel_group: "dir.",
+                     coplanar_group: "plane" };
     this.head = Object.entries(titles).map(([name, title]) =>
       element("button", { id: "sort-" + name, onclick: () => this.sortBy(name) }, title));
     byId("list-head").append(element("span"), ...this.head, element("span"));
@@ -40,7 +41,7 @@ class ShapeList {
     const columns = this.shapes.columns, word = text.trim().toUpperCase();
     const group = /^([DP])(\d+)$/.exec(word), least = /^>\s*(\d+)$/.exec(word);
     if (group)
-      return shape => columns[group[1] === "D" ? "direction" : "plane"][shape] === Number(group[2]);
+      return shape => columns[group[1] === "D" ? "parallel_group" : "coplanar_group"][shape] === Number(group[2]);
     if (least)
       return shape => columns.points[shape] > Number(least[1]);
     return shape => String(shape).startsWith(word);
@@ -74,7 +75,7 @@ class ShapeList {
     const row = element("div", { class: "row" + (isHidden ? " hidden" : ""), "data-shape": shape,
                                  "aria-selected": String(this.selected.has(shape)) },
       swatch(this.actions.color(shape)), cell(String(shape)), cell(count(columns.points[shape])),
-      cell(rounded(columns.area[shape])), cell("D" + columns.direction[shape]), cell("P" + columns.plane[shape]),
+      cell(rounded(columns.area[shape])), cell("D" + columns.parallel_group[shape]), cell("P" + columns.coplanar_group[shape]),
       element("button", { title: isHidden ? "show" : "hide", onclick: event => {
         event.stopPropagation();
         this.actions.toggle(shape);

@@ -160,7 +160,7 @@ class Panel {
       ["Area", "about " + rounded(c.area[shape])],
       ["Distance", "of its points: " + this.length(c.mean_distance[shape]) + " on average, at most " +
         this.length(this.scene.maximum_distance)],
-      ["Moved", "by " + degrees(c.turned_degrees[shape]) + " and " + this.length(c.shifted[shape]) +
+      ["Moved", "by " + degrees(c.turned_deg[shape]) + " and " + this.length(c.shifted[shape]) +
         " from the least-squares plane of its points"],
       ["Direction", this.chips("direction", [direction.index])]];
     if (direction.members.length > 1)
@@ -178,7 +178,7 @@ class Panel {
     const facts = [["Points", count(group.points)]];
     if (kind === "plane")
       facts.push(["Plane", ...this.equation(shape)],
-                 ["Direction", this.chips("direction", [this.shapes.columns.direction[shape]])]);
+                 ["Direction", this.chips("direction", [this.shapes.columns.parallel_group[shape]])]);
     else
       facts.push(["Normal", this.shapes.normal(shape).map(x => x.toFixed(6)).join("  "), { class: "equation" }]);
     facts.push(["Shapes", this.chips("shape", group.members, mode)]);

@@ -16,14 +16,12 @@ function savePicture(cloud, scene) {
   cloud.canvas.toBlob(blob => saveFile(stemOf(scene) + ".png", blob), "image/png");
 }
 
+// As --shapes writes it.
 function tableOfShapes(shapes, isShown) {
-  const c = shapes.columns, center = shapes.scene.center;
-  const lines = ["shape,points,a,b,c,d,x,y,z,area,direction,plane,mean_distance,turned_degrees,shifted"];
+  const names = shapes.scene.table, lines = [["shape", ...names].join()];
   for (let s = 0; s < shapes.count; ++s)
     if (isShown(s))
-      lines.push([s, c.points[s], ...c.coefficients.slice(4 * s, 4 * s + 4),
-                  ...shapes.centroid(s).map((x, k) => x + center[k]), c.area[s], c.direction[s], c.plane[s],
-                  c.mean_distance[s], c.turned_degrees[s], c.shifted[s]].join());
+      lines.push([s, ...names.map(name => shapes.columns[name][s])].join());
   return lines.join("\n") + "\n";
 }
 

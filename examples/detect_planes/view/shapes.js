@@ -11,8 +11,8 @@ class Shapes {
     this.columns = scene.shapes;
     this.count = this.columns.points.length;
     this.largest = this.columns.points.reduce((a, b) => Math.max(a, b), 2);
-    this.directions = this.groupsOf(this.columns.direction, scene.directions);
-    this.planes = this.groupsOf(this.columns.plane, scene.planes);
+    this.directions = this.groupsOf(this.columns.parallel_group, scene.directions);
+    this.planes = this.groupsOf(this.columns.coplanar_group, scene.planes);
     this.orthogonal = this.directions.map(() => []);
     for (const [a, b] of scene.orthogonal) {
       this.orthogonal[a].push(b);
@@ -47,7 +47,9 @@ class Shapes {
   }
 
   groups(kind) { return kind === "direction" ? this.directions : this.planes; }
-  groupOf(kind, shape) { return this.groups(kind)[this.columns[kind][shape]]; }
+  groupOf(kind, shape) {
+    return this.groups(kind)[this.columns[kind === "direction" ? "parallel_group" : "coplanar_group"][shape]];
+  }
 
   membersOf(selection) {
     if (!selection)

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "output/shape_table.h"
 #include "output/writers.h"
 #include "view/Thinned_points.h"
-#include "view/shape_facts.h"
 #include "view/write_layers.h"
 #include "view/write_points.h"
 
@@ -50,30 +50,21 @@ Kernel::Point_3 center_of(const CGAL::Bbox_3& box)
   return Kernel::Point_3(middle(0), middle(1), middle(2));
 }
 
-// Columns: a number for each shape.
-Json json_of_shapes(const Point_set& points, const Shapes& shapes, const Shape_areas& areas,
-                    const Kernel::Point_3& center)
+// Lists: the columns of the table, and what the page takes from them in another form.
+Json json_of_shapes(const Shapes& shapes, const Json& table, const Kernel::Point_3& center)
 {
-  const Unit unit(points, shapes);
-  std::vector<std::size_t> size, parallel, coplanar;
-  std::vector<double> plane, position, area, distance, turned, shifted;
+  Json json = table;
+  std::vector<double> plane, centroid;
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    const Shape_facts facts = facts_of_shape(points, shapes, unit, s);
     const auto& c = shapes.coefficients(s);
-    size.push_back(shapes.points(s).size());
-    parallel.push_back(shapes.parallel_group(s));
-    coplanar.push_back(shapes.coplanar_group(s));
     plane.insert(plane.end(), c.begin(), c.end());
-    for(int k = 0; k < 3; ++k)
-      position.push_back(facts.centroid[std::size_t(k)] - center[k]);
-    distance.push_back(facts.mean_distance);
-    turned.push_back(facts.turned_degrees);
-    shifted.push_back(facts.shifted);
-    area.push_back(areas.area(s));
+    int axis = 0;
+    for(const char* name : {"x", "y", "z"})
+      centroid.push_back(table[name][s].get<double>() - center[axis++]);
   }
-  return {{"points", size},       {"direction", parallel}, {"plane", coplanar},         {"coefficients", plane},
-          {"centroid", position}, {"area", area},          {"mean_distance", distance}, {"turned_degrees", turned},
-          {"shifted", shifted}};
+  json["coefficients"] = plane;
+  json["centroid"] = centroid;
+  return json;
 }
 
 // For each shape 1 if its outward side is that of its normal, -1 if it is the other one, 0 if it is not known.
@@ -141,7 +132,10 @@ void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes
   out << "<script type=\"application/json\" id=\"scene\">";
   Json scene = json_of_scene(points, shapes, run, thinned);
   const Kernel::Point_3 center = center_of(box_of_shapes(points, shapes));
-  scene["shapes"] = json_of_shapes(points, shapes, areas, center);
+  const Json table = shape_table(points, shapes, areas);
+  scene["shapes"] = json_of_shapes(shapes, table, center);
+  for(const auto& column : table.items())
+    scene["table"].push_back(column.key());
   scene["shapes"]["outward"] = outward_sides(shapes, run);
   scene["shapes"]["shown"] = thinned.shown;                     // one more: points without a shape
   out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>

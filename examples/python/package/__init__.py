@@ -21,7 +21,7 @@ import numpy.typing as npt
 
 from . import _tandem
 from ._arguments import _count, _labels, _normals, _number, _points, _rows, _switch, _tolerances
-from ._selection import _check_result, _points_of, label_points, select_shapes
+from ._selection import _check_result, label_points, select_shapes
 from ._tandem import PlanarShapes, __version__
 
 __all__ = ["EstimatedParameters", "PlanarShapes", "PlaneRelations", "__version__", "backends", "detect_planes",
@@ -237,7 +237,10 @@ def find_violation(points: npt.ArrayLike, shapes: PlanarShapes) -> Optional[str]
     detect_planes().
     """
     _check_result(shapes)
-    return _tandem.find_violation(_points_of(shapes, "points", points), shapes) or None
+    rows, _ = _points(points, shapes.statistics["number_of_ignored_zeros"] > 0)
+    if len(rows) != len(shapes.labels):
+        raise ValueError(f"points has {len(rows)} rows, but shapes were detected in {len(shapes.labels)} points")
+    return _tandem.find_violation(rows, shapes) or None
 
 
 def backends() -> List[str]:

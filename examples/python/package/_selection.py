@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _tandem
-from ._arguments import _count, _normals, _number, _numbers, _points, _rows, _tolerances
+from ._arguments import _count, _normals, _number, _numbers, _rows, _tolerances
 from ._tandem import PlanarShapes
 
 
@@ -18,7 +18,6 @@ def select_shapes(
     shapes: PlanarShapes,
     indices: Optional[npt.ArrayLike] = None,
     *,
-    points: Optional[npt.ArrayLike] = None,
     largest: Optional[int] = None,
     minimum_area: Optional[float] = None,
     minimum_extent: Optional[float] = None,
@@ -30,12 +29,12 @@ def select_shapes(
 
     Points of other shapes get the label -1, and count as "unselected" in statistics["free_points"]. Planes and relations
     stay as they are; groups are numbered again, and shapes and points are counted again, so find_violation() finds none.
-    The score, the mean distance and the times of the statistics remain those of the detection.
+    The score, the mean distance and the times of the statistics remain those of the detection. Areas and extents are
+    measured at the array of points that the shapes were detected in, which may not have changed since.
 
     Arguments
         shapes                a result of detect_planes(), which does not change
         indices               integers, or a mask with a truth value for each shape; not together with criteria
-        points                the points that the shapes were detected in, for minimum_area and minimum_extent
         largest               how many shapes with most points, of those that fit the other criteria
         minimum_area          least area that the points of a shape cover
         minimum_extent        least length of a shape: of the longer side of the smallest rectangle that holds its points
@@ -60,11 +59,7 @@ def select_shapes(
     selection.near_angle = _number("near_angle", near_angle)
     selection.near_direction = _direction("near_direction", near_direction)
     selection.orthogonal_direction = _direction("orthogonal_direction", orthogonal_direction)
-    if points is None:
-        if minimum_area is not None or minimum_extent is not None:
-            raise ValueError("minimum_area and minimum_extent need points: those that the shapes were detected in")
-        return _tandem.select_shapes_by(shapes, np.empty((0, 3)), selection)
-    return _tandem.select_shapes_by(shapes, _points_of(shapes, "points", points), selection)
+    return _tandem.select_shapes_by(shapes, selection)
 
 
 def label_points(
@@ -75,15 +70,13 @@ def label_points(
     maximum_distance: Optional[float] = None,
     maximum_distance_map: Optional[npt.ArrayLike] = None,
     maximum_angle: Optional[float] = None,
-    shape_points: Optional[npt.ArrayLike] = None,
     reach: Optional[float] = None,
 ) -> npt.NDArray[np.int32]:
     """Labels further points by the planes of a result: those of a full cloud, where a part of it was detected in.
 
     A point gets the shape with the nearest plane, of those within maximum_distance and, if normals are given,
-    maximum_angle; with shape_points only of those that have one of these within reach. Without shape_points, planes have
-    no end, and coplanar shapes cannot be told from each other: the first one has all points. Points of a shape need not
-    be connected, and may be few. The labels do not depend on the order of the points.
+    maximum_angle, that have a point within reach. Points of a shape need not be connected, and may be few. The labels do
+    not depend on the order of the points.
 
     Arguments
         shapes                a result of detect_planes()
@@ -92,10 +85,10 @@ def label_points(
         maximum_distance, maximum_angle
                               as those of detect_planes(); None: those that the shapes were detected with
         maximum_distance_map  as that of detect_planes(), of these points
-        shape_points          the points that the shapes were detected in
-        reach                 largest distance between a point and the nearest one of shape_points that its shape has;
-                              None: four times the median spacing of shape_points. More is needed where their density
-                              varies much
+        reach                 largest distance between a point and the nearest one that its shape has in the detection;
+                              None: four times the median spacing of the points of the detection. More is needed where
+                              their density varies much. Infinite: planes have no end, and of coplanar shapes the first
+                              has all points
 
     Returns an array of shape (n,), int32: -1 for points that no shape takes, and for those that are not valid.
 
@@ -107,24 +100,13 @@ def label_points(
     labeling.maximum_distance = _number("maximum_distance", maximum_distance)
     labeling.maximum_angle = _number("maximum_angle", maximum_angle)
     labeling.reach = _number("reach", reach)
-    if reach is not None and shape_points is None:
-        raise ValueError("reach needs shape_points: the points that the shapes were detected in")
     given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), 0)
-    places = None if shape_points is None else _points_of(shapes, "shape_points", shape_points)
-    return _tandem.label_points(shapes, rows, given, labeling, places)
+    return _tandem.label_points(shapes, rows, given, labeling)
 
 
 def _check_result(shapes: PlanarShapes) -> None:
     if not isinstance(shapes, PlanarShapes):
         raise TypeError(f"shapes must be a result of detect_planes(), not {type(shapes).__name__}")
-
-
-def _points_of(shapes: PlanarShapes, name: str, points: npt.ArrayLike) -> npt.NDArray[np.float64]:
-    """The points of the detection, as it read them."""
-    rows, _ = _points(points, shapes.statistics["number_of_ignored_zeros"] > 0)
-    if len(rows) != len(shapes.labels):
-        raise ValueError(f"{name} has {len(rows)} rows, but shapes were detected in {len(shapes.labels)} points")
-    return rows
 
 
 def _indices(values: npt.ArrayLike, shapes: int) -> List[int]:

@@ -21,7 +21,6 @@
 
 using program::Faces_of_file;
 using program::Point_set;
-using program::Vg_groups;
 
 struct Totals {
   std::size_t scenes = 0, shapes = 0, with_polygons = 0, polygons = 0, points = 0, inside = 0, meshes = 0;
@@ -109,7 +108,7 @@ inline void check_view(const Output_case& c, const Written_shapes& polygons)
   for(const Json& area : scene.at("shapes").at("area"))
     CHECK_AT(area_of(area) == polygons.at(s++).area, c.name);
   CHECK_AT(s == polygons.size(), c.name);
-  for(const char* name : {"coefficients", "centroid", "mean_distance", "turned_degrees", "shifted"})
+  for(const char* name : {"coefficients", "centroid", "mean_distance", "turned_deg", "shifted"})
     for(const Json& number : scene.at("shapes").at(name))
       CHECK_AT(number.is_number(), c.name + ' ' + name);
 }
@@ -122,10 +121,10 @@ inline void check_report(const Output_case& c)
 }
 
 // Numbers or words after a key, and each point in one group at most.
-inline void check_vg(const Output_case& c, Vg_groups kind)
+inline void check_vg(const Output_case& c)
 {
   std::stringstream file;
-  program::write_vg(file, c.points, c.shapes, kind);
+  program::write_vg(file, c.points, c.shapes);
   std::map<std::string, std::size_t> sum;
   for(std::string line; std::getline(file, line);) {
     std::istringstream in(line);
@@ -138,9 +137,7 @@ inline void check_vg(const Output_case& c, Vg_groups kind)
                                                                        : 0 * std::size_t(number_of(word) != 0);
   }
   CHECK_AT(sum["group_num_points:"] == c.shapes.statistics().number_of_assigned_points, c.name);
-  CHECK_AT(sum["num_groups:"] ==
-             (kind == Vg_groups::of_planes ? c.shapes.number_of_coplanar_groups() : c.shapes.number_of_shapes()),
-           c.name);
+  CHECK_AT(sum["num_groups:"] == c.shapes.number_of_shapes(), c.name);
 }
 
 // --- Scenes
@@ -161,8 +158,8 @@ inline void check_outputs(const Output_case& c, Totals& totals)
   try {
     check_view(c, check_polygons(c, totals));
     check_report(c);
-    check_vg(c, Vg_groups::of_shapes);
-    check_vg(c, Vg_groups::of_planes);
+    check_vg(c);
+    check_vg({c.name + ", by plane", c.points, program::joined_shapes(c.points, c.shapes)});
     totals.meshes += check_mesh_apart(c.points, c.shapes, c.name);
   } catch(const std::exception& e) {
     CHECK_AT(false, c.name + ": " + e.what());

@@ -12,7 +12,7 @@ async function testRows(b, ceiling, floor, region) {
   await b.click("#sort-area");
   await b.click("#sort-area");
   b.equal((await rows(b))[0], await b.shapeAt(1, 1.7), "the row of the smallest area");
-  await b.tab.fill("#search", "D" + await b.state(`page.shapes.columns.direction[${ceiling}]`));
+  await b.tab.fill("#search", "D" + await b.state(`page.shapes.columns.parallel_group[${ceiling}]`));
   b.equal((await rows(b)).sort(), [ceiling, floor].sort(), "the rows of the direction up");
 
   // Keys belong to the field that has the focus.
@@ -62,11 +62,11 @@ function writeMany(name, total) {
   const scene = JSON.parse(page.slice(first, last)), s = scene.shapes, old = s.points.length;
   const free = s.shown.pop();
   for (let i = old; i < total; ++i) {
-    for (const column of ["direction", "plane", "area", "mean_distance", "turned_degrees", "shifted", "outward"])
+    for (const column of [...scene.table, "outward"])
       s[column].push(s[column][0]);
     s.coefficients.push(...s.coefficients.slice(0, 4));
     s.centroid.push(...s.centroid.slice(0, 3));
-    s.points.push(i % 97 + 1);
+    s.points[i] = i % 97 + 1;
     s.shown.push(0);
   }
   s.shown.push(free);

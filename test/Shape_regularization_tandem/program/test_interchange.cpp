@@ -22,7 +22,6 @@
 using program::Kernel;
 using program::Point_set;
 using program::Shapes;
-using program::Vg_groups;
 
 constexpr double window[4] = {1.5, 2.5, 1, 2}; // x and z
 
@@ -65,19 +64,18 @@ Shapes detect(const Point_set& points)
 
 // --- Vertex groups
 
-Vg_file write_and_read_vg(const Point_set& points, const Shapes& shapes, Vg_groups kind)
+Vg_file write_and_read_vg(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_vg(out, points, shapes, kind);
+  program::write_vg(out, points, shapes);
   return read_vg(out.str());
 }
 
-void check_vg(std::size_t skipped, Vg_groups kind)
+void check_vg(std::size_t skipped, bool by_plane)
 {
   const Point_set points = make_scene(skipped);
-  const Shapes shapes = detect(points);
-  const Vg_file file = write_and_read_vg(points, shapes, kind);
-  const bool by_plane = kind == Vg_groups::of_planes;
+  const Shapes shapes = by_plane ? program::joined_shapes(points, detect(points)) : detect(points);
+  const Vg_file file = write_and_read_vg(points, shapes);
   CHECK(file.points.size() == points.size() - skipped);
   CHECK(file.colors.empty() && file.normals.size() == file.points.size());
   CHECK(file.groups.size() == (by_plane ? 2 : 3));
@@ -94,8 +92,7 @@ void check_vg(std::size_t skipped, Vg_groups kind)
     const auto& n = file.normals[i];
     CHECK_AT(std::fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1) < 4e-4, std::to_string(i));
     const int s = shapes.shape_index(i + skipped);
-    const int group = s < 0 ? -1 : int(by_plane ? shapes.coplanar_group(std::size_t(s)) : std::size_t(s));
-    CHECK_AT(group_of[i] == group, std::to_string(i));
+    CHECK_AT(group_of[i] == s, std::to_string(i));
     if(s >= 0) {
       const Kernel::Plane_3 plane = shapes.oriented_plane(std::size_t(s));
       const double* c = file.groups[std::size_t(group)].plane;
@@ -242,9 +239,9 @@ int main()
 {
   for(int run = 0; run < 300; ++run)
     check_lattice(run);
-  for(Vg_groups kind : {Vg_groups::of_shapes, Vg_groups::of_planes}) {
-    check_vg(0, kind);
-    check_vg(1, kind);
+  for(bool by_plane : {false, true}) {
+    check_vg(0, by_plane);
+    check_vg(1, by_plane);
   }
   const Point_set points = make_scene();
   const Shapes shapes = detect(points);

@@ -76,7 +76,7 @@ void check_units()
       CHECK_AT(written[s].area == std::ldexp(expected[s].area, 2 * exponent), c.name);
     }
     check_view(c, written);
-    check_vg(c, Vg_groups::of_shapes);
+    check_vg(c);
   }
 }
 

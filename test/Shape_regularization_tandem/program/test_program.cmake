@@ -71,7 +71,7 @@ endif()
 # For other programs: vertex groups and areas.
 expect(0 "shapes +3 in" cube.ply ${epsilon} --vg out.vg --vg-by-plane --polygons out.obj --planes out.planes)
 file(STRINGS "${WORK_DIR}/out.vg" keys REGEX "^[a-z_]+: *")
-if(NOT "${keys}" MATCHES "^num_points: ${n};num_colors: 0;num_normals: ${n};num_groups: 3;group_type: 0;num_group_parameters: 4;group_parameters: [^;]*;group_label: plane_0;group_color: [^;]*;group_num_points: [0-9]+;num_children: 0;.*plane_2.*num_children: 0$")
+if(NOT "${keys}" MATCHES "^num_points: ${n};num_colors: 0;num_normals: ${n};num_groups: 3;group_type: 0;num_group_parameters: 4;group_parameters: [^;]*;group_label: shape_0;group_color: [^;]*;group_num_points: [0-9]+;num_children: 0;.*shape_2.*num_children: 0$")
   complain("keys of the vertex groups: ${keys}")
 endif()
 file(STRINGS "${WORK_DIR}/out.planes" planes)

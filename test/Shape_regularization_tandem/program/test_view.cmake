@@ -72,7 +72,7 @@ foreach(i RANGE 2) # squares of 0.161, or a spacing wider where the planes of ot
   if(NOT "${area}" MATCHES "^0\\.02[5678]")
     complain("the area of shape ${i} is ${area}")
   endif()
-  foreach(column IN ITEMS turned_degrees shifted mean_distance) # the faces are planar
+  foreach(column IN ITEMS turned_deg shifted mean_distance) # the faces are planar
     string(JSON value GET "${scene}" shapes ${column} ${i})
     if(NOT "${value}" MATCHES "^0(\\.0)?$|e-(0[6-9]|[1-9][0-9])$")
       complain("${column} of shape ${i} is ${value}")

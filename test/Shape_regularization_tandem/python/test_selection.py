@@ -40,7 +40,7 @@ class Selection(unittest.TestCase):
         self.assertEqual(len(shapes), 6)
 
     def test_criteria(self):
-        shapes, (points, _) = shapes_of_room(), room()
+        shapes = shapes_of_room()
         upright = np.abs(shapes.planes[:, 2])
         sizes = [len(shapes.points_of(s)) for s in range(6)]
         self.check(tandem.select_shapes(shapes, near_direction=(0, 0, 2)), shapes_with(lambda s: upright[s] > .9))
@@ -51,11 +51,11 @@ class Selection(unittest.TestCase):
                    shapes_with(lambda s: abs(shapes.planes[s, 0]) > .9))
         self.check(tandem.select_shapes(shapes, largest=2), sorted(sorted(range(6), key=lambda s: -sizes[s])[:2]))
         # Faces are 4 by 3, 4 by 2.5 and 3 by 2.5 meters.
-        self.check(tandem.select_shapes(shapes, points=points, minimum_area=11), shapes_with(lambda s: upright[s] > .9))
-        self.check(tandem.select_shapes(shapes, points=points, minimum_extent=3.5),
+        self.check(tandem.select_shapes(shapes, minimum_area=11), shapes_with(lambda s: upright[s] > .9))
+        self.check(tandem.select_shapes(shapes, minimum_extent=3.5),
                    shapes_with(lambda s: abs(shapes.planes[s, 0]) < .1))
         self.check(tandem.select_shapes(shapes), list(range(6)))
-        self.check(tandem.select_shapes(shapes, points=points, minimum_area=99), [])
+        self.check(tandem.select_shapes(shapes, minimum_area=99), [])
 
     def test_selection_of_a_selection(self):
         shapes = shapes_of_room()
@@ -63,15 +63,13 @@ class Selection(unittest.TestCase):
         self.check(part, [1, 5])
 
     def test_errors(self):
-        shapes, (points, _) = shapes_of_room(), room()
+        shapes = shapes_of_room()
         for wrong, word in (([6], "no shape 6"), ([-1], "no shape -1"), ([1, 1], "twice"), ([True] * 5, "truth value"),
                             ([[1]], "list"), ([.5], "integers"), (2, "list")):
             with self.assertRaisesRegex(ValueError, word):
                 tandem.select_shapes(shapes, wrong)
         for arguments, word in (({"largest": 0}, "largest"), ({"largest": -1}, "largest"), ({"near_angle": 91}, "near_angle"),
-                                ({"minimum_area": 1}, "need points"), ({"minimum_extent": 1}, "need points"),
-                                ({"minimum_area": -1, "points": points}, "minimum_area"),
-                                ({"minimum_area": 1, "points": points[1:]}, "points has 9149"),
+                                ({"minimum_area": -1}, "minimum_area"), ({"minimum_extent": np.nan}, "minimum_extent"),
                                 ({"near_direction": (0, 0, 0)}, "near_direction"),
                                 ({"orthogonal_direction": (0, 1)}, "orthogonal_direction"),
                                 ({"indices": [0], "largest": 1}, "together")):
@@ -87,7 +85,7 @@ class Labels(unittest.TestCase):
     def test_thinned_cloud(self):
         points, normals = room()
         part = tandem.detect_planes(points[::5], normals[::5], maximum_distance=MAXIMUM_DISTANCE)
-        labels = tandem.label_points(part, points, normals, shape_points=points[::5])
+        labels = tandem.label_points(part, points, normals)
         self.assertEqual((labels.dtype, labels.shape), (np.int32, (len(points),)))
         self.assertTrue((labels[::5][part.labels >= 0] >= 0).all())
         has_shape = labels >= 0
@@ -101,10 +99,11 @@ class Labels(unittest.TestCase):
         shapes = shapes_of_room()
         distances = np.abs(points @ shapes.planes[:, :3].T + shapes.planes[:, 3])
         expected = np.where(distances.min(axis=1) <= .01, distances.argmin(axis=1), -1)
-        self.assertEqual(tandem.label_points(shapes, points, maximum_distance=.01).tolist(), expected.tolist())
+        self.assertEqual(tandem.label_points(shapes, points, maximum_distance=.01, reach=np.inf).tolist(), expected.tolist())
         tolerances = np.linspace(0, .02, len(points))
         expected = np.where((distances.min(axis=1) <= tolerances) & (tolerances > 0), distances.argmin(axis=1), -1)
-        self.assertEqual(tandem.label_points(shapes, points, maximum_distance_map=tolerances).tolist(), expected.tolist())
+        self.assertEqual(tandem.label_points(shapes, points, maximum_distance_map=tolerances,
+                                             reach=np.inf).tolist(), expected.tolist())
 
     def test_reach(self):
         points, _ = room()
@@ -112,18 +111,16 @@ class Labels(unittest.TestCase):
         a, b, c, d = shapes.planes[0]
         far = points[shapes.points_of(0)[0]] + 100 * np.cross((a, b, c), (b, c, a))
         far -= (far @ (a, b, c) + d) * np.array((a, b, c))
-        self.assertEqual(tandem.label_points(shapes, [far, (np.nan, 0, 0)]).tolist(), [0, -1])
-        self.assertEqual(tandem.label_points(shapes, [far], shape_points=points).tolist(), [-1])
-        self.assertEqual(tandem.label_points(shapes, [far], shape_points=points, reach=1e4).tolist(), [0])
+        self.assertEqual(tandem.label_points(shapes, [far, (np.nan, 0, 0)], reach=np.inf).tolist(), [0, -1])
+        self.assertEqual(tandem.label_points(shapes, [far]).tolist(), [-1])
+        self.assertEqual(tandem.label_points(shapes, [far], reach=1e4).tolist(), [0])
         self.assertEqual(tandem.label_points(shapes, np.empty((0, 3))).tolist(), [])
 
     def test_errors(self):
         points, _ = room()
         shapes = shapes_of_room()
         for arguments, word in (({"maximum_distance": 0}, "maximum_distance"), ({"maximum_angle": 90}, "maximum_angle"),
-                                ({"reach": 1}, "reach needs shape_points"), ({"normals": points[1:]}, "normals"),
-                                ({"reach": 0, "shape_points": points}, "reach"),
-                                ({"shape_points": points[1:]}, "shape_points has 9149 rows"),
+                                ({"normals": points[1:]}, "normals"), ({"reach": 0}, "reach"), ({"reach": np.nan}, "reach"),
                                 ({"maximum_distance_map": [1]}, "maximum_distance_map")):
             with self.assertRaisesRegex(ValueError, word):
                 tandem.label_points(shapes, points, **arguments)

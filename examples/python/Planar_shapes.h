@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the shapes of the Python module are: a result of the library.
+// What tandem_python::Shapes share.
 
-#ifndef TANDEM_PYTHON_SHAPES_DATA_H
-#define TANDEM_PYTHON_SHAPES_DATA_H
+#ifndef TANDEM_PYTHON_PLANAR_SHAPES_H
+#define TANDEM_PYTHON_PLANAR_SHAPES_H
 
 #include "detection.h"
 #include "maps.h"
@@ -29,4 +29,4 @@ inline Shapes share(Planar_shapes shapes)
 
 } // namespace tandem_python
 
-#endif // TANDEM_PYTHON_SHAPES_DATA_H
+#endif // TANDEM_PYTHON_PLANAR_SHAPES_H
