@@ -136,7 +136,6 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   const Thread_limit limit(o.threads ? int(*o.threads) : ranks.threads());
   Run run;
   run.ranks = ranks.size();
-  run.planes_from = o.planes_from;
   Input_cloud cloud;
   const std::vector<int> rank_of_input = rank_of_inputs(o, ranks);
   read_inputs(o, rank_of_input, ranks, cloud, run);

@@ -24,10 +24,12 @@ namespace py = pybind11;
 
 using Rows = py::array_t<double, py::array::c_style>;
 
-// What the shapes were detected with beside the points: arrays that nobody else has.
+// What the shapes were detected with. Normals and tolerances are arrays that nobody else has, the points may be those of
+// the caller.
 struct Given {
   std::optional<Rows> normals, tolerances;
-  std::size_t zeros = 0; // points at 0 0 0, which had no coordinates
+  std::size_t zeros = 0;                     // points at 0 0 0, which had no coordinates
+  std::optional<Rows> points = std::nullopt; // of a result
 };
 
 class Result {
@@ -267,7 +269,7 @@ void refuse_new(Type& type)
   };
 }
 
-inline void add_result(py::module_& module)
+inline Class add_result(py::module_& module)
 {
   Class result(module, "PlanarShapes", py::module_local(),
                "The planar shapes that detect_planes() has found in a cloud of n points: m shapes, counted from 0.\n\n"
@@ -277,6 +279,7 @@ inline void add_result(py::module_& module)
   refuse_new(result);
   add_arrays(result);
   add_values(result);
+  return result;
 }
 
 } // namespace tandem_python

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "detection.h"
-#include "maps.h"
+#include "Planar_shapes.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
@@ -21,12 +20,6 @@ namespace tandem_python {
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Callback;
 using CGAL::Tandem::Parameters;
-using Planar_shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
-
-struct Shapes::Data {
-  Planar_shapes shapes;
-};
-
 template <class Range>
 auto table_of(const Range& range)
 {
@@ -154,8 +147,6 @@ Planar_shapes detect_on_backend(const Cloud& cloud, const Settings& s, const Cal
 #endif
   return detect_with<CGAL::Sequential_tag>(cloud, s, callback);
 }
-
-Shapes share(Planar_shapes shapes) { return Shapes(std::make_shared<Shapes::Data>(Shapes::Data{std::move(shapes)})); }
 
 } // namespace
 

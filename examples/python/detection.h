@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/Parameters.h>
 #include <CGAL/Tandem/Plane_relations.h>
 #include <CGAL/Tandem/Plane_uncertainty.h>
+#include <CGAL/Tandem/Shape_facts.h>
 #include <CGAL/Tandem/Statistics.h>
 
 #include <array>
@@ -87,6 +88,9 @@ std::vector<double> estimate_local_distances(const Cloud& cloud);
 // Changes the planes. There is a label for each point of the cloud, whose normals are not used.
 CGAL::Tandem::Plane_relations regularize_planes(const Cloud& cloud, const std::int32_t* labels,
                                                 const Settings& settings, std::vector<Coefficients>& planes);
+
+// Of each shape, from the points that it was detected in. Throws std::invalid_argument where these have changed.
+std::vector<CGAL::Tandem::Shape_facts> shape_facts(const Cloud& cloud, const Shapes& shapes);
 
 // Empty if the shapes have all that is guaranteed.
 std::string find_violation(const Cloud& cloud, const Shapes& shapes);

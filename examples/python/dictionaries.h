@@ -47,7 +47,7 @@ inline py::dict free_points(const CGAL::Tandem::Free_points& f)
   using namespace py::literals;
   return py::dict("without_normal"_a = f.without_normal, "misfit"_a = f.misfit,
                   "without_neighbors"_a = f.without_neighbors, "in_small_regions"_a = f.in_small_regions,
-                  "clutter"_a = f.clutter, "total"_a = f.total());
+                  "clutter"_a = f.clutter, "unselected"_a = f.unselected, "total"_a = f.total());
 }
 
 } // namespace tandem_python

@@ -4,9 +4,12 @@
 // The extension module tandem._tandem. The package, tandem/__init__.py, checks and converts the arguments: arrays that
 // come here are contiguous and of the right type.
 
-#include "Result.h"
+#include "selection.h"
+#include "table.h"
 
 #include <pybind11/stl.h>
+
+#include <cmath>
 
 namespace tandem_python {
 
@@ -48,7 +51,9 @@ Result detect(const Rows& points, const Given& given, const Settings& settings, 
   const Cloud cloud = cloud_of(points, given);
   const auto callback = [&progress](double share) { return report_progress(progress, share); };
   const Shapes shapes = without_gil([&] { return detect_planes(cloud, settings, callback); });
-  return Result(shapes, given);
+  Given all = given;
+  all.points = points;
+  return Result(shapes, all);
 }
 
 py::tuple estimate(const Rows& points, const std::optional<Rows>& normals)
@@ -101,12 +106,54 @@ std::string violation(const Rows& points, const Result& result)
   return without_gil([&] { return find_violation(cloud, result.shapes()); });
 }
 
+Result select(const Result& result, const std::vector<long long>& indices)
+{
+  return Result(without_gil([&] { return select_shapes(result.shapes(), indices); }), result.given());
+}
+
+Result select_by(const Result& result, const Selection& selection)
+{
+  const Cloud cloud = cloud_of(*result.given().points, {});
+  return Result(without_gil([&] { return select_shapes(result.shapes(), cloud, selection); }), result.given());
+}
+
+py::array_t<std::int32_t> label(const Result& result, const Rows& points, const Given& given, Labeling labeling)
+{
+  const Cloud cloud = cloud_of(points, given);
+  if(!labeling.reach || std::isfinite(*labeling.reach) || std::isnan(*labeling.reach))
+    labeling.shape_points = cloud_of(*result.given().points, {});
+  return array_of<std::int32_t>(without_gil([&] { return label_points(result.shapes(), cloud, labeling); }));
+}
+
+// The arguments of functions that have many, as settings.
+void add_selection(py::module_& module)
+{
+  py::class_<Selection> selection(module, "Selection", py::module_local());
+  refuse_new(selection);
+  module.def("default_selection", [] { return Selection(); });
+  selection.def_readwrite("largest", &Selection::largest)
+    .def_readwrite("minimum_area", &Selection::minimum_area)
+    .def_readwrite("minimum_extent", &Selection::minimum_extent)
+    .def_readwrite("near_angle", &Selection::near_angle)
+    .def_readwrite("near_direction", &Selection::near_direction)
+    .def_readwrite("orthogonal_direction", &Selection::orthogonal_direction);
+  py::class_<Labeling> labeling(module, "Labeling", py::module_local());
+  refuse_new(labeling);
+  module.def("default_labeling", [] { return Labeling(); });
+  labeling.def_readwrite("maximum_distance", &Labeling::maximum_distance)
+    .def_readwrite("maximum_angle", &Labeling::maximum_angle)
+    .def_readwrite("reach", &Labeling::reach);
+  module.def("select_shapes", &select);
+  module.def("select_shapes_by", &select_by);
+  module.def("label_points", &label);
+}
+
 void add_settings(py::module_& module)
 {
   py::class_<Given> given(module, "Given", py::module_local());
   refuse_new(given);
   module.def("given", [](const std::optional<Rows>& normals, const std::optional<Rows>& tolerances, std::size_t zeros) {
-    return Given{normals, tolerances, zeros};
+    return Given{normals, tolerances, zeros, std::nullopt};
   });
   py::class_<Settings> settings(module, "Settings", py::module_local());
   refuse_new(settings);
@@ -138,7 +185,9 @@ PYBIND11_MODULE(_tandem, module)
   module.doc() = "The compiled part of tandem.";
   module.attr("__version__") = TANDEM_VERSION;
   add_settings(module);
-  add_result(module);
+  Class result = add_result(module);
+  add_table(result);
+  add_selection(module);
   module.def("detect_planes", &detect);
   module.def("estimate_parameters", &estimate);
   module.def("estimate_local_distances", &estimate_local);

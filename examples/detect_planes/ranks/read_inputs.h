@@ -94,6 +94,7 @@ inline void read_inputs(const Options& o, const std::vector<int>& rank_of_input,
   run.read_seconds = ranks.largest(timer.time());
   run.input = joined(o.inputs, o.inputs.size());
   run.short_input = joined(o.inputs, 8);
+  run.planes_from = o.planes_from;
   collect_notes(o, cloud, ranks, run);
   const bool is_any = ranks.largest(double(cloud.points.size())) > 0;
   ranks.together([&] {

@@ -21,10 +21,12 @@ import numpy.typing as npt
 
 from . import _tandem
 from ._arguments import _count, _labels, _normals, _number, _points, _rows, _switch, _tolerances
+from ._selection import _check_result, label_points, select_shapes
 from ._tandem import PlanarShapes, __version__
 
 __all__ = ["EstimatedParameters", "PlanarShapes", "PlaneRelations", "__version__", "backends", "detect_planes",
-           "estimate_local_distances", "estimate_parameters", "find_violation", "regularize_planes"]
+           "estimate_local_distances", "estimate_parameters", "find_violation", "label_points", "regularize_planes",
+           "select_shapes"]
 
 Progress = Callable[[float], Optional[bool]]
 
@@ -234,8 +236,7 @@ def find_violation(points: npt.ArrayLike, shapes: PlanarShapes) -> Optional[str]
     Returns None if the shapes have all that is guaranteed, otherwise the first violation. Raises ValueError as
     detect_planes().
     """
-    if not isinstance(shapes, PlanarShapes):
-        raise TypeError(f"shapes must be a result of detect_planes(), not {type(shapes).__name__}")
+    _check_result(shapes)
     rows, _ = _points(points, shapes.statistics["number_of_ignored_zeros"] > 0)
     if len(rows) != len(shapes.labels):
         raise ValueError(f"points has {len(rows)} rows, but shapes were detected in {len(shapes.labels)} points")

@@ -152,7 +152,7 @@ Planar_shapes_3<GeomTraits> select_shapes(const Planar_shapes_3<GeomTraits>& sha
 
 \brief a result with the shapes of another one that fit all of the criteria given, in their order.
 
-\copydetails CGAL::Tandem::select_shapes(const Planar_shapes_3<GeomTraits>&, const IndexRange&)
+The result is that of the function with their indices.
 
 \param shapes the result of a detection
 \param points the range of points that it is of. Only `minimum_area` and `minimum_extent` read it.

@@ -15,8 +15,7 @@ namespace Tandem {
 
 \brief What is known of a shape beside its plane, as a row of a table. `shape_facts()` makes it.
 
-Lengths are in the units of the points, areas in their squares, angles in degrees. All numbers are finite,
-and 0 for a shape without points.
+Lengths are in the units of the points, areas in their squares, angles in degrees. All of a shape without points is 0.
 */
 struct Shape_facts {
   /// the number of points

@@ -41,6 +41,7 @@ async function testFiles(b) {
   b.equal(table.name, "room.csv", "the name of the table");
   b.equal(lines.length, 1 + 6, "its lines: a shape is hidden");
   b.equal(new Set(lines.map(line => line.split(",").length)).size, 1, "the numbers of its columns");
+  b.equal(lines[0].split(",").slice(-2), ["parallel_group", "coplanar_group"], "the last names of its columns");
   const row = lines.find(line => line.split(",")[1] === "9600"); // the floor
   b.expect(Math.abs(Number(row.split(",")[8])) < 0.01 && Math.abs(Number(row.split(",")[9]) - 24) < 0.5,
            "the row of the floor: " + row);

@@ -38,7 +38,7 @@ assert len(tandem.detect_planes([[x, y, 0] for x in range(20) for y in range(20)
 "$python" -m pip wheel --no-index --no-build-isolation --no-deps --wheel-dir "$folder/wheels" "$folder/sources" \
   > "$folder/log" 2>&1 || fail "pip wheel fails"
 "$python" -m zipfile --list "$folder"/wheels/tandem-*linux*.whl > "$folder/log" || fail "there is no wheel"
-for file in __init__.py _arguments.py _tandem.pyi py.typed '_tandem\..*so'; do
+for file in __init__.py _arguments.py _selection.py _tandem.pyi py.typed '_tandem\..*so'; do
   grep -q "^tandem/$file " "$folder/log" || fail "the wheel has no $file"
 done
 

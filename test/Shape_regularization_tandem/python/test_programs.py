@@ -77,12 +77,16 @@ class Programs(unittest.TestCase):
             file.write("\n".join(header).encode() + rows.astype("<f8").tobytes())
         subprocess.run([PROGRAM, self.path("room.ply"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
                         "--labels", self.path("labels"), "--planes", self.path("planes"),
-                        "--report", self.path("report")], check=True)
+                        "--report", self.path("report"), "--shapes", self.path("shapes.csv")], check=True)
         shapes = shapes_of_room()
         np.testing.assert_array_equal(np.fromfile(self.path("labels"), "<i4"), shapes.labels)
         np.testing.assert_array_equal(np.loadtxt(self.path("planes")), shapes.planes)
         with open(self.path("report")) as file:
             self.assertEqual(json.load(file)["hash"], f"{shapes.hash:016x}")
+        written, table = np.genfromtxt(self.path("shapes.csv"), delimiter=",", names=True), shapes.table()
+        self.assertEqual(written.dtype.names, tuple(table))
+        for name, column in table.items():
+            np.testing.assert_allclose(written[name], column, rtol=1e-12, atol=1e-12, err_msg=name)
 
 
 if __name__ == "__main__":

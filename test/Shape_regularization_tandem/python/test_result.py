@@ -64,7 +64,8 @@ class Guarantees(unittest.TestCase):
         reasons = dict(shapes.statistics["free_points"])
         total = reasons.pop("total")
         self.assertEqual((total, sum(reasons.values())), (np.count_nonzero(shapes.labels == -1),) * 2)
-        self.assertEqual(list(reasons), ["without_normal", "misfit", "without_neighbors", "in_small_regions", "clutter"])
+        self.assertEqual(list(reasons), ["without_normal", "misfit", "without_neighbors", "in_small_regions", "clutter",
+                                         "unselected"])
 
     def test_a_note_on_a_cosine(self):
         points, normals = room()

@@ -1,0 +1,126 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can be done with a result of detect_planes(): a part of its shapes, and further points on its planes."""
+
+from __future__ import annotations
+
+from typing import List, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _tandem
+from ._arguments import _count, _normals, _number, _numbers, _rows, _tolerances
+from ._tandem import PlanarShapes
+
+
+def select_shapes(
+    shapes: PlanarShapes,
+    indices: Optional[npt.ArrayLike] = None,
+    *,
+    largest: Optional[int] = None,
+    minimum_area: Optional[float] = None,
+    minimum_extent: Optional[float] = None,
+    near_direction: Optional[npt.ArrayLike] = None,
+    orthogonal_direction: Optional[npt.ArrayLike] = None,
+    near_angle: Optional[float] = None,
+) -> PlanarShapes:
+    """Returns a result with some of the shapes: those of the indices, in their order, or those that fit all criteria.
+
+    Points of other shapes get the label -1, and count as "unselected" in statistics["free_points"]. Planes and relations
+    stay as they are; groups are numbered again, and shapes and points are counted again, so find_violation() finds none.
+    The score, the mean distance and the times of the statistics remain those of the detection. Areas and extents are
+    measured at the array of points that the shapes were detected in, which may not have changed since.
+
+    Arguments
+        shapes                a result of detect_planes(), which does not change
+        indices               integers, or a mask with a truth value for each shape; not together with criteria
+        largest               how many shapes with most points, of those that fit the other criteria
+        minimum_area          least area that the points of a shape cover
+        minimum_extent        least length of a shape: of the longer side of the smallest rectangle that holds its points
+        near_direction        three numbers: normals are within near_angle of it, of either sign. With the vertical, level
+                              shapes are selected
+        orthogonal_direction  three numbers: normals are within near_angle of a right angle to it. With the vertical, walls
+                              are selected
+        near_angle            in degrees, in [0, 90]; None: 10
+
+    Raises ValueError and TypeError as detect_planes(): also where an index is not that of a shape, or is there twice.
+    """
+    _check_result(shapes)
+    criteria = (largest, minimum_area, minimum_extent, near_direction, orthogonal_direction, near_angle)
+    if indices is not None:
+        if any(criterion is not None for criterion in criteria):
+            raise ValueError("indices are not together with criteria: select twice")
+        return _tandem.select_shapes(shapes, _indices(indices, len(shapes)))
+    selection = _tandem.default_selection()
+    selection.largest = _count("largest", largest)
+    selection.minimum_area = _number("minimum_area", minimum_area)
+    selection.minimum_extent = _number("minimum_extent", minimum_extent)
+    selection.near_angle = _number("near_angle", near_angle)
+    selection.near_direction = _direction("near_direction", near_direction)
+    selection.orthogonal_direction = _direction("orthogonal_direction", orthogonal_direction)
+    return _tandem.select_shapes_by(shapes, selection)
+
+
+def label_points(
+    shapes: PlanarShapes,
+    points: npt.ArrayLike,
+    normals: Optional[npt.ArrayLike] = None,
+    *,
+    maximum_distance: Optional[float] = None,
+    maximum_distance_map: Optional[npt.ArrayLike] = None,
+    maximum_angle: Optional[float] = None,
+    reach: Optional[float] = None,
+) -> npt.NDArray[np.int32]:
+    """Labels further points by the planes of a result: those of a full cloud, where a part of it was detected in.
+
+    A point gets the shape with the nearest plane, of those within maximum_distance and, if normals are given,
+    maximum_angle, that have a point within reach. Points of a shape need not be connected, and may be few. The labels do
+    not depend on the order of the points.
+
+    Arguments
+        shapes                a result of detect_planes()
+        points                (n, 3) numbers
+        normals               (n, 3) numbers, of any length and orientation; None: only distances count
+        maximum_distance, maximum_angle
+                              as those of detect_planes(); None: those that the shapes were detected with
+        maximum_distance_map  as that of detect_planes(), of these points
+        reach                 largest distance between a point and the nearest one that its shape has in the detection;
+                              None: four times the median spacing of the points of the detection. More is needed where
+                              their density varies much. Infinite: planes have no end, and of coplanar shapes the first
+                              has all points
+
+    Returns an array of shape (n,), int32: -1 for points that no shape takes, and for those that are not valid.
+
+    Raises ValueError and TypeError as detect_planes().
+    """
+    _check_result(shapes)
+    rows = _rows("points", points)
+    labeling = _tandem.default_labeling()
+    labeling.maximum_distance = _number("maximum_distance", maximum_distance)
+    labeling.maximum_angle = _number("maximum_angle", maximum_angle)
+    labeling.reach = _number("reach", reach)
+    given = _tandem.given(_normals(normals, rows), _tolerances(maximum_distance_map, len(rows)), 0)
+    return _tandem.label_points(shapes, rows, given, labeling)
+
+
+def _check_result(shapes: PlanarShapes) -> None:
+    if not isinstance(shapes, PlanarShapes):
+        raise TypeError(f"shapes must be a result of detect_planes(), not {type(shapes).__name__}")
+
+
+def _indices(values: npt.ArrayLike, shapes: int) -> List[int]:
+    if np.size(values) == 0:
+        return []
+    array = _numbers("indices", values, "iub", "integers or truth values")
+    if array.ndim != 1 or (array.dtype.kind == "b" and len(array) != shapes):
+        raise ValueError(f"indices must be a list of integers, or a truth value for each of the {shapes} shapes, but its "
+                         f"shape is {array.shape}")
+    return (np.flatnonzero(array) if array.dtype.kind == "b" else array).tolist()
+
+
+def _direction(name: str, value: Optional[npt.ArrayLike]) -> Optional[Tuple[float, float, float]]:
+    if value is None:
+        return None
+    x, y, z = _rows(name, [value])[0].tolist()
+    return x, y, z

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "selection.h"
+#include "Planar_shapes.h"
+
+#include <CGAL/Shape_regularization_tandem/label_points.h>
+#include <CGAL/Shape_regularization_tandem/select_shapes.h>
+
+#include <algorithm>
+
+namespace tandem_python {
+
+Shapes select_shapes(const Shapes& shapes, const std::vector<long long>& indices)
+{
+  return share(CGAL::Tandem::select_shapes(shapes.data().shapes, indices));
+}
+
+// Each direction is a type of named parameters of its own.
+Shapes select_shapes(const Shapes& shapes, const Cloud& points, const Selection& s)
+{
+  const Planar_shapes& all = shapes.data().shapes;
+  const auto select = [&](const auto& list) { return CGAL::Tandem::select_shapes(all, rows_of(points), list); };
+  const auto vector = [](const std::array<double, 3>& d) { return Kernel::Vector_3(d[0], d[1], d[2]); };
+  const auto list = np::point_map(Point_map{points.points})
+                      .largest(s.largest.value_or((std::max)(all.number_of_shapes(), std::size_t(1))))
+                      .minimum_area(s.minimum_area.value_or(0))
+                      .minimum_extent(s.minimum_extent.value_or(0))
+                      .near_angle(s.near_angle.value_or(CGAL::Tandem::internal::default_near_angle));
+  if(s.near_direction && s.orthogonal_direction)
+    return share(
+      select(list.near_direction(vector(*s.near_direction)).orthogonal_direction(vector(*s.orthogonal_direction))));
+  if(s.near_direction)
+    return share(select(list.near_direction(vector(*s.near_direction))));
+  if(s.orthogonal_direction)
+    return share(select(list.orthogonal_direction(vector(*s.orthogonal_direction))));
+  return share(select(list));
+}
+
+namespace {
+
+// The points of two clouds, the second ones behind the first.
+struct Joined_map {
+  using key_type = std::size_t;
+  using value_type = Kernel::Point_3;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  Point_map first, second;
+  std::size_t size; // of the first
+
+  friend value_type get(const Joined_map& map, std::size_t i)
+  {
+    return i < map.size ? get(map.first, i) : get(map.second, i - map.size);
+  }
+};
+
+template <class Maps>
+std::vector<std::int32_t> labels_with(const Shapes& shapes, const Cloud& cloud, const Labeling& l, const Maps& maps)
+{
+  const Planar_shapes& known = shapes.data().shapes;
+  const CGAL::Tandem::Parameters& p = known.parameters();
+  const auto list = maps.maximum_distance(l.maximum_distance.value_or(p.maximum_distance))
+                      .maximum_angle(l.maximum_angle.value_or(p.maximum_angle));
+  if(l.shape_points.points == nullptr)
+    return CGAL::Tandem::label_points(known, rows_of(cloud), list);
+  const auto places = list.shape_points(Rows(Row(cloud.size), Row(cloud.size + l.shape_points.size)));
+  return l.reach ? CGAL::Tandem::label_points(known, rows_of(cloud), places.reach(*l.reach))
+                 : CGAL::Tandem::label_points(known, rows_of(cloud), places);
+}
+
+} // namespace
+
+std::vector<std::int32_t> label_points(const Shapes& shapes, const Cloud& cloud, const Labeling& l)
+{
+  const auto points = np::point_map(Joined_map{Point_map{cloud.points}, Point_map{l.shape_points.points}, cloud.size});
+  const auto with_tolerances = [&](const auto& maps) {
+    return cloud.tolerances != nullptr
+             ? labels_with(shapes, cloud, l, maps.maximum_distance_map(CGAL::make_property_map(cloud.tolerances)))
+             : labels_with(shapes, cloud, l, maps);
+  };
+  return cloud.normals != nullptr ? with_tolerances(points.normal_map(Normal_map{cloud.normals}))
+                                  : with_tolerances(points);
+}
+
+} // namespace tandem_python
