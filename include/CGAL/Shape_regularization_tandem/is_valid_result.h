@@ -32,8 +32,8 @@ A result is refused, whatever it holds, unless a detection in these points can h
 ranges, its relations are exactly those of its planes, and what the statistics count and measure is counted and measured
 again. Of times, rounds, bytes, estimated normals and the name of the back end it is checked that they are possible.
 Other parameters for the same shapes, and whether it was cancelled, cannot be told from the points. Of a result of
-`select_shapes()` with `Free_points::unselected` points, neither can what remains of the detection: the mean distance, the score and the reasons of
-other free points.
+`select_shapes()` with `Free_points::unselected` points, neither can what remains of the detection: the mean distance,
+the score and the reasons of other free points.
 
 Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time
 of a detection. Distances and angles are evaluated in double; beyond its tolerance a point may be only by
@@ -42,7 +42,8 @@ the rounding of that evaluation, 8 units in the last place of its largest term.
 \param points the range that the shapes were detected in
 \param shapes the shapes
 \param np the named parameters of the detection, of which only `point_map`, `normal_map`, `maximum_distance_map`,
-`geom_traits` and `communicator` are read. The maps have to be those of the detection. A result of `Mpi_tag` needs the communicator, and is checked by all of its processes.
+`geom_traits` and `communicator` are read. The maps have to be those of the detection. A result of `Mpi_tag` needs the
+communicator, and is checked by all of its processes.
 \param why if it is not null, gets the first violation that was found: what, and for which point or shape
 */
 template <class PointRange, class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>

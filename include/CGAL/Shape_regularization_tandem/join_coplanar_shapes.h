@@ -38,13 +38,13 @@ inline std::vector<char> majority_of_sides(const Shapes_data& data, std::size_t 
 \brief makes one shape of all shapes of each coplanar group: a result with one shape for each distinct plane.
 
 Shape s of the result is coplanar group s of `shapes`, with all of its points. Such a shape need not be connected, which
-is why `is_valid_result()` refuses the result; all else that `Planar_shapes_3` promises holds. `Planar_shapes_3::is_flipped()`
-is that of the shapes with most of the points; `uncertainty()` is measured again at all points, up to rounding in their order.
-Numbers of shapes and relations are counted again, as the terms of `Statistics::score` are, except its links, which remain
-those of the detection. What else was measured remains right.
+is why `is_valid_result()` refuses the result; all else that `Planar_shapes_3` promises holds.
+`Planar_shapes_3::is_flipped()` is that of the shapes with most of the points; `uncertainty()` is measured again at all
+points, up to rounding in their order. Numbers of shapes and relations are counted again, as the terms of
+`Statistics::score` are, except its links, which remain those of the detection. What else was measured remains right.
 
-It is in the header `CGAL/Shape_regularization_tandem/join_coplanar_shapes.h`, which `CGAL/Shape_regularization_tandem.h`
-does not include.
+It is in the header `CGAL/Shape_regularization_tandem/join_coplanar_shapes.h`, which
+`CGAL/Shape_regularization_tandem.h` does not include.
 
 \param shapes the result of a detection
 \param points the range of points that it is of

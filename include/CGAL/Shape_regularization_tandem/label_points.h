@@ -150,9 +150,9 @@ A point gets the shape whose plane is nearest to it, of those that take it. A sh
   end: all points of the plane of a roof are points of the roof, and coplanar shapes cannot be told from each other.
 
 Of shapes with the same plane, the one with the nearest of `shape_points` takes the point, without these that of the
-lowest index. Each point is judged by itself, so of the promises of `Planar_shapes_3` only the first holds for
-the labels: points are within the tolerances, up to rounding. The points of a shape need not be connected, and may be fewer than
-`minimum_region_size`. A point that the detection has given to a shape may get another one, whose plane is nearer.
+lowest index. Each point is judged by itself, so of the promises of `Planar_shapes_3` only the first holds for the
+labels: points are within the tolerances, up to rounding. The points of a shape need not be connected, and may be fewer
+than `minimum_region_size`. A point that the detection has given to a shape may get another one, whose plane is nearer.
 
 It is in the header `CGAL/Shape_regularization_tandem/label_points.h`, which `CGAL/Shape_regularization_tandem.h` does
 not include. The result is the same for every order of the points and for every tag and number of threads. Time is
@@ -176,8 +176,8 @@ linear in the number of points, times that of planes or, with `shape_points`, ti
     \cgalParamDefault{`maximum_distance` for all}
   \cgalParamNEnd
   \cgalParamNBegin{shape_points}
-    \cgalParamDescription{the range that the shapes were detected in, or `std::cref()` of it, which is not copied. Its points are
-    read through `point_map`, or that of the range.}
+    \cgalParamDescription{the range that the shapes were detected in, or `std::cref()` of it, which is not copied. Its
+    points are read through `point_map`, or that of the range.}
     \cgalParamDefault{planes have no end}
   \cgalParamNEnd
   \cgalParamNBegin{reach}

@@ -114,15 +114,15 @@ inline void keep_largest_shapes(const Shapes_data& data, std::size_t number, std
 
 \brief a result with these shapes of another one only.
 
-Shape i of the result is the shape of the i-th index, so the order is that of the indices. Points of other shapes have no
-shape, and count as `Free_points::unselected`. Planes, and the relations of the shapes that are left, are the same;
-groups are numbered again, and numbers of shapes, relations and points are counted again. So the result is
-valid, as `is_valid_result()` tells it, and all functions of a result take it. What was measured at points or in time remains
-that of the detection: `Statistics::mean_distance`, the other numbers of `Statistics::free_points`, `Statistics::times` and,
+Shape i of the result is the shape of the i-th index, so the order is that of the indices. Points of other shapes have
+no shape, and count as `Free_points::unselected`. Planes, and the relations of the shapes that are left, are the same;
+groups are numbered again, and numbers of shapes, relations and points are counted again. So the result is valid, as
+`is_valid_result()` tells it, and all functions of a result take it. What was measured at points or in time remains that
+of the detection: `Statistics::mean_distance`, the other numbers of `Statistics::free_points`, `Statistics::times` and,
 where shapes are left out, `Statistics::score`.
 
-It is in the header `CGAL/Shape_regularization_tandem/select_shapes.h`, which `CGAL/Shape_regularization_tandem.h` does not
-include. With `Mpi_tag`, each process calls it for its own result, with the same indices.
+It is in the header `CGAL/Shape_regularization_tandem/select_shapes.h`, which `CGAL/Shape_regularization_tandem.h` does
+not include. With `Mpi_tag`, each process calls it for its own result, with the same indices.
 
 \param shapes the result of a detection
 \param indices a range of integers, in any order; an empty one is a result without shapes
@@ -161,8 +161,8 @@ The result is that of the function with their indices.
 \cgalNamedParamsBegin
   \cgalParamNBegin{near_direction, orthogonal_direction}
     \cgalParamDescription{vectors of any length: the normals of the shapes are within `near_angle` of the first one, of
-    either sign, and within `near_angle` of a right angle to the second one. With the vertical, the first selects level planes,
-    the second one walls.}
+    either sign, and within `near_angle` of a right angle to the second one. With the vertical, the first selects level
+    planes, the second one walls.}
     \cgalParamType{`Vector_3` of a kernel}
     \cgalParamDefault{all directions}
   \cgalParamNEnd
@@ -176,8 +176,8 @@ The result is that of the function with their indices.
     \cgalParamDefault{0: all shapes}
   \cgalParamNEnd
   \cgalParamNBegin{largest}
-    \cgalParamDescription{the number of shapes with most points that are selected of those that fit the other criteria; of
-    shapes of one size, those of lower index}
+    \cgalParamDescription{the number of shapes with most points that are selected of those that fit the other criteria;
+    of shapes of one size, those of lower index}
     \cgalParamDefault{all}
   \cgalParamNEnd
   \cgalParamNBegin{point_map}
@@ -186,8 +186,8 @@ The result is that of the function with their indices.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throw std::invalid_argument names the parameter that is outside of its range, its value and the range; or the points are not
-those of the detection, where they are read
+\throw std::invalid_argument names the parameter that is outside of its range, its value and the range; or the points
+are not those of the detection, where they are read
 \throw std::logic_error a part of the points is in other processes (`Mpi_tag`), where they are read. The other criteria
 select the same shapes in all processes.
 */

@@ -111,15 +111,15 @@ void measure_labels(const Import& in, const Positions& position, Shapes_data& da
 
 \brief a result of known planes: each of them is a shape, with the points that `label_points()` gives to it.
 
-Shape s is plane s, also where it has no points. Planes do not change, except that normals become unit, and that a plane whose normal
-is exactly the opposite of that of a plane before is turned. Planes of exactly the same normal are parallel, exactly the same planes
-are coplanar, and orthogonal groups, `fixed_directions` and the symmetry are found as for a detection; none is made.
-Coplanar shapes cannot be told from each other: the first has all points.
+Shape s is plane s, also where it has no points. Planes do not change, except that normals become unit, and that a plane
+whose normal is exactly the opposite of that of a plane before is turned. Planes of exactly the same normal are
+parallel, exactly the same planes are coplanar, and orthogonal groups, `fixed_directions` and the symmetry are found as
+for a detection; none is made. Coplanar shapes cannot be told from each other: the first has all points.
 
-Of the promises of `Planar_shapes_3`, those on relations hold, and points are within the tolerances. Shapes need not be connected, and may have
-less than `minimum_region_size` points, or none, so `is_valid_result()` refuses the result. Normals are not
-estimated: without a normal map only distances count, and `Planar_shapes_3::estimated_normal()` is null. In the
-statistics, points without a shape count as `Free_points::clutter`, and the score is 0.
+Of the promises of `Planar_shapes_3`, those on relations hold, and points are within the tolerances. Shapes need not be
+connected, and may have less than `minimum_region_size` points, or none, so `is_valid_result()` refuses the result.
+Normals are not estimated: without a normal map only distances count, and `Planar_shapes_3::estimated_normal()` is null.
+In the statistics, points without a shape count as `Free_points::clutter`, and the score is 0.
 
 It is in the header `CGAL/Shape_regularization_tandem/shapes_of_planes.h`, which `CGAL/Shape_regularization_tandem.h`
 does not include.
@@ -131,8 +131,8 @@ does not include.
 
 \return the shapes as a `Planar_shapes_3` of the kernel of the points
 
-\throw std::invalid_argument a plane has no finite normal that is not null; or names the parameter that is outside of its
-range, its value and the range
+\throw std::invalid_argument a plane has no finite normal that is not null; or names the parameter that is outside of
+its range, its value and the range
 \throw std::length_error more than 2^31 points
 \throw std::range_error as `detect_planes()`
 */

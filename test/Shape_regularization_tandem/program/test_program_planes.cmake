@@ -32,6 +32,11 @@ endforeach()
 expect_shell(0 "^$" "cmp l_long.txt.bin l_table.csv.bin")
 expect_shell(0 "^0 0 1 0\n0 1 0 0\n$" "cat p.txt")
 
+# The table of --shapes has such columns.
+expect(0 "shapes +2 in" part.xyz ${epsilon} --shapes shapes.csv)
+expect(0 "coverage 66.67 %" cube.ply ${epsilon} --planes-from shapes.csv --planes p.txt)
+expect_shell(0 "^$" "cmp part.txt p.txt")
+
 # --- Planes without points are in the files, with their numbers
 file(WRITE "${WORK_DIR}/more.txt" "0 0 1 -7\n0 0 1 0\n0 0 1 0\n0 0 -1 0\n0 1 0 0\n")
 expect(0 "known +planes of more.txt, not detected.*shapes +5 in 3 planes of 2 directions" cube.ply ${epsilon}
@@ -45,7 +50,9 @@ string(REGEX REPLACE "[ \n]" "" groups "${groups}")
 expect_equal("coplanar groups" "${groups}" "[[0],[1,2,3],[4]]")
 string(JSON name GET "${report}" planes_from)
 expect_equal("planes_from" "${name}" "more.txt")
-expect(0 "shapes +5" cube.ply ${epsilon} --planes-from more.txt --view v.html)
+expect(0 "shapes +5" cube.ply ${epsilon} --planes-from more.txt --view v.html --shapes s.csv)
+expect_shell(0 "^6$" "wc -l < s.csv")
+expect(0 "shapes +3 in 3 planes" cube.ply ${epsilon} --planes-from more.txt --by-plane --planes p.txt)
 expect(0 "selection +1 of 5 shapes" cube.ply ${epsilon} --planes-from more.txt --largest 1)
 
 # --- Wrong files

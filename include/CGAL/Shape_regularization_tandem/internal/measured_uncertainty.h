@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// position(i) of the i of `members`, of which there is one. Sums are in steps of the grid of the detection, from the first
-// point: their squares then neither overflow nor vanish.
+// position(i) of the i of `members`, of which there is one. Sums are in steps of the grid of the detection, from the
+// first point: their squares then neither overflow nor vanish.
 template <class Members, class Position>
 Plane_uncertainty measured_uncertainty(const Members& members, const Position& position, const Coefficients& plane,
                                        const Parameters& parameters, double step)

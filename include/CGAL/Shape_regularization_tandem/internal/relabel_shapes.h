@@ -33,8 +33,9 @@ inline std::vector<int> without_gaps(const std::vector<int>& group)
   return result;
 }
 
-// What follows from sizes and relations. What was measured at points stays that of the detection: the mean distance, the
-// reasons of its free points, and the score. Where no points were left out, only the fit and the links of the score were.
+// What follows from sizes and relations. What was measured at points stays that of the detection: the mean distance,
+// the reasons of its free points, and the score. Where no points were left out, only the fit and the links of the score
+// were.
 inline void count_shapes_again(const Statistics& before, Shapes_data& data)
 {
   Statistics& t = data.statistics;

@@ -130,8 +130,8 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
   });
 }
 
-// The links, and the reasons of points without a shape, are counted again in the neighbor graph, unless shapes were left
-// out. A detection that was cancelled before it had shapes may have had no graph, and no reasons.
+// The links, and the reasons of points without a shape, are counted again in the neighbor graph, unless shapes were
+// left out. A detection that was cancelled before it had shapes may have had no graph, and no reasons.
 inline std::string graph_violation(const Shapes_data& data, const Graph_counts& counts)
 {
   const Score score(data.parameters);
