@@ -101,7 +101,7 @@ private:
       write_vg(out, r.cloud.points, r.o.has_group_for_each_plane ? joined_shapes(r.cloud.points, r.shapes) : r.shapes);
     });
     open(o.polygons, [](std::ostream& out, const Results& r) {
-      write_polygons(out, r.areas, r.shapes,
+      write_polygons(out, r.cloud.points, r.areas, r.shapes,
                      {lower_case_extension(r.o.polygons),
                       r.o.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons, r.o.crs});
     });

@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/writers.h"
+#include "output/shape_table.h"
 #include "output/write_results.h"
+#include "output/writers.h"
 
 #include <algorithm>
 #include <iomanip>
 #include <limits>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -152,19 +154,19 @@ void write_coordinates(std::ostream& out, const Shape_areas& areas, const Shapes
       write_polygon(polygon.outer, polygon.holes);
 }
 
-void write_geojson(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Polygon_format& format)
+// The properties of a shape are its row of the table of shapes, with the plane as one list.
+void write_geojson(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Json& table,
+                   const Polygon_format& format)
 {
   out << R"({"type": "FeatureCollection", )";
   if(!format.crs.empty())
     out << R"("crs": {"type": "name", "properties": {"name": )" << ascii(Json(utf8(format.crs))) << "}}, ";
   out << R"("features": [)";
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
-    const Json properties = {{"shape", s},
-                             {"plane", shapes.coefficients(s)},
-                             {"parallel_group", shapes.parallel_group(s)},
-                             {"coplanar_group", shapes.coplanar_group(s)},
-                             {"points", shapes.points(s).size()},
-                             {"area", areas.area(s)}};
+    Json properties = {{"shape", s}, {"plane", shapes.coefficients(s)}};
+    for(const auto& column : table.items())
+      if(std::string("abcd").find(column.key()) == std::string::npos)
+        properties[column.key()] = column.value()[s];
     out << (s == 0 ? "\n" : ",\n") << R"( {"type": "Feature", "id": )" << s << R"(, "properties": )" << properties
         << R"(, "geometry": {"type": "MultiPolygon", "coordinates": [)";
     write_coordinates(out, areas, shapes, s, format.faces);
@@ -175,7 +177,8 @@ void write_geojson(std::ostream& out, const Shape_areas& areas, const Shapes& sh
 
 } // namespace
 
-void write_polygons(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Polygon_format& format)
+void write_polygons(std::ostream& out, const Point_set& points, const Shape_areas& areas, const Shapes& shapes,
+                    const Polygon_format& format)
 {
   if(format.extension == ".obj")
     write_obj(out, areas, faces_of(areas, shapes, format.faces));
@@ -184,7 +187,7 @@ void write_polygons(std::ostream& out, const Shape_areas& areas, const Shapes& s
   else if(format.extension == ".off")
     write_off(out, areas, faces_of(areas, shapes, format.faces));
   else
-    write_geojson(out, areas, shapes, format);
+    write_geojson(out, areas, shapes, shape_table(points, shapes, areas), format);
 }
 
 } // namespace program

@@ -40,7 +40,8 @@ struct Polygon_format {
 // The polygons of the shapes: binary PLY with the shape of each face, OBJ with a group for each shape, OFF with the color
 // of the shape, or GeoJSON with a feature for each shape. A vertex that several shapes have is in PLY, OBJ and OFF once.
 // Their faces have no holes: polygons with holes are triangles there.
-void write_polygons(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Polygon_format& format);
+void write_polygons(std::ostream& out, const Point_set& points, const Shape_areas& areas, const Shapes& shapes,
+                    const Polygon_format& format);
 
 // The page that shows a result in three dimensions: one file, which a browser opens from the disk. three.js and the page
 // around the data are parts of the program.

@@ -35,7 +35,7 @@ struct Output_case {
 inline std::string text_of_polygons(const Output_case& c, const std::string& path, Faces_of_file faces)
 {
   std::ostringstream out;
-  program::write_polygons(out, program::areas_of_shapes(c.points, c.shapes), c.shapes,
+  program::write_polygons(out, c.points, program::areas_of_shapes(c.points, c.shapes), c.shapes,
                           {program::lower_case_extension(path), faces, ""});
   return out.str();
 }

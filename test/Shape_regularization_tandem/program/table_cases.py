@@ -4,9 +4,11 @@
 
 table_cases.py make                                      x y z nx ny nz, on standard output
 table_cases.py check CLOUD TABLE LABELS PLANES NUMBER    what is wrong with a table of NUMBER shapes
+table_cases.py features TABLE GEOJSON                    the number of features, and those that are no rows of the table
 """
 
 import csv
+import json
 import math
 import struct
 import sys
@@ -94,5 +96,18 @@ def check(cloud, table, labels, planes, number):
     expect("directions", len({row["parallel_group"] for row in rows}), 3)
 
 
+def features(table, geojson):
+    with open(table, encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    with open(geojson, encoding="ascii") as file:
+        properties = [feature["properties"] for feature in json.load(file)["features"]]
+    for row, found in zip(rows, properties):
+        expected = {name: float(number) for name, number in row.items() if name not in "abcd"}
+        expected["plane"] = [float(row[name]) for name in "abcd"]
+        if found != expected:
+            print(f"{found} instead of {expected}")
+    print(len(properties), "rows")
+
+
 if __name__ == "__main__":
-    make() if sys.argv[1] == "make" else check(*sys.argv[2:])
+    {"make": make, "check": check, "features": features}[sys.argv[1]](*sys.argv[2:])

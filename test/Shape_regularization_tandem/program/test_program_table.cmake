@@ -22,6 +22,10 @@ expect_shell(0 "^$" "${run} --shapes alone.CSV && mv alone.CSV alone && ${run} -
 expect_shell(0 "^shape,points,a,[^\n]*,coplanar_group\n$" "\"$P\" faces.xyz --maximum-distance 0.01 --quiet \
   --minimum-region-size 3000 --shapes none.csv 2> warnings; cat none.csv")
 
+
+# The features of GeoJSON have the same rows.
+expect_shell(0 "^4 rows\n$" "${run} --oriented --shapes t.csv --polygons t.geojson && ${cases} features t.csv t.geojson")
+
 # Upward is the symmetry direction: the roof is level then.
 expect_shell(0 "^1\n$" "${run} --symmetry-direction=0.5,0,0.8660254037844386 --shapes up.csv &&
   tail -n +2 up.csv | cut -d, -f 15 | awk '$1 < 0.1' | wc -l")
