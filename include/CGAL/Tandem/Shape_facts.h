@@ -15,7 +15,8 @@ namespace Tandem {
 
 \brief What is known of a shape beside its plane, as a row of a table. `shape_facts()` makes it.
 
-Lengths are in the units of the points, areas in their squares, angles in degrees. All of a shape without points is 0.
+Lengths are in the units of the points, areas in their squares, angles in degrees. Of a shape without points, all but the
+angles of its plane is 0.
 */
 struct Shape_facts {
   /// the number of points

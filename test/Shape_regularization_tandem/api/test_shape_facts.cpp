@@ -210,6 +210,18 @@ void check_few_points()
     check_is_finite(f);
 }
 
+// A known plane that no point is on.
+void check_no_points()
+{
+  const Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1);
+  auto data = shape_of<Epick>(cloud, .01).data();
+  data.shape_of = std::vector<std::int32_t>(cloud.points.size(), -1);
+  data.size = {0};
+  const auto f = CGAL::Tandem::shape_facts(CGAL::Tandem::Planar_shapes_3<Epick>(data), points_of<Epick>(cloud)).at(0);
+  CHECK(f.number_of_points == 0 && f.area == 0 && f.length == 0 && f.rms_distance == 0 && f.centroid == Place());
+  CHECK(std::fabs(f.tilt_deg - 30) < 1e-9 && std::fabs(f.dip_deg - 30) < 1e-9 && std::fabs(f.azimuth_deg - 120) < 1e-9);
+}
+
 // Copies of points change nothing but what counts points.
 void check_copies()
 {
@@ -262,6 +274,7 @@ int main()
   check_upward();
   check_moved();
   check_few_points();
+  check_no_points();
   check_copies();
   check_arguments();
   return report();

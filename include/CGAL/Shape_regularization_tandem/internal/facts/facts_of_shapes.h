@@ -23,10 +23,20 @@ namespace Tandem {
 namespace internal {
 namespace facts {
 
-inline Shape_facts facts_of(const Shape_measures& measures, const outlines::Unit& unit, const Level_frame& level,
-                            const Vector& outward)
+// The normal points to the outward side.
+inline Shape_facts facts_of_plane(const Vector& normal, const Level_frame& level)
 {
   Shape_facts f;
+  const Slope slope = level.slope(normal);
+  f.tilt_deg = slope.tilt;
+  f.dip_deg = slope.dip;
+  f.azimuth_deg = slope.azimuth;
+  return f;
+}
+
+inline void add_facts_of_points(const Shape_measures& measures, const outlines::Unit& unit, const Level_frame& level,
+                                Shape_facts& f)
+{
   const Vector centroid = measures.centroid();
   f.centroid = unit.out(outlines::Position{centroid.x, centroid.y, centroid.z});
   const Rectangle_sides sides = measures.rectangle();
@@ -35,15 +45,10 @@ inline Shape_facts facts_of(const Shape_measures& measures, const outlines::Unit
   const std::array<double, 2> heights = measures.heights(level);
   f.lowest = unit.out(heights[0]);
   f.highest = unit.out(heights[1]);
-  const Slope slope = level.slope(outward);
-  f.tilt_deg = slope.tilt;
-  f.dip_deg = slope.dip;
-  f.azimuth_deg = slope.azimuth;
   f.rms_distance = unit.out(measures.rms_distance());
   f.mean_distance = unit.out(measures.mean_distance());
   f.turned_deg = measures.turned_deg();
   f.shifted = unit.out(measures.shifted());
-  return f;
 }
 
 // What the caller gives, checked: in doubles, whatever the kernel is.
@@ -85,12 +90,12 @@ inline std::vector<Shape_facts> facts_of_all(const Input& input)
   const outlines::Unit unit(input.points, input.shapes);
   std::vector<Shape_facts> facts(input.shapes.number_of_shapes());
   outlines::for_each_in_parallel(facts.size(), [&](std::size_t s) {
-    if(input.shapes.size(s) == 0) // a known plane
-      return;
-    const Shape_measures measures(input.points, input.shapes, unit, s);
-    const Vector normal = measures.normal();
-    facts[s] = facts_of(measures, unit, input.level, input.shapes.is_flipped(s) ? -normal : normal);
+    const Coefficients& c = input.shapes.coefficients(s);
+    const Vector normal = {c[0], c[1], c[2]};
+    facts[s] = facts_of_plane(input.shapes.is_flipped(s) ? -normal : normal, input.level);
     facts[s].number_of_points = input.shapes.size(s);
+    if(input.shapes.size(s) > 0) // not of a known plane
+      add_facts_of_points(Shape_measures(input.points, input.shapes, unit, s), unit, input.level, facts[s]);
   });
   return facts;
 }
