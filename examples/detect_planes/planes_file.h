@@ -7,7 +7,7 @@
 #define DETECT_PLANES_PLANES_FILE_H
 
 #include "Options.h"
-#include "input/table_values.h"
+#include "input/Table_rows.h"
 #include "output/Write_error.h"
 
 #include <CGAL/Tandem/Coefficients.h>
@@ -17,117 +17,128 @@
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace program {
 
-// Lines of a file of planes, each a word of which is an error with its number.
-class Plane_lines {
+// A file or a pipe, which is read once, up to its end.
+class Stream_source final : public Byte_source {
 public:
-  explicit Plane_lines(const std::string& path) : path_(path)
+  explicit Stream_source(const std::string& path)
   {
     if(std::filesystem::is_directory(path))
-      throw std::runtime_error("--planes-from " + path + ": is a directory");
+      throw std::runtime_error("is a directory");
     errno = 0;
-    file_.open(path);
+    file_.open(path, std::ios::binary);
     if(!file_)
-      throw std::runtime_error("--planes-from " + path + ": cannot be opened" + reason_of(errno));
+      throw std::runtime_error("cannot be opened" + reason_of(errno));
   }
 
-  // The words of the next line that has some, and does not begin with #.
-  bool next()
+  std::uint64_t size() const override { return UINT64_MAX; } // it is not known
+  void seek(std::uint64_t) override {}
+  std::size_t read(char* bytes, std::size_t count) override
   {
-    for(std::string line; std::getline(file_, line);) {
-      ++number_;
-      for(char& c : line)
-        c = c == ',' || c == ';' || c == '\t' || c == '\r' ? ' ' : c;
-      std::istringstream in(line);
-      words_.clear();
-      for(std::string word; in >> word;)
-        words_.push_back(word);
-      if(!words_.empty() && words_[0][0] != '#')
-        return true;
-    }
-    return false;
-  }
-
-  const std::vector<std::string>& words() const { return words_; }
-
-  [[noreturn]] void fail(const std::string& what) const
-  {
-    throw std::runtime_error("--planes-from " + path_ + ": line " + std::to_string(number_) + " " + what);
+    errno = 0;
+    file_.read(bytes, std::streamsize(count));
+    if(file_.bad())
+      throw std::runtime_error("cannot be read" + reason_of(errno));
+    return std::size_t(file_.gcount());
   }
 
 private:
-  std::string path_;
   std::ifstream file_;
-  std::size_t number_ = 0;
-  std::vector<std::string> words_;
 };
 
-// The places of the columns a, b, c, d: by a line of names, or the four numbers of each line.
-inline std::array<std::size_t, 4> plane_columns(const Plane_lines& lines, bool& are_names)
+using Cells = std::vector<std::string_view>;
+using Plane_columns = std::array<std::size_t, 4>; // of a, b, c, d
+
+inline Cells cells_of(std::string_view row)
 {
-  const std::vector<std::string>& words = lines.words();
-  are_names = !parse_number(words[0]);
-  std::array<std::size_t, 4> columns = {0, 1, 2, 3};
-  for(std::size_t c = 0; c < 4 && are_names; ++c) {
-    const auto at = std::find(words.begin(), words.end(), std::string(1, "abcd"[c]));
-    if(at == words.end())
-      lines.fail("has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
-    columns[c] = std::size_t(at - words.begin());
+  Cells cells;
+  Table_values values(row);
+  for(std::string_view value; values.next(value);)
+    cells.push_back(value);
+  return cells;
+}
+
+inline bool are_numbers(const Cells& cells)
+{
+  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return parse_number(cell).has_value(); });
+}
+
+inline Plane_columns columns_of_planes(const Text_row& row, const Cells& names)
+{
+  Plane_columns columns;
+  for(std::size_t c = 0; c < 4; ++c) {
+    columns[c] =
+      std::size_t(std::find(names.begin(), names.end(), std::string_view("abcd").substr(c, 1)) - names.begin());
+    if(columns[c] == names.size())
+      fail_at_row(row.number, "has neither four numbers 'a b c d' nor names of columns with a, b, c and d");
   }
   return columns;
 }
 
-inline CGAL::Tandem::Coefficients plane_of(const Plane_lines& lines, const std::array<std::size_t, 4>& columns)
+inline CGAL::Tandem::Coefficients plane_of(const Text_row& row, const Cells& cells, const Plane_columns& columns)
 {
   CGAL::Tandem::Coefficients plane;
   for(std::size_t c = 0; c < 4; ++c) {
-    const std::string& word = lines.words()[columns[c]];
-    const std::optional<double> number = parse_number(word);
+    const std::string_view cell = cells[columns[c]];
+    const std::optional<double> number = parse_number(cell);
     if(!number || !std::isfinite(*number))
-      lines.fail("has '" + word.substr(0, 40) + "' where a finite number is expected");
+      fail_at_row(row.number, "has '" + std::string(cell.substr(0, 40)) + "' where a finite number is expected");
     plane[c] = *number;
   }
-  if(plane[0] == 0 && plane[1] == 0 && plane[2] == 0)
-    lines.fail("has a null vector as normal");
+  const double largest = (std::max)({std::fabs(plane[0]), std::fabs(plane[1]), std::fabs(plane[2])});
+  if(largest == 0)
+    fail_at_row(row.number, "has a null vector as normal");
+  if(!std::isfinite(plane[3] / largest))
+    fail_at_row(row.number, "has a plane whose distance from the origin is not finite");
   return plane;
 }
 
-inline std::vector<CGAL::Tandem::Coefficients> read_planes(const std::string& path)
+// The first row may have names instead of numbers.
+inline std::vector<CGAL::Tandem::Coefficients> read_planes(Text_lines& lines)
 {
-  Plane_lines lines(path);
   std::vector<CGAL::Tandem::Coefficients> planes;
-  std::array<std::size_t, 4> columns;
-  bool are_names = false;
-  std::size_t words = 4;
-  for(bool is_first = true; lines.next(); is_first = false) {
-    if(is_first)
-      columns = plane_columns(lines, are_names);
-    if(is_first && are_names) {
-      words = lines.words().size();
+  Plane_columns columns = {0, 1, 2, 3};
+  std::size_t values = 0; // of each row
+  while(lines.next_filled()) {
+    const Text_row& row = lines.row();
+    const Cells cells = cells_of(row.text);
+    if(is_comment(row.text))
+      continue;
+    if(values == 0 && !are_numbers(cells)) {
+      columns = columns_of_planes(row, cells);
+      values = cells.size();
       continue;
     }
-    if(lines.words().size() != words)
-      lines.fail("has " + std::to_string(lines.words().size()) + " values instead of " + std::to_string(words));
-    planes.push_back(plane_of(lines, columns));
+    values = values == 0 ? 4 : values;
+    if(cells.size() != values)
+      fail_at_row(row.number, "has " + std::to_string(cells.size()) + " values instead of " + std::to_string(values));
+    planes.push_back(plane_of(row, cells, columns));
   }
   if(planes.empty())
-    throw std::runtime_error("--planes-from " + path + ": has no planes");
+    throw std::runtime_error("has no planes");
   return planes;
 }
 
 inline void read_known_planes(Options& o)
-{
-  if(!o.planes_from.empty())
-    o.known_planes = read_planes(o.planes_from);
+try {
+  if(o.planes_from.empty())
+    return;
+  Stream_source file(o.planes_from);
+  Input_buffer bytes(file);
+  Text_lines lines(bytes);
+  o.known_planes = read_planes(lines);
+} catch(const std::runtime_error& e) {
+  throw std::runtime_error("--planes-from " + o.planes_from + ": " + e.what());
 }
 
 } // namespace program
