@@ -179,6 +179,24 @@ void check_coplanar()
     }
 }
 
+// Squares of lengths of such scales overflow, or vanish. Powers of two change no label.
+void check_scales()
+{
+  const Case c = make_case("squares_gap");
+  const Labels labels = label_points(c.shapes, c.whole, maps.shape_points(std::cref(c.part)));
+  for(int exponent : {-600, 600}) {
+    Case scaled = c;
+    for(Cloud* cloud : {&scaled.part, &scaled.whole})
+      for(auto& item : *cloud)
+        item.first = CGAL::ORIGIN + std::ldexp(1, exponent) * (item.first - CGAL::ORIGIN);
+    const double distance = std::ldexp(c.shapes.parameters().maximum_distance, exponent);
+    scaled.shapes = detect_valid(c.name, scaled.part, make_parameters(distance, 30));
+    check_equal(scaled.shapes.number_of_shapes(), c.shapes.number_of_shapes(), "shapes");
+    CHECK_AT(label_points(scaled.shapes, scaled.whole, maps.shape_points(std::cref(scaled.part))) == labels,
+             std::to_string(exponent));
+  }
+}
+
 int main()
 {
   for(const char* name : {"indoor", "house"}) {
@@ -190,5 +208,6 @@ int main()
     check_refusals(c);
   }
   check_coplanar();
+  check_scales();
   return report();
 }

@@ -6,6 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_PLACES_IN_REACH_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_PLACES_IN_REACH_H
 
+#include <CGAL/Tandem/check_parameters.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
 
 #include <algorithm>
@@ -33,6 +34,8 @@ public:
       box_.add(place.position);
     constexpr double rounding = 1e-9; // places within reach must not be two cells apart
     edge_ = (std::max)(reach, box_.extent() / largest_index) * (1 + rounding);
+    const double size = box_.extent() > smallest_length ? (std::min)(edge_, box_.extent()) : edge_;
+    scale_ = std::ldexp(1, -std::ilogb(size));
     std::vector<std::pair<std::uint64_t, std::size_t>> order;
     for(std::size_t i = 0; i < places.size(); ++i)
       order.emplace_back(cell_of(places[i].position), i);
@@ -91,7 +94,20 @@ public:
     }
   }
 
-  bool is_within(double squared_distance) const { return squared_distance <= reach_ * reach_; }
+  // In a unit of about the distances to compare, so that squares neither overflow nor vanish. It is a power of two, which
+  // rounds nothing.
+  double squared_distance(const Vector& p, const Vector& q) const
+  {
+    const double x = (p.x - q.x) * scale_, y = (p.y - q.y) * scale_, z = (p.z - q.z) * scale_;
+    return x * x + y * y + z * z;
+  }
+
+  // The argument is a result of squared_distance().
+  bool is_within(double squared_distance) const
+  {
+    const double reach = reach_ * scale_;
+    return squared_distance <= reach * reach;
+  }
 
 private:
   static constexpr int index_bits = 21;
@@ -110,7 +126,7 @@ private:
                   places_.begin() + std::ptrdiff_t(first_[std::size_t(last - cells_.begin())]));
   }
 
-  double reach_, edge_;
+  double reach_, edge_, scale_;
   Coordinate_box box_;
   std::vector<std::uint64_t> cells_; // that have places, ascending
   std::vector<std::size_t> first_;   // place of each of them

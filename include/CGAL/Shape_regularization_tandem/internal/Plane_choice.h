@@ -81,7 +81,7 @@ public:
       double least = HUGE_VAL;
       int shape = -1;
       for(; last < candidates.size() && candidates[last].distance == candidates[first].distance; ++last)
-        if(const double d = squared_distance(p.position, *candidates[last].group, nearby); d < least) {
+        if(const double d = squared_distance(p.position, all, *candidates[last].group, nearby); d < least) {
           least = d;
           shape = candidates[last].group->shape;
         }
@@ -111,14 +111,12 @@ private:
   };
 
   // From the nearest place of the group.
-  static double squared_distance(const Vector& p, const Places_in_reach::Group& group,
+  static double squared_distance(const Vector& p, const Places_in_reach& all, const Places_in_reach::Group& group,
                                  const Places_in_reach::Nearby& nearby)
   {
     double least = HUGE_VAL;
-    for(std::size_t i = group.first; i < group.last; ++i) {
-      const Vector v = nearby.places[i].position - p;
-      least = (std::min)(least, v.x * v.x + v.y * v.y + v.z * v.z);
-    }
+    for(std::size_t i = group.first; i < group.last; ++i)
+      least = (std::min)(least, all.squared_distance(nearby.places[i].position, p));
     return least;
   }
 
