@@ -92,7 +92,8 @@ def label_points(
 
     Returns an array of shape (n,), int32: -1 for points that no shape takes, and for those that are not valid.
 
-    Raises ValueError and TypeError as detect_planes().
+    Raises ValueError and TypeError as detect_planes(): also where the points of the detection, which are read again unless
+    reach is infinite, were changed since so that one is no longer on its plane.
     """
     _check_result(shapes)
     rows = _rows("points", points)

@@ -7,6 +7,7 @@
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/Plane_choice.h>
 #include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
+#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/check_parameters.h>
@@ -48,15 +49,15 @@ constexpr std::size_t few_to_label = 4096; // points: fewer are not worth a seco
 template <class Backend, class Shapes, class PointRange, class NP>
 Places_in_reach places_of_shapes(Backend& backend, const Shapes& shapes, const PointRange& points, const NP& np)
 {
-  if(std::size_t(points.end() - points.begin()) != shapes.number_of_points())
-    throw std::invalid_argument("shape_points has " + to_text(points.end() - points.begin()) +
-                                " points, the shapes are of " + to_text(shapes.number_of_points()) +
-                                ": pass the range of the detection.");
   using Maps = Traits_for<CGAL::Sequential_tag, PointRange, NP, false>;
   using Traits =
     Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
-  const Item_reader<Traits> reader(Traits(), point_map_of<Traits>(points, np), CGAL::Default());
-  const Import in = read_points(backend, points, reader);
+  if(points.size() != shapes.number_of_points())
+    throw std::invalid_argument("shape_points has " + to_text(points.size()) + " points, the shapes are of " +
+                                to_text(shapes.number_of_points()) + ": pass the range of the detection.");
+  outlines::check_points(shapes, outlines::coordinates_of(points, np));
+  const Import in =
+    read_points(backend, points, Item_reader<Traits>(Traits(), point_map_of<Traits>(points, np), CGAL::Default()));
   double reach = 0;
   read_real<internal_np::reach_t>(np, reach);
   if(Is_given<internal_np::reach_t, NP>::value)
@@ -190,7 +191,7 @@ linear in the number of points, times that of planes or, with `shape_points`, ti
 detection would ignore: a coordinate, normal or tolerance is not finite, or the normal is null
 
 \throw std::invalid_argument names the parameter that is outside of its range, its value and the range; or
-`shape_points` has another number of points than the range of the detection, or no spacing and no `reach`
+`shape_points` are not those of the detection, as `polygons()` says, or have no spacing and no `reach`
 \throw std::length_error more than 2^31 points
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits, class PointRange,

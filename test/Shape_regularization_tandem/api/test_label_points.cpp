@@ -165,6 +165,17 @@ void check_refusals(const Case& c)
                         {"shape_points", std::to_string(c.whole.size()).c_str()}, __LINE__);
 }
 
+// The points of the shapes have to be those of the detection, in their order.
+void check_changed_points(const Case& c)
+{
+  Cloud reversed(c.part.rbegin(), c.part.rend()), invalid = c.part;
+  invalid[c.shapes.points(0)[0]].first = Kernel::Point_3(std::nan(""), 0, 0);
+  for(const Cloud& changed : {reversed, invalid})
+    check_throws<std::invalid_argument>([&] { label_points(c.shapes, c.whole, maps.shape_points(std::cref(changed))); },
+                                        {"is not on the plane of its shape", "pass the range of the detection"},
+                                        __LINE__);
+}
+
 // Two squares of one plane: without their points, the first one takes all.
 void check_coplanar()
 {
@@ -206,6 +217,7 @@ int main()
     check_order(c);
     check_bad_points(c);
     check_refusals(c);
+    check_changed_points(c);
   }
   check_coplanar();
   check_scales();

@@ -127,6 +127,14 @@ class Labels(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "shapes"):
             tandem.label_points(None, points)
 
+    def test_changed_points(self):
+        points, normals = (np.array(array) for array in room())
+        shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
+        points[shapes.points_of(0)[0]] += 1
+        with self.assertRaisesRegex(ValueError, "is not on the plane of its shape 0"):
+            tandem.label_points(shapes, points)
+        self.assertEqual(tandem.label_points(shapes, points, reach=np.inf).shape, (len(points),))
+
 
 if __name__ == "__main__":
     unittest.main()
