@@ -9,7 +9,7 @@
 
 #include <pybind11/stl.h>
 
-#include <cmath>
+#include <limits>
 
 namespace tandem_python {
 
@@ -120,7 +120,7 @@ Result select_by(const Result& result, const Selection& selection)
 py::array_t<std::int32_t> label(const Result& result, const Rows& points, const Given& given, Labeling labeling)
 {
   const Cloud cloud = cloud_of(points, given);
-  if(!labeling.reach || std::isfinite(*labeling.reach) || std::isnan(*labeling.reach))
+  if(labeling.reach != std::numeric_limits<double>::infinity())
     labeling.shape_points = cloud_of(*result.given().points, {});
   return array_of<std::int32_t>(without_gil([&] { return label_points(result.shapes(), cloud, labeling); }));
 }

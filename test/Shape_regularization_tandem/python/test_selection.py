@@ -121,6 +121,7 @@ class Labels(unittest.TestCase):
         shapes = shapes_of_room()
         for arguments, word in (({"maximum_distance": 0}, "maximum_distance"), ({"maximum_angle": 90}, "maximum_angle"),
                                 ({"normals": points[1:]}, "normals"), ({"reach": 0}, "reach"), ({"reach": np.nan}, "reach"),
+                                ({"reach": -np.inf}, "reach"),
                                 ({"maximum_distance_map": [1]}, "maximum_distance_map")):
             with self.assertRaisesRegex(ValueError, word):
                 tandem.label_points(shapes, points, **arguments)
