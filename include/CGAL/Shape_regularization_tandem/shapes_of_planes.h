@@ -29,10 +29,11 @@ inline Coefficients unit_plane(const Coefficients& c, std::size_t index)
 {
   const Vector n = {c[0], c[1], c[2]};
   const double largest = largest_component(n);
-  if(!(largest > 0) || !std::isfinite(c[0] + c[1] + c[2] + c[3]))
-    throw std::invalid_argument("Plane " + to_text(index) + " is (" + to_text(c[0]) + ", " + to_text(c[1]) + ", " +
-                                to_text(c[2]) + ", " + to_text(c[3]) +
-                                "): its normal has to be a finite vector that is not null, and its offset finite.");
+  const bool are_finite = std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2]);
+  if(!(largest > 0) || !are_finite || !std::isfinite(c[3] / largest))
+    throw std::invalid_argument(
+      "Plane " + to_text(index) + " is (" + to_text(c[0]) + ", " + to_text(c[1]) + ", " + to_text(c[2]) + ", " +
+      to_text(c[3]) + "): its normal has to be finite and not null, and its distance from the origin finite.");
   if(std::fabs(length(n) - 1) <= 1e-15)
     return c;
   const double size = length({n.x / largest, n.y / largest, n.z / largest});
@@ -131,8 +132,8 @@ does not include.
 
 \return the shapes as a `Planar_shapes_3` of the kernel of the points
 
-\throw std::invalid_argument a plane has no finite normal that is not null; or names the parameter that is outside of
-its range, its value and the range
+\throw std::invalid_argument the normal of a plane is null or not finite, or its distance from the origin is not finite; or
+names the parameter that is outside of its range, its value and the range
 \throw std::length_error more than 2^31 points
 \throw std::range_error as `detect_planes()`
 */

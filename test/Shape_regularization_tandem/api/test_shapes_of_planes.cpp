@@ -85,6 +85,16 @@ void check_relations()
   check_close(areas.area(2), .95 * .9, .03, "area"); // it is straight at the plane of the wall
 }
 
+// Lengths of normals whose squares overflow or vanish change no plane.
+void check_extreme_planes()
+{
+  const Cloud cloud = make_corner();
+  const Shapes shapes =
+    shapes_of_planes({{1e308, 1e308, 0, 0}, {0, 0, 1e-310, 0}, {0, 1e-310, 0, 1e-310}}, cloud, maps);
+  check_close(shapes.coefficients(0)[0], std::sqrt(.5), 1e-15, "of a large normal");
+  CHECK(shapes.coefficients(1) == Coefficients({0, 0, 1, 0}) && shapes.coefficients(2) == Coefficients({0, 1, 0, 1}));
+}
+
 // Without normals only distances count, and there are none to be asked for.
 void check_without_normals()
 {
@@ -103,7 +113,12 @@ void check_refusals()
 {
   const Cloud cloud = make_corner();
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-  for(const Coefficients& c : {Coefficients{0, 0, 0, 1}, {0, nan, 1, 0}, {0, 0, infinity, 0}, {0, 0, 1, nan}})
+  for(const Coefficients& c : {Coefficients{0, 0, 0, 1},
+                               {0, nan, 1, 0},
+                               {0, 0, infinity, 0},
+                               {0, 0, 1, nan},
+                               {0, 0, 1, infinity},
+                               {0, 0, 1e-310, 5}})
     check_throws<std::invalid_argument>(
       [&] {
         shapes_of_planes({{0, 0, 1, 0}, c}, cloud, maps);
@@ -118,6 +133,7 @@ int main()
   check_planes_of_detection();
   check_relations();
   check_without_normals();
+  check_extreme_planes();
   check_refusals();
   return report();
 }
