@@ -161,6 +161,7 @@ auto shapes_of_planes(const std::vector<Coefficients>& planes, const PointRange&
     internal::measure_relations(data, {});
     data.statistics.score = {};
     data.statistics.estimate_note = note;
+    data.statistics.angle_note = angle_note(p);
     data.statistics.backend = backend.name();
     data.statistics.times.finish = data.statistics.times.total = timer.time();
     return Planar_shapes_3<typename std::decay<decltype(traits)>::type::Geom_traits>(std::move(data));

@@ -95,6 +95,13 @@ void check_extreme_planes()
   CHECK(shapes.coefficients(1) == Coefficients({0, 0, 1, 0}) && shapes.coefficients(2) == Coefficients({0, 1, 0, 1}));
 }
 
+void check_notes()
+{
+  const Shapes shapes = shapes_of_planes({{0, 0, 1, 0}}, make_corner(), maps.maximum_angle(.9));
+  CHECK(shapes.statistics().angle_note == CGAL::Tandem::angle_note(shapes.parameters()));
+  CHECK(!shapes.statistics().angle_note.empty());
+}
+
 // Without normals only distances count, and there are none to be asked for.
 void check_without_normals()
 {
@@ -134,6 +141,7 @@ int main()
   check_relations();
   check_without_normals();
   check_extreme_planes();
+  check_notes();
   check_refusals();
   return report();
 }
