@@ -119,7 +119,8 @@ for a detection; none is made. Coplanar shapes cannot be told from each other: t
 
 Of the promises of `Planar_shapes_3`, those on relations hold, and points are within the tolerances. Shapes need not be
 connected, and may have less than `minimum_region_size` points, or none, so `is_valid_result()` refuses the result.
-Normals are not estimated: without a normal map only distances count, and `Planar_shapes_3::estimated_normal()` is null.
+Normals are not estimated: without a normal map only distances count, and `Planar_shapes_3::has_estimated_normals()` is
+false in any case.
 In the statistics, points without a shape count as `Free_points::clutter`, and the score is 0.
 
 It is in the header `CGAL/Shape_regularization_tandem/shapes_of_planes.h`, which `CGAL/Shape_regularization_tandem.h`
@@ -153,8 +154,7 @@ auto shapes_of_planes(const std::vector<Coefficients>& planes, const PointRange&
     Shapes_data data = internal::start_export(in, p);
     internal::take_planes(planes, data);
     data.shape_of = internal::labels_by_planes(backend, in, data.coefficients, p);
-    if(!in.has_normals)
-      data.normal = std::vector<std::uint32_t>(in.number_of_items, internal::no_normal);
+    data.statistics.has_estimated_normals = false;
     internal::measure_labels(
       in, [&](std::size_t i) { return in.position(i); }, data);
     internal::relate_groups(data);
