@@ -7,7 +7,9 @@
 
 #include "testing/test_support.h"
 
+#include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
+#include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
 
 #include <cmath>
@@ -16,7 +18,9 @@
 #include <vector>
 
 using CGAL::Tandem::Coefficients;
+using CGAL::Tandem::join_coplanar_shapes;
 using CGAL::Tandem::label_points;
+using CGAL::Tandem::select_shapes;
 using CGAL::Tandem::shapes_of_planes;
 
 namespace np = CGAL::Tandem::parameters;
@@ -85,6 +89,19 @@ void check_relations()
   check_close(areas.area(2), .95 * .9, .03, "area"); // it is straight at the plane of the wall
 }
 
+// Known planes have no score, and get none where they are selected or joined.
+void check_score()
+{
+  const Cloud cloud = make_corner();
+  const Shapes shapes = shapes_of_planes({{0, 0, 1, 0}, {0, 0, 1, 0}, {1, 0, 0, 0}}, cloud, maps.maximum_distance(.01));
+  for(const Shapes& s :
+      {shapes, join_coplanar_shapes(shapes, cloud, maps), select_shapes(shapes, std::vector<int>{2, 1, 0}),
+       select_shapes(shapes, std::vector<int>{0})}) {
+    const CGAL::Tandem::Result_score& score = s.statistics().score;
+    CHECK(score.fit == 0 && score.links == 0 && score.size == 0 && score.price == 0 && score.freedom == 0);
+  }
+}
+
 // Lengths of normals whose squares overflow or vanish change no plane.
 void check_extreme_planes()
 {
@@ -141,6 +158,7 @@ int main()
   check_planes_of_detection();
   check_relations();
   check_without_normals();
+  check_score();
   check_extreme_planes();
   check_notes();
   check_refusals();

@@ -35,13 +35,13 @@ inline std::vector<int> without_gaps(const std::vector<int>& group)
 
 // What follows from sizes and relations. What was measured at points stays that of the detection: the mean distance,
 // the reasons of its free points, and the score. Where no points were left out, only the fit and the links of the score
-// were.
+// were. Known planes have no score, and get none: that of shapes has a price.
 inline void count_shapes_again(const Statistics& before, Shapes_data& data)
 {
   Statistics& t = data.statistics;
   measure_relations(data, {});
   t.number_of_assigned_points = std::accumulate(data.size.begin(), data.size.end(), std::size_t(0));
-  if(t.number_of_assigned_points < before.number_of_assigned_points)
+  if(t.number_of_assigned_points < before.number_of_assigned_points || before.score.price == 0)
     t.score = before.score;
   t.score.fit = before.score.fit;
   t.score.links = before.score.links;
