@@ -22,6 +22,7 @@
 #include <functional>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,19 +46,29 @@ const Range& referred(const std::reference_wrapper<const Range>& range)
 constexpr double spacings_in_reach = 4;
 constexpr std::size_t few_to_label = 4096; // points: fewer are not worth a second thread
 
-// The points of the shapes, by a range and maps that are those of the detection.
-template <class Backend, class Shapes, class PointRange, class NP>
-Places_in_reach places_of_shapes(Backend& backend, const Shapes& shapes, const PointRange& points, const NP& np)
+// Reads the points of a range without its normals; nothing where it does not compile.
+template <class Backend, class PointRange, class NP>
+Import read_positions(Backend& backend, const PointRange& points, const NP& np)
 {
   using Maps = Traits_for<CGAL::Sequential_tag, PointRange, NP, false>;
   using Traits =
     Tandem_traits_3<typename Maps::Kernel, PointRange, typename Maps::Point_map, CGAL::Default, CGAL::Sequential_tag>;
+  if constexpr(std::conjunction<Range_check<PointRange>, typename Maps::Check>::value)
+    return read_points(backend, points,
+                       Item_reader<Traits>(Traits(), point_map_of<Traits>(points, np), CGAL::Default()));
+  else
+    return Import();
+}
+
+// The points of the shapes, by a range and maps that are those of the detection.
+template <class Backend, class Shapes, class PointRange, class NP>
+Places_in_reach places_of_shapes(Backend& backend, const Shapes& shapes, const PointRange& points, const NP& np)
+{
   if(points.size() != shapes.number_of_points())
     throw std::invalid_argument("shape_points has " + to_text(points.size()) + " points, the shapes are of " +
                                 to_text(shapes.number_of_points()) + ": pass the range of the detection.");
   outlines::check_points(shapes, outlines::coordinates_of(points, np));
-  const Import in =
-    read_points(backend, points, Item_reader<Traits>(Traits(), point_map_of<Traits>(points, np), CGAL::Default()));
+  const Import in = read_positions(backend, points, np);
   double reach = 0;
   read_real<internal_np::reach_t>(np, reach);
   if(Is_given<internal_np::reach_t, NP>::value)
@@ -206,7 +217,7 @@ std::vector<std::int32_t> label_points(const Planar_shapes_3<GeomTraits>& shapes
   check_parameters(p);
   return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();
-    const internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+    const internal::Import in = internal::read_range(backend, points, np, traits);
     const std::vector<Coefficients>& planes = shapes.data().coefficients;
     if constexpr(internal::Is_given<internal_np::shape_points_t, NamedParameters>::value) {
       const auto given = internal::parameter<internal_np::shape_points_t>(np, 0);

@@ -149,7 +149,7 @@ auto shapes_of_planes(const std::vector<Coefficients>& planes, const PointRange&
   return internal::with_traits<ConcurrencyTag>(points, np, [&](const auto& traits) {
     auto backend = traits.backend();
     Parameters p = internal::read_parameters(np);
-    internal::Import in = internal::read_points(backend, points, internal::reader_of(points, np, traits));
+    internal::Import in = internal::read_range(backend, points, np, traits);
     const std::string note = internal::set_scale(backend, in, internal::has_own_offset(np), p);
     Shapes_data data = internal::start_export(in, p);
     internal::take_planes(planes, data);

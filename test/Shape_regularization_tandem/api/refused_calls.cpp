@@ -10,7 +10,12 @@
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
 #include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
 #include <CGAL/Shape_regularization_tandem/estimate_noise.h>
+#include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
+#include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
+#include <CGAL/Shape_regularization_tandem/select_shapes.h>
+#include <CGAL/Shape_regularization_tandem/shape_facts.h>
+#include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
 #include <CGAL/property_map.h>
 
 #include <list>
@@ -23,6 +28,7 @@ namespace np = CGAL::Tandem::parameters;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Point_set = CGAL::Point_set_3<Point>;
+using Cartesian_point = CGAL::Simple_cartesian<double>::Point_3;
 using Shapes = Tandem::Planar_shapes_3<Kernel>;
 
 template <int>
@@ -87,6 +93,18 @@ void call_others(const Shapes& shapes)
   Tandem::projected_points(Items<17>(), shapes);           // error: point_map(map)
   Tandem::polygons(shapes, Items<18>()).area(0);           // error: point_map(map)
   Tandem::closed_surface(shapes, Items<19>()).faces.at(0); // error: point_map(map)
+}
+
+void call_functions_of_results(const Shapes& shapes, const std::vector<Point>& points)
+{
+  Tandem::label_points(shapes, Items<21>()).at(0);                     // error: point_map(map)
+  Tandem::label_points(shapes, points, np::shape_points(Items<22>())); // error: point_map(map)
+  const auto list = np::shape_points(std::list<Cartesian_point>());
+  Tandem::label_points(shapes, points, list);                               // error: needs random access iterators
+  Tandem::shapes_of_planes({}, Items<23>()).plane(0);                       // error: point_map(map)
+  Tandem::shape_facts(shapes, Items<24>()).at(0);                           // error: point_map(map)
+  Tandem::select_shapes(shapes, Items<25>(), np::minimum_area(1)).plane(0); // error: point_map(map)
+  Tandem::join_coplanar_shapes(shapes, Items<26>()).plane(0);               // error: point_map(map)
 }
 
 void call_regularize_planes(const std::vector<Point>& points, std::vector<Kernel::Plane_3> planes)
