@@ -144,7 +144,7 @@ void check_mesh(const Mesh& mesh, const std::vector<int>& shape_of, const Shapes
 void check_ply(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, program::areas_of_shapes(points, shapes), shapes,
+  program::write_polygons(out, program::Described_shapes(points, shapes),
                           {".ply", program::Faces_of_file::triangles, ""});
   std::istringstream in(out.str());
   Mesh mesh;
@@ -163,7 +163,7 @@ void check_ply(const Point_set& points, const Shapes& shapes)
 void check_obj(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, program::areas_of_shapes(points, shapes), shapes,
+  program::write_polygons(out, program::Described_shapes(points, shapes),
                           {".obj", program::Faces_of_file::triangles, ""});
   std::istringstream in(out.str());
   Mesh mesh;
