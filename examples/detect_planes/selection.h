@@ -13,29 +13,29 @@
 #include "output/write_results.h"
 #include "sentence.h"
 
-#include <iomanip>
+#include <algorithm>
+#include <cstddef>
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace program {
 
-// The options that say which shapes the outputs have, with a blank before each.
+// The options that say which shapes the outputs have.
 inline std::string selection_of(const Options& o)
 {
   std::ostringstream text;
-  text << std::setprecision(17);
   const auto add = [&text](const char* option, const auto& value) {
     if(value)
-      text << " --" << option << ' ' << *value;
+      write_shortest(text << option << ' ', *value, ' ');
   };
-  text << (o.is_by_plane ? " --by-plane" : "");
-  add("largest", o.largest);
-  add("minimum-area", o.minimum_area);
-  add("minimum-extent", o.minimum_extent);
+  text << (o.is_by_plane ? "--by-plane " : "");
+  add("--largest", o.largest);
+  add("--minimum-area", o.minimum_area);
+  add("--minimum-extent", o.minimum_extent);
   if(o.near_direction)
-    text << " --near-direction " << o.near_direction->text;
-  return text.str();
+    text << "--near-direction " << o.near_direction->text << ' ';
+  return text.str().substr(0, (std::max)(text.str().size(), std::size_t(1)) - 1);
 }
 
 // Those of the shapes that fit: of the points of this rank and others, the same on all ranks.
@@ -48,7 +48,6 @@ inline void select(const Point_set& points, const Options& o, Run& run, Shapes& 
   run.selection = selection_of(o);
   if(run.selection.empty())
     return;
-  run.selection.erase(0, 1);
   run.detected_shapes = shapes.number_of_shapes();
   run.detected_points = shapes.statistics().number_of_assigned_points;
   if(o.is_by_plane)
