@@ -95,7 +95,7 @@ void check_vg(std::size_t skipped, bool by_plane)
     CHECK_AT(group_of[i] == s, std::to_string(i));
     if(s >= 0) {
       const Kernel::Plane_3 plane = shapes.oriented_plane(std::size_t(s));
-      const double* c = file.groups[std::size_t(group)].plane;
+      const double* c = file.groups[std::size_t(s)].plane;
       CHECK_AT(c[0] == plane.a() && c[1] == plane.b() && c[2] == plane.c() && c[3] == plane.d(), std::to_string(i));
     }
   }
