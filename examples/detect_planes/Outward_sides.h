@@ -117,6 +117,8 @@ private:
   {
     if(options.output.empty() && options.output_directory.empty() && options.vg.empty())
       return;
+    if(!points.has_normal_map() && !shapes.has_estimated_normals())
+      return;
     if(!points.has_normal_map()) {
       points.add_normal_map();
       for(Point_set::Index i : points)
