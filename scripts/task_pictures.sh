@@ -32,17 +32,30 @@ done
 ln -s "$root/scripts" "$folder/scripts"
 cd "$folder"
 
+# keep NAME: what was printed, or compares it with what was kept
+keep()
+{
+  sed '/^Installing /d; /^  seconds /d; /^  execution /d; /^  hash /d' printed > kept
+  if [ -n "$is_check" ]; then
+    diff "$manual/tables/$1.out" kept || failures=1
+  else
+    cp kept "$manual/tables/$1.out"
+  fi
+}
+
 # draw PAGE NAME OPTION...: OPTION... are those of draw_surfaces.py
 draw()
 {
   awk '/^\\endverbatim/ { exit } is_command { print } /^\\verbatim/ { is_command = 1 }' "$manual/$1.txt" > commands
   PATH=$folder:$PATH sh -eu commands > printed
-  sed '/^Installing /d; /^  seconds /d; /^  execution /d; /^  hash /d' printed > kept
-  if [ -n "$is_check" ]; then
-    diff "$manual/tables/$2.out" kept || failures=1
-    return
+  keep "$2"
+  # The first block in Python, if it needs no module.
+  awk '/^\\endcode/ { exit } is_code { print } /^\\code\{.py\}/ { is_code = 1 }' "$manual/$1.txt" > code.py
+  if [ -s code.py ] && ! grep -q 'import .*tandem' code.py; then
+    python3 code.py > printed
+    keep "$2_code"
   fi
-  cp kept "$manual/tables/$2.out"
+  [ -z "$is_check" ] || return 0
   picture=$manual/fig/$2.png
   shift 2
   scripts/draw_surfaces.py "$picture" "$@"

@@ -27,7 +27,7 @@ constexpr long long by_library = 0; // of estimate_normals: no PCA of a given nu
 struct Direction_choice {
   enum Of { direction, vertical, horizontal } of = direction;
   std::array<double, 3> normal = {0, 0, 0}; // of `direction`
-  double degrees = 10;                      // between it and the normals
+  std::optional<double> degrees;            // between it and the normals
   std::string text;                         // of the command line
 };
 

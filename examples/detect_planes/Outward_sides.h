@@ -38,7 +38,7 @@ public:
       if(const auto viewpoint = viewpoint_of(part); viewpoint && !are_given)
         views.push_back({part.first, part.last, *viewpoint});
     is_seen = ranks.largest(double(views.size())) > 0;
-    if(is_seen)
+    if(is_seen && run.normals != "none")
       run.normals += ", towards the viewpoint";
   }
 
@@ -46,7 +46,7 @@ public:
   const char* warning() const
   {
     return options.is_oriented && !are_given && !is_seen
-             ? "--oriented: the normals are estimated, and no viewpoint is known: planes have no outward side "
+             ? "--oriented: no normals are given, and no viewpoint is known: planes have no outward side "
                "(--viewpoint gives one)"
              : "";
   }
@@ -116,6 +116,8 @@ private:
   void turn_normals(const Shapes& shapes)
   {
     if(options.output.empty() && options.output_directory.empty() && options.vg.empty())
+      return;
+    if(!points.has_normal_map() && !shapes.has_estimated_normals())
       return;
     if(!points.has_normal_map()) {
       points.add_normal_map();

@@ -99,8 +99,9 @@ inline void check_count(const char* name, const std::optional<long long>& value,
 // Written so that NaN is refused.
 inline void check_positive(const char* name, const std::optional<double>& value)
 {
-  if(value && !(*value > 0 && std::isfinite(*value)))
-    throw Usage_error(std::string("--") + name + " is " + CGAL::Tandem::to_text(*value) + ", must be positive");
+  if(value && !(*value > 0 && *value <= CGAL::Tandem::largest_length))
+    throw Usage_error(std::string("--") + name + " is " + CGAL::Tandem::to_text(*value) +
+                      ", must be positive, and at most " + CGAL::Tandem::to_text(CGAL::Tandem::largest_length));
 }
 
 // As in: auto, sequential or parallel.
@@ -198,6 +199,8 @@ inline void check(const Options& o, const Built_with& built)
   if(!o.planes_from.empty() && o.estimate_normals && *o.estimate_normals == by_library)
     throw Usage_error(
       "--planes-from takes normals of the input, or by --estimate-normals K: the detection estimates others");
+  if(!o.planes_from.empty() && o.backend == "cuda")
+    throw Usage_error("--backend is 'cuda', but --planes-from detects nothing: leave one of them out");
   check_positive("minimum-area", o.minimum_area);
   check_positive("minimum-extent", o.minimum_extent);
   check_tolerances(o);

@@ -121,10 +121,16 @@ std::vector<std::string> all_warnings(const Point_set& points, const Shapes& sha
   const bool has_one_distance = o.maximum_distance && !run.tolerance.is_of_each_point;
   for(std::string& warning : result_warnings(points, shapes, box, has_one_distance, ranks))
     warnings.push_back(std::move(warning));
-  const std::string of_planes = warning_of_planes(points, shapes, o);
-  if(!of_planes.empty())
-    warnings.push_back(of_planes);
+  if(!o.known_planes.empty() && shapes.statistics().number_of_assigned_points == 0)
+    warnings.push_back("no point is within the tolerances of a plane of " + o.planes_from +
+                       ": a larger --maximum-distance or --maximum-angle takes more");
   return warnings;
+}
+
+void add_sentence(std::vector<std::string>& warnings, const std::string& sentence)
+{
+  if(!sentence.empty())
+    warnings.push_back(sentence);
 }
 
 void run(Options o, Ranks& ranks, Made_folders& folders)
@@ -156,9 +162,9 @@ void run(Options o, Ranks& ranks, Made_folders& folders)
   name_device(*shapes, limit.threads(), run);
   run.tolerance = tolerance_facts(cloud.points, o, *shapes, ranks);
   std::vector<std::string> warnings = all_warnings(cloud.points, *shapes, o, ranks, run);
-  if(*sides.warning() != 0)
-    warnings.emplace_back(sides.warning());
+  add_sentence(warnings, sides.warning());
   ranks.together([&] { select(cloud.points, o, run, *shapes, warnings); });
+  add_sentence(warnings, warning_of_planes(cloud.points, *shapes, o));
   run.hash = ranks.are_many() ? Hash_of_all(cloud.parts, rank_of_input, ranks)(*shapes) : shapes->hash();
   run.peak_bytes = std::size_t(ranks.largest(double(peak_process_bytes())));
   for(const std::string& warning : warnings) {

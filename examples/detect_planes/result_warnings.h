@@ -99,7 +99,7 @@ inline std::vector<std::string> result_warnings(const Point_set& points, const S
   std::vector<std::string> warnings;
   if(s.number_of_shapes == 0)
     warnings.push_back(why_empty(s, p));
-  else if(share < poor_coverage)
+  else if(share < poor_coverage && s.number_of_rounds > 0) // known planes may be a few of many
     warnings.push_back(why_poor(s));
   if(extent > 0 && p.maximum_distance > largest_share_of_extent * extent)
     warnings.push_back(sentence("the maximum distance ", p.maximum_distance,

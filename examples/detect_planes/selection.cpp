@@ -24,7 +24,7 @@ Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Opti
   const std::array<double, 3>& upward = shapes.parameters().symmetry_direction;
   const std::array<double, 3>& d = choice.of == Direction_choice::direction ? choice.normal : upward;
   const Kernel::Vector_3 direction(d[0], d[1], d[2]);
-  const auto near = list.near_angle(choice.degrees);
+  const auto near = list.near_angle(choice.degrees.value_or(CGAL::Tandem::internal::default_near_angle));
   return choice.of == Direction_choice::vertical
            ? CGAL::Tandem::select_shapes(shapes, points, near.orthogonal_direction(direction))
            : CGAL::Tandem::select_shapes(shapes, points, near.near_direction(direction));

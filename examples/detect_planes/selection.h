@@ -13,29 +13,29 @@
 #include "output/write_results.h"
 #include "sentence.h"
 
-#include <CGAL/Tandem/check_parameters.h>
-
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace program {
 
-// The options of the selection, as they were given.
+// The options that say which shapes the outputs have.
 inline std::string selection_of(const Options& o)
 {
-  std::string text;
-  const auto add = [&text](const char* option, const std::string& value) {
-    text += (text.empty() ? "--" : " --") + std::string(option) + ' ' + value;
+  std::ostringstream text;
+  const auto add = [&text](const char* option, const auto& value) {
+    if(value)
+      write_shortest(text << option << ' ', *value, ' ');
   };
-  if(o.largest)
-    add("largest", std::to_string(*o.largest));
-  if(o.minimum_area)
-    add("minimum-area", CGAL::Tandem::to_text(*o.minimum_area));
-  if(o.minimum_extent)
-    add("minimum-extent", CGAL::Tandem::to_text(*o.minimum_extent));
+  text << (o.is_by_plane ? "--by-plane " : "");
+  add("--largest", o.largest);
+  add("--minimum-area", o.minimum_area);
+  add("--minimum-extent", o.minimum_extent);
   if(o.near_direction)
-    add("near-direction", o.near_direction->text);
-  return text;
+    text << "--near-direction " << o.near_direction->text << ' ';
+  return text.str().substr(0, (std::max)(text.str().size(), std::size_t(1)) - 1);
 }
 
 // Those of the shapes that fit: of the points of this rank and others, the same on all ranks.
@@ -45,13 +45,13 @@ Shapes selected_shapes(const Shapes& shapes, const Point_set& points, const Opti
 inline void select(const Point_set& points, const Options& o, Run& run, Shapes& shapes,
                    std::vector<std::string>& warnings)
 {
-  if(o.is_by_plane)
-    shapes = joined_shapes(points, shapes);
   run.selection = selection_of(o);
   if(run.selection.empty())
     return;
   run.detected_shapes = shapes.number_of_shapes();
   run.detected_points = shapes.statistics().number_of_assigned_points;
+  if(o.is_by_plane)
+    shapes = joined_shapes(points, shapes);
   shapes = selected_shapes(shapes, points, o);
   if(shapes.number_of_shapes() == 0 && run.detected_shapes > 0)
     warnings.push_back(

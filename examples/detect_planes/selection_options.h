@@ -32,12 +32,13 @@ inline Direction_choice parse_near_direction(const std::string& text)
                                      : Direction_choice::direction;
   const std::size_t before_angle = choice.of == Direction_choice::direction ? 3 : 1;
   std::vector<double> numbers = read_numbers(before_angle == 1 ? "0" + text.substr(word.size()) : text);
-  bool is_right = numbers.size() == before_angle || numbers.size() == before_angle + 1;
-  if(is_right && numbers.size() > before_angle)
+  bool is_right = numbers.size() == before_angle;
+  if(numbers.size() == before_angle + 1) {
     choice.degrees = numbers.back();
+    is_right = numbers.back() >= 0 && numbers.back() <= 90;
+  }
   for(std::size_t c = 0; c < 3 && is_right && before_angle == 3; ++c)
     choice.normal[c] = numbers[c];
-  is_right = is_right && choice.degrees >= 0 && choice.degrees <= 90;
   for(double x : choice.normal)
     is_right = is_right && std::isfinite(x);
   if(!is_right || (before_angle == 3 && choice.normal == std::array<double, 3>()))

@@ -10,8 +10,6 @@
 #include "input/read_cloud.h"
 #include "output/Output_file.h"
 #include "output/report.h"
-#include "output/shape_areas.h"
-#include "output/shape_table.h"
 #include "output/writers.h"
 #include "mesh/write_mesh.h"
 #include "output/write_results.h"
@@ -44,13 +42,11 @@ public:
   // All but the mesh. None of them has its name before commit(). Adds a warning where shapes have no polygon.
   void write(const Shapes& shapes, Run& run)
   {
-    Shape_areas areas;
-    if(!options.polygons.empty() || !options.shapes.empty() || !options.view.empty())
-      areas = areas_of_shapes(cloud.points, shapes);
-    if(!options.polygons.empty() && areas.number_of_empty_entries() > 0)
-      run.warnings.push_back(why_empty(areas));
+    const Described_shapes described(cloud.points, shapes);
+    if(!options.polygons.empty() && described.areas().number_of_empty_entries() > 0)
+      run.warnings.push_back(why_empty(described.areas()));
     for(std::size_t i = 0; i < writers.size(); ++i)
-      write_file(i, Results{options, cloud, shapes, areas, run});
+      write_file(i, Results{options, cloud, shapes, described, run});
     if(!options.output_directory.empty())
       for(const Input_part& part : cloud.parts)
         write_part(part, shapes);
@@ -80,7 +76,7 @@ private:
     const Options& o;
     const Input_cloud& cloud;
     const Shapes& shapes;
-    const Shape_areas& areas; // none where no output needs them
+    const Described_shapes& described;
     const Run& run;
   };
   using Writer = void (*)(std::ostream&, const Results&);
@@ -94,19 +90,16 @@ private:
     });
     open(o.labels, [](std::ostream& out, const Results& r) { write_labels(out, r.shapes); });
     open(o.planes, [](std::ostream& out, const Results& r) { write_planes(out, r.shapes); });
-    open(o.shapes, [](std::ostream& out, const Results& r) {
-      write_shape_table(out, shape_table(r.cloud.points, r.shapes, r.areas));
-    });
+    open(o.shapes, [](std::ostream& out, const Results& r) { write_shape_table(out, r.described.table()); });
     open(o.vg, [](std::ostream& out, const Results& r) {
       write_vg(out, r.cloud.points, r.o.has_group_for_each_plane ? joined_shapes(r.cloud.points, r.shapes) : r.shapes);
     });
     open(o.polygons, [](std::ostream& out, const Results& r) {
-      write_polygons(out, r.cloud.points, r.areas, r.shapes,
+      write_polygons(out, r.described,
                      {lower_case_extension(r.o.polygons),
                       r.o.has_triangles_only ? Faces_of_file::triangles : Faces_of_file::polygons, r.o.crs});
     });
-    open(o.view,
-         [](std::ostream& out, const Results& r) { write_view(out, r.cloud.points, r.shapes, r.areas, r.run); });
+    open(o.view, [](std::ostream& out, const Results& r) { write_view(out, r.described, r.run); });
     open(o.report, [](std::ostream& out, const Results& r) { write_report(out, r.shapes, r.run); });
     if(!o.mesh.empty())
       mesh.emplace(o.mesh);

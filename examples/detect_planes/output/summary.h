@@ -52,9 +52,11 @@ inline std::string summary(const Shapes& shapes, const Run& run)
     out << '\n';
   }
   row("parameters") << "maximum distance " << p.maximum_distance
-                    << (run.tolerance.source == "estimated" ? " (estimated)" : "") << ", angle " << p.maximum_angle
-                    << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset << ", at least "
-                    << p.minimum_region_size << " points\n";
+                    << (run.tolerance.source == "estimated" ? " (estimated)" : "") << ", angle " << p.maximum_angle;
+  if(run.planes_from.empty())
+    out << ", angle tolerance " << p.angle_tolerance << ", offset " << p.maximum_offset << ", at least "
+        << p.minimum_region_size << " points";
+  out << '\n';
   if(!run.tolerance.note.empty())
     row("estimate") << run.tolerance.note << '\n';
   if(run.tolerance.is_of_each_point) {
@@ -76,7 +78,8 @@ inline std::string summary(const Shapes& shapes, const Run& run)
                 << " directions, " << s.number_of_orthogonal_pairs << " orthogonal pairs of directions\n";
   row("quality") << "coverage " << 100 * s.coverage << " %, mean distance " << s.mean_distance << ", complexity "
                  << s.complexity << '\n';
-  row("free") << free_text(s) << '\n';
+  if(run.planes_from.empty())
+    row("free") << free_text(s) << '\n';
   row("seconds") << s.times.total + run.normal_seconds << " (normals " << s.times.normals + run.normal_seconds
                  << ", sort " << s.times.sort << ", neighbors " << s.times.neighbors << ", growth " << s.times.growth
                  << ", regularity " << s.times.regularity << ", final " << s.times.finish << "), reading "

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/shape_table.h"
 #include "output/write_results.h"
 #include "output/writers.h"
 
@@ -155,16 +154,17 @@ void write_coordinates(std::ostream& out, const Shape_areas& areas, const Shapes
 }
 
 // The properties of a shape are its row of the table of shapes, with the plane as one list.
-void write_geojson(std::ostream& out, const Shape_areas& areas, const Shapes& shapes, const Json& table,
-                   const Polygon_format& format)
+void write_geojson(std::ostream& out, const Described_shapes& described, const Polygon_format& format)
 {
+  const Shape_areas& areas = described.areas();
+  const Shapes& shapes = described.shapes;
   out << R"({"type": "FeatureCollection", )";
   if(!format.crs.empty())
     out << R"("crs": {"type": "name", "properties": {"name": )" << ascii(Json(utf8(format.crs))) << "}}, ";
   out << R"("features": [)";
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
     Json properties = {{"shape", s}, {"plane", shapes.coefficients(s)}};
-    for(const auto& column : table.items())
+    for(const auto& column : described.table().items())
       if(std::string("abcd").find(column.key()) == std::string::npos)
         properties[column.key()] = column.value()[s];
     out << (s == 0 ? "\n" : ",\n") << R"( {"type": "Feature", "id": )" << s << R"(, "properties": )" << properties
@@ -177,9 +177,10 @@ void write_geojson(std::ostream& out, const Shape_areas& areas, const Shapes& sh
 
 } // namespace
 
-void write_polygons(std::ostream& out, const Point_set& points, const Shape_areas& areas, const Shapes& shapes,
-                    const Polygon_format& format)
+void write_polygons(std::ostream& out, const Described_shapes& described, const Polygon_format& format)
 {
+  const Shape_areas& areas = described.areas();
+  const Shapes& shapes = described.shapes;
   if(format.extension == ".obj")
     write_obj(out, areas, faces_of(areas, shapes, format.faces));
   else if(format.extension == ".ply")
@@ -187,7 +188,7 @@ void write_polygons(std::ostream& out, const Point_set& points, const Shape_area
   else if(format.extension == ".off")
     write_off(out, areas, faces_of(areas, shapes, format.faces));
   else
-    write_geojson(out, areas, shapes, shape_table(points, shapes, areas), format);
+    write_geojson(out, described, format);
 }
 
 } // namespace program

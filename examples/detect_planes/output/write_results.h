@@ -101,10 +101,12 @@ bool needs_double(const Points& points, Get_vector get_vector)
   });
 }
 
-// Estimated normals that were turned to a side are those of the points.
+// Estimated normals that were turned to a side are those of the points. Without normals, as known planes need none, null.
 inline Kernel::Vector_3 normal_used(const Point_set& points, const Shapes& shapes, Point_set::Index i)
 {
-  return points.has_normal_map() ? points.normal(i) : shapes.estimated_normal(i);
+  if(points.has_normal_map())
+    return points.normal(i);
+  return shapes.has_estimated_normals() ? shapes.estimated_normal(i) : Kernel::Vector_3(CGAL::NULL_VECTOR);
 }
 
 inline void write_labels(std::ostream& out, const Shapes& shapes)

@@ -7,8 +7,8 @@
 #define DETECT_PLANES_WRITERS_H
 
 #include "input/input_settings.h"
+#include "output/Described_shapes.h"
 #include "output/report.h"
-#include "output/shape_areas.h"
 #include "output/write_results.h"
 
 #include <iosfwd>
@@ -40,13 +40,11 @@ struct Polygon_format {
 // The polygons of the shapes: binary PLY with the shape of each face, OBJ with a group for each shape, OFF with the color
 // of the shape, or GeoJSON with a feature for each shape. A vertex that several shapes have is in PLY, OBJ and OFF once.
 // Their faces have no holes: polygons with holes are triangles there.
-void write_polygons(std::ostream& out, const Point_set& points, const Shape_areas& areas, const Shapes& shapes,
-                    const Polygon_format& format);
+void write_polygons(std::ostream& out, const Described_shapes& shapes, const Polygon_format& format);
 
 // The page that shows a result in three dimensions: one file, which a browser opens from the disk. three.js and the page
 // around the data are parts of the program.
-void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Shape_areas& areas,
-                const Run& run);
+void write_view(std::ostream& out, const Described_shapes& shapes, const Run& run);
 
 } // namespace program
 

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/shape_table.h"
 #include "output/writers.h"
 #include "view/Thinned_points.h"
 #include "view/write_layers.h"
@@ -33,13 +32,14 @@ void write_pieces(std::ostream& out, const char* const* pieces)
     out << *pieces;
 }
 
-// What the first look shows: the shapes, as points without one may be far away.
+// What the first look shows: the shapes, as points without one may be far away; all points where none has a shape.
 CGAL::Bbox_3 box_of_shapes(const Point_set& points, const Shapes& shapes)
 {
+  const bool has_points = shapes.statistics().number_of_assigned_points > 0;
   CGAL::Bbox_3 box;
   std::size_t position = 0;
   for(Point_set::Index i : points)
-    if((shapes.shape_index(position++) >= 0 || shapes.number_of_shapes() == 0) && is_finite(points.point(i)))
+    if((shapes.shape_index(position++) >= 0 || !has_points) && is_finite(points.point(i)))
       box += points.point(i).bbox();
   return box;
 }
@@ -124,15 +124,16 @@ std::vector<std::uint32_t> write_points(std::ostream& out, const Point_set& poin
 
 } // namespace
 
-void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes, const Shape_areas& areas,
-                const Run& run)
+void write_view(std::ostream& out, const Described_shapes& described, const Run& run)
 {
+  const Point_set& points = described.points;
+  const Shapes& shapes = described.shapes;
   const Thinned_points thinned(points, shapes, largest_number_of_points);
   write_pieces(out, page_before_data);
   out << "<script type=\"application/json\" id=\"scene\">";
   Json scene = json_of_scene(points, shapes, run, thinned);
   const Kernel::Point_3 center = center_of(box_of_shapes(points, shapes));
-  const Json table = shape_table(points, shapes, areas);
+  const Json& table = described.table();
   scene["shapes"] = json_of_shapes(shapes, table, center);
   for(const auto& column : table.items())
     scene["table"].push_back(column.key());
@@ -142,7 +143,7 @@ void write_view(std::ostream& out, const Point_set& points, const Shapes& shapes
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
   const std::vector<std::uint32_t> positions = write_points(out, points, shapes, thinned);
   out << "</script>\n";
-  write_areas(out, areas, center);
+  write_areas(out, described.areas(), center);
   write_input_colors(out, points, positions);
   write_pieces(out, page_after_data);
 }

@@ -35,7 +35,7 @@ struct Output_case {
 inline std::string text_of_polygons(const Output_case& c, const std::string& path, Faces_of_file faces)
 {
   std::ostringstream out;
-  program::write_polygons(out, c.points, program::areas_of_shapes(c.points, c.shapes), c.shapes,
+  program::write_polygons(out, program::Described_shapes(c.points, c.shapes),
                           {program::lower_case_extension(path), faces, ""});
   return out.str();
 }
@@ -99,7 +99,7 @@ inline void check_view(const Output_case& c, const Written_shapes& polygons)
 {
   program::Run run;
   std::ostringstream out;
-  program::write_view(out, c.points, c.shapes, program::areas_of_shapes(c.points, c.shapes), run);
+  program::write_view(out, program::Described_shapes(c.points, c.shapes), run);
   const std::string text = out.str(), begin = "id=\"scene\">";
   const std::size_t first = text.rfind(begin) + begin.size();
   const Json scene = Json::parse(text.substr(first, text.find("</script>", first) - first));

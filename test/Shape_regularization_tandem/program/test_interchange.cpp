@@ -95,7 +95,7 @@ void check_vg(std::size_t skipped, bool by_plane)
     CHECK_AT(group_of[i] == s, std::to_string(i));
     if(s >= 0) {
       const Kernel::Plane_3 plane = shapes.oriented_plane(std::size_t(s));
-      const double* c = file.groups[std::size_t(group)].plane;
+      const double* c = file.groups[std::size_t(s)].plane;
       CHECK_AT(c[0] == plane.a() && c[1] == plane.b() && c[2] == plane.c() && c[3] == plane.d(), std::to_string(i));
     }
   }
@@ -144,7 +144,7 @@ void check_mesh(const Mesh& mesh, const std::vector<int>& shape_of, const Shapes
 void check_ply(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, program::areas_of_shapes(points, shapes), shapes,
+  program::write_polygons(out, program::Described_shapes(points, shapes),
                           {".ply", program::Faces_of_file::triangles, ""});
   std::istringstream in(out.str());
   Mesh mesh;
@@ -163,7 +163,7 @@ void check_ply(const Point_set& points, const Shapes& shapes)
 void check_obj(const Point_set& points, const Shapes& shapes)
 {
   std::ostringstream out;
-  program::write_polygons(out, points, program::areas_of_shapes(points, shapes), shapes,
+  program::write_polygons(out, program::Described_shapes(points, shapes),
                           {".obj", program::Faces_of_file::triangles, ""});
   std::istringstream in(out.str());
   Mesh mesh;

@@ -82,6 +82,18 @@ endif()
 expect(0 "shapes +2" ${parts} --near-direction vertical --output o.csv)
 expect_shell(0 "^-1 0 1 $" "sed 1d o.csv | awk -F, '{print $NF}' | sort -n | uniq | tr '\\n' ' '")
 
+# --- With other options: one for each plane, sides, models and the page, whose warnings are about what is left
+expect(0 "selection +1 of 4 shapes.*--by-plane --largest 1" ${parts} --by-plane --largest 1 --report r.json)
+expect_shell(0 "\"options\": \"--by-plane --largest 1\"" "cat r.json")
+expect(0 "selection +4 of 4 shapes, with 1752 of 1752 points .--by-plane." ${parts} --by-plane)
+expect(0 "selection +2 of 4" ${parts} --near-direction vertical --oriented --planes p.txt --shapes s.csv
+       --view v.html --by-plane --vg o.vg --polygons o.geojson)
+expect_shell(0 "^3\n$" "wc -l < s.csv")
+expect_shell(0 "^2\n$" "grep -c '\"id\": [01],' o.geojson")
+expect_shell(0 "^num_groups: 2\n$" "grep num_groups o.vg")
+expect(0 "selection +1 of 4" ${parts} --minimum-area 0.020123456789 --minimum-extent 0.16)
+expect(0 "--minimum-area 0.020123456789 --minimum-extent 0.16" ${parts} --minimum-area 0.020123456789 --minimum-extent 0.16)
+
 # --- Nothing is left: a warning, and files without shapes
 expect_warnings(${parts} --minimum-extent 1 --labels l.bin --planes p.txt --polygons o.obj --vg o.vg --output o.ply
                 WARNINGS "none of the 4 shapes fits --minimum-extent 1: the outputs have none")
@@ -94,7 +106,7 @@ foreach(value IN ITEMS 0 -1 99999999999)
   expect(2 "--largest is ${value}, must be in .1, 2147483648." ${parts} --largest ${value})
 endforeach()
 foreach(option IN ITEMS minimum-area minimum-extent)
-  foreach(value IN ITEMS 0 -2 nan inf)
+  foreach(value IN ITEMS 0 -2 nan inf 1e300)
     expect(2 "--${option} is ${value}, must be positive" ${parts} --${option} ${value})
   endforeach()
   expect(2 "--${option}" ${parts} --${option} wide)

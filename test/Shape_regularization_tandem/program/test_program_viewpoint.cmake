@@ -74,7 +74,7 @@ expect_side(1 0,6,0 bare.xyz --viewpoint=0,6,0)
 expect(0 "normals estimated, towards the viewpoint\n" bare.xyz ${epsilon} --viewpoint 5,6,7)
 expect_same(bare.planes bare.xyz --viewpoint 5,6,7)
 expect_same(bare.planes bare.xyz --viewpoint -2,-3,0)
-expect_shell(0 "^detect_planes: warning: --oriented: the normals are estimated, and no viewpoint is known[^\n]*\n$"
+expect_shell(0 "^detect_planes: warning: --oriented: no normals are given, and no viewpoint is known[^\n]*\n$"
              "\"$P\" bare.xyz --maximum-distance 0.004 --quiet --oriented --planes again.planes 2>&1")
 expect_shell(0 "^$" "cmp bare.planes again.planes")
 
