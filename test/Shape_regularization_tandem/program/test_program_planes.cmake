@@ -20,6 +20,8 @@ expect_shell(0 "^$" "cmp o.ply tiles/cube.ply")
 # --- A normal decides where there is one; without, only the distance
 expect_shell(0 "^$" "awk 'NR > 1 {print $1, $2, $3}' part.xyz > bare.xyz; printf '0 0 1 0\n1 0 0 -0.05\n' > two.txt")
 expect(0 "normals none.*shapes +2 in 2 planes" bare.xyz ${epsilon} --planes-from two.txt --labels bare.bin)
+expect(0 "normals none\n" bare.xyz ${epsilon} --planes-from two.txt --viewpoint 1,2,3 --oriented --planes p.txt --output o.csv --vg o.vg)
+expect_shell(0 "^1\n" "awk -F, '$4 == 0 && $5 == 0 && $6 == 0' o.csv | wc -l | awk '{print $1 == 1152}'")
 expect(0 "normals by PCA of 9" bare.xyz ${epsilon} --planes-from two.txt --estimate-normals 9)
 expect(2 "--planes-from takes normals of the input, or by --estimate-normals K" bare.xyz --planes-from two.txt --estimate-normals)
 
@@ -54,6 +56,9 @@ string(REGEX REPLACE "[ \n]" "" groups "${groups}")
 expect_equal("coplanar groups" "${groups}" "[[0],[1,2,3],[4]]")
 string(JSON name GET "${report}" planes_from)
 expect_equal("planes_from" "${name}" "more.txt")
+file(WRITE "${WORK_DIR}/far.txt" "0 0 1 -7\n")
+expect_warnings(cube.ply ${epsilon} --planes-from far.txt --view far.html --output far.ply
+                WARNINGS "no point is within the tolerances of a plane of far.txt: a larger --maximum-distance")
 expect(0 "shapes +5" cube.ply ${epsilon} --planes-from more.txt --view v.html --shapes s.csv)
 expect_shell(0 "^6$" "wc -l < s.csv")
 expect(0 "shapes +3 in 3 planes" cube.ply ${epsilon} --planes-from more.txt --by-plane --planes p.txt)
