@@ -36,7 +36,7 @@ std::string number_of(std::size_t planes, std::size_t all)
 void check_number_of_planes(std::size_t planes)
 {
   if(planes < fewest_planes)
-    throw std::runtime_error("--mesh: a closed surface needs four planes, " + std::to_string(planes) + " were found");
+    throw std::runtime_error("--mesh: a closed surface needs four planes, and there are " + std::to_string(planes));
 }
 
 struct Made_surface {

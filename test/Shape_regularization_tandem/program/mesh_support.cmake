@@ -13,7 +13,7 @@ macro(require_method name)
     message(STATUS "skipped: the program was built without ${CMAKE_MATCH_1}")
     return()
   endif()
-  expect(1 "a closed surface needs four planes, 3 were found" cube.ply ${epsilon} --mesh m.off --mesh-method ${name})
+  expect(1 "a closed surface needs four planes, and there are 3" cube.ply ${epsilon} --mesh m.off --mesh-method ${name})
   expect_no_file(m.off)
 endmacro()
 

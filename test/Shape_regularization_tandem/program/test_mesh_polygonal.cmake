@@ -30,7 +30,7 @@ expect(1 "shapes .*no volume was found that 4 planes enclose\n$" tower.xyz ${eps
 expect(1 "shapes .*no volume was found that 4 planes enclose; the other files are complete\n$" tower.xyz ${epsilon} ${mesh}
        ${others})
 expect_others()
-expect(1 "shapes .*four planes, 3 were found; the other files are complete\n$" cube.ply ${epsilon} ${mesh} ${others})
+expect(1 "shapes .*four planes, and there are 3; the other files are complete\n$" cube.ply ${epsilon} ${mesh} ${others})
 expect_others()
 
 # More planes than the method takes by default: those with most points, which is told. No more are asked for.

@@ -103,6 +103,7 @@ Output_case case_of_plane(const std::string& name, const Cloud& cloud, const pro
   data.fixed_direction = data.symmetry_group = {-1};
   data.is_flipped = {0};
   data.size = {cloud.size()};
+  data.uncertainty.resize(1);
   data.statistics.number_of_assigned_points = cloud.size();
   data.statistics.number_of_shapes = data.statistics.number_of_directions = data.statistics.number_of_planes = 1;
   return case_of(name, cloud, Shapes(data));

@@ -112,10 +112,12 @@ expect_ranks(3 0 "left out +normals, intensity, classification: not" ${tiles} la
 expect_same_results(mixed mixed_3)
 
 # --- A part of the shapes, and of the points
+list(REMOVE_ITEM outputs last.las)
 set(selection ${tiles} ${parameters} --near-direction 0,0,1 --largest 2)
-expect(0 "selection +[12] of [0-9]+ shapes" ${selection} --output-directory part --planes part/planes)
+expect(0 "selection +[12] of [0-9]+ shapes" ${selection} --output-directory part --planes part/planes --report part/report)
 string(REGEX MATCH "hash +[0-9a-f]+" hash "${out}")
-expect_ranks(3 0 "selection +[12] of [0-9]+ shapes.*${hash}" ${selection} --output-directory part_3 --planes part_3/planes)
+expect_ranks(3 0 "selection +[12] of [0-9]+ shapes.*${hash}" ${selection} --output-directory part_3
+             --planes part_3/planes --report part_3/report)
 expect_same_results(part part_3)
 
 # --- One message, and no file

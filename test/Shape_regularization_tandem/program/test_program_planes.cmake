@@ -60,7 +60,7 @@ file(WRITE "${WORK_DIR}/far.txt" "0 0 1 -7\n")
 expect_warnings(cube.ply ${epsilon} --planes-from far.txt --view far.html --output far.ply
                 WARNINGS "no point is within the tolerances of a plane of far.txt: a larger --maximum-distance")
 expect(0 "shapes +5" cube.ply ${epsilon} --planes-from more.txt --view v.html --shapes s.csv)
-expect_shell(0 "^6$" "wc -l < s.csv")
+expect_shell(0 "^6\n$" "wc -l < s.csv")
 expect(0 "shapes +3 in 3 planes" cube.ply ${epsilon} --planes-from more.txt --by-plane --planes p.txt)
 expect(0 "selection +1 of 5 shapes" cube.ply ${epsilon} --planes-from more.txt --largest 1)
 

@@ -83,6 +83,6 @@ expect(2 "mesh is 'm.stl', must end in .off, .obj or .ply" missing.ply --mesh m.
 expect(2 "named twice" cube.ply --mesh m.ply --polygons m.ply)
 
 # Three planes have no inside.
-expect(1 "a closed surface needs four planes, 3 were found" cube.ply ${epsilon} --mesh m.off)
+expect(1 "a closed surface needs four planes, and there are 3" cube.ply ${epsilon} --mesh m.off)
 expect_no_file(m.off m.stl)
 finish()
