@@ -23,7 +23,7 @@ jobs=${TANDEM_JOBS:-$(nproc 2> /dev/null || echo 2)}
 
 # The tests that the other configurations build as well: small ones, which reach every part of the engine.
 examples='^detect_planes(_of_vector)?$'
-sanitized='test_(bad_input|cell_cutter|closed_surface|regularize_planes|output_file|outputs|polygons|shape_polygons|shared_vertices|regular_outlines|python|mpi_)'
+sanitized='test_(bad_input|cell_cutter|closed_surface|label_points|regularize_planes|select_shapes|shape_facts|output_file|outputs|polygons|shape_polygons|shared_vertices|regular_outlines|python|mpi_)'
 
 fail() { echo "test.sh: $*" >&2; exit 1; }
 

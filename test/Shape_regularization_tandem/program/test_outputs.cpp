@@ -127,7 +127,7 @@ void check_far()
 {
   scenes::Random random(3);
   Totals totals;
-  constexpr int runs = is_sanitized ? 20 : 100;
+  constexpr int runs = is_sanitized ? 10 : 100;
   for(int run = 0; run < runs; ++run) {
     const scenes::Vec n = random.direction(), u = unit(cross(n, random.direction())), v = cross(n, u);
     const double width = 1e-9 * std::ldexp(20, run % 10), offset = -5e6 * (n.x + n.y + n.z);
@@ -183,7 +183,7 @@ void check_closed()
 int main(int argc, char** argv)
 {
   const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;
-  const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : argc > 1 ? 1 : is_sanitized ? 20 : 60;
+  const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : argc > 1 ? 1 : is_sanitized ? 10 : 60;
   if(argc == 1) {
     check_units();
     check_units_of_mesh();
