@@ -42,6 +42,15 @@ macro(check_run code pattern what)
   endif()
 endmacro()
 
+# set_view(variable FILE): --view FILE where the program can write a page, else nothing
+function(set_view variable file)
+  execute_process(COMMAND "${PROGRAM}" --help OUTPUT_VARIABLE help)
+  set(${variable} PARENT_SCOPE)
+  if(help MATCHES "--view FILE")
+    set(${variable} --view ${file} PARENT_SCOPE)
+  endif()
+endfunction()
+
 # expect_warnings(argument... WARNINGS pattern...): each pattern matches a warning, and there are no others, also with
 # --quiet, and in the report.
 function(expect_warnings)

@@ -57,9 +57,10 @@ expect_equal("coplanar groups" "${groups}" "[[0],[1,2,3],[4]]")
 string(JSON name GET "${report}" planes_from)
 expect_equal("planes_from" "${name}" "more.txt")
 file(WRITE "${WORK_DIR}/far.txt" "0 0 1 -7\n")
-expect_warnings(cube.ply ${epsilon} --planes-from far.txt --view far.html --output far.ply
+set_view(view v.html)
+expect_warnings(cube.ply ${epsilon} --planes-from far.txt ${view} --output far.ply
                 WARNINGS "no point is within the tolerances of a plane of far.txt: a larger --maximum-distance")
-expect(0 "shapes +5" cube.ply ${epsilon} --planes-from more.txt --view v.html --shapes s.csv)
+expect(0 "shapes +5" cube.ply ${epsilon} --planes-from more.txt ${view} --shapes s.csv)
 expect_shell(0 "^6\n$" "wc -l < s.csv")
 expect(0 "shapes +3 in 3 planes" cube.ply ${epsilon} --planes-from more.txt --by-plane --planes p.txt)
 expect(0 "selection +1 of 5 shapes" cube.ply ${epsilon} --planes-from more.txt --largest 1)

@@ -86,8 +86,9 @@ expect_shell(0 "^-1 0 1 $" "sed 1d o.csv | awk -F, '{print $NF}' | sort -n | uni
 expect(0 "selection +1 of 4 shapes.*--by-plane --largest 1" ${parts} --by-plane --largest 1 --report r.json)
 expect_shell(0 "\"options\": \"--by-plane --largest 1\"" "cat r.json")
 expect(0 "selection +4 of 4 shapes, with 1752 of 1752 points .--by-plane." ${parts} --by-plane)
+set_view(view v.html)
 expect(0 "selection +2 of 4" ${parts} --near-direction vertical --oriented --planes p.txt --shapes s.csv
-       --view v.html --by-plane --vg o.vg --polygons o.geojson)
+       ${view} --by-plane --vg o.vg --polygons o.geojson)
 expect_shell(0 "^3\n$" "wc -l < s.csv")
 expect_shell(0 "^2\n$" "grep -c '\"id\": [01],' o.geojson")
 expect_shell(0 "^num_groups: 2\n$" "grep num_groups o.vg")
