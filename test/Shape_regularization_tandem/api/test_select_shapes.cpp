@@ -37,7 +37,7 @@ struct Case {
 
 Case make_case(const std::string& name, Given given)
 {
-  const scenes::Scene scene = make_scene(name, scene_options(is_sanitized ? 5000 : 20000, .0005, .1));
+  const scenes::Scene scene = make_scene(name, scene_options(20000, .0005, .1));
   Cloud cloud = to_cloud(scene);
   cloud.emplace_back(Kernel::Point_3(std::nan(""), 0, 0), Kernel::Vector_3(0, 0, 1));
   Parameters parameters = make_parameters(.002 * scene.diagonal, 50);
