@@ -111,9 +111,7 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
 {
   namespace surface = internal::surface;
   using FT = typename GeomTraits::FT;
-  internal::outlines::check_input(shapes, points.size());
-  const auto coordinates = internal::outlines::coordinates_of(points, np);
-  internal::outlines::check_points(shapes, coordinates);
+  const auto coordinates = internal::outlines::checked_coordinates(shapes, points, np);
   const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, 200);
   if(most < 4)
     throw std::invalid_argument("maximum_number_of_planes is " + std::to_string(most) + ", must be at least 4.");

@@ -57,9 +57,7 @@ template <class GeomTraits, class PointRange, class NamedParameters = CGAL::para
 Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
                                                  const NamedParameters& np = NamedParameters())
 {
-  internal::outlines::check_input(shapes, points.size());
-  const auto coordinates = internal::outlines::coordinates_of(points, np);
-  internal::outlines::check_points(shapes, coordinates);
+  const auto coordinates = internal::outlines::checked_coordinates(shapes, points, np);
   const Shapes_data& of_shapes = shapes.data();
   Shapes_data data = internal::relabel_shapes(of_shapes, shapes.distinct_planes(), of_shapes.coplanar_group);
   data.is_flipped = internal::majority_of_sides(of_shapes, data.size.size());

@@ -56,9 +56,7 @@ Shape_polygons_3<GeomTraits> polygons(const Planar_shapes_3<GeomTraits>& shapes,
                                       const NamedParameters& np = NamedParameters())
 {
   namespace outlines = internal::outlines;
-  outlines::check_input(shapes, points.size());
-  const std::vector<outlines::Kernel::Point_3> coordinates = outlines::coordinates_of(points, np);
-  outlines::check_points(shapes, coordinates);
+  const std::vector<outlines::Kernel::Point_3> coordinates = outlines::checked_coordinates(shapes, points, np);
   const bool is_by_plane = internal::parameter<internal_np::one_for_each_plane_t>(np, false);
   const Shapes_data data =
     is_by_plane ? internal::relabel_shapes(shapes.data(), shapes.distinct_planes(), shapes.data().coplanar_group)

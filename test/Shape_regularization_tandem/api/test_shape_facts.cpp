@@ -235,17 +235,6 @@ void check_copies()
   CHECK_AT(std::fabs(after.area - before.area) < 1e-12, std::to_string(after.area));
 }
 
-template <class Exception, class Function>
-bool throws(Function f)
-{
-  try {
-    f();
-  } catch(const Exception&) {
-    return true;
-  }
-  return false;
-}
-
 void check_arguments()
 {
   const Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1);

@@ -129,17 +129,6 @@ void check_planes()
   CHECK_AT(std::fabs(by_plane.areas.area(0) / sum - 1) < .02, std::to_string(sum));
 }
 
-template <class Exception, class Function>
-bool throws(Function f)
-{
-  try {
-    f();
-  } catch(const Exception&) {
-    return true;
-  }
-  return false;
-}
-
 // Entries are counted that have no polygon: one of eight points.
 void check_empty()
 {

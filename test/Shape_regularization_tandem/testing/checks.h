@@ -87,6 +87,17 @@ inline void check_close(double value, double expected, double tolerance, const s
   check(std::fabs(value - expected) <= tolerance, what, value, expected);
 }
 
+template <class Exception, class Function>
+bool throws(Function f)
+{
+  try {
+    f();
+  } catch(const Exception&) {
+    return true;
+  }
+  return false;
+}
+
 // f() has to throw an Exception whose text has all of the words.
 template <class Exception, class F>
 void check_throws(F f, std::initializer_list<const char*> words, int line)

@@ -55,12 +55,8 @@ inline void add_facts_of_points(const Shape_measures& measures, const outlines::
 struct Input {
   template <class GeomTraits, class PointRange, class NP>
   Input(const Planar_shapes_3<GeomTraits>& given, const PointRange& range, const NP& np)
-    : shapes(in_doubles(given)), level(upward_of(given, np))
-  {
-    outlines::check_input(given, range.size());
-    points = outlines::coordinates_of(range, np);
-    outlines::check_points(given, points);
-  }
+    : shapes(in_doubles(given)), level(upward_of(given, np)), points(outlines::checked_coordinates(given, range, np))
+  {}
 
   outlines::Shapes shapes;
   Level_frame level;

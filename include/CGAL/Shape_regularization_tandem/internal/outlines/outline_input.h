@@ -90,6 +90,16 @@ void check_points(const Any_shapes& shapes, const std::vector<Kernel::Point_3>& 
   }
 }
 
+// coordinates_of() a range that is that of the shapes, all of which are in this process. Otherwise it throws.
+template <class Any_shapes, class PointRange, class NP>
+auto checked_coordinates(const Any_shapes& shapes, const PointRange& points, const NP& np)
+{
+  check_input(shapes, points.size());
+  auto coordinates = coordinates_of(points, np);
+  check_points(shapes, coordinates);
+  return coordinates;
+}
+
 } // namespace outlines
 } // namespace internal
 } // namespace Tandem
