@@ -9,6 +9,8 @@
 
 #include "precompiled.h"
 
+#include "testing/checks.h"
+
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
 #include <CGAL/Tandem/internal/finish/export_shapes.h>

@@ -3,8 +3,6 @@
 //
 // The result handed to the parts of CGAL that take planes with their points.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/adapters.h>
@@ -15,6 +13,8 @@
 #include <CGAL/structure_point_set.h>
 
 #include <iterator>
+
+BOOST_AUTO_TEST_SUITE(test_adapters)
 
 namespace np = CGAL::Tandem::parameters;
 using Shapes = CGAL::Tandem::Planar_shapes_3<Epick>;
@@ -111,7 +111,7 @@ void test_projected_points(const Pairs<Epick>& points, const Shapes& shapes)
     CHECK(CGAL::squared_distance(std::get<0>(item), planes[std::size_t(std::get<2>(item))]) < 1e-28);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
   const Shapes shapes = CGAL::Tandem::detect_planes(
@@ -123,5 +123,6 @@ int main()
   test_output(points, shapes);
   test_point_set(points);
   test_projected_points(points, shapes);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // An angle that may have been meant as a cosine is told in the statistics, whether it is a named parameter or from
 // the settings. A result with another note is refused.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 #include "testing/checks.h"
 
@@ -13,6 +11,8 @@
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_angle_note)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::angle_note;
@@ -39,7 +39,7 @@ void test_values()
   CHECK(note_of(.9, .99) == of_normals + "; " + of_planes);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_values();
   const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
@@ -56,5 +56,6 @@ int main()
   data.statistics.angle_note.clear();
   CHECK(!CGAL::Tandem::is_valid_result(points, CGAL::Tandem::Planar_shapes_3<Epick>(data), maps, &why));
   CHECK_AT(why.find("angle_note") != std::string::npos, why);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,14 +4,14 @@
 // Bad data gets a result, misuse gets an exception that names the parameter, its
 // value and the allowed range.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_bad_input)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::detect_planes;
@@ -52,7 +52,7 @@ void check_answer(const std::vector<Box_point>& cloud, std::size_t shapes, const
 
 std::vector<Box_point> repeat(std::size_t n, Box_point p) { return std::vector<Box_point>(n, p); }
 
-void test_degenerate_clouds()
+BOOST_AUTO_TEST_CASE(test_degenerate_clouds)
 {
   const Box_point p = {{1, 2, 3}, {0, 0, 1}};
   check_answer({}, 0, "empty");
@@ -84,7 +84,7 @@ void test_degenerate_clouds()
 }
 
 // Points that cannot be used are counted and change nothing for the others.
-void test_invalid_points()
+BOOST_AUTO_TEST_CASE(test_invalid_points)
 {
   const std::vector<Box_point> clean = make_box_cloud();
   std::vector<Box_point> cloud;
@@ -120,7 +120,7 @@ void test_invalid_points()
 }
 
 // Normals of any length mean the same.
-void test_lengths_of_normals()
+BOOST_AUTO_TEST_CASE(test_lengths_of_normals)
 {
   const std::vector<Box_point> clean = make_box_cloud(600);
   const auto given = np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006);
@@ -146,7 +146,7 @@ void check_refused(const NP& list, std::initializer_list<const char*> words, int
 }
 
 // A plane with exact normals is found at the smallest angle, however it lies. Packing turns its normals by less.
-void test_smallest_angle()
+BOOST_AUTO_TEST_CASE(test_smallest_angle)
 {
   const double smallest = CGAL::Tandem::smallest_angle_deg;
   std::mt19937 random(7);
@@ -167,7 +167,7 @@ void test_smallest_angle()
   }
 }
 
-void test_misuse()
+BOOST_AUTO_TEST_CASE(test_misuse)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   check_refused(np::maximum_distance(0.), {"maximum_distance", "0", "(0, infinity)"}, __LINE__);
@@ -202,7 +202,7 @@ void test_misuse()
 }
 
 // The grid is coarsened as long as epsilon keeps 16 steps; then there is an exception.
-void test_extent()
+BOOST_AUTO_TEST_CASE(test_extent)
 {
   std::vector<Box_point> cloud = make_box_cloud(600);
   const auto given =
@@ -245,7 +245,7 @@ Pairs<Epick> make_scaled_box(double unit)
 }
 
 // Whatever the result is, it is valid.
-void test_extreme_coordinates()
+BOOST_AUTO_TEST_CASE(test_extreme_coordinates)
 {
   const auto check = [](const Pairs<Epick>& points, const auto& list, const std::string& name) {
     const auto shapes = detect_planes(points, list);
@@ -271,14 +271,4 @@ void test_extreme_coordinates()
   }
 }
 
-int main()
-{
-  test_degenerate_clouds();
-  test_invalid_points();
-  test_lengths_of_normals();
-  test_smallest_angle();
-  test_misuse();
-  test_extent();
-  test_extreme_coordinates();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,12 +4,12 @@
 // Progress rises from 0 to 1 through all stages. A cancelled detection leaves a valid result; what the callback throws
 // ends it at once.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+
+BOOST_AUTO_TEST_SUITE(test_callback)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::detect_planes;
@@ -34,7 +34,7 @@ bool throws_at(std::size_t n, const Range& points, const List& list)
   return false;
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
   const auto list = np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006);
@@ -67,5 +67,6 @@ int main()
     CHECK_AT(is_valid_result(points, shapes, list, &why), std::to_string(calls) + ": " + why);
     CHECK_AT(throws_at(calls, points, list), std::to_string(calls));
   }
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,8 +6,6 @@
 // data.tar.gz of the Debian package libcgal-demo, or TANDEM_CGAL_DATA, the folder
 // of points_3; they are left out, visibly, where there is neither.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <cmath>
@@ -15,6 +13,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+
+BOOST_AUTO_TEST_SUITE(test_cgal_scenes)
 
 using scenes::Random;
 using scenes::Vec;
@@ -195,7 +195,7 @@ void test_copies(const Cloud& building)
   }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_parallelogram();
   test_rectangles();
@@ -205,11 +205,12 @@ int main()
   if(building.empty()) // as it is called from CGAL 5.6 on
     building = cgal_data("building.xyz");
   if(cube.empty() || building.empty()) {
-    std::cout << "SKIPPED: there is no data of CGAL" << std::endl;
-    return failures() > 0 ? report() : 77;
+    std::cout << "skipped: there is no data of CGAL" << std::endl;
+    return;
   }
   test_cube(read_lines(cube));
   test_building(read_lines(building));
   test_copies(read_lines(building));
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

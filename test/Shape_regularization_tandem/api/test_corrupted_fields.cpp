@@ -4,8 +4,6 @@
 // is_valid_result() has an answer for whatever a result holds: it neither throws nor goes on for ever. Each field with
 // a value that the points or the other fields contradict is refused, with a reason.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 #include "testing/corruptions.h"
 
@@ -16,6 +14,8 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+
+BOOST_AUTO_TEST_SUITE(test_corrupted_fields)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Parameters;
@@ -204,12 +204,13 @@ void test_results_of_nothing()
   CHECK_AT(why.empty(), why);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_each_field(Normals::given);
   test_each_field(Normals::estimated);
   test_agreeing_fields();
   test_parameters();
   test_results_of_nothing();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,13 +4,13 @@
 // The estimate follows the noise, the spacing and the unit of a cloud, and not the
 // order of its points. What is given is kept.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
 
 #include <algorithm>
+
+BOOST_AUTO_TEST_SUITE(test_estimate_parameters)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::estimate_parameters;
@@ -36,7 +36,7 @@ double distance_of(const Points& points) { return estimate_parameters(points).ma
 
 bool is_near(double a, double b, double tolerance) { return std::fabs(a - b) <= tolerance * b; }
 
-void test_rule()
+BOOST_AUTO_TEST_CASE(test_rule)
 {
   // Uniform on a triangle-shaped distribution of +-noise: sigma = noise / sqrt(6).
   for(float noise : {.004f, .008f, .016f, .04f})
@@ -51,7 +51,7 @@ void test_rule()
   CHECK(estimate_parameters(points).maximum_offset == distance_of(points));
 }
 
-void test_motions()
+BOOST_AUTO_TEST_CASE(test_motions)
 {
   Points points = make_points(1500, .002f);
   const double distance = distance_of(points);
@@ -65,7 +65,7 @@ void test_motions()
   CHECK(is_near(distance_of(transformed(points, 1, {500000, 4500000, 100})), distance, .05));
 }
 
-void test_given()
+BOOST_AUTO_TEST_CASE(test_given)
 {
   const Points points = make_points(300, .002f);
   const auto p = estimate_parameters(points, np::maximum_distance(.5).k_neighbors(20).cell_size(100));
@@ -80,7 +80,7 @@ void test_given()
 }
 
 // Names that some versions of CGAL have, and that this package adds to the others.
-void test_names_of_cgal()
+BOOST_AUTO_TEST_CASE(test_names_of_cgal)
 {
   const Points points = make_points(300, .002f);
   const CGAL::Identity_property_map<Epick::Point_3> map;
@@ -92,7 +92,7 @@ void test_names_of_cgal()
   CHECK(estimate_parameters(points, CGAL::parameters::all_default()).angle_tolerance == 8);
 }
 
-void test_degenerate()
+BOOST_AUTO_TEST_CASE(test_degenerate)
 {
   CHECK(distance_of({}) > 0);
   CHECK(distance_of({{1, 2, 3}}) > 0);
@@ -113,12 +113,4 @@ void test_degenerate()
   CHECK(estimate_parameters(Points()).minimum_region_size >= 3);
 }
 
-int main()
-{
-  test_rule();
-  test_motions();
-  test_given();
-  test_names_of_cgal();
-  test_degenerate();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

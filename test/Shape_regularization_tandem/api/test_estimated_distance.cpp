@@ -4,8 +4,6 @@
 // The estimate knows the noise: of surfaces next to others, of low roofs, of copies and of depth in steps, and with points
 // that are far from all others.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 #include "testing/noisy_clouds.h"
 
@@ -14,6 +12,8 @@
 
 #include <string>
 #include <utility>
+
+BOOST_AUTO_TEST_SUITE(test_estimated_distance)
 
 using namespace noisy_clouds;
 using CGAL::Tandem::estimate_noise;
@@ -41,7 +41,7 @@ std::string name(const std::string& what, double value, unsigned seed)
 constexpr double scales[] = {1, 1, 1000, .01};
 
 // Noise from a tenth of the spacing to ten times the spacing.
-void test_noise()
+BOOST_AUTO_TEST_CASE(test_noise)
 {
   unsigned seed = 0;
   for(const double noise_per_spacing : {.1, .3, 1., 3., 10.})
@@ -64,7 +64,7 @@ void test_noise()
 }
 
 // Noise of three times the spacing, and faces of few points: hardly a neighborhood is thin.
-void test_noisy_faces()
+BOOST_AUTO_TEST_CASE(test_noisy_faces)
 {
   for(unsigned seed = 1; seed <= 3; ++seed) {
     Random random(seed);
@@ -78,7 +78,7 @@ void test_noisy_faces()
 using Oriented = std::pair<Point, Vector>;
 
 // Two sides of a wall, .12 apart.
-void test_sheets()
+BOOST_AUTO_TEST_CASE(test_sheets)
 {
   for(unsigned seed = 1; seed <= 4; ++seed) {
     Random random(seed);
@@ -105,7 +105,7 @@ void test_sheets()
   }
 }
 
-void test_ridges()
+BOOST_AUTO_TEST_CASE(test_ridges)
 {
   for(unsigned seed = 1; seed <= 4; ++seed)
     for(const std::size_t n : {std::size_t(2500), std::size_t(4000), std::size_t(20000)}) {
@@ -118,7 +118,7 @@ void test_ridges()
 }
 
 // One tilted plane: epsilon covers most of a step, and not two.
-void test_steps()
+BOOST_AUTO_TEST_CASE(test_steps)
 {
   unsigned seed = 0;
   for(const double step : {.045, .0285, .06})
@@ -132,7 +132,7 @@ void test_steps()
 }
 
 // Copies, also such that are not exact, count once.
-void test_copies()
+BOOST_AUTO_TEST_CASE(test_copies)
 {
   unsigned seed = 0;
   for(const double jitter : {0., 1e-7, 1e-5, 1e-3})
@@ -148,7 +148,7 @@ void test_copies()
 }
 
 // Few points that are far from all others change nothing; many are part of the cloud.
-void test_far_points()
+BOOST_AUTO_TEST_CASE(test_far_points)
 {
   Random random(5);
   const Points near = Pose(5, 1)(room(6000, .004, random));
@@ -165,7 +165,7 @@ void test_far_points()
 }
 
 // Without noise it is a share of the spacing; bent surfaces are mentioned.
-void test_smooth()
+BOOST_AUTO_TEST_CASE(test_smooth)
 {
   Random random(6);
   Points sphere;
@@ -180,7 +180,7 @@ void test_smooth()
 }
 
 // Noise that grows with the range varies for certain.
-void test_corridors()
+BOOST_AUTO_TEST_CASE(test_corridors)
 {
   unsigned seed = 100;
   for(const int width : {120, 200, 320})
@@ -196,7 +196,7 @@ void test_corridors()
 
 // What grows by little from wall to wall does not, nor does what differs between neighbors: bushes before the walls of a
 // room.
-void test_other_variation()
+BOOST_AUTO_TEST_CASE(test_other_variation)
 {
   for(unsigned seed = 1; seed <= 3; ++seed) {
     Random random(seed);
@@ -218,17 +218,4 @@ void test_other_variation()
   }
 }
 
-int main()
-{
-  test_noise();
-  test_noisy_faces();
-  test_sheets();
-  test_ridges();
-  test_steps();
-  test_copies();
-  test_far_points();
-  test_smooth();
-  test_corridors();
-  test_other_variation();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Four kernels, five kinds of range, both lists of named parameters, the class
 // and the function, all tags: the same cloud gives the same result, and the range is left alone.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
@@ -19,6 +17,8 @@
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <memory>
+
+BOOST_AUTO_TEST_SUITE(test_kernels_and_ranges)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::detect_planes;
@@ -165,7 +165,7 @@ std::uint64_t test_class(const std::vector<Box_point>& cloud)
   return detection.shapes().hash();
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   const std::vector<Box_point> cloud = make_box_cloud();
   const std::uint64_t hash = test_pairs<Epick>(cloud, "epick");
@@ -181,5 +181,6 @@ int main()
   CHECK((test_points<CGAL::Simple_cartesian<float>>(cloud, "points of float") == estimated));
   CHECK((test_points<CGAL::Simple_cartesian<double>>(cloud, "points of double") == estimated));
   CHECK((test_points<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "points of epeck") == estimated));
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // Labels of further points by known planes, against a search without any structure.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/label_points.h>
@@ -16,6 +14,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_label_points)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::label_points;
@@ -208,7 +208,7 @@ void check_scales()
   }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(const char* name : {"indoor", "house"}) {
     const Case c = make_case(name);
@@ -221,5 +221,6 @@ int main()
   }
   check_coplanar();
   check_scales();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // Tolerances of points follow the noise about them, smoothly, and neither the order of the points nor the back end.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 #include "testing/noisy_clouds.h"
 
@@ -15,6 +13,8 @@
 #include <array>
 #include <numeric>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_local_distances)
 
 using namespace noisy_clouds;
 using CGAL::Tandem::estimate_local_distances;
@@ -50,7 +50,7 @@ struct Measured_corridor {
   }
 };
 
-void test_corridor()
+BOOST_AUTO_TEST_CASE(test_corridor)
 {
   for(unsigned seed = 1; seed <= 2; ++seed) {
     Random random(seed);
@@ -71,7 +71,7 @@ void test_corridor()
 }
 
 // Where the noise is the same everywhere, so are the tolerances, and they are that of the cloud.
-void test_even_noise()
+BOOST_AUTO_TEST_CASE(test_even_noise)
 {
   Random random(3);
   const Points points = Pose(3, 100)(room(12000, .004, random));
@@ -81,7 +81,7 @@ void test_even_noise()
 }
 
 // The values of the points, and not their order, count.
-void test_order()
+BOOST_AUTO_TEST_CASE(test_order)
 {
   Random random(4);
   const Corridor corridor(80, 60, 5, random);
@@ -99,7 +99,7 @@ void test_order()
     CHECK(again[i] == distance[order[i]]);
 }
 
-void test_degenerate()
+BOOST_AUTO_TEST_CASE(test_degenerate)
 {
   CHECK(estimate_local_distances(Points()).empty());
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -115,11 +115,4 @@ void test_degenerate()
     CHECK(d == estimate);
 }
 
-int main()
-{
-  test_corridor();
-  test_even_noise();
-  test_order();
-  test_degenerate();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // regularize_planes() on planes that were found elsewhere: a noisy, turned box,
 // with the interface of CGAL's function of the same name.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 #include "testing/plane_scene.h"
 
@@ -19,6 +17,8 @@
 #include <numeric>
 #include <random>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_regularize_planes)
 
 namespace np = CGAL::parameters;
 
@@ -230,7 +230,7 @@ void test_maps()
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_box<Kernel>("EPICK", 0.01, 1e-15, 0);
   test_box<Kernel>("EPICK far away", 0.01, 1e-15, 4.5e5);
@@ -243,5 +243,6 @@ int main()
   test_large_tolerances();
   test_far_planes();
   test_maps();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Results with some of the shapes: valid, with the same planes, points and relations, and the shapes that the criteria say.
 // And one shape for each plane.
 
-#undef NDEBUG
-
 #include "testing/same_result.h"
 
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
@@ -19,6 +17,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_select_shapes)
 
 using CGAL::Tandem::join_coplanar_shapes;
 using CGAL::Tandem::select_shapes;
@@ -247,7 +247,7 @@ void check_joined_alone(const Case& c)
   check_throws<std::invalid_argument>([&] { join_coplanar_shapes(alone, Cloud(), maps); }, {"0 points"}, __LINE__);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(const char* name : {"village", "indoor"})
     for(Given given : {Given::normals, Given::nothing}) {
@@ -267,5 +267,6 @@ int main()
       if(given == Given::normals && c.name == "indoor")
         check_joined(c);
     }
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

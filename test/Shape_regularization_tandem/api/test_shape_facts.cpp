@@ -4,8 +4,6 @@
 // shape_facts() of shapes whose size and place are known: in two kernels, in small, large and far clouds, and of points
 // that determine little.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/polygons.h>
@@ -20,6 +18,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_shape_facts)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::Shape_facts;
@@ -115,7 +115,7 @@ void check_rectangle(const Shape_facts& f, const Place& center, double size, dou
   CHECK_AT(f.turned_deg <= 60 * tolerance, std::to_string(f.turned_deg));
 }
 
-void check_known_rectangle()
+BOOST_AUTO_TEST_CASE(check_known_rectangle)
 {
   const Place n = normal_of(30, 120), center = {3, -2, 5}, far = {600000, 5400000, 300};
   check_rectangle(facts_of(rectangle(n, center, .1), .01), center, 1, 1e-12);
@@ -127,7 +127,7 @@ void check_known_rectangle()
   }
 }
 
-void check_slopes()
+BOOST_AUTO_TEST_CASE(check_slopes)
 {
   const Place center = {0, 0, 0};
   for(const double azimuth : {0., 90., 180., 270., 359.}) {
@@ -153,7 +153,7 @@ void check_slopes()
 }
 
 // The axis y is upward: north is -z.
-void check_upward()
+BOOST_AUTO_TEST_CASE(check_upward)
 {
   const Cloud cloud = rectangle({0, std::cos(radians(10)), -std::sin(radians(10))}, {0, 7, 0}, .1);
   auto shapes = shape_of<Epick>(cloud, .01);
@@ -169,7 +169,7 @@ void check_upward()
 }
 
 // A plane that regularization has turned by a degree about the centroid, and shifted.
-void check_moved()
+BOOST_AUTO_TEST_CASE(check_moved)
 {
   Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1, .004);
   const Shape_facts before = facts_of(cloud, .2);
@@ -191,7 +191,7 @@ void check_is_finite(const Shape_facts& f)
     CHECK(std::isfinite(x));
 }
 
-void check_few_points()
+BOOST_AUTO_TEST_CASE(check_few_points)
 {
   const Cloud triangle = {{{1, 1, 0}, {2, 1, 0}, {1, 3, 0}}, {0, 0, 1, 0}};
   const Shape_facts three = facts_of(triangle, .01);
@@ -211,7 +211,7 @@ void check_few_points()
 }
 
 // A known plane that no point is on.
-void check_no_points()
+BOOST_AUTO_TEST_CASE(check_no_points)
 {
   const Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1);
   auto data = shape_of<Epick>(cloud, .01).data();
@@ -223,7 +223,7 @@ void check_no_points()
 }
 
 // Copies of points change nothing but what counts points.
-void check_copies()
+BOOST_AUTO_TEST_CASE(check_copies)
 {
   Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1);
   const Shape_facts before = facts_of(cloud, .01);
@@ -235,7 +235,7 @@ void check_copies()
   CHECK_AT(std::fabs(after.area - before.area) < 1e-12, std::to_string(after.area));
 }
 
-void check_arguments()
+BOOST_AUTO_TEST_CASE(check_arguments)
 {
   const Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1);
   const auto shapes = shape_of<Epick>(cloud, .01);
@@ -256,15 +256,4 @@ void check_arguments()
   CHECK(CGAL::Tandem::shape_facts(CGAL::Tandem::Planar_shapes_3<Epick>(), none).empty());
 }
 
-int main()
-{
-  check_known_rectangle();
-  check_slopes();
-  check_upward();
-  check_moved();
-  check_few_points();
-  check_no_points();
-  check_copies();
-  check_arguments();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // polygons() as a user calls it: kernels, entries of planes, frames, and what it refuses.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
@@ -18,6 +16,8 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_shape_polygons)
 
 namespace np = CGAL::Tandem::parameters;
 
@@ -39,7 +39,7 @@ Result<Kernel> result_of(const Pairs<Kernel>& cloud, bool is_by_plane = false)
 }
 
 // The cloud is the same in every kernel, and so are the polygons.
-void check_kernels()
+BOOST_AUTO_TEST_CASE(check_kernels)
 {
   const auto box = make_box_cloud(400);
   const auto a = result_of<Epick>(make_pairs<Epick>(box));
@@ -61,7 +61,7 @@ double area_of(const Polygon& polygon)
   return result;
 }
 
-void check_frames()
+BOOST_AUTO_TEST_CASE(check_frames)
 {
   const auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
   for(std::size_t i = 0; i < r.areas.number_of_entries(); ++i) {
@@ -90,7 +90,7 @@ void check_frames()
 }
 
 // Outer boundaries and triangles are counterclockwise about the normals of plane(), whatever the normals of the points are.
-void check_orientation()
+BOOST_AUTO_TEST_CASE(check_orientation)
 {
   for(const double side : {1, -1}) {
     auto cloud = make_pairs<Epick>(make_box_cloud(400));
@@ -115,7 +115,7 @@ void check_orientation()
 }
 
 // Two squares of one plane, as one entry or as two.
-void check_planes()
+BOOST_AUTO_TEST_CASE(check_planes)
 {
   Pairs<Epick> cloud;
   std::mt19937 random(3);
@@ -130,7 +130,7 @@ void check_planes()
 }
 
 // Entries are counted that have no polygon: one of eight points.
-void check_empty()
+BOOST_AUTO_TEST_CASE(check_empty)
 {
   const auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
   CHECK(r.areas.number_of_empty_entries() == 0 && !r.areas.is_empty(0));
@@ -175,7 +175,7 @@ void check_points()
   check_points_of<CGAL::Simple_cartesian<float>>();
 }
 
-void check_refused()
+BOOST_AUTO_TEST_CASE(check_refused)
 {
   auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
   r.cloud.pop_back();
@@ -191,13 +191,4 @@ void check_refused()
   CHECK(CGAL::Tandem::polygons(CGAL::Tandem::Planar_shapes_3<Epick>(), none).number_of_entries() == 0);
 }
 
-int main()
-{
-  check_kernels();
-  check_frames();
-  check_orientation();
-  check_planes();
-  check_empty();
-  check_refused();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

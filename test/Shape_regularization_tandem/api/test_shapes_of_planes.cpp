@@ -3,8 +3,6 @@
 //
 // A result of known planes: those of a detection, and planes with all relations.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
@@ -17,6 +15,8 @@
 #include <stdexcept>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_shapes_of_planes)
+
 using CGAL::Tandem::Coefficients;
 using CGAL::Tandem::join_coplanar_shapes;
 using CGAL::Tandem::label_points;
@@ -27,7 +27,7 @@ namespace np = CGAL::Tandem::parameters;
 const auto maps = np::point_map(First<Kernel>()).normal_map(Second<Kernel>());
 
 // The planes of a detection give the same planes, relations and numbers, and the labels of label_points().
-void check_planes_of_detection()
+BOOST_AUTO_TEST_CASE(check_planes_of_detection)
 {
   const scenes::Scene scene = make_scene("indoor", scene_options(8000, .0005, .1));
   const Cloud cloud = to_cloud(scene);
@@ -69,7 +69,7 @@ Cloud make_corner()
   return cloud;
 }
 
-void check_relations()
+BOOST_AUTO_TEST_CASE(check_relations)
 {
   const Cloud cloud = make_corner();
   const std::vector<Coefficients> planes = {{0, 0, 2, 0}, {-3, 0, 0, 0}, {0, 0, -1, 1},
@@ -90,7 +90,7 @@ void check_relations()
 }
 
 // Known planes have no score, and get none where they are selected or joined.
-void check_score()
+BOOST_AUTO_TEST_CASE(check_score)
 {
   const Cloud cloud = make_corner();
   const Shapes shapes = shapes_of_planes({{0, 0, 1, 0}, {0, 0, 1, 0}, {1, 0, 0, 0}}, cloud, maps.maximum_distance(.01));
@@ -103,7 +103,7 @@ void check_score()
 }
 
 // Lengths of normals whose squares overflow or vanish change no plane.
-void check_extreme_planes()
+BOOST_AUTO_TEST_CASE(check_extreme_planes)
 {
   const Cloud cloud = make_corner();
   const Shapes shapes =
@@ -112,7 +112,7 @@ void check_extreme_planes()
   CHECK(shapes.coefficients(1) == Coefficients({0, 0, 1, 0}) && shapes.coefficients(2) == Coefficients({0, 1, 0, 1}));
 }
 
-void check_notes()
+BOOST_AUTO_TEST_CASE(check_notes)
 {
   const Shapes shapes = shapes_of_planes({{0, 0, 1, 0}}, make_corner(), maps.maximum_angle(.9));
   CHECK(shapes.statistics().angle_note == CGAL::Tandem::angle_note(shapes.parameters()));
@@ -120,7 +120,7 @@ void check_notes()
 }
 
 // Without normals only distances count, and there are none to be asked for.
-void check_without_normals()
+BOOST_AUTO_TEST_CASE(check_without_normals)
 {
   const Cloud cloud = make_corner();
   const auto positions = np::point_map(First<Kernel>());
@@ -134,7 +134,7 @@ void check_without_normals()
   CHECK(shapes_of_planes({}, cloud, positions).number_of_shapes() == 0);
 }
 
-void check_refusals()
+BOOST_AUTO_TEST_CASE(check_refusals)
 {
   const Cloud cloud = make_corner();
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
@@ -153,14 +153,4 @@ void check_refusals()
                                       {"maximum_distance"}, __LINE__);
 }
 
-int main()
-{
-  check_planes_of_detection();
-  check_relations();
-  check_without_normals();
-  check_score();
-  check_extreme_planes();
-  check_notes();
-  check_refusals();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,20 +3,20 @@
 //
 // Planes that regularize_planes() calls related have unit normals.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 #include "testing/plane_scene.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
+BOOST_AUTO_TEST_SUITE(test_unit_normals)
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 namespace np = CGAL::parameters;
 
 // Planes that are orthogonal before get unit normals, too, of any length; one that is related to nothing stays.
-void test_unit_normals()
+BOOST_AUTO_TEST_CASE(test_unit_normals)
 {
   Scene<Kernel> s;
   s.planes = {{0, 0, 2, 0}, {-3e-200, 0, 0, 0}, {1, 2, 4, 0}};
@@ -36,8 +36,4 @@ void test_unit_normals()
   }
 }
 
-int main()
-{
-  test_unit_normals();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // is_valid_result() accepts a result, and rejects it as soon as one promise is
 // broken: each corruption below breaks a single one.
 
-#undef NDEBUG
-
 #include "testing/box_cloud.h"
 #include "testing/change_table.h"
 
@@ -13,6 +11,8 @@
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(test_valid_result)
 
 namespace np = CGAL::Tandem::parameters;
 using Shapes = CGAL::Tandem::Planar_shapes_3<Epick>;
@@ -179,7 +179,7 @@ void test_connectivity(Corruptions& c, const Pairs<Epick>& points)
   });
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
   const Shapes shapes = CGAL::Tandem::detect_planes(points, Corruptions::maps().maximum_distance(.006));
@@ -191,5 +191,6 @@ int main()
   test_planes(corruptions);
   test_shapes(corruptions);
   test_connectivity(corruptions, points);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

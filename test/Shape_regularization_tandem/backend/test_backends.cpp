@@ -3,13 +3,13 @@
 //
 // The steps before and after the loop, and the searches of blocks, against naive versions on several back ends.
 
-#undef NDEBUG
-
 #include "testing/backend_operations.h"
 #include "testing/block_searches.h"
 #include "testing/host_backends.h"
 
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
+
+BOOST_AUTO_TEST_SUITE(test_backends)
 
 using namespace CGAL::Tandem::internal;
 
@@ -258,7 +258,7 @@ private:
   const Fixture& f_;
 };
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   on_host_backends([](auto backend, const std::string& name) {
     for(const std::string& wrong : Backend_operations<decltype(backend)>(backend).run())
@@ -266,5 +266,6 @@ int main()
   });
   test_on_all_backends<Backend_steps>();
   test_on<Backend_steps>(Reverse_backend());
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // The concepts of the back ends are complete and strict: the engine compiles with the archetypes, which have nothing
 // but what concepts.h lists, the back ends of the host are models, and what lacks one operation is none.
 
-#undef NDEBUG
-
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 #include <CGAL/Tandem/internal/backend/archetypes.h>
@@ -17,11 +15,13 @@
 #include <cstdio>
 #include <string>
 
-using namespace CGAL::Tandem::internal;
-
 // All that the engine calls, in one process and in one of many.
-template class CGAL::Tandem::internal::Engine<archetypes::Backend>;
-template class CGAL::Tandem::internal::Engine<archetypes::Rank_backend>;
+template class CGAL::Tandem::internal::Engine<CGAL::Tandem::internal::archetypes::Backend>;
+template class CGAL::Tandem::internal::Engine<CGAL::Tandem::internal::archetypes::Rank_backend>;
+
+BOOST_AUTO_TEST_SUITE(test_concepts)
+
+using namespace CGAL::Tandem::internal;
 
 static_assert(Is_block<archetypes::Block>::value && Is_block<Serial_block>::value, "models of Block");
 static_assert(Is_backend<archetypes::Backend>::value && !Is_host_backend<archetypes::Backend>::value, "the archetype");
@@ -149,7 +149,7 @@ static_assert(!Stage_overrides<Sequential_backend>::finds_neighbors &&
                 !Stage_overrides<Sequential_backend>::groups_points,
               "the sequential back end replaces no stage");
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   // The engine of the archetype can be called, and finds nothing in a cloud without points.
   archetypes::Backend backend;
@@ -159,8 +159,8 @@ int main()
   parameters.minimum_region_size = 3;
   Progress progress;
   Engine<archetypes::Backend> engine(backend, in, parameters, progress);
-  const bool is_right = !engine.iterate() && engine.name() == std::string("archetype");
-  if(!is_right)
-    std::fprintf(stderr, "the engine of the archetype does not run\n");
-  return is_right ? 0 : 1;
+  BOOST_TEST(!engine.iterate());
+  BOOST_TEST(engine.name() == std::string("archetype"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,20 +4,20 @@
 // A third back end of the host, added from outside of the package by a tag: it has the bits of the sequential one,
 // although all of its loops run backwards.
 
-#undef NDEBUG
-
 #include "testing/Reverse_backend.h"
 #include "testing/test_support.h"
 #include "testing/work.h"
 
 #include <CGAL/Tandem/internal/backend/concepts.h>
 
+BOOST_AUTO_TEST_SUITE(test_reverse_backend)
+
 using CGAL::Tandem::Reverse_tag;
 
 static_assert(CGAL::Tandem::internal::Is_host_backend<CGAL::Tandem::internal::Reverse_backend>::value,
               "the back end is no model of the concept");
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   std::size_t shapes = 0;
   for(const char* name : {"house", "indoor", "staircase"})
@@ -33,5 +33,6 @@ int main()
       shapes += expected.number_of_shapes();
     }
   CHECK_AT(shapes > 30, std::to_string(shapes));
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

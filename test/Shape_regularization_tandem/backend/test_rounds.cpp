@@ -4,8 +4,6 @@
 // run_rounds() and make_buffer() on several back ends: each step sees all of the one before, and rounds end where they
 // should.
 
-#undef NDEBUG
-
 #include "testing/Reverse_backend.h"
 #include "testing/body_fixture.h"
 
@@ -15,6 +13,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_rounds)
 
 using namespace CGAL::Tandem::internal;
 
@@ -62,7 +62,7 @@ void test_rounds(Backend&& backend)
     }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_rounds(Sequential_backend());
   test_rounds(Thread_backend());
@@ -72,5 +72,6 @@ int main()
 #endif
   for(std::uint64_t seed : {1, 2, 3})
     test_rounds(Shuffled_backend(seed));
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Detections inside of tasks of the caller, of which some throw or are cancelled: each detection that has begun gives
 // the result that it gives alone.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/tags.h>
@@ -18,6 +16,8 @@
 #include <chrono>
 #include <stdexcept>
 #include <thread>
+
+BOOST_AUTO_TEST_SUITE(test_tbb_contexts)
 
 constexpr std::size_t clouds = 8;
 
@@ -75,7 +75,7 @@ private:
   std::vector<std::uint64_t> expected_;
 };
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   Siblings siblings;
   std::size_t compared = 0;
@@ -86,8 +86,7 @@ int main()
       siblings.run("cancelled", last, [](tbb::task_group_context& context) { context.cancel_group_execution(); });
   }
   CHECK_AT(compared > 0, "no detection has begun");
-  return report();
 }
-#else
-int main() { return 77; }
+
+BOOST_AUTO_TEST_SUITE_END()
 #endif

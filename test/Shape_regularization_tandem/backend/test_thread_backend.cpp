@@ -5,9 +5,8 @@
 // sequential one, for any number of threads. Under ThreadSanitizer this is the
 // search for data races.
 
-#undef NDEBUG
-
 #include "testing/Thread_backend.h"
+#include "testing/checks.h"
 #include "testing/scenes.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -17,6 +16,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_thread_backend)
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
@@ -62,27 +63,24 @@ std::uint64_t hash_of(const Range& range, const Parameters& np, const Traits& tr
 }
 
 template <class Normal_map, class Parameters>
-int compare(const char* name, const Range& range, const Parameters& np)
+void compare(const std::string& name, const Range& range, const Parameters& np)
 {
   std::size_t expected_shapes = 0, shapes = 0;
   const std::uint64_t expected = hash_of(range, np, Sequential_traits<Normal_map>(), expected_shapes);
-  int failures = expected_shapes < 6;
+  CHECK_AT(expected_shapes >= 6, name);
   for(unsigned threads : {1u, 3u, 8u})
-    if(hash_of(range, np, Thread_traits<Normal_map>(threads), shapes) != expected) {
-      std::cerr << name << ", " << threads << " threads: " << shapes << " shapes, sequential " << expected_shapes
-                << '\n';
-      ++failures;
-    }
-  std::cout << name << ": " << expected_shapes << " shapes, hash " << std::hex << expected << std::dec << '\n';
-  return failures;
+    CHECK_AT(hash_of(range, np, Thread_traits<Normal_map>(threads), shapes) == expected,
+             name + ", " + std::to_string(threads) + " threads: " + std::to_string(shapes) + " shapes, sequential " +
+               std::to_string(expected_shapes));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   namespace np = CGAL::Tandem::parameters;
   const Range house = make_range("house", 12000);
   const auto given = np::point_map(Point_map()).minimum_region_size(40).cell_size(512);
-  int failures = compare<Given_normals>("given normals", house, given.normal_map(Given_normals()));
-  failures += compare<CGAL::Default>("estimated normals", house, given);
-  return failures == 0 ? 0 : 1;
+  compare<Given_normals>("given normals", house, given.normal_map(Given_normals()));
+  compare<CGAL::Default>("estimated normals", house, given);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

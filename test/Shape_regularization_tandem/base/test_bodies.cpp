@@ -4,8 +4,6 @@
 // The arithmetic below all decisions, against long double and brute force: packed
 // normals, the predicate fits(), moments, fits, eigenvectors.
 
-#undef NDEBUG
-
 #include "testing/random_points.h"
 #include "testing/test_support.h"
 
@@ -15,6 +13,8 @@
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
 #endif
 #include <Eigen/Dense>
+
+BOOST_AUTO_TEST_SUITE(test_bodies)
 
 using namespace CGAL::Tandem::internal;
 using scenes::Random;
@@ -272,7 +272,7 @@ void test_bound_of_eigenvalues()
   CHECK(!has_eigenvalues_above({0, 0, 0, 0, 0, 0}, 0));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_normals();
   test_fits();
@@ -285,5 +285,6 @@ int main()
   test_fit();
   test_eigen_system();
   test_bound_of_eigenvalues();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

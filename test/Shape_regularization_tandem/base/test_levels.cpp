@@ -3,13 +3,13 @@
 //
 // Levels of tolerances: never above the tolerance, nor far below it; their integer squares; and the tolerance of a test.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(test_levels)
 
 using namespace CGAL::Tandem::internal;
 
@@ -27,7 +27,7 @@ void test_level(double tolerance, double epsilon)
   CHECK_AT(level == 0 || epsilon * level_factor(std::uint8_t(level - 1)) > tolerance, of);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   scenes::Random random(5);
   for(int i = 0; i < 20000; ++i)
@@ -52,5 +52,6 @@ int main()
   check_equal(most.at(8).distance + 3, (most.distance + 3) / 2, "of level 8");
   check_equal(most.at(no_level).distance, std::int64_t(1) - 3, "of no level");
   check_equal(most.at(8).squared_cosine, most.squared_cosine, "the angle of level 8");
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // The blocks that have neighbors of a block, against sets of them, on several back ends. A row that has overflown has
 // more blocks than fit, or neighbors of another rank.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/cloud/Block_rows.h>
@@ -14,6 +12,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_block_rows)
 
 using namespace CGAL::Tandem::internal;
 
@@ -110,7 +110,7 @@ void test_capacity(std::uint32_t others)
              where + ": row of block " + std::to_string(b));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   check_equal(number_of_blocks(0), std::size_t(0), "blocks of no point");
   for(std::size_t n : {std::size_t(1), std::size_t(64)})
@@ -119,5 +119,6 @@ int main()
   for(std::uint32_t others : {0u, 1u, 14u, 15u, 40u})
     test_capacity(others);
   test_on_all_backends<Rows>();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

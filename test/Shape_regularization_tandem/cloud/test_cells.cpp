@@ -4,12 +4,12 @@
 // The first and the last step between the caller's points and the engine: the cells
 // of the octree, and the exact check at the bounds.
 
-#undef NDEBUG
-
 #include "testing/random_points.h"
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/engine/prepare.h>
+
+BOOST_AUTO_TEST_SUITE(test_cells)
 
 using namespace CGAL::Tandem::internal;
 using scenes::Random;
@@ -40,7 +40,7 @@ void check_cells(const std::vector<Grid_point>& points, std::size_t cell_size, c
   CHECK_AT(next == points.size(), name + ": the cells end at " + std::to_string(next));
 }
 
-void test_cells()
+BOOST_AUTO_TEST_CASE(test_cells)
 {
   Random random(6);
   for(int bits : {0, 2, 10, 22, 28})
@@ -56,7 +56,7 @@ void test_cells()
 }
 
 // The filter may only pass points that are within the bounds, and nothing that is clearly within is freed.
-void test_exact_check()
+BOOST_AUTO_TEST_CASE(test_exact_check)
 {
   Random random(7);
   Import in;
@@ -105,7 +105,7 @@ void test_exact_check()
 }
 
 // With any instruction set: of a plane through the origin, no negative zero.
-void test_zero_offset()
+BOOST_AUTO_TEST_CASE(test_zero_offset)
 {
   Grid grid = {};
   grid.step = .5;
@@ -114,10 +114,4 @@ void test_zero_offset()
   CHECK(c[2] == 1 && c[3] == 0 && !std::signbit(c[3]));
 }
 
-int main()
-{
-  test_cells();
-  test_zero_offset();
-  test_exact_check();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

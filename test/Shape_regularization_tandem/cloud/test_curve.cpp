@@ -4,13 +4,14 @@
 // The Hilbert curve: a bijection, octants are contiguous ranges at every level,
 // and consecutive codes belong to positions that share a face.
 
-#undef NDEBUG
 #include <CGAL/Tandem/internal/cloud/curve.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_curve)
 
 using CGAL::Tandem::internal::curve_bits;
 using CGAL::Tandem::internal::hilbert_code;
@@ -21,14 +22,10 @@ struct Position {
   std::uint32_t x, y, z;
 };
 
-int failures = 0;
-
 void expect(bool ok, const char* what, const Position& p, std::uint64_t value)
 {
-  if(ok)
-    return;
-  ++failures;
-  std::fprintf(stderr, "%s at (%u, %u, %u): %llu\n", what, p.x, p.y, p.z, static_cast<unsigned long long>(value));
+  CHECK_AT(ok, what + (" at (" + std::to_string(p.x)) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) +
+                 "): " + std::to_string(value));
 }
 
 std::uint64_t code(const Position& p) { return hilbert_code(p.x, p.y, p.z); }
@@ -53,7 +50,7 @@ void test_cube(const Position& corner, int bits)
         seen[offset] = 1;
         at[offset] = p;
       }
-  for(std::size_t i = 1; i < count && failures == 0; ++i) {
+  for(std::size_t i = 1; i < count && failures() == 0; ++i) {
     const Position &p = at[i - 1], &q = at[i];
     const int steps = std::abs(int(p.x) - int(q.x)) + std::abs(int(p.y) - int(q.y)) + std::abs(int(p.z) - int(q.z));
     expect(steps == 1, "consecutive codes are not face neighbors", q, code(q));
@@ -79,7 +76,7 @@ void test_octants(std::mt19937& random)
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   const std::uint32_t end = 1u << curve_bits;
   test_cube({0, 0, 0}, 6);
@@ -91,7 +88,6 @@ int main()
   }
   test_octants(random);
   expect(code({0, 0, 0}) == 0, "the curve does not start at the origin", {0, 0, 0}, code({0, 0, 0}));
-  if(failures > 0)
-    std::fprintf(stderr, "test_curve: %d failures\n", failures);
-  return failures > 0;
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,13 +4,13 @@
 // Few points that are too far for the grid are left free and counted, and the others have the shapes that they have
 // alone. Where they are many the cloud is refused, as before.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/cloud/far_points.h>
 
 #include <algorithm>
+
+BOOST_AUTO_TEST_SUITE(test_far_points)
 
 using namespace CGAL::Tandem::internal;
 
@@ -60,7 +60,7 @@ void test_far_points(std::size_t number, const Kernel::Point_3& where)
   }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_quantiles();
   test_far_points(20, {0, 0, 0});
@@ -76,5 +76,6 @@ int main()
     is_refused = std::string(refusal.what()).find("maximum_distance") != std::string::npos;
   }
   CHECK_AT(is_refused, "600 of 8600 points are far");
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

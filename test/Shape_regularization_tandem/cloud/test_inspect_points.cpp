@@ -3,8 +3,6 @@
 //
 // The loops over values that have just been read, which vectorize: whether they are finite, null vectors, and bounds.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/cloud/inspect_points.h>
@@ -12,6 +10,8 @@
 #include <algorithm>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_inspect_points)
 
 using namespace CGAL::Tandem::internal;
 
@@ -45,9 +45,10 @@ void test_values()
     }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_values<float>();
   test_values<double>();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

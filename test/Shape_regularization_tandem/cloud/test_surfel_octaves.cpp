@@ -4,8 +4,6 @@
 // Surfels of points with tolerances of their own, whose cubes are smaller by octaves: keys of the sort against cubes that
 // are counted in plain arithmetic, the octree of all cubes, sizes of cells, tolerances of surfels, and which ones join.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 #include "testing/naive_side.h"
 
@@ -17,6 +15,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_surfel_octaves)
 
 using namespace CGAL::Tandem::internal;
 namespace scenes = CGAL::Tandem::scenes;
@@ -269,7 +269,7 @@ void test_targets(Backend& backend, const std::string& name)
     CHECK_AT(joined[std::size_t(octave)] > 0, name + ": none joins in octave " + std::to_string(octave));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   constexpr int most = CGAL::Tandem::internal::tuning::grid::maximum_octaves;
   const Case cases[] = {{1000, 0, 9000, 5000},
@@ -286,5 +286,6 @@ int main()
     test_cell_sizes(backend, name);
     test_targets(backend, name);
   });
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,6 @@
 // their normals, and the cells that they are in. No surfel, joined or not, has points of two layers that are 1.1
 // epsilon apart, and none points of two shapes in a valid result.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 #include "testing/change_table.h"
 #include "testing/naive_side.h"
@@ -20,6 +18,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_surfels)
 
 using namespace CGAL::Tandem::internal;
 namespace scenes = CGAL::Tandem::scenes;
@@ -230,7 +230,7 @@ void test_wide_frames()
   CHECK_AT(frame.code(low) != frame.code(high) && frame.code(high) >> 63 == 0, "codes of both ends");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   on_body_backends([](auto backend, const std::string& name) {
     for(const bool has_normals : {true, false})
@@ -246,5 +246,6 @@ int main()
   CHECK_AT(joined > 20, "surfels were joined in " + std::to_string(joined) + " of 80 clouds");
   test_mixed_surfels();
   test_wide_frames();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,11 +4,11 @@
 // Points that an engine takes while they are read, a piece at a time, come back as those that are read to the tables;
 // and they are there when twins are told apart by them.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(test_upload)
 
 using namespace CGAL::Tandem::internal;
 
@@ -145,7 +145,7 @@ void test_twins(std::vector<Grid_point> points, int expected)
   CHECK_AT((questions > 0) == (expected > 0), name + ": " + std::to_string(questions) + " questions");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_kernel<CGAL::Simple_cartesian<double>>("double");
   test_kernel<CGAL::Simple_cartesian<float>>("float");
@@ -153,5 +153,6 @@ int main()
   test_twins({{0, 0, 0, 7}, {0, 0, 1, 7}, {9, 0, 0, 7}}, 0);
   test_twins({{0, 0, 0, 7}, {5, 0, 0, 7}, {0, 0, 0, 8}}, 0);
   test_twins({{0, 0, 0, 7}, {5, 0, 0, 7}, {0, 0, 0, 7}, {5, 0, 0, 7}}, 1);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,6 @@
 // is kept and given back, memory that is too small.
 //   test_cuda_device [RUNS]   checks, too, that so many runs do not lose memory
 
-#undef NDEBUG
-
 #include "testing/cuda_support.h"
 
 #include <CGAL/Tandem/internal/cuda/runtime/Device_guard.cuh>
@@ -15,6 +13,8 @@
 
 #include <cstdlib>
 #include <thread>
+
+BOOST_AUTO_TEST_SUITE(test_cuda_device)
 
 using CGAL::Tandem::Cuda_if_available_tag;
 
@@ -204,17 +204,13 @@ void test_loop(int runs)
     check_equal(free_memory(), settled, "free memory after " + std::to_string(runs) + " runs");
 }
 
-int main(int argc, char** argv)
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   int devices = 0;
   if(cudaGetDeviceCount(&devices) == cudaSuccess && devices > 1)
     static_cast<void>(cudaSetDevice(devices - 1)); // test_last_device()
   if(!has_device())
-    return exit_skipped;
-  if(argc > 1) {
-    test_loop(std::atoi(argv[1]));
-    return report();
-  }
+    return;
   test_last_device();
   test_threads();
   test_moves_between_threads();
@@ -222,6 +218,7 @@ int main(int argc, char** argv)
   test_exceptions();
   test_release();
   test_too_large_cloud();
-  test_loop(30);
-  return report();
+  test_loop(int(argument(1, 30)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

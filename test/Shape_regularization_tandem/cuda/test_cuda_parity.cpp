@@ -5,8 +5,6 @@
 // input, and after each round.
 //   test_cuda_parity [SEED [NUMBER]]   or for so many random cases (1), from this seed on
 
-#undef NDEBUG
-
 #include "testing/cuda_support.h"
 #include "testing/patches_cloud.h"
 #include "testing/random_case.h"
@@ -14,6 +12,8 @@
 
 #include <cstdlib>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_cuda_parity)
 
 // Labels, planes, relations, and what the statistics say of the way to them.
 void check_same_result(const Shapes& device, const Shapes& host, const std::string& name)
@@ -237,20 +237,17 @@ std::size_t test_random_cases(std::uint64_t seed, std::uint64_t number)
   return shapes;
 }
 
-int main(int argc, char** argv)
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   if(!has_device())
-    return exit_skipped;
-  if(argc > 1) {
-    test_random_cases(std::strtoull(argv[1], nullptr, 10), argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1);
-    return report();
-  }
-  CHECK(test_random_cases(1, 50) > 200);
+    return;
+  CHECK(test_random_cases(argument(1, 1), 50) > 200);
   test_rounds();
   test_scenes();
   test_options();
   test_bad_input();
   test_tolerances();
   test_cancellation();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Copies of small tables by a thread that uses two devices. The runtime is made up here, so no device is needed: a copy
 // ends when its stream is waited for, the latest moment that CUDA allows.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include <CGAL/Tandem/internal/cuda/runtime/copy.cuh>
@@ -14,6 +12,8 @@
 #include <cstring>
 #include <thread>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_cuda_staging)
 
 namespace {
 
@@ -101,7 +101,7 @@ void copy_to_device(int source, int* target)
 }
 
 // As after the constructor of an engine that throws: nobody waits for the first device before the second one is used.
-void test_devices_in_turns()
+BOOST_AUTO_TEST_CASE(test_devices_in_turns)
 {
   using CGAL::Tandem::internal::synchronize;
   const int source[2] = {1, 2};
@@ -120,7 +120,7 @@ void test_devices_in_turns()
 }
 
 // A thread that ends waits on both devices, since its pinned memory goes to the next one.
-void test_end_of_thread()
+BOOST_AUTO_TEST_CASE(test_end_of_thread)
 {
   const int source[2] = {3, 4};
   int target[2] = {0, 0};
@@ -134,9 +134,4 @@ void test_end_of_thread()
   check_equal(target[1], 4, "copy to the second device of a thread that has ended");
 }
 
-int main()
-{
-  test_devices_in_turns();
-  test_end_of_thread();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

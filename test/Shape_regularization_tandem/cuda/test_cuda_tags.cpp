@@ -4,9 +4,9 @@
 // The tags of the CUDA back end where there is a device, where there is none, and
 // where the library is not linked: Cuda_if_available_tag works everywhere.
 
-#undef NDEBUG
-
 #include "testing/cuda_support.h"
+
+BOOST_AUTO_TEST_SUITE(test_cuda_tags)
 
 using CGAL::Tandem::Cuda_if_available_tag;
 
@@ -48,7 +48,7 @@ void test_report()
   CGAL::Tandem::release_memory();
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   const Cloud cloud = make_cloud("cube", 6000);
   const Parameters parameters = make_parameters(.02, 40);
@@ -60,5 +60,6 @@ int main()
     check_throws<std::runtime_error>([&] { detect<CGAL::Tandem::Cuda_tag>(cloud, parameters); },
                                      {"Cuda_tag", "no CUDA device", "Cuda_if_available_tag"}, __LINE__);
 #endif
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,10 +4,10 @@
 // What a detection asks of a device: not more launches and waits than today, and in the rounds the loops that the host
 // has. A change that makes fewer lowers the bounds.
 
-#undef NDEBUG
-
 #include "testing/cuda_support.h"
 #include "testing/work.h"
+
+BOOST_AUTO_TEST_SUITE(test_cuda_work)
 
 using CGAL::Tandem::Stage_work;
 using CGAL::Tandem::Work;
@@ -55,12 +55,13 @@ void test_work(std::size_t points, Given given)
                 double(sizeof(std::int32_t) * points * device.statistics().number_of_rounds), name + ", rounds: bytes");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   if(!has_device())
-    return exit_skipped;
+    return;
   for(const std::size_t points : {20000, 200000})
     for(const Given given : {Given::normals, Given::nothing})
       test_work(points, given);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

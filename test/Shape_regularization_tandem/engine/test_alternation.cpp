@@ -4,11 +4,11 @@
 // The period of the alternation, by which experiments measure what it is worth:
 // whatever it is, the result is valid and regularized; 1 is the method.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(test_alternation)
 
 Cloud noisy_house()
 {
@@ -26,7 +26,7 @@ Parameters with_period(std::size_t period)
   return p;
 }
 
-void test_one_is_the_default()
+BOOST_AUTO_TEST_CASE(test_one_is_the_default)
 {
   Parameters p = with_period(1);
   check_equal(Parameters().regularity_period, 1u, "period");
@@ -36,7 +36,7 @@ void test_one_is_the_default()
   check_same(detect(cloud, p), detect(cloud, untouched), "period 1");
 }
 
-void test_periods()
+BOOST_AUTO_TEST_CASE(test_periods)
 {
   const Cloud cloud = noisy_house();
   const Shapes tandem = detect_valid("period 1", cloud, with_period(1));
@@ -50,7 +50,7 @@ void test_periods()
 }
 
 // Between two regularity steps no shapes are tied: seen from outside, round by round.
-void test_rounds()
+BOOST_AUTO_TEST_CASE(test_rounds)
 {
   const Cloud cloud = noisy_house();
   const auto list = CGAL::Tandem::parameters::settings(with_period(3)).point_map(First<Kernel>());
@@ -64,7 +64,7 @@ void test_rounds()
   }
 }
 
-void test_zero_is_refused()
+BOOST_AUTO_TEST_CASE(test_zero_is_refused)
 {
   std::string message;
   try {
@@ -75,11 +75,4 @@ void test_zero_is_refused()
   CHECK_AT(message.find("regularity_period") != std::string::npos, "message: " + message);
 }
 
-int main()
-{
-  test_one_is_the_default();
-  test_periods();
-  test_rounds();
-  test_zero_is_refused();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,11 +3,11 @@
 //
 // Scenes whose shapes, directions and planes are known: the result has to be exactly that.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(test_analytic_scenes)
 
 struct Expected {
   std::size_t shapes, directions, planes, orthogonal_pairs, degrees_of_freedom;
@@ -80,7 +80,7 @@ void test_scene(const std::string& name, const scenes::Model& model, const scene
     }
 }
 
-void test_clean_scenes()
+BOOST_AUTO_TEST_CASE(test_clean_scenes)
 {
   const scenes::Options clean = scene_options(12000);
   test_scene("cube", scenes::make_cube(), clean, .01, {6, 3, 6, 3, 9});
@@ -95,7 +95,7 @@ void test_clean_scenes()
   test_scene("pair of three epsilon", scenes::make_offset_pair(.03), clean, .01, {2, 1, 2, 0, 4});
 }
 
-void test_noisy_scenes()
+BOOST_AUTO_TEST_CASE(test_noisy_scenes)
 {
   const scenes::Options noisy = scene_options(12000, .001);
   test_scene("noisy cube", scenes::make_cube(scenes::Frame().turned({1, 2, 3}, .3)), noisy, .007, {6, 3, 6, 3, 9});
@@ -104,7 +104,7 @@ void test_noisy_scenes()
 
 // With noise a plane may end up across the edge between the flat and the slope, so here
 // most of the seeds have to be right, and none may be cut into terraces.
-void test_noisy_slope()
+BOOST_AUTO_TEST_CASE(test_noisy_slope)
 {
   int right = 0, runs = 0;
   for(std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -123,7 +123,7 @@ void test_noisy_slope()
 }
 
 // Faces that are 2 degrees off: one frame, of which all three pairs are orthogonal, and the siblings too.
-void test_tilted_cube()
+BOOST_AUTO_TEST_CASE(test_tilted_cube)
 {
   const scenes::Scene scene = scenes::make_scene(scenes::make_tilted_cube(.5), scene_options(12000, .002));
   const Cloud cloud = to_cloud(scene);
@@ -142,7 +142,7 @@ void test_tilted_cube()
 }
 
 // Chained angles: whatever is made parallel, no plane is turned by more than the tolerance.
-void test_chain_does_not_drift()
+BOOST_AUTO_TEST_CASE(test_chain_does_not_drift)
 {
   const scenes::Scene scene = scenes::make_scene(scenes::make_chained(5, 6), scene_options(12000));
   for(double epsilon : {.01, .04, .1, .3}) {
@@ -154,7 +154,7 @@ void test_chain_does_not_drift()
 
 // Nothing planar: no plane is made up, and curved surfaces keep all promises. (Estimated
 // normals of a volume whose spacing, here .04, is that of a slab of two epsilons do make planes.)
-void test_without_planes()
+BOOST_AUTO_TEST_CASE(test_without_planes)
 {
   const Cloud noise = to_cloud(scenes::make_scene("noise", scene_options(15000)));
   auto check_none = [&](Given given, double epsilon) {
@@ -178,7 +178,7 @@ void test_without_planes()
 
 // Houses 2.9 degrees apart, with a tolerance of 8. (A side of 2 meters that turns by half
 // of 2.9 degrees moves by .027: with a larger epsilon it would fit a common direction.)
-void test_village()
+BOOST_AUTO_TEST_CASE(test_village)
 {
   for(double noise : {0., .00003}) {
     const scenes::Scene scene = scenes::make_scene("village", scene_options(150000, noise));
@@ -191,7 +191,7 @@ void test_village()
 }
 
 // Each relation can be switched off.
-void test_switches()
+BOOST_AUTO_TEST_CASE(test_switches)
 {
   const Cloud cloud = to_cloud(scenes::make_scene(scenes::make_tilted_cube(.5), scene_options(8000)));
   Parameters p = make_parameters(.04, 100);
@@ -204,15 +204,4 @@ void test_switches()
   check_counts("tolerance of 0", detect_valid("tolerance of 0", cloud, p), 6, 6, 6);
 }
 
-int main()
-{
-  test_clean_scenes();
-  test_noisy_scenes();
-  test_noisy_slope();
-  test_tilted_cube();
-  test_chain_does_not_drift();
-  test_without_planes();
-  test_village();
-  test_switches();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,14 +4,14 @@
 // The same points and parameters give the same bits: for every run, back end,
 // number of threads and order of the points, with normals that are given or estimated.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif
+
+BOOST_AUTO_TEST_SUITE(test_determinism)
 
 struct Subject {
   std::string name;
@@ -110,7 +110,7 @@ Subject with_far_points(Subject s, double distance)
   return s;
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   scenes::Options city = scene_options(100000, .0005, .05);
   city.varies_density = true;
@@ -124,5 +124,6 @@ int main()
     test(with_copies(make_subject("house", house, 100, given), 1e-9));
     test(with_far_points(make_subject("house", house, 60, given), 9000));
   }
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

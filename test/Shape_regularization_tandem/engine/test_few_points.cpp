@@ -3,12 +3,12 @@
 //
 // Few points on a tilted plane are a shape if as few are asked for, whatever the number of neighbors is.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <cmath>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_few_points)
 
 // Returns how many of some clouds of so many points are one shape.
 int count_found(int n, const Parameters& parameters, Given given)
@@ -31,7 +31,7 @@ int count_found(int n, const Parameters& parameters, Given given)
   return found;
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(std::size_t k : {6u, 12u})
     for(int n : {3, 4, 5, 6, 7, 8, 12, 20})
@@ -42,5 +42,6 @@ int main()
                     "of 20 clouds of " + std::to_string(n) + " points with " + std::to_string(k) +
                       " neighbors, one shape");
       }
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

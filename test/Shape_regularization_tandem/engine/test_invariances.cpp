@@ -4,13 +4,13 @@
 // What must not change a result: the orientation of normals, where the cloud lies and
 // in which units, points far away; and what must not be changed: the caller's range.
 
-#undef NDEBUG
-
 #include "testing/random_case.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+
+BOOST_AUTO_TEST_SUITE(test_invariances)
 
 using scenes::Random;
 using scenes::Vec;
@@ -213,12 +213,13 @@ void test_random_cases(std::uint64_t seed)
   }
 }
 
-int main(int argc, char** argv)
+BOOST_AUTO_TEST_CASE(all_cases)
 {
-  test_random_cases(argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1);
+  test_random_cases(argument(1, 1));
   test_frames();
   test_rotation();
   test_additions();
   test_hands_off();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

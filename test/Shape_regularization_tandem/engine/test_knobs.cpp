@@ -3,8 +3,6 @@
 //
 // The parameters simplicity and regularity: what they change, at which values, and that the score has them.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
@@ -12,6 +10,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_knobs)
 
 namespace {
 
@@ -53,7 +53,7 @@ Parameters with(double epsilon, std::size_t minimum_size, double simplicity, dou
   return p;
 }
 
-void test_defaults()
+BOOST_AUTO_TEST_CASE(test_defaults)
 {
   const Cloud cloud = make_leaning_walls();
   const auto given =
@@ -66,7 +66,7 @@ void test_defaults()
 }
 
 // A floor that sags by 1.5 epsilon is one shape where size is worth much, and is cut where it is worth nothing.
-void test_bent_floor()
+BOOST_AUTO_TEST_CASE(test_bent_floor)
 {
   constexpr double epsilon = .01, sag = 1.5 * epsilon, width = 6;
   Cloud cloud;
@@ -86,7 +86,7 @@ void test_bent_floor()
 }
 
 // Two layers are two shapes by default.
-void test_layers()
+BOOST_AUTO_TEST_CASE(test_layers)
 {
   constexpr double epsilon = .01;
   Cloud cloud;
@@ -98,7 +98,7 @@ void test_layers()
 }
 
 // Without a worth no walls are parallel, and none is at a right angle to the floor.
-void test_leaning_walls()
+BOOST_AUTO_TEST_CASE(test_leaning_walls)
 {
   const Cloud cloud = make_leaning_walls();
   const auto find = [&](double regularity) {
@@ -112,7 +112,7 @@ void test_leaning_walls()
 }
 
 // The score of a result has the weights of its own run, and is judged by them.
-void test_score()
+BOOST_AUTO_TEST_CASE(test_score)
 {
   const Cloud cloud = make_leaning_walls();
   const std::size_t minimum = 100;
@@ -130,7 +130,7 @@ void test_score()
 }
 
 // The same relations for planes that another method has found.
-void test_given_planes()
+BOOST_AUTO_TEST_CASE(test_given_planes)
 {
   const Cloud cloud = make_leaning_walls();
   std::vector<Kernel::Point_3> points;
@@ -154,13 +154,4 @@ void test_given_planes()
 
 } // namespace
 
-int main()
-{
-  test_defaults();
-  test_bent_floor();
-  test_layers();
-  test_leaning_walls();
-  test_score();
-  test_given_planes();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,6 @@
 // cell, points that coincide on a coarse grid, cells as wide, as full and as small as
 // they may be, stray points far away, faces behind better seeds.
 
-#undef NDEBUG
-
 #include "testing/patches_cloud.h"
 
 #include <CGAL/Shape_regularization_tandem/adapters.h>
@@ -17,13 +15,15 @@
 #include <map>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_limits)
+
 using scenes::Random;
 using scenes::Vec;
 
 double between(Random& random, double low, double high) { return low + (high - low) * random.uniform(); }
 
 // Thousands of faces, of which a cell holds hundreds: none of them may wait for ever.
-void test_many_faces()
+BOOST_AUTO_TEST_CASE(test_many_faces)
 {
   Random random(5);
   Cloud cloud;
@@ -43,7 +43,7 @@ void test_many_faces()
 }
 
 // A far point coarsens the grid until many points coincide on it; their order must not matter.
-void test_grid_twins()
+BOOST_AUTO_TEST_CASE(test_grid_twins)
 {
   Random random(3);
   Cloud cloud;
@@ -72,7 +72,7 @@ void test_grid_twins()
 }
 
 // The sums of a cell are largest when it is full and its points are far from its first one.
-void test_full_cell()
+BOOST_AUTO_TEST_CASE(test_full_cell)
 {
   Random random(7);
   Cloud cloud;
@@ -89,7 +89,7 @@ void test_full_cell()
 }
 
 // A point of no plane does not matter to the planes of the others, wherever it is.
-void test_stray_point()
+BOOST_AUTO_TEST_CASE(test_stray_point)
 {
   Random random(9);
   std::vector<Kernel::Point_3> points;
@@ -110,7 +110,7 @@ void test_stray_point()
 }
 
 // A plane that must have most of the points: it takes rounds until a shape is that large.
-void test_large_minimum()
+BOOST_AUTO_TEST_CASE(test_large_minimum)
 {
   Random random(11);
   Cloud cloud;
@@ -124,7 +124,7 @@ void test_large_minimum()
 }
 
 // Small faces in one cell, after the large plane that the others have is done: the loop does not end before them.
-void test_late_faces()
+BOOST_AUTO_TEST_CASE(test_late_faces)
 {
   Random random(4);
   Cloud cloud;
@@ -166,7 +166,7 @@ void test_faces_behind_patches(const Squares& faces, const Squares& patches, std
   CHECK_AT(rounds <= 12, name + ": " + std::to_string(rounds) + " rounds");
 }
 
-void test_faces_behind_patches()
+BOOST_AUTO_TEST_CASE(test_faces_of_late_seeds)
 {
   test_faces_behind_patches(make_rough_faces(.02), make_patches(500), 100, 8192);
   test_faces_behind_patches(make_rough_faces(.02), make_patches(500), 100, 65535);
@@ -186,7 +186,7 @@ void test_faces_behind_patches()
 }
 
 // Of at most as many points as a point has neighbors.
-void test_small_cells()
+BOOST_AUTO_TEST_CASE(test_small_cells)
 {
   Cloud cloud;
   for(int i = 0; i < 130 * 130; ++i)
@@ -198,15 +198,4 @@ void test_small_cells()
   CHECK_AT(shapes.statistics().coverage > .99, std::to_string(shapes.statistics().coverage));
 }
 
-int main()
-{
-  test_many_faces();
-  test_grid_twins();
-  test_full_cell();
-  test_stray_point();
-  test_large_minimum();
-  test_late_faces();
-  test_faces_behind_patches();
-  test_small_cells();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,13 +4,13 @@
 // Copies of points, exact and jittered, and frames of a depth camera at rest are what one of them is: the planes of the
 // scene, whatever the number of copies, the unit, and the pose.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_merged_frames)
 
 using scenes::Vec;
 
@@ -67,7 +67,7 @@ void check_planes(const std::string& name, const Cloud& cloud, double epsilon, s
   CHECK_AT(shapes.statistics().coverage > .93, name + ": coverage " + std::to_string(shapes.statistics().coverage));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(std::uint64_t seed = 1; seed <= 3; ++seed) {
     scenes::Random random(seed);
@@ -92,5 +92,6 @@ int main()
     add(with_heap, {7 * pose.unit, 7 * pose.unit, 7 * pose.unit}, pose.z);
   const Shapes shapes = detect_valid("a heap", with_heap, make_parameters(.02 * pose.unit, 40), Given::nothing);
   check_equal(shapes.number_of_shapes(), std::size_t(3), "shapes beside a heap of equal points");
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,8 +6,6 @@
 //   test_properties SEED        repeats one case
 //   test_properties SEED COUNT  as many cases, from SEED on
 
-#undef NDEBUG
-
 #include "testing/change_table.h"
 #include "testing/guarantees.h"
 #include "testing/property_case.h"
@@ -15,6 +13,8 @@
 #include "testing/test_support.h"
 
 #include <cstdlib>
+
+BOOST_AUTO_TEST_SUITE(test_properties)
 
 using Data = Shapes::Data;
 using Violations = std::vector<std::string>;
@@ -276,10 +276,10 @@ void test_corrupted_planes(const Corruptions& c)
   c.check_different("rounds", [](Data& d) { ++d.statistics.number_of_rounds; });
 }
 
-int main(int argc, char** argv)
+BOOST_AUTO_TEST_CASE(all_cases)
 {
-  const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;
-  const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : argc > 1 ? 1 : 400;
+  const std::uint64_t seed = argument(1, 1);
+  const std::uint64_t count = argument(2, argument(1, 0) > 0 ? 1 : 400);
   for(Given given : {Given::normals, Given::nothing}) {
     const Corruptions corruptions(given);
     test_corrupted_points(corruptions);
@@ -292,5 +292,6 @@ int main(int argc, char** argv)
       });
   }
   test_cases(seed, count);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,11 +5,11 @@
 // plane; the angle is small for some sizes and large for others. Each face has to be one shape, with a plane of its own
 // where its points do not accept the direction of the other one.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(test_relations_pay)
 
 constexpr double epsilon = .02;
 constexpr std::size_t minimum_size = 30; // small, so that strips are shapes
@@ -121,7 +121,7 @@ std::vector<int> sizes(double degrees)
 }
 
 // Noise of several spacings makes a slab, of which the outer points are surfaces of their own: such cases are left out.
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(Kind kind : {Kind::right_angle, Kind::parallel, Kind::step})
     for(double degrees : {.5, 1., 2., 3., 4., 5., 6., 7., 8.})
@@ -130,5 +130,6 @@ int main()
           for(double noise : {0., size < 60000 ? .33 : .25})
             if(const Case c = {kind, degrees, turn, noise, size}; noise <= 2.5 * c.spacing())
               check_case(c);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

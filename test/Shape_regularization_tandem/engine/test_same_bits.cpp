@@ -6,8 +6,6 @@
 // nothing but integers and exact products, so they are the same everywhere, too.
 //   test_same_bits --print   prints the hashes instead
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
@@ -17,6 +15,8 @@
 #include <cstring>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_same_bits)
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -114,17 +114,15 @@ void test_rounding_modes(const Case& c)
   }
 }
 
-int main(int argc, char** argv)
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(const Case& c : cases) {
     const auto shapes = detect<CGAL::Sequential_tag>(c);
-    if(argc > 1 && std::strcmp(argv[1], "--print") == 0)
-      std::cout << "seed " << c.seed << ": 0x" << std::hex << shapes.hash() << std::dec << ", "
-                << shapes.number_of_shapes() << " shapes" << std::endl;
     check_equal(shapes.hash(), c.hash, "seed " + std::to_string(c.seed) + ": hash");
     test_floats(shapes, "seed " + std::to_string(c.seed));
     test_rounding_modes<CGAL::Sequential_tag>(c);
     test_rounding_modes<CGAL::Parallel_if_available_tag>(c);
   }
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,9 +4,9 @@
 // n x n copies of a scene, side by side, have n x n times the shapes of one, however
 // the octree cuts them; far copies do not feel each other at all.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
+
+BOOST_AUTO_TEST_SUITE(test_scaling)
 
 Cloud copies(const Cloud& one, int n, double pitch)
 {
@@ -52,10 +52,11 @@ void test_cubes()
   }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_cubes();
   test_copies("staircase", scene_options(6000, .0003), .006, 2, 3);
   test_copies("cube", scene_options(3000), .005, 3, 5);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,11 +4,11 @@
 // A wall that was scanned on both sides, with normals to either side, is two shapes, also where both are closer than
 // the points of one. Normals of random sides have none, and some wrong ones among them do no harm.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_thin_walls)
 
 using scenes::Vec;
 
@@ -48,7 +48,7 @@ void check_wall(const std::string& name, const Cloud& cloud, double epsilon, std
                name + ": points of both sides in one shape");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(std::uint64_t seed = 1; seed <= 3; ++seed) {
     const std::string of = ", seed " + std::to_string(seed);
@@ -61,5 +61,6 @@ int main()
   }
   // Some 30 points are one surfel, beside one of those whose normals are wrong.
   check_wall("dense, with some wrong sides", make_wall({2, .35, .02, .03, 60000}, 7), .2, 2, .96);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Bounds of the tolerances of points: a maximum_distance above all of them, infinite, tiny and no valid ones, other
 // kernels, copies of points with other tolerances; and results that is_valid_result() has to refuse.
 
-#undef NDEBUG
-
 #include "testing/change_table.h"
 #include "testing/tolerances.h"
 
@@ -13,6 +11,8 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_tolerance_bounds)
 
 namespace np = CGAL::Tandem::parameters;
 
@@ -239,7 +239,7 @@ void test_refused()
   CHECK_AT(moved >= 10, std::to_string(moved) + " points moved");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_far_bound();
   test_infinite();
@@ -249,5 +249,6 @@ int main()
   test_kernel<CGAL::Exact_predicates_exact_constructions_kernel>("exact");
   test_copies();
   test_refused();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,14 +5,14 @@
 // gets the planes of its scene, near layers stay apart where far noise is wider than their distance, and points without a
 // tolerance have no shape.
 
-#undef NDEBUG
-
 #include "testing/tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
 
 #include <limits>
 #include <map>
+
+BOOST_AUTO_TEST_SUITE(test_tolerances)
 
 // In its own arithmetic.
 void check_distances(const Cloud& cloud, const Shapes& shapes, const Range_tolerance& map, const std::string& name,
@@ -163,7 +163,7 @@ void test_checker()
   CHECK_AT(why.find("too far from its plane") != std::string::npos, why);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_constant_tolerance();
   for(std::uint64_t seed = 1; seed <= 3; ++seed)
@@ -172,5 +172,6 @@ int main()
   test_layers_beside_noise();
   test_points_without_tolerance();
   test_checker();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

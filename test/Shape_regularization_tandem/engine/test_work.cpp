@@ -5,14 +5,14 @@
 // more points, and not more than there are today. A change that makes more says why, and raises the bounds; one that
 // makes fewer lowers them, so that the gain is not lost again.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 #include "testing/work.h"
 
 #include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
 
 #include <iostream>
+
+BOOST_AUTO_TEST_SUITE(test_work)
 
 using CGAL::Tandem::Statistics;
 using CGAL::Tandem::Work;
@@ -40,7 +40,7 @@ void print(const Work& w, double times, const std::string& name)
             << double(w.launches) / times << " launches" << std::endl;
 }
 
-void test_bounds()
+BOOST_AUTO_TEST_CASE(test_bounds)
 {
   for(const Bounds& b : bounds)
     for(const std::size_t points : {30000, 120000}) {
@@ -58,7 +58,7 @@ void test_bounds()
 }
 
 // With surfels, and with cells so small that most loops of several threads have several pieces.
-void test_back_ends()
+BOOST_AUTO_TEST_CASE(test_back_ends)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const Cloud cloud = make_cloud(20000);
@@ -74,7 +74,7 @@ void test_back_ends()
 }
 
 // Results between rounds are no work of the detection.
-void test_steps()
+BOOST_AUTO_TEST_CASE(test_steps)
 {
   using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, CGAL::Sequential_tag>;
   const Cloud cloud = make_cloud(10000);
@@ -94,17 +94,10 @@ void test_steps()
   check_same_work(detection.shapes().statistics().work, detect(cloud, parameters).statistics().work, "in steps");
 }
 
-void test_nothing()
+BOOST_AUTO_TEST_CASE(test_nothing)
 {
   const Statistics s = detect(Cloud(), make_parameters(.02, 60)).statistics();
   check_same_work(s.work, CGAL::Tandem::Stage_work(), "no points");
 }
 
-int main()
-{
-  test_bounds();
-  test_back_ends();
-  test_steps();
-  test_nothing();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // A bent floor is cut as the score says, and layers near each other stay apart.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <algorithm>
@@ -14,6 +12,8 @@
 #include <map>
 #include <string>
 #include <utility>
+
+BOOST_AUTO_TEST_SUITE(test_bent_floors)
 
 namespace {
 
@@ -115,12 +115,13 @@ void test_noisy_layers()
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(double sag : {.5, 1., 2., 4.})
     test_bent_floor(sag);
   test_layers(1.3, .2);
   test_layers(2, .3);
   test_noisy_layers();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Planes lie in the middle of their points at the end: the offset of a plane is the mean over the points of all of its
 // shapes.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
@@ -13,6 +11,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_center)
 
 namespace {
 
@@ -27,7 +27,7 @@ Shape_summary summary(double points, const Vector& centroid)
 }
 
 // Two shapes of one plane, one of another, and dead ones.
-void test_offsets()
+BOOST_AUTO_TEST_CASE(test_offsets)
 {
   const Vector up = {0, 0, 1}, aslant = {.6, 0, .8};
   Relations r;
@@ -67,7 +67,7 @@ std::size_t check_means(const Cloud& cloud, const Shapes& shapes, double epsilon
   return sum.size();
 }
 
-void test_scenes()
+BOOST_AUTO_TEST_CASE(test_scenes)
 {
   for(const char* name : {"house", "indoor", "part", "village", "staircase"})
     for(double noise : {.0003, .001})
@@ -84,9 +84,4 @@ void test_scenes()
 
 } // namespace
 
-int main()
-{
-  test_offsets();
-  test_scenes();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // Connected components of equal labels, and the points of small ones, against plain loops on several back ends.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/finish/end_game.h>
@@ -13,6 +11,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_components)
 
 using namespace CGAL::Tandem::internal;
 
@@ -88,8 +88,6 @@ private:
   const Fixture& f_;
 };
 
-int main()
-{
-  test_on_all_backends<Components>();
-  return report();
-}
+BOOST_AUTO_TEST_CASE(all_cases) { test_on_all_backends<Components>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // What the end game must not lose: faces of hardly more than the minimum size, to relations; and points that fit a
 // shape around them.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -17,13 +15,15 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_end_game)
+
 namespace {
 
 constexpr double epsilon = .02;
 
 // A floor, and small faces over it that are nearly parallel to it: it would take so many of their points that they fall
 // below the minimum size.
-void test_small_faces()
+BOOST_AUTO_TEST_CASE(test_small_faces)
 {
   const std::size_t floor_size = 20000, face_size = 104;
   const int columns = 6;
@@ -45,7 +45,7 @@ void test_small_faces()
 
 // Each free point is far from the planes of the shapes of its neighbors, or turned away from them. Those that the exact
 // check frees, and those of slabs of clutter, may be near.
-void test_free_points()
+BOOST_AUTO_TEST_CASE(test_free_points)
 {
   using Point_of = CGAL::Pointer_property_map<Kernel::Point_3>::const_type;
   using Traits = CGAL::Search_traits_adapter<std::size_t, Point_of, CGAL::Search_traits_3<Kernel>>;
@@ -86,9 +86,4 @@ void test_free_points()
 
 } // namespace
 
-int main()
-{
-  test_small_faces();
-  test_free_points();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

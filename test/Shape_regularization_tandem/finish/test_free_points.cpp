@@ -4,8 +4,6 @@
 // Why points have no shape: the counts against plain loops on several back ends, with and without surfels, and scenes
 // whose free points have one reason.
 
-#undef NDEBUG
-
 #include "testing/surfels_of_three.h"
 
 #include <CGAL/Tandem/internal/finish/explain_free_points.h>
@@ -14,6 +12,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_free_points)
 
 using namespace CGAL::Tandem::internal;
 using CGAL::Tandem::Free_points;
@@ -153,10 +153,11 @@ void test_scenes()
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_with_levels_on_all_backends<Reasons_of_fixture>();
   test_doubled();
   test_scenes();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

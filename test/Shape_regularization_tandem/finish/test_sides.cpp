@@ -4,8 +4,6 @@
 // The side of an edge that a point is on, where normals are estimated: the body against a naive version on several back
 // ends, edges of known faces, clutter near a face, and given normals, which decide by themselves.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/finish/choose_sides.h>
@@ -15,6 +13,8 @@
 #include <map>
 #include <set>
 #include <utility>
+
+BOOST_AUTO_TEST_SUITE(test_sides)
 
 using namespace CGAL::Tandem::internal;
 
@@ -271,12 +271,13 @@ void test_clutter()
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_with_levels_on_all_backends<Side_bodies>();
   test_edge(90, .814);
   test_edge(135, .856);
   test_given_normals();
   test_clutter();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

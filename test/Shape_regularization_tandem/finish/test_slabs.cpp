@@ -4,8 +4,6 @@
 // Slabs of clutter: the neighbors of the points of each shape against plain loops on several back ends, the bound, and
 // planes through clutter, which are no shapes.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/finish/slabs.h>
@@ -13,6 +11,8 @@
 #include <algorithm>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_slabs)
 
 using namespace CGAL::Tandem::internal;
 
@@ -100,10 +100,11 @@ void test_slabs()
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_with_levels_on_all_backends<Slabs_of_fixture>();
   test_bound();
   test_slabs();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // The uncertainty of planes: moments against plain loops on several back ends, generated planes of known noise, whose
 // errors are as large as is said, and points that determine no plane.
 
-#undef NDEBUG
-
 #include "testing/surfels_of_three.h"
 
 #include <CGAL/Tandem/internal/finish/measure_planes.h>
@@ -13,6 +11,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_uncertainty)
 
 using namespace CGAL::Tandem::internal;
 using CGAL::Tandem::Plane_uncertainty;
@@ -171,12 +171,13 @@ void test_degenerate()
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_on_all_backends<Moments_of_fixture>();
   test_degenerate();
   test_noise("noise across the plane", 1, .01, false);
   test_noise("noise in all directions", .5, .02, true);
   test_noise("a strip", .06, .005, true);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

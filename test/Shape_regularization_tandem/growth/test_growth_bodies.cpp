@@ -4,8 +4,6 @@
 // The bodies of growth, over the points, against naive versions of them, on several back ends: proposals, and growth in
 // the cells.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
@@ -16,6 +14,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_growth_bodies)
 
 using namespace CGAL::Tandem::internal;
 
@@ -147,8 +147,6 @@ private:
   const Fixture& f_;
 };
 
-int main()
-{
-  test_with_levels_on_all_backends<Growth_bodies>();
-  return report();
-}
+BOOST_AUTO_TEST_CASE(all_cases) { test_with_levels_on_all_backends<Growth_bodies>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // What a pass of growth makes of the table of shapes, on several back ends: shapes that grow, start, or go out of use.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
@@ -12,6 +10,8 @@
 #include <algorithm>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_take_growth)
 
 using namespace CGAL::Tandem::internal;
 
@@ -138,8 +138,6 @@ private:
   const Fixture& f_;
 };
 
-int main()
-{
-  test_on_all_backends<Growth_passes>();
-  return report();
-}
+BOOST_AUTO_TEST_CASE(all_cases) { test_on_all_backends<Growth_passes>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

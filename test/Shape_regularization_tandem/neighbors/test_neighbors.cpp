@@ -3,8 +3,6 @@
 //
 // find_neighbors() against brute force, and between the back ends of the host.
 
-#undef NDEBUG
-
 #include "testing/neighbor_clouds.h"
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
@@ -12,11 +10,11 @@
 
 #include <cstdio>
 
+BOOST_AUTO_TEST_SUITE(test_neighbors)
+
 using namespace CGAL::Tandem::internal;
 
 namespace {
-
-int failures = 0;
 
 std::uint64_t squared_distance(const Grid_point& p, const Grid_point& q)
 {
@@ -44,40 +42,27 @@ std::vector<std::uint32_t> neighbors(const Grid_cloud& cloud, int k)
   Backend backend;
   std::vector<std::uint32_t> out(cloud.size() * std::size_t(k) + 1, 12345u);
   find_neighbors(backend, cloud.data(), std::uint32_t(cloud.size()), k, out.data());
-  if(out.back() != 12345u) {
-    ++failures;
-    std::fprintf(stderr, "n = %zu, k = %d: wrote past the end\n", cloud.size(), k);
-  }
+  CHECK_AT(out.back() == 12345u, "wrote past the end, k = " + std::to_string(k));
   out.pop_back();
   return out;
 }
 
 // Rows `stride` apart are compared with brute force, all of them between the back ends.
-void check(const std::string& name, const Grid_cloud& cloud, int k, std::size_t stride)
+void check_rows(const std::string& name, const Grid_cloud& cloud, int k, std::size_t stride)
 {
   const std::vector<std::uint32_t> found = neighbors<Sequential_backend>(cloud, k);
-  if(neighbors<Tbb_backend>(cloud, k) != found) {
-    ++failures;
-    std::fprintf(stderr, "%s, k = %d: Sequential and TBB differ\n", name.c_str(), k);
-  }
+  CHECK_AT(neighbors<Tbb_backend>(cloud, k) == found, name + ", k = " + std::to_string(k));
   for(std::size_t i = 0; i < cloud.size(); i += stride) {
     const std::vector<std::uint32_t> expected = brute_force(cloud, i, k);
     for(std::size_t j = 0; j < std::size_t(k); ++j)
-      if(found[i * std::size_t(k) + j] != expected[j]) {
-        ++failures;
-        std::fprintf(stderr, "%s, n = %zu, k = %d: neighbor %zu of point %zu is %u, not %u\n", name.c_str(),
-                     cloud.size(), k, j, i, found[i * std::size_t(k) + j], expected[j]);
-        return;
-      }
+      if(found[i * std::size_t(k) + j] != expected[j])
+        return fail(name + ", k = " + std::to_string(k) + ": neighbor " + std::to_string(j) + " of point " +
+                    std::to_string(i));
   }
 }
 
 } // namespace
 
-int main()
-{
-  on_neighbor_clouds(check);
-  if(failures > 0)
-    std::fprintf(stderr, "test_neighbors: %d failures\n", failures);
-  return failures > 0;
-}
+BOOST_AUTO_TEST_CASE(all_cases) { on_neighbor_clouds(check_rows); }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,6 @@
 // Estimated normals on scenes with known faces, against the plane of 20 neighbors;
 // degenerate clouds; the same bits from all back ends and compilers.
 
-#undef NDEBUG
 #include <CGAL/Tandem/internal/base/Moments.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
@@ -18,19 +17,17 @@
 #include <cstdio>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_normals)
+
 using namespace CGAL::Tandem::internal;
 using namespace turned_box;
 
 namespace {
 
-int failures = 0;
-
 void expect(bool ok, const char* test, const char* what, double index, double value)
 {
-  if(ok)
-    return;
-  ++failures;
-  std::fprintf(stderr, "%s: %s, index %.0f, value %.9g\n", test, what, index, value);
+  CHECK_AT(ok,
+           std::string(test) + ": " + what + ", index " + std::to_string(index) + ", value " + std::to_string(value));
 }
 
 constexpr double epsilon = 1024; // in steps of the grid
@@ -242,15 +239,12 @@ void test_same_bits()
     expect(sequential[i].normal == parallel[i].normal, "same bits", "back ends differ", double(i), parallel[i].normal);
   // Changes with the method; must not change with the compiler, its options or the machine.
   const std::uint64_t expected = 0x667ecc6034502174u;
-  if(hash_of(sequential) != expected) {
-    ++failures;
-    std::fprintf(stderr, "same bits: hash %016llx\n", static_cast<unsigned long long>(hash_of(sequential)));
-  }
+  check_equal(hash_of(sequential), expected, "hash");
 }
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_solver();
   test_flat();
@@ -260,7 +254,6 @@ int main()
   test_quality({"noise", {40000, 10000, 300}, .95, .94, .04, .4});
   test_clutter();
   test_same_bits();
-  if(failures > 0)
-    std::fprintf(stderr, "%d failures\n", failures);
-  return failures == 0 ? 0 : 1;
 }
+
+BOOST_AUTO_TEST_SUITE_END()

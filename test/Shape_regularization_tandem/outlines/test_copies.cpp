@@ -3,8 +3,6 @@
 //
 // Outlines of points that are there many times, exactly or nearly, and of points in another order.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/polygons.h>
@@ -12,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_copies)
 
 using Areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
 constexpr double epsilon = .02, width = 4, height = 3;
@@ -42,7 +42,7 @@ Cloud make_copies(std::size_t places, std::size_t copies, double jitter)
 
 // The same area, whatever the number of copies is: with places that are many times the maximum distance from each other, or less
 // than it.
-void check_copies()
+BOOST_AUTO_TEST_CASE(check_copies)
 {
   for(std::size_t places : {300, 20000})
     for(std::size_t copies : {1, 8, 50, 200})
@@ -64,7 +64,7 @@ void check_copies()
 }
 
 // The points of a shape count, not their order.
-void check_order()
+BOOST_AUTO_TEST_CASE(check_order)
 {
   const Cloud cloud = make_copies(2000, 1, .004);
   const Shapes shapes = detect(cloud, make_parameters(epsilon, 100));
@@ -90,9 +90,4 @@ void check_order()
   }
 }
 
-int main()
-{
-  check_copies();
-  check_order();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

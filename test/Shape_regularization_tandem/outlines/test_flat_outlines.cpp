@@ -4,14 +4,14 @@
 // Outlines of shapes to which no other plane gives a direction: squares have four corners, also those of parallel planes,
 // and a circle stays one.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <cmath>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_flat_outlines)
 
 using Areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
 
@@ -77,7 +77,7 @@ void check_square(const Areas& areas, std::size_t s, const Kernel::Vector_3& dir
     CHECK(are_regular(e, direction));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(double angle : {0., .2, .7}) {
     Flats one, parallel, apart;
@@ -111,5 +111,6 @@ int main()
   for(const Kernel::Vector_3& e : edges)
     regular += are_regular(e, edges[0]);
   CHECK_AT(regular <= edges.size() / 4, std::to_string(regular));
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

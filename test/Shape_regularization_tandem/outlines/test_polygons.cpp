@@ -4,8 +4,6 @@
 // The outlines of the shapes: of scenes whose areas are known, of points of all sorts in a plane, and of random ones,
 // which must become simple polygons that have nothing in common.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include "outlines/many_shapes.h"
@@ -14,6 +12,8 @@
 
 #include <cmath>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_polygons)
 
 using outlines::Outline_vertex;
 using outlines::Polygon;
@@ -255,12 +255,13 @@ void check_growth()
   }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   check_growth();
   check_points();
   for(int run = 0; run < 60; ++run)
     check_random_points(run);
   check_scene();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

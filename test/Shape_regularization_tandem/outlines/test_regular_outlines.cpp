@@ -4,8 +4,6 @@
 // Outlines of a facade: straight edges that are parallel or orthogonal to lines with other planes, windows that are
 // rectangles, and a round hole that is none.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/polygons.h>
@@ -13,6 +11,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_regular_outlines)
 
 using Areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
 using CGAL::Tandem::Indexed_polygon;
@@ -132,7 +132,7 @@ void check_wall(const Shapes& shapes, const Areas& areas, std::size_t s)
   CHECK_AT(std::fabs(areas.area(s) / (48 - window_area) - 1) < .04, std::to_string(areas.area(s)));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(const std::size_t density : {200, 500}) {
     const Cloud cloud = Facade().make(density);
@@ -148,5 +148,6 @@ int main()
       }
     CHECK(walls == 1);
   }
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,6 @@
 // that differ by powers of two.
 //   test_shared_vertices SEED COUNT  looks at other random scenes
 
-#undef NDEBUG
-
 #include "testing/property_case.h"
 
 #include <CGAL/Shape_regularization_tandem/polygons.h>
@@ -18,6 +16,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_shared_vertices)
 
 using Areas = CGAL::Tandem::Shape_polygons_3<Kernel>;
 
@@ -220,14 +220,11 @@ void check_units()
            std::to_string(totals.common_edges) + ' ' + std::to_string(expected.points().size()));
 }
 
-int main(int argc, char** argv)
+BOOST_AUTO_TEST_CASE(all_cases)
 {
-  if(argc == 1) {
-    check_units();
-    check_houses();
-  }
-  check_random(argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1, argc > 2       ? std::strtoull(argv[2], nullptr, 10)
-                                                                   : is_sanitized ? 15
-                                                                                  : 60);
-  return report();
+  check_units();
+  check_houses();
+  check_random(argument(1, 1), argument(2, is_sanitized ? 15 : 60));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

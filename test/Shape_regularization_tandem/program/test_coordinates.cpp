@@ -4,8 +4,6 @@
 // What the program reads of coordinates, of --noise and of --tolerance-column: warnings where coordinates are wrong and
 // none where they are not, and the tolerances of points.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include "cloud_warnings.h"
@@ -18,6 +16,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_coordinates)
 
 using program::Point_set;
 using Point = program::Kernel::Point_3;
@@ -171,7 +171,7 @@ void check_names()
     CHECK_AT(found(wanted) == names.size(), wanted);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   check_noise();
   check_names();
@@ -180,5 +180,6 @@ int main()
     check_degrees(seed);
     check_zeros(seed);
   }
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,14 +4,14 @@
 // The help of detect_planes, and its messages, do not offer what the program was built without, whatever is missing;
 // the options stay known, so that a run can say why they are refused.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include "program_options.h"
 
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_help)
 
 std::string help_of(const program::Built_with& built)
 {
@@ -58,7 +58,7 @@ void check_messages()
   }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   using Built_with = program::Built_with;
   struct Part {
@@ -93,5 +93,6 @@ int main()
     program::parse(std::string(option) == "--mesh=m.off" ? 3 : 5, words, nothing);
   }
   check_messages();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

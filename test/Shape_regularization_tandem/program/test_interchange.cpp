@@ -4,8 +4,6 @@
 // What detect_planes writes for other programs, read back: vertex groups and the areas of
 // the shapes. The scene is a wall with a window, a second wall flush with it, and a floor.
 
-#undef NDEBUG
-
 #include "program/vg_file.h"
 #include "testing/box_cloud.h"
 
@@ -18,6 +16,8 @@
 
 #include <limits>
 #include <map>
+
+BOOST_AUTO_TEST_SUITE(test_interchange)
 
 using program::Kernel;
 using program::Point_set;
@@ -235,7 +235,7 @@ void check_lattice(int run)
   CHECK_AT(std::fabs(covered / (length * length) - 1) < 1e-6, std::to_string(run) + ": " + std::to_string(covered));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(int run = 0; run < 300; ++run)
     check_lattice(run);
@@ -248,5 +248,6 @@ int main()
   check_ply(points, shapes);
   check_obj(points, shapes);
   check_boundary(points, shapes);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

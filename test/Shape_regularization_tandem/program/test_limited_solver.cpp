@@ -3,8 +3,6 @@
 //
 // The limit of the solver of --mesh is processor time: a process that has to wait does not lose any of it.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include "mesh/Limited_solver.h"
@@ -14,6 +12,8 @@
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+
+BOOST_AUTO_TEST_SUITE(test_limited_solver)
 
 // Four equations of 40 binary variables, of which minutes find no solution.
 void add_problem(program::Limited_solver& solver)
@@ -55,7 +55,7 @@ int solve()
   return is_solved ? 2 : !program::Limited_solver::is_out_of_time ? 3 : used < 1 ? 4 : used > 5 ? 5 : 0;
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   const pid_t solving = fork();
   if(solving == 0)
@@ -68,5 +68,6 @@ int main()
   int status = 0;
   CHECK(waitpid(solving, &status, 0) == solving);
   CHECK_AT(WIFEXITED(status) && WEXITSTATUS(status) == 0, std::to_string(WEXITSTATUS(status)));
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

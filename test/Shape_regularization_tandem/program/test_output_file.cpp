@@ -3,8 +3,6 @@
 //
 // Where memory ends, no partial file is left, and the error is reported all the same.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include "output/Made_folders.h"
@@ -21,6 +19,8 @@
 #include <streambuf>
 #include <string>
 #include <string_view>
+
+BOOST_AUTO_TEST_SUITE(test_output_file)
 
 constexpr int no_limit = std::numeric_limits<int>::max();
 int allocations_left = no_limit;
@@ -179,7 +179,7 @@ void test_visible_text()
   }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   const std::filesystem::path folder =
     std::filesystem::temp_directory_path() / ("test_output_file_" + std::to_string(std::random_device()()));
@@ -191,5 +191,6 @@ int main()
   std::filesystem::remove_all(folder);
   test_fail();
   test_visible_text();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,8 +6,6 @@
 //   test_outputs SEED        repeats one scene
 //   test_outputs SEED COUNT  as many scenes, from SEED on
 
-#undef NDEBUG
-
 #include "testing/property_case.h"
 
 #include "program/check_outputs.h"
@@ -15,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+
+BOOST_AUTO_TEST_SUITE(test_outputs)
 
 void check_scenes(std::uint64_t first, std::uint64_t count)
 {
@@ -180,18 +180,15 @@ void check_closed()
   CHECK(!program::is_closed(surface));
 }
 
-int main(int argc, char** argv)
+BOOST_AUTO_TEST_CASE(all_cases)
 {
-  const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;
-  const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : argc > 1 ? 1 : is_sanitized ? 10 : 60;
-  if(argc == 1) {
-    check_units();
-    check_units_of_mesh();
-    check_without_outline();
-    check_far();
-    check_checker();
-    check_closed();
-  }
-  check_scenes(seed, count);
-  return report();
+  check_units();
+  check_units_of_mesh();
+  check_without_outline();
+  check_far();
+  check_checker();
+  check_closed();
+  check_scenes(argument(1, 1), argument(2, is_sanitized ? 10 : 60));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // The noise that warnings are about, where it cannot be measured or is none, and the share of points in shapes, which
 // counts no point at 0 0 0 twice.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include "result_warnings.h"
@@ -14,6 +12,8 @@
 #include <limits>
 #include <new>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_result_warnings)
 
 // Another rank has measured this.
 class Two_ranks : public program::Ranks {
@@ -44,7 +44,7 @@ void check_share(std::size_t CGAL::Tandem::Statistics::*zeros, double share)
   CHECK_AT(text.find("only 10 % of the points are in shapes, and " + expected + " are in clutter: ") == 0, text);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   check_share(nullptr, 100. / 350);
   check_share(&CGAL::Tandem::Statistics::number_of_far_points, 100. / 350);
@@ -58,5 +58,6 @@ int main()
   check([] { return .5; }, .5);
   check([]() -> double { throw std::bad_alloc(); }, infinity); // it goes on, and takes part in what all ranks do
   check([] { return 0.; }, infinity);                          // all points are one
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // Files are shared among processes by their sizes.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include "ranks/processes.h"
@@ -12,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+BOOST_AUTO_TEST_SUITE(test_share_files)
 
 using Sizes = std::vector<std::uint64_t>;
 using Shares = std::vector<int>;
@@ -30,7 +30,7 @@ void check_balance(const Sizes& bytes, int ranks)
     CHECK_AT(std::abs(double(load[rank]) - share) <= largest + double(bytes.size()), std::to_string(rank));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   CHECK(program::share_files({}, 3).empty());
   CHECK(program::share_files({5, 7, 6}, 1) == Shares({0, 0, 0}));
@@ -42,5 +42,6 @@ int main()
     bytes.push_back(1 + i * 7919 % 1000 * (i % 11 == 0 ? 1000 : 1));
   for(int ranks = 1; ranks < 120; ranks += 7)
     check_balance(bytes, ranks);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

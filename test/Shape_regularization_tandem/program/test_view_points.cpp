@@ -3,8 +3,6 @@
 //
 // The points of the view: which are shown, and how they are written.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include "view/Thinned_points.h"
@@ -15,6 +13,8 @@
 #include <limits>
 #include <string>
 #include <sstream>
+
+BOOST_AUTO_TEST_SUITE(test_view_points)
 
 using program::Kernel;
 using program::Point_set;
@@ -69,7 +69,7 @@ T number(const std::string& bytes, std::size_t position)
 }
 
 // One of every `stride` points of each shape, not always the same one, none twice.
-void test_thinning()
+BOOST_AUTO_TEST_CASE(test_thinning)
 {
   const std::size_t size = 30000, largest = 1000, stride = 30;
   const Point_set points = make_points(size);
@@ -89,7 +89,7 @@ void test_thinning()
     CHECK_AT(some.shown[s] >= 330 && some.shown[s] <= 336, std::to_string(some.shown[s]));
 }
 
-void test_base64()
+BOOST_AUTO_TEST_CASE(test_base64)
 {
   for(const auto& [bytes, text] : {std::pair("f", "Zg=="), std::pair("fo", "Zm8="), std::pair("foo", "Zm9v"),
                                    std::pair("\xff\xfe", "//4="), std::pair("", "")})
@@ -97,7 +97,7 @@ void test_base64()
 }
 
 // Each coordinate is within half a step of the box of its block, and the float of its corner.
-void test_blocks()
+BOOST_AUTO_TEST_CASE(test_blocks)
 {
   const std::size_t size = 3 * 5000;
   const Point_set points = make_points(size);
@@ -129,10 +129,4 @@ void test_blocks()
   CHECK_AT(first == thinned.size(), std::to_string(first));
 }
 
-int main()
-{
-  test_thinning();
-  test_base64();
-  test_blocks();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

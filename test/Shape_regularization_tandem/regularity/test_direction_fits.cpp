@@ -3,8 +3,6 @@
 //
 // What directions are found by: angles, and fits of one and of several shapes.
 
-#undef NDEBUG
-
 #include "testing/rectangles.h"
 
 #include <cmath>
@@ -12,11 +10,13 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_direction_fits)
+
 using namespace CGAL::Tandem::internal;
 
 namespace {
 
-void test_angles()
+BOOST_AUTO_TEST_CASE(test_angles)
 {
   const double pi = 3.14159265358979323846;
   for(double d = -725; d <= 725; d += 0.37) {
@@ -32,7 +32,7 @@ void test_angles()
   check_equal(cosine_deg(90), 0, "cosine of 90");
 }
 
-void test_group_fit()
+BOOST_AUTO_TEST_CASE(test_group_fit)
 {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.03);
@@ -58,7 +58,7 @@ void test_group_fit()
     }
 }
 
-void test_constrained_fits()
+BOOST_AUTO_TEST_CASE(test_constrained_fits)
 {
   const Vector x = unit({1, 2, 3});
   const Plane_basis b(x);
@@ -84,10 +84,4 @@ void test_constrained_fits()
 
 } // namespace
 
-int main()
-{
-  test_angles();
-  test_group_fit();
-  test_constrained_fits();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // Unions and right angles of many directions take far fewer comparisons than all pairs.
 
-#undef NDEBUG
-
 #include "testing/direction_families.h"
 
 #include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
@@ -14,6 +12,8 @@
 #include <iostream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_direction_work)
 
 using namespace CGAL::Tandem::internal;
 
@@ -126,7 +126,7 @@ void check_growth(const std::string& name, double most, const std::function<std:
   }
 }
 
-void test_work()
+BOOST_AUTO_TEST_CASE(test_work)
 {
   check_growth("cells and directions", 40, count_of_pairs);
   for(double sine : {1e-9, 1e-3, .14})
@@ -139,8 +139,4 @@ void test_work()
 
 } // namespace
 
-int main()
-{
-  test_work();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

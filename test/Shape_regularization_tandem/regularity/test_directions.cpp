@@ -3,18 +3,18 @@
 //
 // Which shapes become parallel and orthogonal, and which do not, on analytic sets of shapes.
 
-#undef NDEBUG
-
 #include "testing/rectangles.h"
 
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_directions)
+
 using namespace CGAL::Tandem::internal;
 
 namespace {
 
-void test_parallel()
+BOOST_AUTO_TEST_CASE(test_parallel)
 {
   // short shapes: it costs little to turn them
   auto small = [](const Vector& n, double z) { return Rectangle{n, {0, 0, z * epsilon}, 3 * epsilon, 3 * epsilon}; };
@@ -36,7 +36,7 @@ void test_parallel()
   check_equal(double(run(chain, all_on(.001)).directions.size()), 3, "directions of a chain that is not worth it");
 }
 
-void test_orthogonal()
+BOOST_AUTO_TEST_CASE(test_orthogonal)
 {
   for(int seed = 0; seed < 200; ++seed) {
     const Relations r = run(tilted_box(seed), all_on(200));
@@ -56,7 +56,7 @@ void test_orthogonal()
 }
 
 // Gabled roofs on two walls: each roof plane is orthogonal to one wall, not to the other.
-void test_chained_frames()
+BOOST_AUTO_TEST_CASE(test_chained_frames)
 {
   for(int seed = 0; seed < 100; ++seed) {
     std::vector<Rectangle> house = tilted_box(seed);
@@ -71,7 +71,7 @@ void test_chained_frames()
   }
 }
 
-void test_village()
+BOOST_AUTO_TEST_CASE(test_village)
 {
   const std::vector<Rectangle> faces = village();
   for(double price : {5., 10., 20., 40.}) {
@@ -84,11 +84,4 @@ void test_village()
 
 } // namespace
 
-int main()
-{
-  test_parallel();
-  test_orthogonal();
-  test_chained_frames();
-  test_village();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,14 +4,14 @@
 // Directions that are known beforehand, and symmetry about an axis: a house with a gable roof of unequal slopes, which
 // leans by a given angle. Exact where the points allow it, and nowhere else.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(test_given_directions)
 
 namespace np = CGAL::Tandem::parameters;
 using scenes::Vec;
@@ -85,7 +85,7 @@ std::pair<int, int> count_related(const Shapes& shapes, int k)
   return count;
 }
 
-void check_fixed_direction()
+BOOST_AUTO_TEST_CASE(check_fixed_direction)
 {
   for(double lean : {0., .2}) {
     const Cloud cloud = make_house(lean, 0);
@@ -106,7 +106,7 @@ void check_fixed_direction()
 }
 
 // A direction that is too far from the shapes, or that costs their points too much, has no effect.
-void check_rejected_direction()
+BOOST_AUTO_TEST_CASE(check_rejected_direction)
 {
   const Cloud cloud = make_house(7, 0); // a face of 6 x 4 turned by 7 degrees is far outside of epsilon
   const Shapes shapes = detect_valid("rejected direction", cloud, make_house_parameters());
@@ -124,7 +124,7 @@ std::vector<std::size_t> roof_groups(const Shapes& shapes)
   return roof;
 }
 
-void check_symmetry()
+BOOST_AUTO_TEST_CASE(check_symmetry)
 {
   const Cloud cloud = make_house(.2, .5);
   Parameters p = make_house_parameters();
@@ -152,7 +152,7 @@ void check_symmetry()
 }
 
 // Directions that differ in their last bits or their signs are one: the first. So is the axis of symmetry.
-void check_equal_directions()
+BOOST_AUTO_TEST_CASE(check_equal_directions)
 {
   using CGAL::Tandem::internal::Vector;
   Parameters p;
@@ -171,7 +171,7 @@ void check_equal_directions()
 }
 
 // The same for the groups of a result.
-void check_equal_directions_of_groups()
+BOOST_AUTO_TEST_CASE(check_equal_directions_of_groups)
 {
   Parameters p = make_house_parameters();
   p.fixed_directions = {{0, 1e-10, 1}, vertical, {0, 0, -1}};
@@ -185,7 +185,7 @@ void check_equal_directions_of_groups()
 }
 
 // Named parameters of both spellings, with vectors of the kernel.
-void check_named_parameters()
+BOOST_AUTO_TEST_CASE(check_named_parameters)
 {
   const Cloud cloud = make_house(.2, .5);
   const auto list =
@@ -213,7 +213,7 @@ void check_refused(F f, const std::string& message)
   check_equal(what, message, "refused");
 }
 
-void check_bad_directions()
+BOOST_AUTO_TEST_CASE(check_bad_directions)
 {
   const Cloud cloud = make_house(0, 0);
   Parameters p = make_house_parameters();
@@ -228,7 +228,7 @@ void check_bad_directions()
 }
 
 // The checker finds a claim that is not true.
-void check_corrupted_claim()
+BOOST_AUTO_TEST_CASE(check_corrupted_claim)
 {
   const Cloud cloud = make_house(.3, 0);
   const auto list = np::settings(make_house_parameters()).point_map(First<Kernel>()).normal_map(Second<Kernel>());
@@ -251,7 +251,7 @@ struct Index_map {
 };
 
 // The same for planes of another detector.
-void check_given_planes()
+BOOST_AUTO_TEST_CASE(check_given_planes)
 {
   const Cloud cloud = make_house(.3, 1);
   Parameters p = make_house_parameters();
@@ -282,16 +282,4 @@ void check_given_planes()
   check_equal(*std::max_element(r.symmetry_group.begin(), r.symmetry_group.end()), 2, "floor, walls, roof");
 }
 
-int main()
-{
-  check_fixed_direction();
-  check_rejected_direction();
-  check_symmetry();
-  check_named_parameters();
-  check_equal_directions();
-  check_equal_directions_of_groups();
-  check_bad_directions();
-  check_corrupted_claim();
-  check_given_planes();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

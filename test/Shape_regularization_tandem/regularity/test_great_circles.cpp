@@ -4,8 +4,6 @@
 // Right angles among many directions, and queries of the Gauss map: the same pairs, stars and neighbors as by comparing
 // all with all, bit by bit.
 
-#undef NDEBUG
-
 #include "testing/direction_families.h"
 
 #include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
@@ -15,11 +13,13 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_great_circles)
+
 using namespace CGAL::Tandem::internal;
 
 namespace {
 
-void test_pairs()
+BOOST_AUTO_TEST_CASE(test_pairs)
 {
   std::size_t all = 0;
   for_each_family(400, 20, [&](const std::string& name, Random&, const Directions& d) {
@@ -52,7 +52,7 @@ std::vector<Star_candidate> make_candidates(Random& random, const Directions& di
   return candidates;
 }
 
-void test_stars()
+BOOST_AUTO_TEST_CASE(test_stars)
 {
   std::size_t followers = 0;
   for_each_family(400, 20, [&](const std::string& name, Random& random, const Directions& d) {
@@ -78,7 +78,7 @@ void test_stars()
 }
 
 // All directions within an angle, whatever their signs, also where they lie on another face of the cube.
-void test_near_directions()
+BOOST_AUTO_TEST_CASE(test_near_directions)
 {
   std::size_t within = 0;
   for_each_family(200, 2, [&](const std::string& name, Random& random, Directions d) {
@@ -109,10 +109,4 @@ void test_near_directions()
 
 } // namespace
 
-int main()
-{
-  test_pairs();
-  test_stars();
-  test_near_directions();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // Parallel and coplanar groups are the same as by a look at all pairs, in the definition.
 
-#undef NDEBUG
-
 #include "testing/plates.h"
 
 #include <algorithm>
@@ -12,6 +10,8 @@
 #include <cstdio>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_groups)
 
 using namespace CGAL::Tandem::internal;
 
@@ -82,7 +82,7 @@ Members members_of(const std::vector<Direction_group>& groups)
 }
 
 // Also that all shapes together do not lose more than what the directions that they save are worth.
-void test_parallel_groups()
+BOOST_AUTO_TEST_CASE(test_parallel_groups)
 {
   std::size_t united = 0, joined_given = 0;
   for(int seed = 0; seed < 200; ++seed) {
@@ -159,7 +159,7 @@ Members naive_planes(const Shape_fits& shapes, const Regular_planes& plane, cons
   return result;
 }
 
-void test_coplanar_groups()
+BOOST_AUTO_TEST_CASE(test_coplanar_groups)
 {
   std::size_t united = 0, released = 0;
   for(int seed = 0; seed < 300; ++seed) {
@@ -214,7 +214,7 @@ void test_coplanar_groups()
 }
 
 // More given directions than shapes, of which most have none: numbers are those of directions of shapes, below n.
-void test_numbers()
+BOOST_AUTO_TEST_CASE(test_numbers)
 {
   Random random(3);
   std::vector<Direction_group> groups;
@@ -231,10 +231,4 @@ void test_numbers()
 
 } // namespace
 
-int main()
-{
-  test_numbers();
-  test_parallel_groups();
-  test_coplanar_groups();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // Partners at right angles among fixed directions: the same as by a look at all of them, bit by bit.
 
-#undef NDEBUG
-
 #include "testing/direction_families.h"
 #include "testing/same_bits.h"
 
@@ -12,6 +10,8 @@
 #include <numeric>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_partners)
 
 using namespace CGAL::Tandem::internal;
 
@@ -132,9 +132,10 @@ void test_partners(std::size_t few)
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_partners(0);
   test_partners(Fixed_directions::few_directions);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Relations by price: shapes are related exactly where that is worth more than what their points lose, and none loses
 // more than its relations are worth.
 
-#undef NDEBUG
-
 #include "testing/plates.h"
 
 #include <algorithm>
@@ -15,12 +13,14 @@
 #include <string>
 #include <utility>
 
+BOOST_AUTO_TEST_SUITE(test_prices)
+
 using namespace CGAL::Tandem::internal;
 
 namespace {
 
 // Two plates, of which the second is turned about an axis in it, and lies at an offset: what it costs is known.
-void test_two_shapes()
+BOOST_AUTO_TEST_CASE(test_two_shapes)
 {
   for(double degrees : {.5, 2., 7.}) {
     const Rectangle first{polar(0, 90), {0, 0, 0}};
@@ -46,7 +46,7 @@ void test_two_shapes()
 }
 
 // A plate and one that is turned from the right angle to it.
-void test_right_angle()
+BOOST_AUTO_TEST_CASE(test_right_angle)
 {
   for(double degrees : {.5, 2., 7.}) {
     const Shape_fits shapes =
@@ -63,7 +63,7 @@ void test_right_angle()
 
 // No group loses more than the price of a degree of freedom by right angles, and no shape more than that of a direction
 // by all. Nor is one turned by more than the tolerance. Pairs that are nearly orthogonal are so, or not worth it.
-void test_losses()
+BOOST_AUTO_TEST_CASE(test_losses)
 {
   std::size_t released = 0, right_angles = 0;
   for(int seed = 0; seed < 300; ++seed) {
@@ -100,7 +100,7 @@ void test_losses()
 }
 
 // The order of shapes of different sizes does not matter.
-void test_order()
+BOOST_AUTO_TEST_CASE(test_order)
 {
   for(int seed = 0; seed < 50; ++seed) {
     Random random(seed);
@@ -129,11 +129,4 @@ void test_order()
 
 } // namespace
 
-int main()
-{
-  test_two_shapes();
-  test_right_angle();
-  test_losses();
-  test_order();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // The regularity step as a whole, on analytic sets of shapes: coplanar ones, switches, degenerate input, and that
 // neither the order of the shapes nor the compiler matters.
 
-#undef NDEBUG
-
 #include "testing/rectangles.h"
 
 #include <cstdio>
@@ -16,11 +14,13 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_regularity)
+
 using namespace CGAL::Tandem::internal;
 
 namespace {
 
-void test_coplanar()
+BOOST_AUTO_TEST_CASE(test_coplanar)
 {
   auto flat = [](double z, double x) {
     return Rectangle{{0, 0.001, 1}, {x * epsilon, 0, z * epsilon}, 5 * epsilon, 5 * epsilon, 100};
@@ -36,7 +36,7 @@ void test_coplanar()
   check_equal(double(costly.directions.size()), 1, "they stay parallel");
 }
 
-void test_switches()
+BOOST_AUTO_TEST_CASE(test_switches)
 {
   const std::vector<Rectangle> box = tilted_box(9);
   Regularity_options o = all_on(200);
@@ -53,7 +53,7 @@ void test_switches()
   check_equal(double(run(box, o).directions.size()), 6, "directions, no tolerance");
 }
 
-void test_degenerate()
+BOOST_AUTO_TEST_CASE(test_degenerate)
 {
   check_equal(double(run(Shape_fits()).planes.size()), 0, "planes of nothing");
   Shape_fit point = {};
@@ -71,7 +71,7 @@ void test_degenerate()
 }
 
 // The partition may not depend on the order of the shapes.
-void test_permutation()
+BOOST_AUTO_TEST_CASE(test_permutation)
 {
   const std::vector<Rectangle> faces = village();
   const Relations r = run(faces);
@@ -140,7 +140,7 @@ Shape_fits integer_scene(int n)
   return shapes;
 }
 
-void print_hash()
+BOOST_AUTO_TEST_CASE(print_hash)
 {
   const Shape_fits shapes = integer_scene(600);
   const Relations r = run(shapes);
@@ -152,12 +152,4 @@ void print_hash()
 
 } // namespace
 
-int main()
-{
-  test_coplanar();
-  test_switches();
-  test_degenerate();
-  test_permutation();
-  print_hash();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,14 +4,14 @@
 // Points go to the adjacent shape where they are worth most, against plain loops on several back ends: which label each
 // one chooses in a pass, what becomes of the shapes, and all passes, of which the later ones leave out most blocks.
 
-#undef NDEBUG
-
 #include "testing/Slow_assignment.h"
 #include "testing/body_fixture.h"
 
 #include <algorithm>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_assign)
 
 using namespace CGAL::Tandem::internal;
 
@@ -250,8 +250,6 @@ private:
   bool is_of_one_plane_ = false; // relations say so of twins
 };
 
-int main()
-{
-  test_with_levels_on_all_backends<Assignments>();
-  return report();
-}
+BOOST_AUTO_TEST_CASE(all_cases) { test_with_levels_on_all_backends<Assignments>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,6 @@
 //
 // Which of equal shapes a point chooses, and when the passes of an assignment end.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
@@ -14,13 +12,15 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_assignment_passes)
+
 using namespace CGAL::Tandem::internal;
 
 using Labels = std::vector<std::uint32_t>;
 
 // A point with a neighbor in each of two shapes that have one plane and one bonus: the smaller id has it, whatever the
 // order of the neighbors and the own label are.
-void test_ties()
+BOOST_AUTO_TEST_CASE(test_ties)
 {
   const std::vector<Grid_point> point(3, {0, 0, 10, encode_normal({0, 0, 1})});
   const Tolerance tolerance = make_tolerance(100, cosine_deg(25));
@@ -60,7 +60,7 @@ void test_ties()
 }
 
 // Passes end when two have changed nothing.
-void test_end()
+BOOST_AUTO_TEST_CASE(test_end)
 {
   Labels has_changes = {1, 0, 1, 0, 0, 0};
   const Assignment_passes<Sequential_backend> passes = {
@@ -69,9 +69,4 @@ void test_end()
     check_equal(passes.is_last(pass), pass >= 5, "whether pass " + std::to_string(pass) + " is needed");
 }
 
-int main()
-{
-  test_ties();
-  test_end();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Shapes that become one, against plain loops on several back ends: which one stays, which ones touch and have one
 // plane, what becomes of the shapes, and of their points.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/rounds/join_members.h>
@@ -19,6 +17,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_merges)
 
 using namespace CGAL::Tandem::internal;
 
@@ -269,9 +269,10 @@ void test(Backend backend, const std::string& name)
   Merges<Backend>(backend, name).run();
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   on_body_backends([](auto backend, const std::string& name) { test(backend, name); });
   test_on_all_backends<Merged_clouds>();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // Unions in rounds of mutual choice: on all back ends what a slow definition gives, which fits every link anew in every
 // round, in any order of the links.
 
-#undef NDEBUG
-
 #include "testing/fragments.h"
 #include "testing/verdict_of.h"
 
@@ -15,6 +13,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_mutual_unions)
 
 using namespace CGAL::Tandem::internal;
 
@@ -155,11 +155,12 @@ void check_scene(const Scene& scene)
   }
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   constexpr std::size_t all = columns * rows;
   for(const Scene& scene :
       {Scene{level, 9, 11}, {0, 2, all / 3}, {1, all / 30, all / 3}, {2, all / 10, all / 3}, {4, all - 30, all}})
     check_scene(scene);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

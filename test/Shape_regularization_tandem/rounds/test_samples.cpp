@@ -4,14 +4,14 @@
 // Samples of shapes have the points of least hash, on several back ends; and merged samples are that of the union, in any
 // order, also where many shapes join one in the same round.
 
-#undef NDEBUG
-
 #include "testing/fragments.h"
 
 #include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_samples)
 
 using namespace CGAL::Tandem::internal;
 
@@ -127,7 +127,7 @@ void test_many(Backend& backend, const std::string& name)
   CHECK_AT(are_equal(fragments.samples.data()[0], sample_of(all)), name + ": sample of a union of many");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_with_levels_on_all_backends<Samples>();
   test_merge({0, 0});
@@ -136,5 +136,6 @@ int main()
   test_merge({64, 65, 300, 2, 1, 1, 40, 0, 7});
   test_merge(std::vector<int>(200, 3));
   on_body_backends([](auto backend, const std::string& name) { test_many(backend, name); });
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

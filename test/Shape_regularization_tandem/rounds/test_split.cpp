@@ -4,8 +4,6 @@
 // Splits against plain loops, on all back ends of the host: which shapes split, which planes their parts have, and what
 // becomes of points, shapes and lists. test_split_scenes has shapes that have to split, and some that must not.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 #include "testing/host_backends.h"
 #include "testing/same_bits.h"
@@ -18,6 +16,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_split)
 
 using namespace CGAL::Tandem::internal;
 
@@ -249,9 +249,10 @@ private:
   int accepted_ = 0, refused_ = 0;
 };
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(const Levels levels : {Levels::none, Levels::mixed})
     on_host_backends([&](auto backend, const std::string&) { test_on<Splits>(std::move(backend), levels); });
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

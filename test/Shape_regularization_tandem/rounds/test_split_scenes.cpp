@@ -5,8 +5,6 @@
 // noisy plane, and layers whose points interleave, since the links between them cost more. On all back ends of the
 // host, and in any order of the points. What a split gains is compared with the score before and after.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 #include "testing/host_backends.h"
 
@@ -16,6 +14,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_split_scenes)
 
 using namespace CGAL::Tandem::internal;
 
@@ -217,7 +217,7 @@ void test_gain(const std::string& name, const Scene& scene, bool is_any)
   check_equal(most > 0, is_any, name + ": whether a split gains");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test("layers", make_layers(2000, 1000, 1.5), true);
   test("large layers", make_layers(20000, 3000, 1.5), true);
@@ -234,5 +234,6 @@ int main()
   test_gain("a low roof", make_roof(250, 4000, 3), true);
   test_gain("a noisy plane", make_noisy(250, 4000, 1. / 3), false);
   test_gain("too few points", make_layers(90, 1000, 1.5), false);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // What a union gains: where samples have all points, the difference of the score, which plain loops over the points give.
 // Then layers, bends and one plane, by samples of large shapes.
 
-#undef NDEBUG
-
 #include "testing/random_shapes.h"
 #include "testing/verdict_of.h"
 
@@ -15,6 +13,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_union_gain)
 
 using namespace CGAL::Tandem::internal;
 
@@ -266,12 +266,13 @@ void test_unions(Backend& backend, const std::string& name)
   CHECK_AT(member == std::vector<std::uint32_t>({0, 1}), name + ": one plane, and two layers");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_whole_samples();
   test_levels();
   test_surfaces();
   test_dissolved();
   on_body_backends([](auto backend, const std::string& name) { test_unions(backend, name); });
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,13 +3,13 @@
 //
 // Unions of rows and of many groups of shapes: few rounds, and the planes of all their points.
 
-#undef NDEBUG
-
 #include "testing/fragments.h"
 
 #include <map>
 #include <random>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_union_rounds)
 
 using namespace CGAL::Tandem::internal;
 
@@ -41,7 +41,7 @@ void check_planes(const Shape_table<Sequential_backend>& shapes, const Shape_uni
 
 // Equal shapes in a row: all gains are equal at first, and most unions of a size. A number of rounds like that of the shapes would be
 // quadratic in time.
-void check_row()
+BOOST_AUTO_TEST_CASE(check_row)
 {
   constexpr int n = 2000;
   Sequential_backend backend;
@@ -62,7 +62,7 @@ void check_row()
 }
 
 // In each of many groups, two shapes unite first, and their union joins one that was in no union before.
-void check_groups()
+BOOST_AUTO_TEST_CASE(check_groups)
 {
   constexpr int n = 1000;
   Sequential_backend backend;
@@ -83,9 +83,4 @@ void check_groups()
   check_planes(fragments.shapes, unions);
 }
 
-int main()
-{
-  check_row();
-  check_groups();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,12 +4,12 @@
 // The score of a result beside its definition, computed by brute force in double from labels and planes; and the parts
 // of it in integers.
 
-#undef NDEBUG
-
 #include "criteria/result_score.h"
 #include "testing/test_support.h"
 
 #include <CGAL/Tandem/internal/score/Score.h>
+
+BOOST_AUTO_TEST_SUITE(test_score)
 
 using namespace CGAL::Tandem::benchmark;
 using CGAL::Tandem::Result_score;
@@ -182,7 +182,7 @@ void test_by_hand()
 
 } // namespace
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_logarithm();
   test_parts();
@@ -190,5 +190,6 @@ int main()
   test_result("house", .15, 20, .0005);
   test_result("part", .1, 20, .001);
   test_result("indoor", .05, 15, .0005);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // The lists of the shapes of each cell, against plain loops on several back ends: how they are made, cells in parts that
 // have them, and the update of labels, which keeps them.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
@@ -14,6 +12,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_cell_lists)
 
 using namespace CGAL::Tandem::internal;
 
@@ -124,8 +124,6 @@ private:
   const Fixture& f_;
 };
 
-int main()
-{
-  test_on_all_backends<Cell_lists>();
-  return report();
-}
+BOOST_AUTO_TEST_CASE(all_cases) { test_on_all_backends<Cell_lists>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

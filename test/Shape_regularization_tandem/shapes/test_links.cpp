@@ -4,8 +4,6 @@
 // Links against plain maps, on several back ends: the table that all cells fill at the same time, also where it is too
 // small, and the links of a cloud, for which the first table may be too small.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 #include "testing/link_sets.h"
 
@@ -17,6 +15,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_links)
 
 using namespace CGAL::Tandem::internal;
 
@@ -158,9 +158,10 @@ void test(Backend backend, const std::string& name)
     CHECK_AT(false, name + ": " + wrong);
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   on_body_backends([](auto backend, const std::string& name) { test(backend, name); });
   test_on_all_backends<Cloud_tests>();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

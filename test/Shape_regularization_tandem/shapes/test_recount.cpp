@@ -3,8 +3,6 @@
 //
 // Moments, boxes and lists from the labels, against plain loops on several back ends.
 
-#undef NDEBUG
-
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
@@ -12,6 +10,8 @@
 #include <algorithm>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_recount)
 
 using namespace CGAL::Tandem::internal;
 
@@ -74,8 +74,6 @@ private:
   const Fixture& f_;
 };
 
-int main()
-{
-  test_with_levels_on_all_backends<Recount>();
-  return report();
-}
+BOOST_AUTO_TEST_CASE(all_cases) { test_with_levels_on_all_backends<Recount>(); }
+
+BOOST_AUTO_TEST_SUITE_END()

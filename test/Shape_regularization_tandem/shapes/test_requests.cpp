@@ -5,12 +5,12 @@
 // which an assertion reports, nor has another result. scripts/check_requests.sh removes each request in turn, and
 // expects this test to fail.
 
-#undef NDEBUG
-
 #include "testing/Open_engine.h"
 #include "testing/test_support.h"
 
 #include <functional>
+
+BOOST_AUTO_TEST_SUITE(test_requests)
 
 using namespace CGAL::Tandem::internal;
 
@@ -73,7 +73,7 @@ void test(const std::string& name, const Stage& stage)
   CHECK_AT(got.link == expected.link, name + ": links");
 }
 
-void test_rounds()
+BOOST_AUTO_TEST_CASE(test_rounds)
 {
   test("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options.growth); });
   test("dropping", [](State& t, Link_buffer&) { drop_small(t.points, t.shapes, 200); });
@@ -107,7 +107,7 @@ Shape_relations shifted_planes(const State& t)
   return r;
 }
 
-void test_end_game()
+BOOST_AUTO_TEST_CASE(test_end_game)
 {
   test("misfits", [](State& t, Link_buffer&) {
     for(Shape& s : t.shapes.table())
@@ -142,9 +142,4 @@ void test_end_game()
   });
 }
 
-int main()
-{
-  test_rounds();
-  test_end_game();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

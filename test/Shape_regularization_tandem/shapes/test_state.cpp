@@ -5,12 +5,12 @@
 // labels are live shapes or marks, counts, sums and boxes are those of the points, which see the planes of the shapes.
 // Where most ids are out of use, shapes get new ones and stay what they are.
 
-#undef NDEBUG
-
 #include "testing/Open_engine.h"
 #include "testing/test_support.h"
 
 #include <map>
+
+BOOST_AUTO_TEST_SUITE(test_state)
 
 using namespace CGAL::Tandem::internal;
 struct Sums {
@@ -133,7 +133,7 @@ int test(const std::string& name, const scenes::Options& options, const Paramete
   return rounds;
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   int rounds = 0;
   for(const char* name : {"house", "village", "indoor", "part", "staircase", "sphere", "chained"})
@@ -145,5 +145,6 @@ int main()
           rounds += test(name, scene_options(6000, .002, .1), parameters);
         }
   CHECK_AT(rounds > 300, std::to_string(rounds) + " rounds in all");
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,14 +3,14 @@
 //
 // The cells into which planes cut a box: they fill it, are closed, and meet in whole facets.
 
-#undef NDEBUG
-
 #include "testing/checks.h"
 
 #include <CGAL/Shape_regularization_tandem/internal/surface/Cell_cutter.h>
 
 #include <random>
 #include <set>
+
+BOOST_AUTO_TEST_SUITE(test_cell_cutter)
 
 using namespace CGAL::Tandem::internal::surface;
 using CGAL::Tandem::Coefficients;
@@ -111,11 +111,12 @@ void check_one_cell()
   CHECK(cutter.section(1, cutter.add_plane({0, 0, 1, -.5})).size() == 8); // each edge in both of its facets
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   for(unsigned seed = 1; seed <= 5; ++seed)
     check_random(seed);
   check_degenerate();
   check_one_cell();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

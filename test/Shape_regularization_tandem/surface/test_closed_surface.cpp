@@ -3,11 +3,11 @@
 //
 // closed_surface(): closed two-manifolds, the same in every unit and with copies of points, and what it refuses.
 
-#undef NDEBUG
-
 #include "testing/check_closed_surface.h"
 
 #include <CGAL/Simple_cartesian.h>
+
+BOOST_AUTO_TEST_SUITE(test_closed_surface)
 
 // Copies of points change nothing.
 void check_copies()
@@ -67,11 +67,12 @@ void check_refusals()
   CHECK(CGAL::Tandem::closed_surface(Found_shapes(), std::vector<Epick::Point_3>()).is_empty());
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   check_box();
   check_refusals();
   check_copies();
   check_random_scenes(20, np::maximum_number_of_planes(40));
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,14 +3,14 @@
 //
 // The volumes of closed_surface(): a house, and houses of airborne scans, whose walls have no points.
 
-#undef NDEBUG
-
 #include "testing/check_closed_surface.h"
 #include "testing/scenes.h"
 
 #include <algorithm>
 #include <random>
 #include <set>
+
+BOOST_AUTO_TEST_SUITE(test_surface_volumes)
 
 namespace scenes = CGAL::Tandem::scenes;
 
@@ -123,11 +123,12 @@ void check_house(std::size_t number_of_points, double maximum_distance)
   CHECK_AT(double(planes.size()) > .8 * double(shapes.number_of_coplanar_groups()), std::to_string(planes.size()));
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   check_house(50000, .04);
   check_house(100000, .03);
   check_house(100000, .04);
   check_airborne_scans();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,16 +1,20 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks that say where they failed, and the number of failures, from which a test makes what it returns.
+// Checks that cost little where they hold, so that a test can make millions of them: Boost.Test hears of those that do
+// not. What is said of the place is only made then.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHECKS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHECKS_H
 
+#include <boost/test/unit_test.hpp>
+
 #include <cmath>
-#include <cstdlib>
+#include <cstdint>
 #include <initializer_list>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 
 // With a sanitizer, tests take ten times as long: some are smaller there.
@@ -27,29 +31,34 @@ constexpr bool is_sanitized = true;
 constexpr bool is_sanitized = false;
 #endif
 
+// So far, of all cases.
 inline int& failures()
 {
   static int count = 0;
   return count;
 }
 
-inline int report()
+// Programs that mpiexec starts have a main() of their own, and no case in progress.
+inline void fail(const std::string& what, const char* file = __FILE__, int line = __LINE__)
 {
-  if(failures() > 0)
-    std::cerr << failures() << " failures" << std::endl;
-  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
-
-inline void check_at(bool is_true, const char* what, int line, const std::string& where = std::string())
-{
-  if(is_true)
-    return;
   ++failures();
-  std::cerr << "line " << line << ": " << what << (where.empty() ? "" : ", ") << where << std::endl;
+  if(boost::unit_test::framework::test_in_progress())
+    BOOST_ERROR(what << ", at " << file << ":" << line);
+  else
+    std::cerr << file << ":" << line << ": " << what << std::endl;
 }
 
-#define CHECK(condition) check_at((condition), #condition, __LINE__)
-#define CHECK_AT(condition, where) check_at((condition), #condition, __LINE__, (where))
+// What follows `--` on the command line: test_engine --run_test=test_properties -- SEED COUNT.
+inline std::uint64_t argument(int i, std::uint64_t otherwise)
+{
+  const auto& suite = boost::unit_test::framework::master_test_suite();
+  return i < suite.argc ? std::stoull(suite.argv[i]) : otherwise;
+}
+
+// The place is a text, or anything that can be added to one.
+#define CHECK_AT(condition, where)                                                                                     \
+  ((condition) ? void() : fail(std::string(#condition) + ", " + (where), __FILE__, __LINE__))
+#define CHECK(condition) ((condition) ? void() : fail(#condition, __FILE__, __LINE__))
 
 // Shows the value with all its digits.
 template <class T, class U>
@@ -57,23 +66,22 @@ void check(bool is_true, const std::string& what, const T& value, const U& expec
 {
   if(is_true)
     return;
-  ++failures();
-  const auto precision = std::cerr.precision(std::numeric_limits<double>::max_digits10);
-  std::cerr << what << " is " << value << ", expected " << expected << std::endl;
-  std::cerr.precision(precision);
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << what << " is " << value << ", expected " << expected;
+  fail(text.str());
 }
 
 inline void check(bool is_true, const std::string& what)
 {
-  if(is_true)
-    return;
-  ++failures();
-  std::cerr << what << std::endl;
+  if(!is_true)
+    fail(what);
 }
 
 inline void check(bool is_true, const std::string& what, double value)
 {
-  check(is_true, what + " " + std::to_string(value));
+  if(!is_true)
+    fail(what + " " + std::to_string(value));
 }
 
 template <class T, class U>
@@ -104,11 +112,11 @@ void check_throws(F f, std::initializer_list<const char*> words, int line)
 {
   try {
     f();
-    check_at(false, "no exception", line);
+    fail("no exception", "line", line);
   } catch(const Exception& e) {
     for(const char* word : words)
-      check_at(std::string(e.what()).find(word) != std::string::npos, word, line,
-               std::string("is not in: ") + e.what());
+      if(std::string(e.what()).find(word) == std::string::npos)
+        fail(std::string(word) + " is not in: " + e.what(), "line", line);
   }
 }
 

@@ -13,9 +13,6 @@
 
 using CGAL::Tandem::Cuda_tag;
 
-// Exit code of a test that cannot run here.
-constexpr int exit_skipped = 77;
-
 inline bool has_device()
 {
   if(CGAL::Tandem::cuda_available())

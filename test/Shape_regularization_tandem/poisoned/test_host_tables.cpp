@@ -3,8 +3,6 @@
 //
 // Tables of the host: pages that are kept, tables that are shared, memory that is filled for tests.
 
-#undef NDEBUG
-#define CGAL_TANDEM_POISONS_MEMORY // see Host_buffer.h
 
 #include "testing/checks.h"
 
@@ -15,11 +13,13 @@
 #include <cstddef>
 #include <utility>
 
+BOOST_AUTO_TEST_SUITE(test_host_tables)
+
 using CGAL::Tandem::Shared_table;
 using namespace CGAL::Tandem::internal;
 
 // Pages come back for a buffer of about the same size, once, and not for others.
-void test_kept_pages()
+BOOST_AUTO_TEST_CASE(test_kept_pages)
 {
   Host_buffer<double> buffer(1000);
   const void* const memory = buffer.data();
@@ -58,7 +58,7 @@ void test_kept_pages()
 
 // Large buffers leave their memory to the next ones as long as a detection lasts, but never more than was in use at one
 // time. Small ones do not, and what others still use at the end is theirs.
-void test_detection()
+BOOST_AUTO_TEST_CASE(test_detection)
 {
   constexpr std::size_t mebibyte = std::size_t(1) << 20;
   Host_buffer<char> longer(8 * mebibyte);
@@ -88,7 +88,7 @@ void test_detection()
 }
 
 // Copies share the items.
-void test_shared_table()
+BOOST_AUTO_TEST_CASE(test_shared_table)
 {
   const Shared_table<int> none;
   CHECK(none.empty() && none.size() == 0 && none.begin() == none.end());
@@ -100,7 +100,7 @@ void test_shared_table()
 }
 
 // Tests that fill unset memory rely on it: new memory, kept pages, and what is set again.
-void test_poison()
+BOOST_AUTO_TEST_CASE(test_poison)
 {
   const auto is_filled = [](const Host_buffer<unsigned char>& buffer) {
     return std::count(buffer.begin(), buffer.end(), 0xa5) == std::ptrdiff_t(buffer.size());
@@ -117,11 +117,4 @@ void test_poison()
   CHECK(is_filled(buffer));
 }
 
-int main()
-{
-  test_kept_pages();
-  test_detection();
-  test_shared_table();
-  test_poison();
-  return report();
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,6 @@
 // The choice between device and host, with a device of this test: its engine is used where it can be made; otherwise
 // the host has the values and gives the same result. What the callback throws is no failure of the device.
 
-#undef NDEBUG
-
 #include "testing/test_support.h"
 
 #include <algorithm>
@@ -69,6 +67,8 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
+BOOST_AUTO_TEST_SUITE(test_engine_choice)
+
 using namespace CGAL::Tandem::internal;
 using CGAL::Tandem::Test_device_tag;
 
@@ -122,7 +122,7 @@ void test_passes(bool is_of_callback)
   CHECK_AT(calls == (is_of_callback ? 2 : 1), std::to_string(calls) + " calls");
 }
 
-int main()
+BOOST_AUTO_TEST_CASE(all_cases)
 {
   test_device_is_used();
   test_failure<std::runtime_error>("no device");
@@ -130,5 +130,6 @@ int main()
   test_passes<std::runtime_error>(true);
   test_passes<std::length_error>(true);
   test_passes<std::logic_error>(false);
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

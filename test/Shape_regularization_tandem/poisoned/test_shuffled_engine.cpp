@@ -6,8 +6,6 @@
 // round in which it comes up.
 //   test_shuffled_engine [SEED]   or only that random case, to try it again
 
-#undef NDEBUG
-#define CGAL_TANDEM_POISONS_MEMORY // see Host_buffer.h
 
 #include "testing/Late_backend.h"
 #include "testing/patches_cloud.h"
@@ -15,6 +13,8 @@
 #include "testing/tolerances.h"
 
 #include <cstdlib>
+
+BOOST_AUTO_TEST_SUITE(test_shuffled_engine)
 
 using Point_map = First<Kernel>;
 
@@ -100,11 +100,11 @@ void test_random_cases()
   CHECK_AT(with_shapes >= 15, std::to_string(with_shapes) + " cases with shapes");
 }
 
-int main(int argc, char** argv)
+BOOST_AUTO_TEST_CASE(all_cases)
 {
-  if(argc > 1) {
-    test_random_case(std::strtoull(argv[1], nullptr, 10));
-    return report();
+  if(argument(1, 0) > 0) {
+    test_random_case(argument(1, 0));
+    return;
   }
   test("house", scene_options(8000, .001, .1), .08, 40, 3);
   test("staircase", scene_options(3000, .001, .05), .01, 30, 3);
@@ -115,5 +115,6 @@ int main(int argc, char** argv)
   // several passes
   CHECK(compare<Second<Kernel>>("patches", make_patches_cloud(200, .02), make_parameters(.05, 100), 1) >= 2);
   test_random_cases();
-  return report();
 }
+
+BOOST_AUTO_TEST_SUITE_END()
