@@ -10,7 +10,7 @@ set -eu
 fail() { echo "install_dependencies.sh: $*" >&2; exit 1; }
 
 [ $# -gt 0 ] ||
-  set -- g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev libboost-test-dev libtbb-dev \
+  set -- g++ make ninja-build cmake libcgal-dev libeigen3-dev libboost-program-options-dev libboost-test-dev libtbb-dev \
     libglpk-dev nlohmann-json3-dev
 
 command -v dpkg-query > /dev/null ||
