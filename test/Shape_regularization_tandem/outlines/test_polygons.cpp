@@ -10,6 +10,8 @@
 
 #include "outlines/many_shapes.h"
 
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/make_polygons.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <cmath>

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The surface between inside and outside, as faces: connected facets of one plane are one face, if it has no holes and
+// does not touch itself.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_BOUNDARY_FACES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_BOUNDARY_FACES_H
+
+#include <CGAL/Shape_regularization_tandem/models/surface/Inside_cells.h>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace surface {
+
+struct Face {
+  std::vector<int> vertices; // counterclockwise, seen from outside
+  int plane;                 // none: a side of the box
+};
+
+// Where only two faces meet, both go straight on.
+inline void drop_straight_corners(std::vector<Face>& faces)
+{
+  std::map<int, int> number_of_faces;
+  for(const Face& face : faces)
+    for(int v : face.vertices)
+      ++number_of_faces[v];
+  for(Face& face : faces)
+    face.vertices.erase(
+      std::remove_if(face.vertices.begin(), face.vertices.end(), [&](int v) { return number_of_faces.at(v) == 2; }),
+      face.vertices.end());
+}
+
+class Boundary_faces {
+public:
+  Boundary_faces(const Cells& cells, const Inside_cells& inside) : cells_(cells)
+  {
+    for(std::size_t f = 0; f < cells.facets.size(); ++f)
+      if(inside.is_boundary(int(f))) {
+        std::vector<int> loop = cells.facets[f].vertices;
+        if(!inside.is_inside(cells.facets[f].behind))
+          std::reverse(loop.begin(), loop.end());
+        for_each_edge(loop, [&](int u, int v) { next_[{u, v}] = {int(f), 0}; });
+        for(std::size_t i = 0; i < loop.size(); ++i)
+          next_[{loop[i], loop[(i + 1) % loop.size()]}].after = loop[(i + 2) % loop.size()];
+        loops_[int(f)] = loop;
+      }
+    number_patches();
+  }
+
+  std::vector<Face> faces() const
+  {
+    const std::vector<std::vector<std::vector<int>>> borders = borders_of_patches();
+    std::vector<Face> result;
+    std::set<int> is_done;
+    for(const auto& [facet, loop] : loops_) {
+      const int patch = patch_.at(facet);
+      const std::vector<std::vector<int>>& of_patch = borders[std::size_t(patch)];
+      if(of_patch.size() != 1)
+        result.push_back({loop, cells_.facet(facet).plane});
+      else if(is_done.insert(patch).second)
+        result.push_back({of_patch.front(), cells_.facet(facet).plane});
+    }
+    drop_straight_corners(result);
+    return result;
+  }
+
+private:
+  using Directed = std::pair<int, int>; // an edge with the face to its left
+  struct Next {
+    int facet, after; // the vertex after the edge
+  };
+
+  // Sides of the box are not one plane.
+  bool are_of_one_plane(int facet, int other) const
+  {
+    return cells_.facet(facet).plane != none && cells_.facet(facet).plane == cells_.facet(other).plane;
+  }
+
+  void number_patches()
+  {
+    for(const auto& [facet, loop] : loops_) {
+      if(patch_.count(facet) > 0)
+        continue;
+      patch_[facet] = number_of_patches_;
+      std::vector<int> open = {facet};
+      while(!open.empty()) {
+        const int f = open.back();
+        open.pop_back();
+        for_each_edge(loops_.at(f), [&](int u, int v) {
+          const int g = next_.at({v, u}).facet;
+          if(are_of_one_plane(f, g) && patch_.emplace(g, number_of_patches_).second)
+            open.push_back(g);
+        });
+      }
+      ++number_of_patches_;
+    }
+  }
+
+  int patch_at(const Directed& e) const { return patch_.at(next_.at(e).facet); }
+  bool is_border(const Directed& e) const { return patch_at(e) != patch_at({e.second, e.first}); }
+
+  Directed next_on_border(const Directed& edge) const
+  {
+    Directed e = {edge.second, next_.at(edge).after};
+    while(!is_border(e))
+      e = {e.first, next_.at({e.second, e.first}).after};
+    return e;
+  }
+
+  // Of one that touches itself there is a second, empty one.
+  std::vector<std::vector<std::vector<int>>> borders_of_patches() const
+  {
+    std::vector<std::vector<std::vector<int>>> result;
+    result.resize(std::size_t(number_of_patches_));
+    std::set<Directed> is_done;
+    for(const auto& [edge, next] : next_) {
+      if(!is_border(edge) || is_done.count(edge) > 0)
+        continue;
+      std::vector<std::vector<int>>& borders = result[std::size_t(patch_at(edge))];
+      std::vector<int> border;
+      for(Directed e = edge; is_done.insert(e).second; e = next_on_border(e))
+        border.push_back(e.first);
+      borders.push_back(border);
+      std::sort(border.begin(), border.end());
+      if(std::adjacent_find(border.begin(), border.end()) != border.end())
+        borders.emplace_back();
+    }
+    return result;
+  }
+
+  const Cells& cells_;
+  std::map<int, std::vector<int>> loops_; // of the facets of the boundary, seen from outside
+  std::map<Directed, Next> next_;
+  std::map<int, int> patch_; // of each facet
+  int number_of_patches_ = 0;
+};
+
+} // namespace surface
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_BOUNDARY_FACES_H
