@@ -11,7 +11,7 @@
 #include "outlines/many_shapes.h"
 
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
-#include <CGAL/Shape_regularization_tandem/models/outlines/make_polygons.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
-#include <CGAL/Shape_regularization_tandem/models/surface/Ray_votes.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,7 @@ public:
     rays.add_obstacles(planes_);
     rays.add_obstacles(walls);
     std::vector<double> shares(walls.size());
-    for_each_in_parallel(walls.size(),
-                                   [&](std::size_t w) { shares[w] = share_of_rays(borders[w], rays, walls[w]); });
+    for_each_in_parallel(walls.size(), [&](std::size_t w) { shares[w] = share_of_rays(borders[w], rays, walls[w]); });
     const std::size_t most = planes_.size() + most_planes;
     for(std::size_t w = 0; w < walls.size(); ++w)
       add_wall(borders[w], shares[w] > least_share, most);
