@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The headers and a package config; afterwards find_package(Tandem) gives Tandem::tandem, and
-# with the components engine, cuda and mpi, if they were built, Tandem::tandem_engine,
-# Tandem::tandem_cuda and Tandem::tandem_mpi.
+# with the components engine, models, cuda and mpi, if they were built, Tandem::tandem_engine,
+# Tandem::tandem_models, Tandem::tandem_cuda and Tandem::tandem_mpi.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -21,6 +21,9 @@ if(TARGET tandem_cuda)
 endif()
 if(TANDEM_BUILD_ENGINE)
   tandem_require_built(tandem_engine TANDEM_BUILD_ENGINE)
+endif()
+if(TANDEM_BUILD_MODELS)
+  tandem_require_built(tandem_models TANDEM_BUILD_MODELS)
 endif()
 if(TARGET tandem_mpi AND TANDEM_BUILD_ENGINE)
   tandem_require_built(tandem_mpi TANDEM_WITH_MPI)
@@ -48,6 +51,10 @@ endfunction()
 set(TANDEM_HAS_ENGINE FALSE)
 if(TANDEM_BUILD_ENGINE)
   tandem_install_library(tandem_engine TANDEM_HAS_ENGINE)
+endif()
+set(TANDEM_HAS_MODELS FALSE)
+if(TANDEM_BUILD_MODELS)
+  tandem_install_library(tandem_models TANDEM_HAS_MODELS)
 endif()
 set(TANDEM_HAS_CUDA FALSE)
 if(TARGET tandem_cuda)

@@ -6,6 +6,7 @@
 
 set(tandem_programs_dir "${CMAKE_CURRENT_LIST_DIR}")
 set(tandem_testing_dir "${CMAKE_CURRENT_LIST_DIR}/../test/Shape_regularization_tandem/testing")
+option(TANDEM_BUILD_MODELS "Build what needs the models: outlines, surfaces and facts" ON)
 option(TANDEM_WARNINGS_AS_ERRORS "Warnings are errors in the programs of Tandem" ON)
 
 if(NOT TARGET Tandem::tandem)
@@ -13,7 +14,7 @@ if(NOT TARGET Tandem::tandem)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
   endif()
   include("${CMAKE_CURRENT_LIST_DIR}/Tandem_dependencies.cmake")
-  find_package(Tandem QUIET OPTIONAL_COMPONENTS engine cuda mpi)
+  find_package(Tandem QUIET OPTIONAL_COMPONENTS engine models cuda mpi)
   if(TARGET Tandem::tandem)
     message(STATUS "Tandem is the installed one: ${Tandem_DIR}")
   else()
@@ -31,6 +32,11 @@ include("${CMAKE_CURRENT_LIST_DIR}/Tandem_engine.cmake")
 if(NOT TARGET Tandem::tandem_engine) # it is installed without
   tandem_add_engine(tandem_engine EXCLUDE_FROM_ALL)
   add_library(Tandem::tandem_engine ALIAS tandem_engine)
+endif()
+include("${CMAKE_CURRENT_LIST_DIR}/Tandem_models.cmake")
+if(NOT TARGET Tandem::tandem_models)
+  tandem_add_models(tandem_models EXCLUDE_FROM_ALL)
+  add_library(Tandem::tandem_models ALIAS tandem_models)
 endif()
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.1.0 QUIET)
@@ -57,10 +63,12 @@ function(tandem_set_warnings target)
   endif()
 endfunction()
 
-get_target_property(is_imported Tandem::tandem_engine IMPORTED)
-if(NOT is_imported)
-  tandem_set_warnings(tandem_engine)
-endif()
+foreach(library IN ITEMS tandem_engine tandem_models)
+  get_target_property(is_imported Tandem::${library} IMPORTED)
+  if(NOT is_imported)
+    tandem_set_warnings(${library})
+  endif()
+endforeach()
 
 # Programs that offer the CUDA back end where it is built.
 function(tandem_link_cuda target)
@@ -134,6 +142,13 @@ function(tandem_link_engine target)
     tandem_set_warnings(tandem_engine_with_cuda)
   endif()
   target_link_libraries(${target} PUBLIC ${engine}) # what uses a library of it is compiled alike
+endfunction()
+
+# Sets the variable to whether a source calls the models, and has to be left out where they are not built.
+function(tandem_find_models result source)
+  file(STRINGS "${source}" lines REGEX
+       "include (<CGAL/Shape_regularization_tandem/(models/|polygons|closed_surface|shape_facts|select_shapes)|.testing/check_closed_surface|.outlines/)")
+  set(${result} "${lines}" PARENT_SCOPE)
 endfunction()
 
 # For programs without flags of their own: they share a precompiled header.

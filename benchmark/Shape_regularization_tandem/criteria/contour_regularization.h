@@ -9,8 +9,8 @@
 
 #include "clouds/outline_cloud.h"
 
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Plane_directions.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Plane_directions.h>
+#include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 
 #include <CGAL/Shape_regularization/regularize_contours.h>
 
@@ -50,7 +50,7 @@ inline internal::outlines::Polygon_table regularized_contours(const internal::ou
   result.areas.resize(table.polygons.size());
   const outlines::Plane_directions all_directions(shapes);
   const auto point = [&](std::uint32_t i) {
-    const outlines::Position& p = table.points[i];
+    const internal::Position& p = table.points[i];
     return Outline_kernel::Point_3(p[0], p[1], p[2]);
   };
   for(std::size_t s = 0; s < table.polygons.size(); ++s) {

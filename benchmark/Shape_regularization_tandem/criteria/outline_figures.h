@@ -9,6 +9,7 @@
 
 #include "clouds/outline_cloud.h"
 
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <CGAL/squared_distance_3.h>

@@ -57,9 +57,9 @@ std::vector<double> border_spacings(const Cloud_with_shapes& input)
 
 Outline_areas measure_all(const Cloud_with_shapes& input)
 {
-  std::vector<Outline_kernel::Point_3> points;
+  std::vector<CGAL::Tandem::internal::Position> points;
   for(const auto& item : input.cloud)
-    points.push_back(item.first);
+    points.push_back({item.first.x(), item.first.y(), item.first.z()});
   const auto draft = [&] { return outline_table(points, input.shapes.data(), false); };
   const std::vector<double> spacing = border_spacings(input);
   measure("straightened", input, [&] { return Outline_areas(draft()); });

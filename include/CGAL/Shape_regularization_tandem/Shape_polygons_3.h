@@ -5,7 +5,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_SHAPE_POLYGONS_3_H
 
 #include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Polygon_parts.h>
+#include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_with_holes_2.h>

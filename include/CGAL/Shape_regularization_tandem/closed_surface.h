@@ -5,18 +5,15 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_CLOSED_SURFACE_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
-#include <CGAL/Shape_regularization_tandem/internal/surface/Short_edges.h>
-#include <CGAL/Shape_regularization_tandem/internal/surface/Surface_input.h>
-#include <CGAL/Shape_regularization_tandem/internal/surface/limited_partition.h>
+#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/internal/upward.h>
+#include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
 #include <cstddef>
-#include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -93,59 +90,31 @@ each plane, and each plane is tested with all cells. The outlines of `polygons()
     \cgalParamType{`GeomTraits::Vector_3`}
     \cgalParamDefault{(0, 0, 1)}
   \cgalParamNEnd
-  \cgalParamNBegin{partition}
-    \cgalParamDescription{what makes the cells}
-    \cgalParamType{`Kinetic_partition`, with CGAL 6}
-    \cgalParamDefault{each plane cuts those cells that its points meet or are close to}
-  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \throw std::invalid_argument the points are not those of the detection, as `polygons()` says; fewer than four planes are
 asked for; the direction is null
 \throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
-\throw std::runtime_error the `Kinetic_partition` fails
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
                                             const NamedParameters& np = NamedParameters())
 {
-  namespace surface = internal::surface;
   using FT = typename GeomTraits::FT;
-  const auto coordinates = internal::outlines::checked_coordinates(shapes, points, np);
+  const auto coordinates = internal::checked_coordinates(shapes, points, np);
   const int most = internal::parameter<internal_np::maximum_number_of_planes_t>(np, 200);
   if(most < 4)
     throw std::invalid_argument("maximum_number_of_planes is " + std::to_string(most) + ", must be at least 4.");
-  const surface::Vector up = internal::upward(
+  const internal::Vector up = internal::upward(
     internal::parameter<internal_np::symmetry_direction_t>(np, typename GeomTraits::Vector_3(FT(0), FT(0), FT(1))));
-  const internal::outlines::Shapes of_doubles(shapes.data());
-  surface::Surface_input input(coordinates, of_doubles, std::size_t(most));
-  input.add_walls(internal::outlines::outline_table(coordinates, shapes.data()), of_doubles, up);
+  auto table = internal::surface::surface_table(coordinates, shapes.data(), std::size_t(most), up);
   Closed_surface_3<GeomTraits> result;
-  result.number_of_planes = input.number_of_planes();
-  if(input.planes().size() < surface::Surface_input::fewest_planes)
-    return result;
-  const auto partition = internal::parameter<internal_np::partition_t>(np, &surface::limited_partition);
-  const surface::Cells cells = partition(input.planes(), input.box());
-  const surface::Inside_cost cost(cells, input.planes(), up);
-  const surface::Inside_cells inside(cells, cost);
-  for(std::size_t f = 0; f < cells.facets.size(); ++f)
-    if(inside.is_boundary(int(f)))
-      result.number_of_points += cost.number_of_points(int(f));
-  const double shortest = 1e-9 * surface::extent_of(input.box()); // what is closer is an effect of rounding
-  const surface::Short_edges edges(cells.points, surface::Boundary_faces(cells, inside).faces(), shortest);
-  std::map<int, std::size_t> number;
-  for(const surface::Face& face : edges.faces()) {
-    result.plane_of_face.push_back(input.group(face.plane));
-    result.faces.emplace_back();
-    for(int v : face.vertices) {
-      const auto added = number.emplace(v, result.points.size());
-      if(added.second) {
-        const surface::Point p = input.out(cells.points[std::size_t(v)]);
-        result.points.emplace_back(FT(p.x()), FT(p.y()), FT(p.z()));
-      }
-      result.faces.back().push_back(added.first->second);
-    }
-  }
+  for(const internal::Position& p : table.points)
+    result.points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
+  result.faces = std::move(table.faces);
+  result.plane_of_face = std::move(table.plane_of_face);
+  result.number_of_planes = table.number_of_planes;
+  result.number_of_points = table.number_of_points;
   return result;
 }
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/measured_uncertainty.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
+#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
 
 #include <cstddef>
@@ -57,13 +57,13 @@ template <class GeomTraits, class PointRange, class NamedParameters = CGAL::para
 Planar_shapes_3<GeomTraits> join_coplanar_shapes(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
                                                  const NamedParameters& np = NamedParameters())
 {
-  const auto coordinates = internal::outlines::checked_coordinates(shapes, points, np);
+  const auto coordinates = internal::checked_coordinates(shapes, points, np);
   const Shapes_data& of_shapes = shapes.data();
   Shapes_data data = internal::relabel_shapes(of_shapes, shapes.distinct_planes(), of_shapes.coplanar_group);
   data.is_flipped = internal::majority_of_sides(of_shapes, data.size.size());
   const Planar_shapes_3<GeomTraits> joined(data);
   const auto position = [&](std::size_t i) {
-    return internal::Vector{coordinates[i].x(), coordinates[i].y(), coordinates[i].z()};
+    return internal::Vector{coordinates[i][0], coordinates[i][1], coordinates[i][2]};
   };
   for(std::size_t s = 0; s < data.size.size(); ++s)
     if(!joined.points(s).empty())

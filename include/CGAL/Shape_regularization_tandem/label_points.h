@@ -7,7 +7,7 @@
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/Plane_choice.h>
 #include <CGAL/Shape_regularization_tandem/internal/Round_to_nearest.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
+#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/internal/range_maps.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
 #include <CGAL/Tandem/check_parameters.h>
@@ -67,7 +67,7 @@ Places_in_reach places_of_shapes(Backend& backend, const Shapes& shapes, const P
   if(points.size() != shapes.number_of_points())
     throw std::invalid_argument("shape_points has " + to_text(points.size()) + " points, the shapes are of " +
                                 to_text(shapes.number_of_points()) + ": pass the range of the detection.");
-  outlines::check_points(shapes, outlines::coordinates_of(points, np));
+  check_points(shapes, coordinates_of(points, np));
   const Import in = read_positions(backend, points, np);
   double reach = 0;
   read_real<internal_np::reach_t>(np, reach);

@@ -6,9 +6,9 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
+#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
+#include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
 namespace CGAL {
@@ -55,13 +55,12 @@ template <class GeomTraits, class PointRange, class NamedParameters = CGAL::para
 Shape_polygons_3<GeomTraits> polygons(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
                                       const NamedParameters& np = NamedParameters())
 {
-  namespace outlines = internal::outlines;
-  const std::vector<outlines::Kernel::Point_3> coordinates = outlines::checked_coordinates(shapes, points, np);
+  const std::vector<internal::Position> coordinates = internal::checked_coordinates(shapes, points, np);
   const bool is_by_plane = internal::parameter<internal_np::one_for_each_plane_t>(np, false);
   const Shapes_data data =
     is_by_plane ? internal::relabel_shapes(shapes.data(), shapes.distinct_planes(), shapes.data().coplanar_group)
                 : shapes.data();
-  return Shape_polygons_3<GeomTraits>(outlines::outline_table(coordinates, data));
+  return Shape_polygons_3<GeomTraits>(internal::outlines::outline_table(coordinates, data));
 }
 
 } // namespace Tandem

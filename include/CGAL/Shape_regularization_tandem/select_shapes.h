@@ -5,10 +5,10 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_SELECT_SHAPES_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/facts/facts_of_shapes.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
+#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
 #include <CGAL/Shape_regularization_tandem/internal/resolve_parameters.h>
+#include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 #include <CGAL/Tandem/check_parameters.h>
 
@@ -85,13 +85,13 @@ void keep_measured_shapes(const Planar_shapes_3<GeomTraits>& shapes, const Point
   check_length("minimum_extent", extent, 0);
   if(area == 0 && extent == 0)
     return;
-  const facts::Input input(shapes, points, np);
+  const auto coordinates = checked_coordinates(shapes, points, np);
   if(extent > 0) {
-    const std::vector<Shape_facts> measured = facts::facts_of_all(input);
+    const std::vector<Shape_facts> measured = facts::facts_table(coordinates, shapes.data(), Vector{0, 0, 1});
     keep_shapes(kept, [&](std::size_t s) { return measured[s].length >= extent; });
   }
   if(area > 0) {
-    const std::vector<double> areas = outlines::outline_table(input.points, input.shapes.data()).areas;
+    const std::vector<double> areas = outlines::outline_table(coordinates, shapes.data()).areas;
     keep_shapes(kept, [&](std::size_t s) { return areas[s] >= area; });
   }
 }

@@ -6,14 +6,17 @@
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/facts/facts_of_shapes.h>
-#include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
+#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
+#include <CGAL/Shape_regularization_tandem/internal/upward.h>
+#include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,8 +24,17 @@ namespace Tandem {
 namespace internal {
 namespace facts {
 
-inline std::vector<Shape_facts> with_areas(std::vector<Shape_facts> facts, const std::vector<double>& areas)
+// With the areas that areas_of(coordinates) returns.
+template <class GeomTraits, class PointRange, class NP, class Areas>
+std::vector<Shape_facts> facts_with_areas(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
+                                          const NP& np, Areas areas_of)
 {
+  const std::array<double, 3>& axis = shapes.parameters().symmetry_direction;
+  const CGAL::Simple_cartesian<double>::Vector_3 by_default(axis[0], axis[1], axis[2]);
+  const Vector up = upward(parameter<internal_np::symmetry_direction_t>(np, by_default));
+  const auto coordinates = checked_coordinates(shapes, points, np);
+  std::vector<Shape_facts> facts = facts_table(coordinates, shapes.data(), up);
+  const std::vector<double> areas = areas_of(coordinates);
   for(std::size_t s = 0; s < facts.size(); ++s)
     facts[s].area = areas[s];
   return facts;
@@ -70,10 +82,9 @@ template <class GeomTraits, class PointRange, class NamedParameters = CGAL::para
 std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
                                      const NamedParameters& np = NamedParameters())
 {
-  namespace facts = internal::facts;
-  const facts::Input input(shapes, points, np);
-  return facts::with_areas(facts::facts_of_all(input),
-                           internal::outlines::outline_table(input.points, input.shapes.data()).areas);
+  return internal::facts::facts_with_areas(shapes, points, np, [&](const auto& coordinates) {
+    return internal::outlines::outline_table(coordinates, shapes.data()).areas;
+  });
 }
 
 /*!
@@ -95,8 +106,7 @@ std::vector<Shape_facts> shape_facts(const Planar_shapes_3<GeomTraits>& shapes, 
   std::vector<double> of_shapes;
   for(std::size_t s = 0; s < areas.number_of_entries(); ++s)
     of_shapes.push_back(areas.area(s));
-  namespace facts = internal::facts;
-  return facts::with_areas(facts::facts_of_all(facts::Input(shapes, points, np)), of_shapes);
+  return internal::facts::facts_with_areas(shapes, points, np, [&](const auto&) { return of_shapes; });
 }
 
 } // namespace Tandem

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MANY_SHAPES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MANY_SHAPES_H
 
-#include <CGAL/Shape_regularization_tandem/internal/outlines/Border_finder.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Border_finder.h>
 
 #include <cmath>
 #include <vector>

@@ -8,6 +8,8 @@
 
 #include "outlines/many_shapes.h"
 
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
 #include <cmath>

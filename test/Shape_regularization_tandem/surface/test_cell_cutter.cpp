@@ -5,7 +5,7 @@
 
 #include "testing/checks.h"
 
-#include <CGAL/Shape_regularization_tandem/internal/surface/Cell_cutter.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
 
 #include <random>
 #include <set>

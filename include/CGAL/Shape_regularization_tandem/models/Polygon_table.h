@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The areas that the points of shapes cover, before they are points of the caller's kernel.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H
+
+#include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
+#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
+#include <CGAL/Tandem/Coefficients.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Polygon = Indexed_polygon;
+
+// Without the coordinate along which the plane is steepest, seen from where the normal points to. Nothing is rounded:
+// what lines are here, simple for example, they are as they are written. Areas shrink by `shrinkage()`.
+class Projection {
+public:
+  explicit Projection(const Coefficients& plane) : plane(plane)
+  {
+    for(std::size_t k = 1; k < 3; ++k)
+      if(std::fabs(plane[k]) > std::fabs(plane[steepest]))
+        steepest = k;
+    axes = {(steepest + 1) % 3, (steepest + 2) % 3};
+    if(plane[steepest] < 0)
+      std::swap(axes[0], axes[1]);
+  }
+
+  Kernel::Point_2 projected(const Position& p) const { return Kernel::Point_2(p[axes[0]], p[axes[1]]); }
+
+  // The position that is projected to `p`.
+  Position on_plane(const Kernel::Point_2& p) const
+  {
+    Position x;
+    x[axes[0]] = p.x();
+    x[axes[1]] = p.y();
+    const long double rest =
+      static_cast<long double>(plane[axes[0]]) * p.x() + static_cast<long double>(plane[axes[1]]) * p.y() + plane[3];
+    x[steepest] = double(-rest / plane[steepest]);
+    return x;
+  }
+
+  double shrinkage() const { return std::fabs(plane[steepest]); }
+  std::size_t steepest_axis() const { return steepest; }
+
+private:
+  Coefficients plane;
+  std::size_t steepest = 0;
+  std::array<std::size_t, 2> axes;
+};
+
+// Of all shapes, with one table of vertices. The outlines of a shape are simple and have no common points: the vertices as
+// they are, without the coordinate along which the plane is steepest, are those of simple polygons in two dimensions. No
+// polygon, if the points cover less than a few squares of their spacing.
+struct Polygon_table {
+  std::vector<Position> points;
+  std::vector<std::vector<Polygon>> polygons;
+  std::vector<double> areas;
+  std::vector<Projection> frames;
+};
+
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the public headers call of the models: plain tables of doubles, whatever the kernel of the caller is. The library
+// Tandem::tandem_models has compiled the functions; without it, they are compiled where they are called.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
+
+#include <CGAL/Shape_regularization_tandem/internal/upward.h>
+#include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
+#include <CGAL/Tandem/Shape_facts.h>
+#include <CGAL/Tandem/Shapes_data.h>
+
+#include <cstddef>
+#include <vector>
+
+#ifdef CGAL_TANDEM_USE_MODELS
+#define CGAL_TANDEM_MODELS_INLINE
+#else
+#define CGAL_TANDEM_MODELS_INLINE inline
+#endif
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+namespace outlines {
+
+// The outlines of shapes, with empty entries for those that have no points. Outlines that are not regular are straightened
+// only.
+CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
+                                                      bool are_regular = true);
+
+} // namespace outlines
+
+namespace surface {
+
+// See Closed_surface_3.
+struct Surface_table {
+  std::vector<Position> points;
+  std::vector<std::vector<std::size_t>> faces;
+  std::vector<int> plane_of_face;
+  std::size_t number_of_planes = 0, number_of_points = 0;
+};
+
+// Of at most this number of planes that have points.
+CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
+                                                      std::size_t most_planes, const Vector& up);
+
+} // namespace surface
+
+namespace facts {
+
+// The facts of shapes, but for their areas, which take most of the time: those of outline_table().
+CGAL_TANDEM_MODELS_INLINE std::vector<Shape_facts> facts_table(const std::vector<Position>& points,
+                                                               const Shapes_data& data, const Vector& up);
+
+} // namespace facts
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#ifndef CGAL_TANDEM_USE_MODELS
+#include <CGAL/Shape_regularization_tandem/models/facts/facts_table.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/outline_table.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/surface_table.h>
+#endif
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H

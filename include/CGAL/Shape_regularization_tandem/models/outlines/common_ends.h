@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shapes that meet at a line end at the same vertices of it.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_COMMON_ENDS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_COMMON_ENDS_H
+
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/outline_types.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
+
+// An end of a piece: of its two ends, the one that `side` says.
+struct Piece_end {
+  Border_piece* piece;
+  std::size_t shape;
+  int side;
+
+  Border_piece::End& end() const { return piece->ends[side]; }
+};
+
+// The ends of a line to one side, in its direction. Ends at corners stay. Others that are close to one move there, and
+// the rest become the mean of those that are close to each other. An end moves by at most the reach of its piece.
+class Common_ends {
+public:
+  explicit Common_ends(std::vector<Piece_end> ends) : ends(std::move(ends))
+  {
+    std::stable_sort(this->ends.begin(), this->ends.end(),
+                     [](const Piece_end& a, const Piece_end& b) { return a.end().along < b.end().along; });
+  }
+
+  void join()
+  {
+    for(const Piece_end& e : ends)
+      if(e.end().third < 0)
+        move_to_corner(e);
+    std::vector<Piece_end> cluster;
+    for(const Piece_end& e : ends) {
+      if(e.end().third >= 0)
+        continue;
+      if(!cluster.empty() && !belongs(e, cluster))
+        move_to_mean(cluster);
+      cluster.push_back(e);
+    }
+    move_to_mean(cluster);
+  }
+
+private:
+  static void move(const Piece_end& e, double along, int third)
+  {
+    const Border_piece::End before = e.end();
+    e.end().along = along;
+    e.end().third = third;
+    if(!(e.piece->length() > e.piece->spacing))
+      e.end() = before;
+  }
+
+  // The third plane of an end is neither of its own two: it can be that of another shape's end.
+  void move_to_corner(const Piece_end& e) const
+  {
+    const Piece_end* nearest = nullptr;
+    const auto distance = [&](const Piece_end& other) { return std::fabs(other.end().along - e.end().along); };
+    for(const Piece_end& other : ends)
+      if(other.end().third >= 0 && other.shape != e.shape &&
+         (nearest == nullptr || distance(other) < distance(*nearest)))
+        nearest = &other;
+    if(nearest != nullptr && distance(*nearest) <= e.piece->reach)
+      move(e, nearest->end().along, nearest->end().third);
+  }
+
+  static bool belongs(const Piece_end& e, const std::vector<Piece_end>& cluster)
+  {
+    const auto is_own = [&](const Piece_end& other) { return other.shape == e.shape; };
+    const double span = e.end().along - cluster.front().end().along;
+    return span <= (std::min)(e.piece->reach, cluster.front().piece->reach) &&
+           std::none_of(cluster.begin(), cluster.end(), is_own);
+  }
+
+  static void move_to_mean(std::vector<Piece_end>& cluster)
+  {
+    double sum = 0;
+    for(const Piece_end& e : cluster)
+      sum += e.end().along;
+    const double mean = sum / double(cluster.size());
+    if(cluster.size() > 1)
+      for(const Piece_end& e : cluster)
+        move(e, mean, -1);
+    cluster.clear();
+  }
+
+  std::vector<Piece_end> ends;
+};
+
+// `all` has the pieces of each shape.
+inline void join_common_ends(std::vector<Border_pieces>& all)
+{
+  std::map<std::pair<int, int>, std::vector<Piece_end>> of_line[2];
+  for(std::size_t s = 0; s < all.size(); ++s)
+    for(Border_piece& piece : all[s])
+      for(int side : {0, 1})
+        of_line[side][{piece.line.planes[0], piece.line.planes[1]}].push_back({&piece, s, side});
+  for(auto& lines : of_line)
+    for(auto& [line, ends] : lines)
+      Common_ends(std::move(ends)).join();
+}
+
+// --- The ends of straight borders that are no corners move to where the regular edges behind them begin: to the mean of what
+// the shapes that have them want.
+
+// A vertex on a line, and where it is to be.
+struct Wanted_end {
+  Position position;
+  Border_line line;
+  Kernel::Point_3 wanted;
+};
+
+class Moved_ends {
+public:
+  // All edges on lines that the shapes have.
+  void add_edges(const Outline_draft& draft)
+  {
+    for(const Outline_loop& loop : draft.loops())
+      for(std::size_t i = 0; i < loop.size(); ++i) {
+        const Outline_vertex &u = loop[i], &v = loop[(i + 1) % loop.size()];
+        if(u.border < 0)
+          continue;
+        const double length = std::sqrt(CGAL::squared_distance(u.point, v.point));
+        for(const Outline_vertex* w : {&u, &v}) {
+          End& end = ends[w->position];
+          end.shortest_edge = (std::min)(end.shortest_edge, length);
+        }
+        if(v.border >= 0 && v.border != u.border)
+          ends[v.position].is_corner = true;
+        for(const Outline_vertex* w : {&u, &v})
+          ends[w->position].is_corner |= w->is_corner;
+      }
+  }
+
+  void add_wish(const Wanted_end& wish)
+  {
+    const Border_line& line = wish.line;
+    End& end = ends[wish.position];
+    end.is_corner |= end.count > 0 && (end.line.planes[0] != line.planes[0] || end.line.planes[1] != line.planes[1]);
+    end.line = line;
+    end.sum += line.along(wish.wanted);
+    ++end.count;
+  }
+
+  // position_on(a line, a place along it) is the vertex there.
+  template <class Position_on>
+  void decide(Position_on position_on)
+  {
+    for(auto& [position, end] : ends) {
+      if(end.count == 0 || end.is_corner)
+        continue;
+      const double mean = end.sum / end.count;
+      const double before = end.line.along(Kernel::Point_3(position[0], position[1], position[2]));
+      if(std::fabs(mean - before) < end.shortest_edge / 3)
+        moved[position] = position_on(end.line, mean);
+    }
+  }
+
+  // Null, if the vertex stays.
+  const Position* moved_from(const Position& position) const
+  {
+    const auto found = moved.find(position);
+    return found == moved.end() ? nullptr : &found->second;
+  }
+
+private:
+  struct End {
+    double shortest_edge = std::numeric_limits<double>::infinity();
+    bool is_corner = false;
+    Border_line line = {};
+    double sum = 0; // of the wanted places
+    int count = 0;
+  };
+
+  std::map<Position, End> ends;
+  std::map<Position, Position> moved;
+};
+
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_COMMON_ENDS_H

@@ -1,0 +1,437 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The outlines of shapes. They do not depend on the sides of the planes: they are made for those with positive normals.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TABLE_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TABLE_H
+
+#include <CGAL/Shape_regularization_tandem/internal/relabel_shapes.h>
+#include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
+#include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
+#include <CGAL/Shape_regularization_tandem/models/models.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Border_finder.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Common_vertices.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Plane_directions.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/Regular_loop.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/common_ends.h>
+
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/hilbert_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace outlines {
+
+// --- The points of a shape in its frame.
+
+// The order of the caller's points does not matter.
+inline Shape_points points_of_shape(const std::vector<Position>& points, const Shapes& shapes, const Unit& unit,
+                                    std::size_t s)
+{
+  std::vector<Kernel::Point_3> sorted;
+  for(std::uint32_t i : shapes.points(s))
+    sorted.push_back(unit.in(points[i]));
+  std::sort(sorted.begin(), sorted.end());
+  Shape_points result = {Plane_frame(shapes, s, sorted[0]), {}, {}, {}};
+  using Item = std::pair<Kernel::Point_2, std::uint32_t>;
+  std::vector<Item> items;
+  for(const Kernel::Point_3& p : sorted)
+    items.emplace_back(result.frame.flat(p), std::uint32_t(items.size()));
+  CGAL::hilbert_sort(items.begin(), items.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Item>>());
+  for(const auto& [flat, i] : items) {
+    result.flat.push_back(flat);
+    result.points.push_back(sorted[i]);
+  }
+  return result;
+}
+
+// --- One table of vertices for the polygons of all shapes.
+
+// Of one shape, with vertices of its own.
+struct Shape_polygons {
+  std::vector<Position> vertices;
+  std::vector<Polygon> polygons;
+  double area = 0;
+};
+
+// Vertices with equal coordinates become one.
+inline Polygon_table joined(std::vector<Shape_polygons>& of_shapes)
+{
+  Polygon_table result;
+  std::map<Position, std::uint32_t> number_of;
+  for(Shape_polygons& shape : of_shapes) {
+    std::vector<std::uint32_t> numbers;
+    for(const Position& p : shape.vertices) {
+      const auto added = number_of.emplace(p, std::uint32_t(result.points.size()));
+      if(added.second)
+        result.points.push_back(p);
+      numbers.push_back(added.first->second);
+    }
+    const auto renumber = [&](auto& corners) {
+      for(std::uint32_t& corner : corners)
+        corner = numbers[corner];
+    };
+    for(Polygon& polygon : shape.polygons) {
+      renumber(polygon.outer);
+      for(Polygon::Loop& hole : polygon.holes)
+        renumber(hole);
+      for(auto& triangle : polygon.triangles)
+        renumber(triangle);
+    }
+    result.polygons.push_back(std::move(shape.polygons));
+    result.areas.push_back(shape.area);
+  }
+  return result;
+}
+
+class Polygon_maker {
+public:
+  Polygon_maker(const std::vector<Position>& points, const Shapes& shapes)
+    : shapes(shapes), unit(points, shapes), n(shapes.number_of_shapes()),
+      resolution(2 * unit.in(shapes.parameters().maximum_distance)), directions(shapes)
+  {
+    for(std::size_t s : shapes.distinct_planes())
+      planes.push_back(unit.in(shapes.coefficients(s)));
+    for(std::size_t s = 0; s < n; ++s)
+      projections.emplace_back(plane_of(s));
+    triangulations.resize(n);
+    std::vector<std::unique_ptr<Shape_points>> made(n);
+    for_each_in_parallel(n, [&](std::size_t s) {
+      made[s] = std::make_unique<Shape_points>(points_of_shape(points, shapes, unit, s));
+      triangulations[s] = std::make_unique<Outline_triangulation>(made[s]->flat, resolution);
+      made[s]->spacing = triangulations[s]->spacings();
+    });
+    for(const auto& shape : made)
+      all.push_back(std::move(*shape));
+  }
+
+  // Once: the drafts are used up. Outlines that are not regular are straightened only.
+  Polygon_table polygons(bool are_regular = true)
+  {
+    draw_borders();
+    is_framed.resize(n);
+    for_each_in_parallel(n, [&](std::size_t s) { is_framed[s] = draft_outline(s); });
+    if(are_regular) {
+      make_regular();
+      share_vertices();
+    }
+    std::vector<Shape_polygons> of_shapes(n);
+    for_each_in_parallel(n, [&](std::size_t s) { of_shapes[s] = polygons_of(s); });
+    Polygon_table result = joined(of_shapes);
+    for(std::size_t s = 0; s < n; ++s)
+      result.frames.emplace_back(shapes.coefficients(s));
+    return result;
+  }
+
+private:
+  // The straight borders, whose ends are chosen for all shapes together.
+  void draw_borders()
+  {
+    const Border_finder finder(shapes, unit, all);
+    std::vector<Border_pieces> pieces(n);
+    borders.resize(n);
+    drafts.resize(n);
+    for_each_in_parallel(n, [&](std::size_t s) { pieces[s] = finder.pieces_of(s, borders[s]); });
+    join_common_ends(pieces);
+    for_each_in_parallel(n, [&](std::size_t s) {
+      for(const Border_piece& piece : pieces[s]) {
+        borders[s].borders.push_back(finder.border_of(s, piece));
+        drafts[s].lines.push_back(piece.line);
+      }
+      for(const Border_line& line : finder.lines_near(s))
+        drafts[s].lines.push_back(line);
+    });
+  }
+
+  // Without straight borders, if they do not fit together. Where lines touch or cross by the rounding of coordinates,
+  // the points themselves, projected without rounding, have outlines that do not; then it returns false.
+  bool draft_outline(std::size_t s)
+  {
+    Outline_draft& draft = drafts[s];
+    for(const Straight_border& border : borders[s].borders)
+      triangulations[s]->insert(border, all[s].frame);
+    for(std::uint32_t i : borders[s].cut)
+      triangulations[s]->cut(i);
+    std::vector<Outline_loop> loops = placed(triangulations[s]->outline(limits), s);
+    triangulations[s].reset();
+    if(draft.make(std::move(loops), limits.tolerance) ||
+       draft.make(placed(Outline_triangulation(all[s].flat, resolution).outline(limits), s), limits.tolerance))
+      return true;
+    const std::vector<Outline_loop> projected = projected_outline(s);
+    if(!draft.make(projected, limits.tolerance))
+      draft.make(projected, 0);
+    return false;
+  }
+
+  // Ends of straight borders that are no corners move to where regular edges begin.
+  void make_regular()
+  {
+    std::vector<std::vector<Wanted_end>> wanted(n);
+    std::vector<std::vector<Kernel::Vector_2>> along(n); // what edges may be parallel to
+    for_each_in_parallel(n, [&](std::size_t s) { along[s] = directions.of_shape(s, all[s].frame); });
+    add_own_directions(shapes, drafts, is_framed, along);
+    for_each_in_parallel(n, [&](std::size_t s) {
+      if(is_framed[s])
+        wanted[s] = wanted_ends(s, along[s]);
+    });
+    Moved_ends moved;
+    for(std::size_t s = 0; s < n; ++s) {
+      moved.add_edges(drafts[s]);
+      for(const Wanted_end& end : wanted[s])
+        moved.add_wish(end);
+    }
+    moved.decide(
+      [&](const Border_line& line, double along) { return position_on(line, line.origin + along * line.direction); });
+    for_each_in_parallel(n, [&](std::size_t s) {
+      if(is_framed[s])
+        make_regular(s, along[s], moved);
+    });
+  }
+
+  std::vector<Wanted_end> wanted_ends(std::size_t s, const std::vector<Kernel::Vector_2>& along) const
+  {
+    std::vector<Wanted_end> result;
+    for(const Outline_loop& loop : drafts[s].loops()) {
+      const Border_points border(loop, drafts[s].dense_loop(loop));
+      Regular_loop(border, along).for_each_wanted_end([&](std::size_t i, const Kernel::Point_2& p) {
+        const int number = loop[i].border >= 0 ? loop[i].border : loop[(i + loop.size() - 1) % loop.size()].border;
+        result.push_back({loop[i].position, drafts[s].lines[std::size_t(number)], all[s].frame.lifted(p)});
+      });
+    }
+    return result;
+  }
+
+  void make_regular(std::size_t s, const std::vector<Kernel::Vector_2>& along, const Moved_ends& moved)
+  {
+    std::vector<Outline_loop> loops = drafts[s].loops(), regular;
+    for(const Outline_loop& loop : loops) {
+      Outline_loop with_moved = loop;
+      for(Outline_vertex& v : with_moved)
+        if(const Position* p = v.is_fixed ? moved.moved_from(v.position) : nullptr)
+          v = fixed_vertex(s, v, *p);
+      const Border_points border(with_moved, drafts[s].dense_loop(loop));
+      regular.push_back(rectangle_of_hole(border, along));
+      if(regular.back().empty())
+        regular.back() = Regular_loop(border, along).loop();
+    }
+    drafts[s].replace(std::move(loops), placed(std::move(regular), s));
+  }
+
+  // Like another one, at a position.
+  Outline_vertex fixed_vertex(std::size_t s, const Outline_vertex& like, const Position& p) const
+  {
+    Outline_vertex result = like;
+    result.is_fixed = true;
+    result.position = p;
+    result.point = all[s].frame.flat(Kernel::Point_3(p[0], p[1], p[2]));
+    result.written = projections[s].projected(p);
+    return result;
+  }
+
+  Position position_on(const Border_line& line, const Kernel::Point_3& near) const
+  {
+    return unit.written(
+      point_on_planes({planes[std::size_t(line.planes[0])], planes[std::size_t(line.planes[1])]}, near));
+  }
+
+  void find_edges_on_lines(std::size_t s)
+  {
+    std::vector<Outline_loop> loops = drafts[s].loops(), changed;
+    for(const Outline_loop& loop : loops)
+      changed.push_back(
+        with_edges_on_lines(loop, drafts[s].lines, [&](const Outline_vertex& v, const Border_line& line) {
+          const Position& p = v.position;
+          return fixed_vertex(s, v, position_on(line, Kernel::Point_3(p[0], p[1], p[2])));
+        }));
+    drafts[s].replace(std::move(loops), changed);
+  }
+
+  void collect(Common_vertices& vertices) const
+  {
+    for(const Outline_draft& draft : drafts)
+      vertices.add(draft);
+    vertices.sort();
+  }
+
+  void join_vertices(std::size_t s, const Common_vertices& apart)
+  {
+    std::vector<Outline_loop> loops = drafts[s].loops(), changed(loops.size());
+    for(std::size_t l = 0; l < loops.size(); ++l)
+      for(std::size_t i = 0; i < loops[l].size(); ++i) {
+        const Position p = apart.joined(loops[l][i].position);
+        if(p == loops[l][i].position)
+          continue;
+        if(changed[l].empty())
+          changed[l] = loops[l];
+        changed[l][i] = fixed_vertex(s, loops[l][i], p);
+      }
+    drafts[s].replace(std::move(loops), changed);
+  }
+
+  void share_vertices()
+  {
+    for_each_in_parallel(n, [&](std::size_t s) { find_edges_on_lines(s); });
+    Common_vertices apart, common;
+    collect(apart);
+    apart.join();
+    for_each_in_parallel(n, [&](std::size_t s) { join_vertices(s, apart); });
+    collect(common);
+    for_each_in_parallel(n, [&](std::size_t s) {
+      const auto vertex = [&](const Outline_vertex& like, const Position& p) { return fixed_vertex(s, like, p); };
+      std::vector<Outline_loop> loops = drafts[s].loops(), longer(loops.size());
+      common.for_each_longer_loop(drafts[s], vertex,
+                                  [&](std::size_t i, const Outline_loop& loop) { longer[i] = loop; });
+      drafts[s].replace(std::move(loops), longer);
+    });
+  }
+
+  Shape_polygons polygons_of(std::size_t s)
+  {
+    Shape_polygons result;
+    const std::vector<Outline_vertex>& vertices = drafts[s].vertices();
+    for(const Outline_vertex& v : vertices)
+      result.vertices.push_back(unit.out(v.position));
+    double area = 0;
+    for(const Polygon& polygon : drafts[s].polygons())
+      for(const auto& t : polygon.triangles)
+        area += CGAL::area(vertices[t[0]].written, vertices[t[1]].written, vertices[t[2]].written);
+    result.area = unit.area_out(area / projections[s].shrinkage());
+    result.polygons = std::move(drafts[s].polygons());
+    return result;
+  }
+
+  const Shapes::Coefficients& plane_of(std::size_t s) const { return planes[shapes.coplanar_group(s)]; }
+
+  std::vector<Outline_loop> placed(std::vector<Outline_loop> loops, std::size_t s) const
+  {
+    for(Outline_loop& loop : loops)
+      for(Outline_vertex& v : loop) {
+        if(!v.is_fixed)
+          v.position = point_on_planes({plane_of(s)}, all[s].frame.lifted(v.point));
+        v.position = unit.written(v.position);
+        v.written = projections[s].projected(v.position);
+      }
+    return loops;
+  }
+
+  std::vector<Outline_loop> projected_outline(std::size_t s) const
+  {
+    const Projection& frame = projections[s];
+    std::vector<Kernel::Point_2> points;
+    for(const Kernel::Point_3& p : all[s].points)
+      points.push_back(frame.projected({p.x(), p.y(), p.z()}));
+    std::vector<Outline_loop> loops = Outline_triangulation(points, resolution).outline(limits);
+    for(Outline_loop& loop : loops)
+      for(Outline_vertex& v : loop) {
+        v.position = frame.on_plane(v.written);
+        v.is_fixed = false;
+      }
+    return loops;
+  }
+
+  const Shapes& shapes;
+  Unit unit;
+  std::size_t n;
+  double resolution; // places are known no better along a plane than across it: to both sides
+  Outline_limits limits;
+  std::vector<Shapes::Coefficients> planes; // of the coplanar groups
+  std::vector<Projection> projections;      // of the shapes, in the unit
+  std::vector<Shape_points> all;
+  std::vector<std::unique_ptr<Outline_triangulation>> triangulations;
+  Plane_directions directions;
+  std::vector<Straight_borders> borders; // of the shapes
+  std::vector<Outline_draft> drafts;     // of the shapes
+  std::vector<char> is_framed;           // whether the draft of the shape is in its frame
+};
+
+// Whether the largest number in the normal is negative.
+inline bool is_turned(const Coefficients& c)
+{
+  const auto is_smaller = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
+  return *std::max_element(c.begin(), c.begin() + 3, is_smaller) < 0;
+}
+
+// The largest number of each normal is positive.
+inline Shapes_data with_positive_normals(Shapes_data data)
+{
+  for(Coefficients& c : data.coefficients)
+    if(is_turned(c))
+      for(double& x : c)
+        x = -x;
+  return data;
+}
+
+// To the planes as they were.
+inline Polygon_table with_sides_of(const std::vector<Coefficients>& planes, Polygon_table table)
+{
+  const auto reverse = [](auto& corners) { std::reverse(corners.begin(), corners.end()); };
+  for(std::size_t s = 0; s < planes.size(); ++s) {
+    if(!is_turned(planes[s]))
+      continue;
+    table.frames[s] = Projection(planes[s]);
+    for(Polygon& polygon : table.polygons[s]) {
+      reverse(polygon.outer);
+      for(Polygon::Loop& hole : polygon.holes)
+        reverse(hole);
+      for(auto& triangle : polygon.triangles)
+        reverse(triangle);
+    }
+  }
+  return table;
+}
+
+// Of shapes with points.
+inline Polygon_table table_of_outlines(const std::vector<Position>& points, const Shapes_data& data, bool are_regular)
+{
+  const Shapes shapes(with_positive_normals(data));
+  return with_sides_of(data.coefficients, Polygon_maker(points, shapes).polygons(are_regular));
+}
+
+// Known planes may have no points.
+CGAL_TANDEM_MODELS_INLINE Polygon_table outline_table(const std::vector<Position>& points, const Shapes_data& data,
+                                                      bool are_regular)
+{
+  std::vector<std::size_t> source;
+  std::vector<int> number(data.size.size(), -1);
+  for(std::size_t s = 0; s < number.size(); ++s)
+    if(data.size[s] > 0) {
+      number[s] = int(source.size());
+      source.push_back(s);
+    }
+  if(source.size() == number.size())
+    return table_of_outlines(points, data, are_regular);
+  Polygon_table table = table_of_outlines(points, relabel_shapes(data, source, number), are_regular), all;
+  all.points = std::move(table.points);
+  all.polygons.resize(number.size());
+  all.areas.assign(number.size(), 0);
+  for(std::size_t s = 0; s < number.size(); ++s) {
+    all.frames.emplace_back(data.coefficients[s]);
+    if(number[s] < 0)
+      continue;
+    all.polygons[s] = std::move(table.polygons[std::size_t(number[s])]);
+    all.areas[s] = table.areas[std::size_t(number[s])];
+    all.frames[s] = table.frames[std::size_t(number[s])];
+  }
+  return all;
+}
+
+} // namespace outlines
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_OUTLINES_OUTLINE_TABLE_H

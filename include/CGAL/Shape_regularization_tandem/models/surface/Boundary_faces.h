@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The surface between inside and outside, as faces: connected facets of one plane are one face, if it has no holes and
+// does not touch itself.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_BOUNDARY_FACES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_BOUNDARY_FACES_H
+
+#include <CGAL/Shape_regularization_tandem/models/surface/Inside_cells.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+namespace surface {
+
+struct Face {
+  std::vector<int> vertices; // counterclockwise, seen from outside
+  int plane;                 // none: a side of the box
+};
+
+// Where only two faces meet, both go straight on.
+inline void drop_straight_corners(std::vector<Face>& faces)
+{
+  std::map<int, int> number_of_faces;
+  for(const Face& face : faces)
+    for(int v : face.vertices)
+      ++number_of_faces[v];
+  for(Face& face : faces)
+    face.vertices.erase(
+      std::remove_if(face.vertices.begin(), face.vertices.end(), [&](int v) { return number_of_faces.at(v) == 2; }),
+      face.vertices.end());
+}
+
+class Boundary_faces {
+public:
+  Boundary_faces(const Cells& cells, const Inside_cells& inside) : cells_(cells)
+  {
+    for(std::size_t f = 0; f < cells.facets.size(); ++f)
+      if(inside.is_boundary(int(f))) {
+        std::vector<int> loop = cells.facets[f].vertices;
+        if(!inside.is_inside(cells.facets[f].behind))
+          std::reverse(loop.begin(), loop.end());
+        for_each_edge(loop, [&](int u, int v) { next_[{u, v}] = {int(f), 0}; });
+        for(std::size_t i = 0; i < loop.size(); ++i)
+          next_[{loop[i], loop[(i + 1) % loop.size()]}].after = loop[(i + 2) % loop.size()];
+        loops_[int(f)] = loop;
+      }
+    number_patches();
+  }
+
+  std::vector<Face> faces() const
+  {
+    const std::vector<std::vector<std::vector<int>>> borders = borders_of_patches();
+    std::vector<Face> result;
+    std::set<int> is_done;
+    for(const auto& [facet, loop] : loops_) {
+      const int patch = patch_.at(facet);
+      const std::vector<std::vector<int>>& of_patch = borders[std::size_t(patch)];
+      if(of_patch.size() != 1)
+        result.push_back({loop, cells_.facet(facet).plane});
+      else if(is_done.insert(patch).second)
+        result.push_back({of_patch.front(), cells_.facet(facet).plane});
+    }
+    drop_straight_corners(result);
+    return result;
+  }
+
+private:
+  using Directed = std::pair<int, int>; // an edge with the face to its left
+  struct Next {
+    int facet, after; // the vertex after the edge
+  };
+
+  // Sides of the box are not one plane.
+  bool are_of_one_plane(int facet, int other) const
+  {
+    return cells_.facet(facet).plane != none && cells_.facet(facet).plane == cells_.facet(other).plane;
+  }
+
+  void number_patches()
+  {
+    for(const auto& [facet, loop] : loops_) {
+      if(patch_.count(facet) > 0)
+        continue;
+      patch_[facet] = number_of_patches_;
+      std::vector<int> open = {facet};
+      while(!open.empty()) {
+        const int f = open.back();
+        open.pop_back();
+        for_each_edge(loops_.at(f), [&](int u, int v) {
+          const int g = next_.at({v, u}).facet;
+          if(are_of_one_plane(f, g) && patch_.emplace(g, number_of_patches_).second)
+            open.push_back(g);
+        });
+      }
+      ++number_of_patches_;
+    }
+  }
+
+  int patch_at(const Directed& e) const { return patch_.at(next_.at(e).facet); }
+  bool is_border(const Directed& e) const { return patch_at(e) != patch_at({e.second, e.first}); }
+
+  Directed next_on_border(const Directed& edge) const
+  {
+    Directed e = {edge.second, next_.at(edge).after};
+    while(!is_border(e))
+      e = {e.first, next_.at({e.second, e.first}).after};
+    return e;
+  }
+
+  // Of one that touches itself there is a second, empty one.
+  std::vector<std::vector<std::vector<int>>> borders_of_patches() const
+  {
+    std::vector<std::vector<std::vector<int>>> result;
+    result.resize(std::size_t(number_of_patches_));
+    std::set<Directed> is_done;
+    for(const auto& [edge, next] : next_) {
+      if(!is_border(edge) || is_done.count(edge) > 0)
+        continue;
+      std::vector<std::vector<int>>& borders = result[std::size_t(patch_at(edge))];
+      std::vector<int> border;
+      for(Directed e = edge; is_done.insert(e).second; e = next_on_border(e))
+        border.push_back(e.first);
+      borders.push_back(border);
+      std::sort(border.begin(), border.end());
+      if(std::adjacent_find(border.begin(), border.end()) != border.end())
+        borders.emplace_back();
+    }
+    return result;
+  }
+
+  const Cells& cells_;
+  std::map<int, std::vector<int>> loops_; // of the facets of the boundary, seen from outside
+  std::map<Directed, Next> next_;
+  std::map<int, int> patch_; // of each facet
+  int number_of_patches_ = 0;
+};
+
+// --- Planes that nearly meet in a point make corners that are closer than rounding allows. They become one, where the
+// surface stays a two-manifold.
+
+class Short_edges {
+public:
+  // Of faces with these points.
+  Short_edges(const std::vector<Point>& points, std::vector<Face> faces, double shortest)
+    : points_(points), faces_(std::move(faces)), shortest_(shortest)
+  {
+    for(std::size_t f = 0; f < faces_.size(); ++f)
+      for(int v : faces_[f].vertices)
+        faces_at_[v].insert(f);
+    bool has_changed = true;
+    while(has_changed) {
+      has_changed = false;
+      for(std::size_t f = 0; f < faces_.size(); ++f)
+        has_changed = contract_one(f) || has_changed;
+    }
+    faces_.erase(std::remove_if(faces_.begin(), faces_.end(), [](const Face& face) { return face.vertices.empty(); }),
+                 faces_.end());
+    drop_straight_corners(faces_);
+  }
+
+  const std::vector<Face>& faces() const { return faces_; }
+
+private:
+  bool contract_one(std::size_t f)
+  {
+    const std::vector<int> loop = faces_[f].vertices;
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      const int u = loop[i], v = loop[(i + 1) % loop.size()];
+      if(CGAL::squared_distance(points_[std::size_t(u)], points_[std::size_t(v)]) < shortest_ * shortest_ &&
+         contract(u, v))
+        return true;
+    }
+    return false;
+  }
+
+  // v becomes u, if each edge then has two faces, and the faces there are one fan.
+  bool contract(int u, int v)
+  {
+    std::map<std::size_t, std::vector<int>> changed;
+    for(int w : {u, v})
+      for(std::size_t f : faces_at_[w])
+        changed[f] = contracted(faces_[f].vertices, u, v);
+    std::map<int, int> next; // of the vertices around u, those before and after it in a face
+    for(const auto& [f, loop] : changed) {
+      if(loop.size() < 3)
+        continue;
+      const auto at = std::find(loop.begin(), loop.end(), u);
+      if(std::count(loop.begin(), loop.end(), u) != 1)
+        return false;
+      const int before = at == loop.begin() ? loop.back() : *(at - 1);
+      const int after = at + 1 == loop.end() ? loop.front() : *(at + 1);
+      if(!next.emplace(after, before).second)
+        return false;
+    }
+    if(next.size() < 3)
+      return false;
+    std::size_t length = 1;
+    for(auto at = next.find(next.begin()->second); at != next.begin(); at = next.find(at->second), ++length)
+      if(at == next.end() || length > next.size())
+        return false;
+    if(length != next.size())
+      return false;
+    for(const auto& [f, loop] : changed)
+      if(loop.size() < 3 && !keeps_corners(f, u, v))
+        return false;
+    for(auto& [f, loop] : changed) {
+      if(loop.size() < 3)
+        for(int w : faces_[f].vertices)
+          faces_at_[w].erase(f);
+      else
+        faces_at_[u].insert(f);
+      faces_[f].vertices = loop.size() < 3 ? std::vector<int>() : loop;
+    }
+    faces_at_.erase(v);
+    return true;
+  }
+
+  // Whether the other corners of a face that vanishes have three faces then, or two that do without it, as it is on a
+  // straight edge of both.
+  bool keeps_corners(std::size_t f, int u, int v) const
+  {
+    return std::all_of(faces_[f].vertices.begin(), faces_[f].vertices.end(), [&](int w) {
+      const std::set<std::size_t>& faces = faces_at_.at(w);
+      return w == u || w == v || faces.size() > 3 || std::all_of(faces.begin(), faces.end(), [&](std::size_t g) {
+               return g == f || faces_[g].vertices.size() > 3;
+             });
+    });
+  }
+
+  static std::vector<int> contracted(std::vector<int> loop, int u, int v)
+  {
+    std::replace(loop.begin(), loop.end(), v, u);
+    loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+    if(loop.size() > 1 && loop.front() == loop.back())
+      loop.pop_back();
+    return loop;
+  }
+
+  const std::vector<Point>& points_;
+  std::vector<Face> faces_; // those that have vanished have no vertices
+  double shortest_;
+  std::map<int, std::set<std::size_t>> faces_at_;
+};
+
+} // namespace surface
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_BOUNDARY_FACES_H
