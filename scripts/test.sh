@@ -166,7 +166,7 @@ run_tsan()
 {
   export CXX=clang++
   set -- -DTANDEM_WITH_VIEW=OFF -DLASZIP_LIBRARY=OFF -DHELP2MAN=OFF
-  for package in TBB MPI boost_mpi boost_unit_test_framework Eigen3 GLPK SCIP ZLIB; do
+  for package in TBB MPI boost_mpi boost_unit_test_framework Eigen3 ZLIB; do
     set -- "$@" "-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"
   done
   configuration tsan 'threads|small' -DCMAKE_BUILD_TYPE=Debug "-DTANDEM_TESTS=test_(thread_backend|bad_input)" \

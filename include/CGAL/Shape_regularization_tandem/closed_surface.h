@@ -7,9 +7,9 @@
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_input.h>
 #include <CGAL/Shape_regularization_tandem/internal/outlines/outline_table.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Cell_cutter.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Short_edges.h>
 #include <CGAL/Shape_regularization_tandem/internal/surface/Surface_input.h>
-#include <CGAL/Shape_regularization_tandem/internal/surface/limited_partition.h>
 #include <CGAL/Shape_regularization_tandem/internal/upward.h>
 #include <CGAL/Shape_regularization_tandem/named_parameters.h>
 
@@ -93,17 +93,11 @@ each plane, and each plane is tested with all cells. The outlines of `polygons()
     \cgalParamType{`GeomTraits::Vector_3`}
     \cgalParamDefault{(0, 0, 1)}
   \cgalParamNEnd
-  \cgalParamNBegin{partition}
-    \cgalParamDescription{what makes the cells}
-    \cgalParamType{`Kinetic_partition`, with CGAL 6}
-    \cgalParamDefault{each plane cuts those cells that its points meet or are close to}
-  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \throw std::invalid_argument the points are not those of the detection, as `polygons()` says; fewer than four planes are
 asked for; the direction is null
 \throw std::logic_error a part of the points of the shapes are in other processes: `Mpi_tag`
-\throw std::runtime_error the `Kinetic_partition` fails
 */
 template <class GeomTraits, class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& shapes, const PointRange& points,
@@ -124,8 +118,7 @@ Closed_surface_3<GeomTraits> closed_surface(const Planar_shapes_3<GeomTraits>& s
   result.number_of_planes = input.number_of_planes();
   if(input.planes().size() < surface::Surface_input::fewest_planes)
     return result;
-  const auto partition = internal::parameter<internal_np::partition_t>(np, &surface::limited_partition);
-  const surface::Cells cells = partition(input.planes(), input.box());
+  const surface::Cells cells = surface::cut_cells(input.planes(), input.box());
   const surface::Inside_cost cost(cells, input.planes(), up);
   const surface::Inside_cells inside(cells, cost);
   for(std::size_t f = 0; f < cells.facets.size(); ++f)

@@ -63,7 +63,6 @@ enum near_angle_t { near_angle };
 enum near_direction_t { near_direction };
 enum one_for_each_plane_t { one_for_each_plane };
 enum orthogonal_direction_t { orthogonal_direction };
-enum partition_t { partition };
 enum reach_t { reach };
 enum regularity_t { regularity };
 enum settings_t { settings };
@@ -109,8 +108,7 @@ enum surfel_size_t { surfel_size };
   X(orthogonal_direction, orthogonal_direction_t)                                                                      \
   X(near_angle, near_angle_t)                                                                                          \
   X(shape_points, shape_points_t)                                                                                      \
-  X(reach, reach_t)                                                                                                    \
-  X(partition, partition_t)
+  X(reach, reach_t)
 
 /*!
 \ingroup PkgShapeRegularizationTandemRef

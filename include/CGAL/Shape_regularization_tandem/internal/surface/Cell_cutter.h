@@ -8,6 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_SURFACE_CELL_CUTTER_H
 
 #include <CGAL/Shape_regularization_tandem/internal/surface/Cells.h>
+#include <CGAL/Shape_regularization_tandem/internal/surface/Plane_coverage.h>
 #include <CGAL/Tandem/Shapes_data.h>
 
 #include <CGAL/Bbox_3.h>
@@ -16,6 +17,7 @@
 #include <array>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -265,6 +267,40 @@ private:
   std::map<Edge, Planes_and_facets> edges_;
   std::map<int, int> sides_; // of the vertices of the cell that is split
 };
+
+// Whether an edge of one convex polygon, which is counterclockwise, separates the other one by more than a distance.
+inline bool separates(const std::vector<Kernel::Point_2>& a, const std::vector<Kernel::Point_2>& b, double distance)
+{
+  for(std::size_t i = 0; i < a.size(); ++i) {
+    const Kernel::Vector_2 edge = a[(i + 1) % a.size()] - a[i];
+    const auto is_beyond = [&](const Kernel::Point_2& p) {
+      return CGAL::determinant(edge, p - a[i]) < -distance * std::sqrt(edge.squared_length());
+    };
+    if(std::all_of(b.begin(), b.end(), is_beyond))
+      return true;
+  }
+  return false;
+}
+
+// Each plane cuts the cells that the hull of its points meets or is close to. So their number grows about linearly with
+// that of the planes, and gaps between shapes are bridged.
+inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
+{
+  const double reach = .05 * extent_of(box); // of the planes beyond their points
+  Cell_cutter cutter(box);
+  for(const Plane_coverage& plane : planes) {
+    const int number = cutter.add_plane(plane.plane());
+    for(int c = int(cutter.number_of_cells()) - 1; c >= 0; --c) {
+      std::vector<Kernel::Point_2> corners, section;
+      for(const Point& p : cutter.section(c, number))
+        corners.push_back(plane.flat(p));
+      CGAL::convex_hull_2(corners.begin(), corners.end(), std::back_inserter(section));
+      if(section.size() > 2 && !separates(section, plane.hull(), reach) && !separates(plane.hull(), section, reach))
+        cutter.split(c, number);
+    }
+  }
+  return cutter.cells();
+}
 
 } // namespace surface
 } // namespace internal
