@@ -11,7 +11,7 @@ fail() { echo "install_dependencies.sh: $*" >&2; exit 1; }
 
 [ $# -gt 0 ] ||
   set -- g++ make ninja-build cmake libcgal-dev libeigen3-dev libboost-program-options-dev libboost-test-dev libtbb-dev \
-    libglpk-dev nlohmann-json3-dev
+    nlohmann-json3-dev
 
 command -v dpkg-query > /dev/null ||
   fail "this system has no dpkg; install the counterparts of these packages yourself: $*"

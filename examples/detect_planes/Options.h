@@ -23,6 +23,9 @@ using Usage_error = std::invalid_argument;
 
 constexpr long long by_library = 0; // of estimate_normals: no PCA of a given number of neighbors
 
+// Numbers of planes of --mesh: more take minutes, and those not even Ctrl-C ends soon.
+constexpr long long fewest_mesh_planes = 4, mesh_planes_by_default = 200, most_mesh_planes = 1000;
+
 // Of the planes that are selected by their normals.
 struct Direction_choice {
   enum Of { direction, vertical, horizontal } of = direction;
@@ -34,7 +37,7 @@ struct Direction_choice {
 // What was not given is left to the library.
 struct Options {
   std::vector<std::string> inputs;
-  std::string output, output_directory, labels, planes, report, vg, polygons, shapes, mesh, mesh_method, view;
+  std::string output, output_directory, labels, planes, report, vg, polygons, shapes, mesh, view;
   std::string planes_from;                              // a file
   std::vector<CGAL::Tandem::Coefficients> known_planes; // of it
   std::string crs;                                      // of --polygons
@@ -45,8 +48,7 @@ struct Options {
   std::string label_property = "shape"; // of the output
   std::optional<double> maximum_distance, maximum_angle, angle_tolerance, maximum_offset, simplicity, regularity,
     surfel_size;
-  std::optional<long long> mesh_planes, mesh_seconds, minimum_region_size, k_neighbors, cell_size, threads,
-    estimate_normals, sample;
+  std::optional<long long> mesh_planes, minimum_region_size, k_neighbors, cell_size, threads, estimate_normals, sample;
   bool regularize_parallelism = true, regularize_orthogonality = true, regularize_coplanarity = true;
   std::vector<std::array<double, 3>> fixed_directions;
   std::optional<std::array<double, 3>> symmetry_direction, viewpoint;

@@ -189,12 +189,7 @@ inline void check(const Options& o, const Built_with& built)
     throw Usage_error("--oriented needs --planes, --shapes, --view or --polygons");
   if(o.mesh_planes && o.mesh.empty())
     throw Usage_error("--mesh-planes needs --mesh");
-  if(o.mesh_seconds && o.mesh.empty())
-    throw Usage_error("--mesh-seconds needs --mesh");
-  if(!o.mesh_method.empty() && o.mesh.empty())
-    throw Usage_error("--mesh-method needs --mesh");
-  check_word("mesh-method", o.mesh_method, Built_with().mesh_methods(), built.mesh_methods());
-  check_count("mesh-seconds", o.mesh_seconds, 1, 1000000);
+  check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, most_mesh_planes);
   check_count("largest", o.largest, 1, CGAL::Tandem::maximum_number_of_points);
   if(!o.planes_from.empty() && o.estimate_normals && *o.estimate_normals == by_library)
     throw Usage_error(

@@ -41,8 +41,6 @@ inline void check_program(const Options& o, const Ranks& ranks)
   check_backend(o);
   if(output_extension(o.output) == ".laz" && !has_laszip)
     throw Usage_error(o.output + ": LAZ needs LASzip; write .las and compress it with laszip, or build Tandem with it");
-  if(!o.mesh.empty())
-    check_mesh_options(o);
   if(!o.view.empty() && !has_view)
     throw Usage_error("--view: this program was built without three.js; install libjs-three and build again");
 }

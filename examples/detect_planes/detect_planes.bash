@@ -17,9 +17,6 @@ _detect_planes()
     --maximum-distance)
       COMPREPLY=($(compgen -W "auto auto-local" -- "$current"))
       ;;
-    --mesh-method)
-      COMPREPLY=($(compgen -W "$("$program" --help | grep -ow 'cells\|kinetic\|polygonal' | sort -u)" -- "$current"))
-      ;;
     --output-directory)
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
       compopt -o filenames 2> /dev/null

@@ -84,15 +84,11 @@ try {
   progress.reset();
   if(!facts)
     return {};
-  run.mesh = std::to_string(facts->faces) + " faces, of " + std::to_string(facts->planes) + " of " +
-             std::to_string(facts->usable_planes) + " planes";
-  if(facts->points)
-    run.mesh +=
-      ", with " +
-      std::to_string(100 * *facts->points / (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1))) +
-      " % of the points of shapes";
-  if(!facts->warning.empty())
-    warn(facts->warning);
+  run.mesh =
+    std::to_string(facts->faces) + " faces, of " + std::to_string(facts->planes) + " of " +
+    std::to_string(facts->usable_planes) + " planes, with " +
+    std::to_string(100 * facts->points / (std::max)(shapes.statistics().number_of_assigned_points, std::size_t(1))) +
+    " % of the points of shapes";
   return {};
 } catch(const std::bad_alloc&) {
   return "--mesh: not enough memory";

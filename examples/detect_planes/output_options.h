@@ -82,34 +82,16 @@ inline void add_result_options(po::options_description& group, Options& o, const
       "shapes, orthogonal pairs of parallel groups, all counted from 0");
 }
 
-inline std::string text_of_mesh_methods(const Built_with& built)
+inline void add_mesh_options(po::options_description& group, Options& o)
 {
-  std::string text = "cells (default), by cells that the planes cut where they have points";
-  if(built.kinetic_mesh)
-    text += "; kinetic, by the kinetic space partition of CGAL 6";
-  if(built.polygonal_mesh)
-    text += "; polygonal, by the polygonal surface reconstruction of CGAL, whose time depends on the cloud and grows "
-            "fast with the number of planes";
-  return text;
-}
-
-inline void add_mesh_options(po::options_description& group, Options& o, const Built_with& built)
-{
+  const std::string planes = "--mesh takes the N planes with most points: " + std::to_string(mesh_planes_by_default) +
+                             " by default, and up to " + std::to_string(most_mesh_planes);
   auto add = group.add_options();
   add("mesh", po::value<std::string>(&o.mesh)->value_name("FILE"),
       "a closed surface made of the planes: .off, .obj or .ply; the normals need no orientation. It is made when all "
       "other files are complete");
   add("mesh-planes", po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_planes = n; }),
-      ("--mesh takes the N planes with most points: " + built.mesh_planes()).c_str());
-  add("mesh-method", po::value<std::string>(&o.mesh_method)->value_name("NAME"),
-      ("of --mesh: " + text_of_mesh_methods(built)).c_str());
-}
-
-inline void add_mesh_seconds(po::options_description& group, Options& o)
-{
-  group.add_options()("mesh-seconds",
-                      po::value<long long>()->value_name("N")->notifier([&o](long long n) { o.mesh_seconds = n; }),
-                      "longest processor time of the solver GLPK of the method polygonal (default: 60)");
+      planes.c_str());
 }
 
 inline void add_view_option(po::options_description& group, Options& o)
@@ -127,8 +109,7 @@ inline void add_output_options(po::options_description& visible, po::options_des
   add_cloud_options(group, o, built);
   add_result_options(group, o, built);
   add_view_option(built.view ? group : hidden, o);
-  add_mesh_options(group, o, built);
-  add_mesh_seconds(built.mesh_seconds ? group : hidden, o);
+  add_mesh_options(group, o);
   visible.add(group);
   hidden.add_options()("vg-by-plane",
                        po::bool_switch(&o.has_group_for_each_plane)); // of 0.2.0: --by-plane for --vg alone

@@ -11,19 +11,14 @@
 
 #include <cstddef>
 #include <iosfwd>
-#include <optional>
 #include <string>
 
 namespace program {
 
-// Throws if --mesh-method is not there, or takes neither --mesh-seconds nor as many --mesh-planes.
-void check_mesh_options(const Options& o);
-
 struct Mesh_facts {
   std::size_t planes = 0, faces = 0; // of the surface
   std::size_t usable_planes = 0;     // those that have an area
-  std::optional<std::size_t> points; // of shapes, whose plane is the surface there; if it is known
-  std::string warning;               // if it has fewer planes than it was to have
+  std::size_t points = 0;            // of shapes, whose plane is the surface there
 };
 
 // Empty, if --mesh takes all planes that have an area.

@@ -9,7 +9,6 @@
 #include "testing/test_support.h"
 
 #include "program/Polygon_checker.h"
-#include "program/check_surface.h"
 
 #include "output/writers.h"
 #include "output/write_vg.h"
@@ -23,7 +22,7 @@ using program::Faces_of_file;
 using program::Point_set;
 
 struct Totals {
-  std::size_t scenes = 0, shapes = 0, with_polygons = 0, polygons = 0, points = 0, inside = 0, meshes = 0;
+  std::size_t scenes = 0, shapes = 0, with_polygons = 0, polygons = 0, points = 0, inside = 0;
 };
 
 struct Output_case {
@@ -160,7 +159,6 @@ inline void check_outputs(const Output_case& c, Totals& totals)
     check_report(c);
     check_vg(c);
     check_vg({c.name + ", by plane", c.points, program::joined_shapes(c.points, c.shapes)});
-    totals.meshes += check_mesh_apart(c.points, c.shapes, c.name);
   } catch(const std::exception& e) {
     CHECK_AT(false, c.name + ": " + e.what());
   }

@@ -5,18 +5,6 @@
 
 include("${CMAKE_CURRENT_LIST_DIR}/support.cmake")
 
-# The method is there, or bad usage; then the test is skipped.
-macro(require_method name)
-  execute_process(COMMAND "${PROGRAM}" cube.ply ${epsilon} --mesh m.off --mesh-method ${name}
-                  WORKING_DIRECTORY "${WORK_DIR}" RESULT_VARIABLE status ERROR_VARIABLE err OUTPUT_QUIET)
-  if("${status}: ${err}" MATCHES "^2: detect_planes: --mesh-method ${name} needs ([^\n]+): this program was built without it")
-    message(STATUS "skipped: the program was built without ${CMAKE_MATCH_1}")
-    return()
-  endif()
-  expect(1 "a closed surface needs four planes, and there are 3" cube.ply ${epsilon} --mesh m.off --mesh-method ${name})
-  expect_no_file(m.off)
-endmacro()
-
 # Two boxes apart from each other, 1 by 1 by 1 and 1 by 1 by 2, without normals.
 file(WRITE "${WORK_DIR}/boxes.sh" [=[
 awk 'BEGIN {
@@ -59,19 +47,6 @@ NR > 2 + n {
 END { printf "volume %.2f\n", sum / 6 }
 ]=])
 
-# At the corners of faces with four of them: each pair of edges at a corner of a box is in one face.
-file(WRITE "${WORK_DIR}/right_angles.awk" [=[
-NR == 2 { n = $1 }
-NR > 2 && NR <= 2 + n { x[NR - 3] = $1; y[NR - 3] = $2; z[NR - 3] = $3 }
-NR > 2 + n {
-  for(i = 0; i < $1; ++i) {
-    a = $(2 + i); b = $(2 + (i + 1) % $1); c = $(2 + (i + 2) % $1)
-    dot = (a == b ? 1 : (x[a] - x[b]) * (x[c] - x[b]) + (y[a] - y[b]) * (y[c] - y[b]) + (z[a] - z[b]) * (z[c] - z[b]))
-    if(dot > 1e-9 || dot < -1e-9) ++others; else ++right
-  }
-}
-END { printf "%d right angles, %d others\n", right, others }
-]=])
 # Nine boxes along a diagonal, whose lids have points on a part only. Each face is on a plane, also where CGAL would
 # halve the space by an octree, and so the lid of the box in the middle.
 file(WRITE "${WORK_DIR}/row.awk" [=[

@@ -42,12 +42,10 @@ void check_messages()
     std::vector<const char*> options;
     std::string word;
   };
-  const std::vector<const char*> backend = {"--backend=foo"}, method = {"--mesh=m.off", "--mesh-method=foo"};
+  const std::vector<const char*> backend = {"--backend=foo"};
   const Offer offers[] = {{&Built_with::tbb, backend, "parallel"},
                           {&Built_with::cuda, backend, "cuda"},
-                          {&Built_with::laszip, {"--output=a.foo"}, ".laz"},
-                          {&Built_with::kinetic_mesh, method, "kinetic"},
-                          {&Built_with::polygonal_mesh, method, "polygonal"}};
+                          {&Built_with::laszip, {"--output=a.foo"}, ".laz"}};
   for(const Offer& offer : offers) {
     Built_with built;
     const std::string all = message_of(offer.options, built);
@@ -70,10 +68,7 @@ BOOST_AUTO_TEST_CASE(all_cases)
                         {&Built_with::mpi, {"mpirun", "of each process", "processes"}},
                         {&Built_with::gzip, {".gz"}},
                         {&Built_with::laszip, {".laz"}},
-                        {&Built_with::view, {"--view ", "browser"}},
-                        {&Built_with::kinetic_mesh, {"kinetic"}},
-                        {&Built_with::polygonal_mesh, {"polygonal,"}},
-                        {&Built_with::mesh_seconds, {"--mesh-seconds", "GLPK"}}};
+                        {&Built_with::view, {"--view ", "browser"}}};
   const std::string all = help_of({});
   Built_with nothing;
   for(const Part& part : parts) {
@@ -87,11 +82,8 @@ BOOST_AUTO_TEST_CASE(all_cases)
   for(const Part& part : parts)
     for(const std::string& word : part.words)
       CHECK_AT(!has(least, word), word);
-  CHECK_AT(has(least, "--mesh-method"), least);
-  for(const char* option : {"--mesh=m.off", "--view=v.html", "--mesh-seconds=1"}) {
-    const char* const words[] = {"detect_planes", "cloud.ply", "--mesh=a.off", "--mesh-method=kinetic", option};
-    program::parse(std::string(option) == "--mesh=m.off" ? 3 : 5, words, nothing);
-  }
+  const char* const words[] = {"detect_planes", "cloud.ply", "--view=v.html"};
+  program::parse(3, words, nothing);
   check_messages();
 }
 

@@ -74,11 +74,7 @@ expect(2 "crs needs --polygons with a name that ends in .geojson or .json" cube.
 
 expect(2 "triangulate needs --polygons" cube.ply --triangulate)
 expect(2 "mesh-planes needs --mesh" cube.ply --mesh-planes 10)
-expect(2 "mesh-method needs --mesh" cube.ply --mesh-method kinetic)
-expect(2 "(mesh-method is 'cubic', must be (cells|kinetic|polygonal))" missing.ply --mesh m.off --mesh-method cubic)
-expect(2 "mesh-seconds needs --mesh" cube.ply --mesh-seconds 10)
-expect(2 "mesh-seconds is 0" missing.ply --mesh m.off --mesh-seconds 0)
-expect(2 "mesh-planes is 3, must be in .4, 1000. for the method cells" cube.ply --mesh m.off --mesh-planes 3)
+expect(2 "mesh-planes is 3, must be in .4, 1000." cube.ply --mesh m.off --mesh-planes 3)
 expect(2 "mesh is 'm.stl', must end in .off, .obj or .ply" missing.ply --mesh m.stl)
 expect(2 "named twice" cube.ply --mesh m.ply --polygons m.ply)
 
