@@ -79,11 +79,11 @@ function(tandem_add_shared name)
   tandem_set_warnings(${name})
 endfunction()
 
-# Scenes and criteria, which tests and benchmark share ("testing/scenes.h"), and the headers of the benchmark
-# ("report/shape_colors.h").
+# Scenes ("scenes/scenes.h") and criteria ("testing/evaluate.h"), which tests and benchmark share, and the headers of the
+# benchmark ("criteria/table.h").
 function(tandem_share_testing target)
   if(NOT TARGET tandem_testing)
-    file(GLOB sources CONFIGURE_DEPENDS "${tandem_testing_dir}/scene*.cpp")
+    file(GLOB sources CONFIGURE_DEPENDS "${tandem_testing_dir}/../scenes/*.cpp")
     tandem_add_shared(tandem_testing ${sources})
     target_include_directories(tandem_testing PUBLIC
       "${tandem_testing_dir}/.." "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem")

@@ -39,15 +39,15 @@ install()
 {
   case $1 in
     style) "$root/scripts/install_dependencies.sh" clang-format clang-tidy python3 ;;
-    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libjs-three libbenchmark-dev libnanoflann-dev help2man ||
-      echo "not all can be installed: pictures or --view are not tested, or micro-benchmarks or the manual page not built"
+    release) "$root/scripts/install_dependencies.sh" gnuplot-nox libjs-three help2man ||
+      echo "not all can be installed: pictures or --view are not tested, or the manual page not built"
       # shellcheck disable=SC2086
       "$root/scripts/install_dependencies.sh" $python_packages ||
         echo "not all can be installed: the Python module is not tested"
       install_mpi
       "$root/scripts/install_playwright.sh" "$build/playwright" ||
         echo "playwright-core cannot be installed: clicks on the page of --view are not tested" ;;
-    benchmark) "$root/scripts/install_dependencies.sh" gnuplot-nox xz-utils ;;
+    benchmark) "$root/scripts/install_dependencies.sh" xz-utils ;;
     bits | tsan | fuzz) "$root/scripts/install_dependencies.sh" clang libclang-rt-dev ;;
     asan)
       # shellcheck disable=SC2086

@@ -3,27 +3,20 @@
 
 #include "experiment_clouds.h"
 #include "scene_normals.h"
-#include "testing/scene_twins.h"
+#include "scenes/scene_twins.h"
 
 namespace CGAL {
 namespace Tandem {
 namespace benchmark {
 
-namespace {
-
 Named_cloud cloud_of(const std::string& name, scenes::Scene scene, const Task& task)
 {
-  Named_cloud c{name,
-                "generated",
-                {std::move(scene.points), std::move(scene.normals), scene.label, false},
-                {scene.label, {}},
-                task};
+  Named_cloud c{
+    name, "generated", {std::move(scene.points), std::move(scene.normals), scene.label, true}, {scene.label, {}}, task};
   for(const scenes::Truth_face& f : scene.faces)
     c.truth.faces.push_back({f.normal, f.offset});
   return c;
 }
-
-} // namespace
 
 Named_cloud twin_cloud(const std::string& name, std::size_t points, std::uint64_t seed)
 {

@@ -12,6 +12,9 @@ namespace CGAL {
 namespace Tandem {
 namespace benchmark {
 
+// A scene with its truth.
+Named_cloud cloud_of(const std::string& name, scenes::Scene scene, const Task& task);
+
 // The twin of a real cloud (scene_twins.h), with the normals of 20 neighbors.
 Named_cloud twin_cloud(const std::string& name, std::size_t points, std::uint64_t seed = 1);
 

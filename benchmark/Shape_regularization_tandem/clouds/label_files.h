@@ -7,7 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_LABEL_FILES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_LABEL_FILES_H
 
-#include "ply_cloud.h"
+#include "read_ply.h"
 #include "testing/evaluate_truth.h"
 #include "testing/fit_plane.h"
 

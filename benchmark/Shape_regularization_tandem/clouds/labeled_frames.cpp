@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "labeled_frames.h"
-#include "frame_models.h"
+#include "experiment_clouds.h"
 #include "scene_normals.h"
-#include "sensor.h"
+#include "scenes/frame_models.h"
+#include "scenes/sensor.h"
 
 namespace CGAL {
 namespace Tandem {
@@ -82,12 +83,11 @@ const View corner = {"corner", {0.4, 0.4, 1.7}, {4, 3.2, 0.8}}, shelves = {"shel
 
 const Frame office_frame = Frame().turned({0, 0, 1}, 0.17);
 
-Labeled_frame depth_image(const View& view, const Noise& noise, double step = 0)
+Labeled_frame depth_image(const View& view, const Noise& noise)
 {
   const auto make = [=] {
     Sensor sensor = camera(office_frame.point(view.position), office_frame.point(view.target));
     sensor.noise = 1e-3 * noise.millimetres;
-    sensor.step = step;
     return scan(scenes::make_office(), sensor);
   };
   return {"camera", "camera-" + view.name + "-" + std::to_string(noise.millimetres) + "mm", make,
@@ -185,21 +185,6 @@ std::vector<Labeled_frame> labeled_frames()
   return list;
 }
 
-std::vector<Depth_frame> depth_frames()
-{
-  std::vector<Depth_frame> list;
-  for(const View& view : {corner, shelves})
-    for(const int millimetres : {10, 25})
-      for(const double step : {0., .02}) {
-        const double noise = 1e-3 * millimetres;
-        Depth_frame f = {depth_image(view, {millimetres, 0, 0, cosine_8}, step), office_frame.point(view.position),
-                         std::sqrt(noise * noise + step * step / 12)};
-        f.frame.name += step > 0 ? "-steps" : "";
-        list.push_back(f);
-      }
-  return list;
-}
-
 std::vector<Labeled_frame> labeled_scenes(std::size_t points)
 {
   std::vector<Labeled_frame> list;
@@ -232,14 +217,7 @@ Named_cloud make_cloud(const Labeled_frame& frame)
   Scene scene = frame.make();
   if(scene.normals.empty())
     scene.normals = scenes::pca_normals(scene.points);
-  Named_cloud c{frame.name,
-                "generated",
-                {std::move(scene.points), std::move(scene.normals), scene.label, true},
-                {scene.label, {}},
-                frame.task};
-  for(const scenes::Truth_face& f : scene.faces)
-    c.truth.faces.push_back({f.normal, f.offset});
-  return c;
+  return cloud_of(frame.name, std::move(scene), frame.task);
 }
 
 } // namespace benchmark

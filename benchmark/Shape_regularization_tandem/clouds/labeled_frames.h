@@ -30,21 +30,6 @@ std::vector<Labeled_frame> labeled_scenes(std::size_t points = 100000);
 // three seeds.
 std::vector<Labeled_frame> labeled_layers();
 
-// The office as a depth camera sees it whose noise is several times what near things need, and the standard deviation of
-// the distance at three units, with that of its steps.
-struct Depth_frame {
-  Labeled_frame frame;
-  Vec camera;
-  double sigma;
-
-  double sigma_at(const Vec& p) const
-  {
-    const Vec ray = p - camera;
-    return sigma * dot(ray, ray) / 9;
-  }
-};
-std::vector<Depth_frame> depth_frames();
-
 // With normals by PCA of 20 neighbors.
 Named_cloud make_cloud(const Labeled_frame& frame);
 

@@ -88,10 +88,7 @@ void generate(const Row& row, const Experiment_options& options, Named_cloud& na
   o.normals = scenes::Normals::none;
   scenes::Scene scene = scenes::make_scene(cell(row, "scene"), o);
   scenes::set_blended_normals(scene, number_or_zero(row, "normal_noise"), o.seed);
-  named.cloud = {scene.points, scene.normals, scene.label, true};
-  named.truth.label = scene.label;
-  for(const scenes::Truth_face& f : scene.faces)
-    named.truth.faces.push_back({f.normal, f.offset});
+  named = cloud_of(named.name, std::move(scene), named.task);
   named.origin = "generated: make_scene " + cell(row, "scene") + " --points " + std::to_string(o.points) + " --noise " +
                  cell(row, "noise") + " --outliers " + cell(row, "outliers") + " --normal-noise " +
                  cell(row, "normal_noise") + (o.varies_density ? " --varying-density" : "");

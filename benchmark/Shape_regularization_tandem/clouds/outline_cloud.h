@@ -6,8 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_OUTLINE_CLOUD_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_OUTLINE_CLOUD_H
 
-#include "clouds/ply_cloud.h"
-#include "testing/scenes.h"
+#include "clouds/read_ply.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SCENE_NORMALS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SCENE_NORMALS_H
 
-#include "testing/scenes.h"
+#include "scenes/scenes.h"
 
 namespace CGAL {
 namespace Tandem {

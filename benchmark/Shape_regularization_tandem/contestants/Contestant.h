@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Tandem {
 namespace benchmark {
 
-// The same for all contestants; each reads what concerns it. Lengths in units of the cloud. A new member has to be
-// handed to the other process, too: see run_isolated.cpp.
+// The same for all contestants; each reads what concerns it. Lengths in units of the cloud. Another process gets its
+// bytes.
 struct Task {
   double maximum_distance = 0;                   // epsilon
   double maximum_angle_deg = 25.841932763167124; // alpha: a cosine of 0.9, as in the paper
@@ -34,28 +34,34 @@ struct Task {
   unsigned threads = 0;                          // of parallel contestants; 0: as many as there are processors
   unsigned seed = 0;                             // of randomized contestants
   bool estimates_normals = false;                // each by its own means, although the cloud may have normals
-  Parameters engine;                             // Tandem: all that has no member above
+  double simplicity = Parameters().simplicity;   // Tandem, as the following
+  double regularity = Parameters().regularity;
+  std::size_t regularity_period = Parameters().regularity_period;
+  bool regularizes = true;
 
   double offset() const { return maximum_offset < 0 ? maximum_distance : maximum_offset; }
   Tolerances tolerances() const { return {maximum_distance, maximum_angle_deg}; }
 };
 
 // Seconds are those of the method: neither reading nor the conversion of the cloud counts.
-struct Run {
-  Detection detection;
-  std::vector<Vec> normals;          // those that were used, if the contestant estimated them; null: none
+struct Run_costs {
   double normal_seconds = 0;         // estimation of normals, where the task asks for it
   double detection_seconds = 0;      // where it regularizes in tandem, all of it
   double regularization_seconds = 0; // where that is a step of its own
   double user = 0;                   // processor seconds of all threads and steps, user and system
   Stage_times stages;                // Tandem's
-  std::string hash;                  // of labels and planes
   std::size_t peak_bytes = 0;        // of the process, beyond what it had with the cloud ready; 0: unknown
   std::size_t engine_bytes = 0;      // Tandem's own account
   bool finished = false;
-  std::string error; // why it did not finish
 
   double wall() const { return normal_seconds + detection_seconds + regularization_seconds; }
+};
+
+struct Run : Run_costs {
+  Detection detection;
+  std::vector<Vec> normals; // those that were used, if the contestant estimated them; null: none
+  std::string hash;         // of labels and planes
+  std::string error;        // why it did not finish
 };
 
 struct Contestant {
@@ -65,7 +71,6 @@ struct Contestant {
   bool is_tandem = false;
   bool is_parallel = false; // uses Task::threads
   bool is_random = false;   // uses Task::seed
-  bool regularizes = false;
 
   // Cloud, task, and the run of the base (an empty one if there is no base).
   std::function<Run(const Ply_cloud&, const Task&, const Run&)> step;

@@ -182,7 +182,6 @@ Contestant make(const std::string& name, const std::string& description, Step st
 void add_regularized(std::vector<Contestant>& list, Contestant base, const std::string& name)
 {
   base.base = base.name;
-  base.regularizes = true;
   const std::string description = base.description;
   base.name = name + "+regularize";
   base.description = description + " + regularize_planes";

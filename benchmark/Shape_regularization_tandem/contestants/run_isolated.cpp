@@ -21,57 +21,29 @@ const char* const isolated_option = "--isolated";
 
 void put(Memory_file& file, const Run& run)
 {
+  file.put(static_cast<const Run_costs&>(run));
   file.put(run.detection.label);
   file.put(run.detection.planes);
   file.put(run.normals);
-  file.put(std::vector<double>{run.normal_seconds, run.detection_seconds, run.regularization_seconds, run.user});
-  file.put(run.stages);
   file.put(run.hash);
-  file.put(std::vector<std::size_t>{run.peak_bytes, run.engine_bytes, run.finished});
   file.put(run.error);
 }
 
 Run get_run(Memory_file& file)
 {
   Run run;
+  file.get(static_cast<Run_costs&>(run));
   file.get(run.detection.label);
   file.get(run.detection.planes);
   file.get(run.normals);
-  std::vector<double> seconds;
-  file.get(seconds);
-  run.normal_seconds = seconds.at(0);
-  run.detection_seconds = seconds.at(1);
-  run.regularization_seconds = seconds.at(2);
-  run.user = seconds.at(3);
-  file.get(run.stages);
   file.get(run.hash);
-  std::vector<std::size_t> counts;
-  file.get(counts);
-  run.peak_bytes = counts.at(0);
-  run.engine_bytes = counts.at(1);
-  run.finished = counts.at(2) != 0;
   file.get(run.error);
   return run;
 }
 
-// f(member) for all of a task, in one order.
-template <class Any_task, class F>
-void for_each_member(Any_task& t, F f)
-{
-  f(t.maximum_distance), f(t.maximum_angle_deg), f(t.minimum_region_size), f(t.angle_tolerance_deg);
-  f(t.maximum_offset), f(t.k_neighbors), f(t.cell_size), f(t.cluster_epsilon);
-  f(t.threads), f(t.seed), f(t.estimates_normals);
-  auto& p = t.engine;
-  f(p.maximum_distance), f(p.maximum_angle), f(p.angle_tolerance), f(p.maximum_offset);
-  f(p.minimum_region_size), f(p.k_neighbors), f(p.cell_size), f(p.regularity_period);
-  f(p.simplicity), f(p.regularity), f(p.surfel_size);
-  f(p.regularize_parallelism), f(p.regularize_orthogonality), f(p.regularize_coplanarity);
-  f(p.fixed_directions), f(p.regularize_axis_symmetry), f(p.symmetry_direction);
-}
-
 void put(Memory_file& file, const Ply_cloud& cloud, const Task& task, const Run& base)
 {
-  for_each_member(task, [&](const auto& member) { file.put(member); });
+  file.put(task);
   file.put(cloud.points);
   file.put(cloud.normals);
   put(file, base);
@@ -125,7 +97,7 @@ int isolated_main(char** argv)
     const Contestant c = contestant(argv[2]);
     Task task;
     Ply_cloud cloud;
-    for_each_member(task, [&](auto& member) { in.get(member); });
+    in.get(task);
     in.get(cloud.points);
     in.get(cloud.normals);
     const Run base = get_run(in);

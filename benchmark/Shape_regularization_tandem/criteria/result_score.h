@@ -8,7 +8,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULT_SCORE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULT_SCORE_H
 
-#include "testing/evaluate_columns.h"
+#include "table.h"
 
 #include <CGAL/Tandem/Statistics.h>
 

@@ -8,8 +8,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULTS_H
 
 #include "contestants/Contestant.h"
-#include "testing/evaluate_columns.h"
-#include "results_csv.h"
+#include "table.h"
 
 namespace CGAL {
 namespace Tandem {

@@ -9,7 +9,7 @@
 // of them are timed in turns.
 
 #include "hall_scan.h"
-#include "clouds/ply_cloud.h"
+#include "clouds/read_ply.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 
@@ -63,7 +63,7 @@ Job job_of_scan(std::size_t points)
 
 Job job_of_file(const std::string& path, double maximum_distance, std::size_t minimum_region_size, bool uses_normals)
 {
-  const CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::Ply_reader(path).read();
+  const CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::read_ply(path);
   const bool has_normals = uses_normals && file.has_normals();
   Job job = {Cloud(file.points.size()), maximum_distance, minimum_region_size, has_normals};
   const auto to_vector = [](const auto& v) { return Kernel::Vector_3(float(v.x), float(v.y), float(v.z)); };

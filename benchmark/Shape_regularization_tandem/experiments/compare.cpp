@@ -1,16 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The subcommand `compare`: all contestants on the clouds of clouds.csv, or on a
-// cloud of the caller.
+// The subcommand `compare`: all contestants on the clouds of clouds.csv, or on a cloud of the caller.
 
-#include "compare.h"
-#include "Comparison.h"
-#include "report/comparison_table.h"
-#include "report/view_files.h"
-
-#include <map>
-#include <sys/stat.h>
+#include "Experiment.h"
+#include "clouds/named_clouds.h"
+#include "comparison_table.h"
+#include "criteria/judgement.h"
 
 namespace CGAL {
 namespace Tandem {
@@ -31,15 +27,161 @@ std::vector<Contestant> chosen(const Experiment_options& options, std::vector<st
   return list;
 }
 
+// All contestants on one cloud, with the same points, tolerances and, if asked for, normals: several runs, in turn, each
+// in a process of its own; then the criteria of each run as a row.
+class Comparison {
+public:
+  Comparison(const Experiment_options& options, const Named_cloud& named, const std::vector<Contestant>& contestants)
+    : options_(options), named_(named),
+      graph_(neighbor_graph(named.cloud.points, named.task.k_neighbors, named.task.maximum_distance))
+  {
+    for(const Contestant& c : contestants)
+      entries_.push_back({c, {}, Run()});
+  }
+
+  // Contestant by contestant, as many times over as there are repeats, so that a busy while does not hit one alone.
+  void measure()
+  {
+    for(unsigned repeat = 0; repeat < options_.repeats; ++repeat)
+      for(Entry& entry : entries_)
+        if(!is_slow(entry))
+          entry.runs.push_back(run(entry, named_.cloud, repeat));
+    if(options_.repeats < 2)
+      return;
+    const std::vector<std::size_t> order = shuffled_order();
+    const Ply_cloud shuffled = in_order(named_.cloud, order);
+    for(Entry& entry : entries_)
+      if(!is_slow(entry) && entry.contestant.base.empty())
+        entry.shuffled = in_first_order(run(entry, shuffled, 0), order);
+  }
+
+  // A row for each run, and, for each peer, one of the cleaned result of its first run.
+  std::vector<Row> rows() const
+  {
+    std::vector<Row> rows;
+    for(const Entry& entry : entries_) {
+      for(std::size_t r = 0; r < entry.runs.size(); ++r)
+        rows.push_back(row(entry, r, entry.runs[r], false));
+      const Run& first = entry.runs.front();
+      if(entry.contestant.is_tandem || !first.finished)
+        continue;
+      Run run = first;
+      run.detection = cleaned(named_.cloud, normals_of(named_, run), named_.task, run.detection);
+      rows.push_back(row(entry, 0, run, true));
+    }
+    return rows;
+  }
+
+private:
+  struct Entry {
+    Contestant contestant;
+    std::vector<Run> runs;
+    Run shuffled; // of the points in another order, with its labels in the first one
+  };
+
+  static constexpr double slow = 10; // seconds: it is not run again
+
+  static bool is_slow(const Entry& entry)
+  {
+    return !entry.runs.empty() && (!entry.runs.back().finished || entry.runs.back().wall() > slow);
+  }
+
+  // Random contestants have another seed in each repeat.
+  Run run(const Entry& entry, const Ply_cloud& cloud, unsigned repeat) const
+  {
+    Task task = named_.task;
+    task.seed = entry.contestant.is_random ? repeat : 0;
+    const std::string& base = entry.contestant.base;
+    for(const Entry& other : entries_)
+      if(!base.empty() && other.contestant.name == base) {
+        const Run& last = other.runs.back();
+        if(last.finished)
+          return run_isolated(entry.contestant, cloud, task, options_.time_limit, &last);
+        Run failed;
+        failed.error = base + " did not finish";
+        return failed;
+      }
+    return run_isolated(entry.contestant, cloud, task, options_.time_limit);
+  }
+
+  std::vector<std::size_t> shuffled_order() const
+  {
+    std::vector<std::size_t> order(named_.cloud.points.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    scenes::Random random(7);
+    for(std::size_t i = order.size(); i > 1; --i)
+      std::swap(order[i - 1], order[std::size_t(random.bits() % i)]);
+    return order;
+  }
+
+  static Ply_cloud in_order(const Ply_cloud& cloud, const std::vector<std::size_t>& order)
+  {
+    Ply_cloud result;
+    for(std::size_t i : order) {
+      result.points.push_back(cloud.points[i]);
+      if(cloud.has_normals())
+        result.normals.push_back(cloud.normals[i]);
+    }
+    return result;
+  }
+
+  static Run in_first_order(Run run, const std::vector<std::size_t>& order)
+  {
+    if(!run.finished)
+      return run;
+    const std::vector<std::int32_t> label = run.detection.label;
+    for(std::size_t i = 0; i < order.size(); ++i)
+      run.detection.label[order[i]] = label[i];
+    return run;
+  }
+
+  Row row(const Entry& entry, std::size_t repeat, const Run& run, bool is_cleaned) const
+  {
+    Row row;
+    Task task = named_.task;
+    const Environment here = environment();
+    task.seed = entry.contestant.is_random ? unsigned(repeat) : 0;
+    task.threads = !entry.contestant.is_parallel ? 1 : task.threads > 0 ? task.threads : here.processors;
+    append_environment(row, here);
+    append_task(row, named_.name, named_.cloud.points.size(), task);
+    append_cell(row, "method", entry.contestant.name);
+    append_cell(row, "description", entry.contestant.description + (is_cleaned ? ", cleaned" : ""));
+    append_cell(row, "cleaned", is_cleaned);
+    append_cell(row, "repeat", repeat);
+    append_run(row, entry.contestant, run);
+    if(!run.finished)
+      return row;
+    append_judgement(row, named_, task, graph_, run);
+    if(!is_cleaned)
+      append_spreads(row, entry);
+    return row;
+  }
+
+  // Over the repeats (for random contestants: over the seeds), and against the run on shuffled points.
+  static void append_spreads(Row& row, const Entry& entry)
+  {
+    std::vector<Detection> detections;
+    for(const Run& run : entry.runs)
+      if(run.finished)
+        detections.push_back(run.detection);
+    append_spread(row, evaluate_spread(detections));
+    if(!entry.shuffled.finished)
+      return;
+    append_cell(row, "relabeled_when_shuffled",
+                share_relabeled(entry.runs.front().detection, entry.shuffled.detection));
+    append_cell(row, "same_planes_when_shuffled",
+                are_same({{}, entry.runs.front().detection.planes}, {{}, entry.shuffled.detection.planes}));
+  }
+
+  const Experiment_options& options_;
+  const Named_cloud& named_;
+  Neighbor_graph graph_;
+  std::vector<Entry> entries_;
+};
+
 class Comparer {
 public:
-  explicit Comparer(const Experiment_options& options) : options_(options)
-  {
-    mkdir((options.output + "/results").c_str(), 0777);
-    mkdir((options.output + "/pictures").c_str(), 0777);
-    if(options.writes_view_files)
-      mkdir((options.output + "/views").c_str(), 0777);
-  }
+  explicit Comparer(const Experiment_options& options) : options_(options) {}
 
   void compare(Named_cloud named)
   {
@@ -50,8 +192,6 @@ public:
       t.minimum_region_size, t.k_neighbors);
     std::fflush(stdout);
     run(options_, named, {});
-    if(options_.writes_view_files)
-      write_view_files(options_.output + "/views", named.name, named.cloud, t);
 
     // Each with the normals that it estimates itself: peers by PCA of 20 neighbors.
     std::printf("%s, each with its own normals\n", named.name.c_str());
@@ -61,11 +201,7 @@ public:
     run(once, named, {"tandem", "growing-cached", "growing+regularize", "ransac", "pcl-growing"});
   }
 
-  void write() const
-  {
-    write_csv(options_.output + "/results.csv", rows_);
-    write_csv(options_.output + "/comparison.csv", table_);
-  }
+  void write() const { write_csv(options_.output + "/results.csv", rows_); }
 
   const std::vector<Row>& rows() const { return rows_; }
 
@@ -75,23 +211,13 @@ private:
     Comparison comparison(options, named, chosen(options, names));
     comparison.measure();
     const std::vector<Row> rows = comparison.rows();
-    const std::vector<Summary> all = summaries(rows);
-    print_table(all);
-    for(const Summary& summary : all) {
-      table_.push_back(summary_row(summary, all.front()));
-      append_environment(table_.back(), environment());
-    }
-    const std::string normals = named.task.estimates_normals ? "own" : "given";
-    comparison.write_detections(options.output + "/results/" + named.name + "." + normals);
-    if(!named.task.estimates_normals)
-      comparison.draw(options.output + "/pictures");
+    print_table(summaries(rows));
     rows_.insert(rows_.end(), rows.begin(), rows.end());
     write(); // what is there so far, should something end the program
   }
 
   Experiment_options options_;
-  std::vector<Row> rows_;  // a row for each run
-  std::vector<Row> table_; // and for each method
+  std::vector<Row> rows_; // a row for each run
 };
 
 // What is guaranteed: each run finishes, its points are within the tolerances, and runs, back ends and orders of the

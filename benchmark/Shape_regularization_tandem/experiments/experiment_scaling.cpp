@@ -4,7 +4,7 @@
 // Time and memory over points, neighbors and threads, on scans of one house that
 // differ in density only: the same faces, with more points on each.
 
-#include "experiment_trials.h"
+#include "Trials.h"
 
 #include <cmath>
 #include <map>

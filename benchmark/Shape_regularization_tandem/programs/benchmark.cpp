@@ -4,8 +4,7 @@
 // The benchmark: Tandem beside its peers, by the paper's criteria and experiments.
 // tandem_benchmark --help explains it; scripts/benchmark.sh runs all of it.
 
-#include "experiments/compare.h"
-#include "experiments/experiments.h"
+#include "experiments/Experiment.h"
 #include "contestants/run_isolated.h"
 
 #include <boost/program_options.hpp>
@@ -19,17 +18,6 @@ namespace po = boost::program_options;
 using namespace CGAL::Tandem::benchmark;
 
 namespace {
-
-std::vector<Experiment> experiments()
-{
-  std::vector<Experiment> list = {
-    {"compare",
-     "all contestants on clouds of clouds.csv (default: all), or on FILE [LABELS] EPSILON ALPHA MINIMUM [CLUSTER]",
-     run_compare}};
-  for(const Experiment& e : paper_experiments())
-    list.push_back(e);
-  return list;
-}
 
 struct Command_line {
   std::string experiment, contestants;
@@ -55,8 +43,6 @@ po::options_description make_options(Command_line& line)
   Experiment_options& o = line.options;
   po::options_description visible("Options");
   visible.add_options()("help", "this text")("quick", po::bool_switch(&o.is_quick), "small clouds, few steps")(
-    "views", po::bool_switch(&o.writes_view_files),
-    "compare: also writes what detect_planes --view needs, into the folder views")(
     "output", po::value(&o.output)->default_value("."), "folder of what is written; it exists")(
     "data", po::value(&o.data), "folder of the clouds of clouds.csv that are files")(
     "sources", po::value(&o.sources)->default_value(TANDEM_BENCHMARK_SOURCES),

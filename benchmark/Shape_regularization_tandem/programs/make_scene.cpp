@@ -6,7 +6,7 @@
 
 #include "clouds/ply_cloud.h"
 #include "clouds/scene_normals.h"
-#include "testing/scene_twins.h"
+#include "scenes/scene_twins.h"
 
 #include <boost/program_options.hpp>
 

@@ -1,50 +1,60 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Closed surfaces of the planes of a cloud, by the methods of detect_planes --mesh: closed_surface(), and where the program has
-// it, CGAL::Polygonal_surface_reconstruction, which is the method of PolyFit. Both get the planes with most points.
+// How good the closed surface of the planes of a cloud is.
 //   surface_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE
 //   surface_figures house [POINTS [NOISE, a share of the diagonal]]
 
 #include "clouds/outline_cloud.h"
-#include "criteria/surface_figures.h"
 
-#include "mesh/mesh_methods.h"
+#include <CGAL/Shape_regularization_tandem/closed_surface.h>
 
-#include <algorithm>
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+
 #include <chrono>
-#include <functional>
+#include <cmath>
 #include <iostream>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 using namespace CGAL::Tandem::benchmark;
 
 namespace {
 
-constexpr int longest_seconds = 60; // of the solver, in processor time
+using Surface = CGAL::Tandem::Closed_surface_3<Outline_kernel>;
 
-// One line. make() is the surface.
-template <class Make>
-void measure(const std::string& method, const Cloud_with_shapes& input, const program::Mesh_input& planes, Make make)
+void print(const Surface& surface, const Cloud_with_shapes& input, double seconds)
 {
-  std::cout << method << ": planes " << planes.planes.size() << " " << std::flush;
-  const auto start = std::chrono::steady_clock::now();
-  program::Surface surface;
-  std::string failure = "no volume is enclosed";
-  try {
-    surface = make();
-  } catch(const std::exception& e) {
-    failure = e.what();
-  }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if(surface.faces.empty())
-    std::cout << failure;
-  else
-    print(surface_figures(surface.points, surface.faces, planes.planes, input));
-  std::cout << " seconds " << seconds << "\n";
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  using Mesh = CGAL::Surface_mesh<Outline_kernel::Point_3>;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(surface.points, surface.faces, mesh);
+  PMP::triangulate_faces(mesh);
+  const CGAL::AABB_tree<CGAL::AABB_traits<Outline_kernel, Primitive>> tree(mesh.faces_begin(), mesh.faces_end(), mesh);
+  const double unit = input.shapes.parameters().maximum_distance;
+  double all = 0, within = 0, sum = 0;
+  for(std::size_t s = 0; s < input.shapes.number_of_shapes(); ++s)
+    for(std::size_t i : input.shapes.points(s)) {
+      const double distance = std::sqrt(tree.squared_distance(input.cloud[i].first)) / unit;
+      within += distance <= 1;
+      sum += distance;
+      ++all;
+    }
+  std::set<int> used(surface.plane_of_face.begin(), surface.plane_of_face.end());
+  used.erase(-1);
+  std::cout << "planes " << surface.number_of_planes << " used " << used.size() << " faces " << surface.faces.size()
+            << " share of points within maximum_distance " << within / all << " mean distance " << sum / all
+            << " volume " << PMP::volume(mesh) << " seconds " << seconds << "\n";
 }
 
 } // namespace
@@ -52,22 +62,14 @@ void measure(const std::string& method, const Cloud_with_shapes& input, const pr
 int main(int argc, char** argv)
 try {
   const Cloud_with_shapes input = cloud_with_shapes(std::vector<std::string>(argv + 1, argv + argc));
-  program::Point_set points;
-  for(const auto& item : input.cloud)
-    points.insert(item.first);
-  const program::Mesh_input all = program::mesh_input(points, input.shapes);
-  std::set<std::size_t, std::greater<>> numbers;
-  for(std::size_t most : {all.planes.size(), std::size_t(30), std::size_t(16)})
-    numbers.insert((std::min)(most, all.planes.size()));
-  for(std::size_t number : numbers) {
-    const program::Mesh_input planes = program::largest_planes(all, number);
-    measure("closed_surface", input, planes,
-            [&] { return program::cells_mesh(points, input.shapes, number, program::Kernel::Vector_3(0, 0, 1)); });
-    if constexpr(program::has_polygonal_mesh)
-      if(number <= program::polygonal_method.on_demand)
-        measure("Polygonal_surface_reconstruction", input, planes,
-                [&] { return program::polygonal_mesh(planes, longest_seconds); });
-  }
+  const auto start = std::chrono::steady_clock::now();
+  const Surface surface =
+    CGAL::Tandem::closed_surface(input.shapes, input.cloud, CGAL::Tandem::parameters::point_map(Outline_point_map()));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if(surface.is_empty())
+    std::cout << "no volume is enclosed\n";
+  else
+    print(surface, input, seconds);
   return 0;
 } catch(const std::exception& e) {
   std::cerr << "surface_figures: " << e.what() << "\n";

@@ -4,15 +4,16 @@
 // Contestants in processes of their own: what they say comes back, and whatever
 // they do to their process, the benchmark goes on.
 
-#undef NDEBUG
+#include "testing/checks.h"
 
 #include "contestants/run_isolated.h"
 #include "testing/measure.h"
-#include "criteria/results_csv.h"
+#include "criteria/table.h"
 
-#include <cassert>
+#include <boost/test/unit_test.hpp>
+
 #include <csignal>
-#include <iostream>
+#include <cstdlib>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -32,7 +33,7 @@ Run echo(const Ply_cloud& cloud, const Task& task, const Run& base)
   run.normal_seconds = double(task.seed);
   run.detection_seconds = base.detection_seconds;
   run.regularization_seconds = double(base.detection.label.size());
-  run.user = task.engine.maximum_angle;
+  run.user = task.simplicity;
   run.stages.growth = 0.25;
   run.hash = base.hash + "+";
   run.engine_bytes = task.k_neighbors;
@@ -101,31 +102,38 @@ Contestant contestant(const std::string& name)
 } // namespace Tandem
 } // namespace CGAL
 
+BOOST_AUTO_TEST_SUITE(processes)
+
 using namespace CGAL::Tandem::benchmark;
 
-namespace {
+// The main function is that of Boost.Test: what is started again is this, before.
+[[gnu::constructor]] void run_child(int argc, char** argv)
+{
+  if(is_isolated_call(argc, argv))
+    std::_Exit(isolated_main(argv));
+}
 
 const Ply_cloud cloud{{{1, 2, 3}, {4, 5, 6}}, {{0, 0, 1}, {0, 1, 0}}, {}, false};
 
-void test_what_comes_back()
+BOOST_AUTO_TEST_CASE(what_comes_back)
 {
   Task task;
   task.maximum_distance = 0.1;
   task.seed = 5;
   task.k_neighbors = 17;
-  task.engine.maximum_angle = 33;
+  task.simplicity = 33;
   const Run run = run_isolated(contestant("echo"), cloud, task, 20);
-  assert(run.finished && run.error.empty());
-  assert((run.detection.label == std::vector<std::int32_t>{7, -1, 2}));
-  assert(run.detection.planes.size() == 1 && run.detection.planes[0].normal.y == 5);
-  assert(run.detection.planes[0].offset == 0.1);
-  assert(run.normals.size() == 2 && run.normals[1].y == 1);
-  assert(run.normal_seconds == 5 && run.user == 33 && run.stages.growth == 0.25);
-  assert(run.engine_bytes == 17 && run.hash == "+");
+  CHECK(run.finished && run.error.empty());
+  BOOST_TEST((run.detection.label == std::vector<std::int32_t>{7, -1, 2}));
+  CHECK(run.detection.planes.size() == 1 && run.detection.planes[0].normal.y == 5);
+  BOOST_TEST(run.detection.planes[0].offset == 0.1);
+  CHECK(run.normals.size() == 2 && run.normals[1].y == 1);
+  CHECK(run.normal_seconds == 5 && run.user == 33 && run.stages.growth == 0.25);
+  CHECK(run.engine_bytes == 17 && run.hash == "+");
 }
 
 // A given base is continued; without one it is run first.
-void test_base()
+BOOST_AUTO_TEST_CASE(base)
 {
   Run base;
   base.finished = true;
@@ -133,49 +141,36 @@ void test_base()
   base.detection_seconds = 3;
   base.detection.label.assign(11, 0);
   const Run given = run_isolated(contestant("second"), cloud, Task(), 20, &base);
-  assert(given.hash == "base+" && given.detection_seconds == 3 && given.regularization_seconds == 11);
-  assert(run_isolated(contestant("second"), cloud, Task(), 20).hash == "base was run");
+  CHECK(given.hash == "base+" && given.detection_seconds == 3 && given.regularization_seconds == 11);
+  BOOST_TEST(run_isolated(contestant("second"), cloud, Task(), 20).hash == "base was run");
 }
 
-void test_memory()
+BOOST_AUTO_TEST_CASE(memory)
 {
   const double mebibytes = double(run_isolated(contestant("memory"), cloud, Task(), 20).peak_bytes) / 1048576;
-  assert(mebibytes > 31 && mebibytes < 40);
+  CHECK(mebibytes > 31 && mebibytes < 40);
 }
 
-void test_failures()
+BOOST_AUTO_TEST_CASE(failures)
 {
   const Run fallen = run_isolated(contestant("fall"), cloud, Task(), 20);
-  assert(!fallen.finished && fallen.error.find("signal") != std::string::npos);
+  CHECK(!fallen.finished && fallen.error.find("signal") != std::string::npos);
   const Run late = run_isolated(contestant("wait"), cloud, Task(), 0.2);
-  assert(!late.finished && late.error.find("longer than") != std::string::npos);
+  CHECK(!late.finished && late.error.find("longer than") != std::string::npos);
   const Run unhappy = run_isolated(contestant("complain"), cloud, Task(), 20);
-  assert(!unhappy.finished && unhappy.error == "no, \"thanks\"");
+  CHECK(!unhappy.finished && unhappy.error == "no, \"thanks\"");
 }
 
 // What is written can be read, whatever the text.
-void test_table()
+BOOST_AUTO_TEST_CASE(table)
 {
   const std::string path = "test_run_isolated.csv";
   write_csv(path, {{{"a", "1"}, {"b", "no, \"thanks\""}}, {{"c", "3"}, {"a", ""}}});
   const std::vector<Row> rows = read_csv(path);
   std::remove(path.c_str());
-  assert(rows.size() == 2 && columns_of(rows) == (std::vector<std::string>{"a", "b", "c"}));
-  assert(cell(rows[0], "b") == "no, \"thanks\"" && cell(rows[0], "c").empty());
-  assert(cell(rows[1], "c") == "3" && cell(rows[1], "a").empty() && cell(rows[1], "d").empty());
+  CHECK(rows.size() == 2 && columns_of(rows) == (std::vector<std::string>{"a", "b", "c"}));
+  CHECK(cell(rows[0], "b") == "no, \"thanks\"" && cell(rows[0], "c").empty());
+  CHECK(cell(rows[1], "c") == "3" && cell(rows[1], "a").empty() && cell(rows[1], "d").empty());
 }
 
-} // namespace
-
-int main(int argc, char** argv)
-{
-  if(is_isolated_call(argc, argv))
-    return isolated_main(argv);
-  test_what_comes_back();
-  test_base();
-  test_memory();
-  test_failures();
-  test_table();
-  std::cout << "processes of their own: done\n";
-  return 0;
-}
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rows of a comparison as a table, for the terminal and as CSV, in which every value in
-// which a peer is better than Tandem is marked.
+// The rows of a comparison as a table, in which every value in which a peer is better than Tandem is marked.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_COMPARISON_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_COMPARISON_TABLE_H
@@ -57,37 +56,19 @@ inline const std::vector<Criterion>& further_criteria()
     {"top 10 shapes", "top_10_shapes", 100, 1, Better::higher},
     {"top 30 shapes", "top_30_shapes", 100, 1, Better::higher},
     {"top 100 shapes", "top_100_shapes", 100, 1, Better::higher},
-    {"area to 100 shapes", "area_100_shapes", 100, 1, Better::higher},
     {"top 10 planes", "top_10_planes", 100, 1, Better::higher},
     {"top 30 planes", "top_30_planes", 100, 1, Better::higher},
     {"top 100 planes", "top_100_planes", 100, 1, Better::higher},
-    {"area to 100 planes", "area_100_planes", 100, 1, Better::higher},
-    {"shapes for 50%", "shapes_for_50", 1, 0, Better::lower},
-    {"shapes for 70%", "shapes_for_70", 1, 0, Better::lower},
-    {"shapes for 90%", "shapes_for_90", 1, 0, Better::lower},
     {"d.o.f. for 50%", "degrees_of_freedom_for_50", 1, 0, Better::lower},
+    {"d.o.f. for 60%", "degrees_of_freedom_for_60", 1, 0, Better::lower},
     {"d.o.f. for 70%", "degrees_of_freedom_for_70", 1, 0, Better::lower},
+    {"d.o.f. for 80%", "degrees_of_freedom_for_80", 1, 0, Better::lower},
     {"d.o.f. for 90%", "degrees_of_freedom_for_90", 1, 0, Better::lower},
-    {"exact complexity", "complexity_exact", 1, 3, Better::lower},
-    {"F1 at .75", "face_f1_75", 1, 3, Better::higher},
     {"mean IoU", "mean_iou", 1, 3, Better::higher},
     {"over-segmented", "over_segmented", 1, 3, Better::lower},
     {"under-segmented", "under_segmented", 1, 3, Better::lower},
-    {"recall of points", "point_recall", 1, 3, Better::higher},
-    {"split faces", "split_faces", 1, 0, Better::lower},
-    {"swallowed faces", "swallowed_faces", 1, 0, Better::lower},
     {"angle error", "angle_error_deg", 1, 2, Better::lower},
-    {"parallel pairs", "parallel_kept_exact", 1, 3, Better::higher},
-    {"false parallel pairs", "parallel_false_relaxed", 1, 0, Better::lower},
-    {"orthogonal pairs", "orthogonal_kept_exact", 1, 3, Better::higher},
-    {"false orthogonal pairs", "orthogonal_false_relaxed", 1, 0, Better::lower},
-    {"S fit", "score_fit", 1, 0, Better::neither},
-    {"S links", "score_links", 1, 0, Better::neither},
-    {"S size", "score_size", 1, 0, Better::neither},
-    {"S price", "score_price", 1, 0, Better::neither},
-    {"S freedom", "score_freedom", 1, 0, Better::neither},
-    {"coplanar pairs", "coplanar_kept_exact", 1, 3, Better::higher},
-    {"false coplanar pairs", "coplanar_false_relaxed", 1, 0, Better::lower}};
+    {"false parallel pairs", "parallel_false_relaxed", 1, 0, Better::lower}};
   return criteria;
 }
 
@@ -187,20 +168,6 @@ inline std::string marked(const Criterion& c, const Summary& summary, const Summ
   return summary.text(c) + (is_marked ? "*" : "");
 }
 
-// Of comparison.csv.
-inline Row summary_row(const Summary& summary, const Summary& reference)
-{
-  Row row;
-  for(const char* column : {"cloud", "points", "normals", "epsilon", "alpha_deg", "minimum", "k", "description"})
-    append_cell(row, column, cell(summary.first(), column));
-  if(!summary.is_finished())
-    append_cell(row, "error", cell(summary.first(), "error"));
-  for(const std::vector<Criterion>* criteria : {&shown_criteria(), &further_criteria()})
-    for(const Criterion& c : *criteria)
-      append_cell(row, c.title, marked(c, summary, reference));
-  return row;
-}
-
 inline void print_summary(const Summary& summary, const Summary& reference)
 {
   std::printf("%-64.64s", cell(summary.first(), "description").c_str());
@@ -258,8 +225,8 @@ inline void print_legend()
     "intersection over union of one half; prec.: of points. again%%, shuf.%%: points in another shape when the method\n"
     "runs once more (RANSAC: with another seed), and when the points come in another order. Region growing (cached):\n"
     "each neighborhood computed once. Top 10 shapes, planes: share of the points in the 10 largest, without those\n"
-    "that violate the tolerances; area to 100: mean of the top 1 to 100. D.o.f. for 50%%: degrees of freedom of the\n"
-    "largest shapes that have half of the points.\n");
+    "that violate the tolerances. D.o.f. for 50%%: degrees of freedom of the largest shapes that have half of the\n"
+    "points.\n");
 }
 
 } // namespace benchmark

@@ -3,10 +3,10 @@
 //
 // The models of the labeled frames (labeled_frames.h). Lengths in metres.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_FRAME_MODELS_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_FRAME_MODELS_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_FRAME_MODELS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_FRAME_MODELS_H
 
-#include "testing/scene_buildings.h"
+#include "scene_buildings.h"
 
 #include <string>
 
@@ -35,4 +35,4 @@ Model make_strips(double gap);
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_FRAME_MODELS_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_FRAME_MODELS_H

@@ -15,7 +15,7 @@ namespace Tandem {
 namespace scenes {
 
 // Errors along the ray from the nearest scanner grow with a power of the range.
-struct Sensor {
+struct Sensor_errors {
   double range_noise = 0;  // sigma, at the range 1
   int range_power = 0;     // how it grows
   double depth_step = 0;   // depths are multiples of this, at the range 1; it grows with the square
@@ -27,7 +27,7 @@ struct Sensor {
 struct Twin {
   std::string name, kind;
   Model (*model)();
-  Sensor sensor;
+  Sensor_errors sensor;
   double outliers;
   bool varies_density;
   double epsilon, alpha_deg;

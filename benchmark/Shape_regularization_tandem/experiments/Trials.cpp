@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "experiment_trials.h"
-#include "criteria/result_score.h"
-#include "criteria/segmentation.h"
+#include "Trials.h"
+#include "criteria/judgement.h"
 
 #include <cstdio>
 
@@ -12,27 +11,6 @@ namespace Tandem {
 namespace benchmark {
 
 namespace {
-
-void append_judgement(Row& row, const Named_cloud& c, const Task& task, const Run& run)
-{
-  const std::vector<Vec>& normals = run.normals.empty() ? c.cloud.normals : run.normals;
-  const Criteria criteria = evaluate(c.cloud.points, normals, run.detection, task.tolerances());
-  append_criteria(row, criteria);
-  append_curves(row, evaluate_curves(c.cloud.points, normals, run.detection, task.tolerances()));
-  const double assigned = double((std::max)(criteria.assigned, std::size_t(1)));
-  append_cell(row, "coverage_percent", 100 * criteria.coverage());
-  const Criteria strict =
-    evaluate(c.cloud.points, normals, cleaned(c.cloud, normals, task, run.detection), task.tolerances());
-  append_cell(row, "coverage_percent_cleaned", 100 * strict.coverage());
-  append_cell(row, "violating_percent", 100 * double(criteria.beyond_either) / assigned);
-  const Neighbor_graph graph = neighbor_graph(c.cloud.points, task.k_neighbors, task.maximum_distance);
-  const Scored_cloud scored = {c.cloud.points, normals, graph, task.tolerances(), task.minimum_region_size};
-  append_score(row, evaluate_score(scored, run.detection), c.cloud.points.size());
-  if(c.truth.faces.empty())
-    return;
-  append_truth(row, evaluate_truth(c.truth, run.detection, extent_of(c.cloud.points), task.minimum_region_size));
-  append_segmentation(row, true, evaluate_segmentation(c.truth, run.detection, task.minimum_region_size));
-}
 
 void print(const Row& row, const Row& columns)
 {
@@ -44,7 +22,7 @@ void print(const Row& row, const Row& columns)
     std::printf("%-28.28s %-38.38s failed: %s\n", step.c_str(), get("method").c_str(), get("error").c_str());
   else
     std::printf("%-28.28s %-38.38s %8.7s %8.5s %7s %6s %7s %7.6s %6.5s\n", step.c_str(), get("method").c_str(),
-                get("seconds").c_str(), get("coverage_percent").c_str(), get("shapes").c_str(),
+                get("seconds").c_str(), get("coverage").c_str(), get("shapes").c_str(),
                 get("directions_relaxed").c_str(), get("planes_relaxed").c_str(), get("complexity_relaxed").c_str(),
                 get("face_f1_50").c_str());
   std::fflush(stdout);
@@ -68,7 +46,7 @@ const Row& Trials::add(const Named_cloud& c, const Task& task, const Trial& tria
   append_task(row, c.name, c.cloud.points.size(), task);
   append_run(row, who, run);
   if(run.finished)
-    append_judgement(row, c, task, run);
+    append_judgement(row, c, task, neighbor_graph(c.cloud.points, task.k_neighbors, task.maximum_distance), run);
   rows_.push_back(row);
   print(row, trial.columns);
   return rows_.back();

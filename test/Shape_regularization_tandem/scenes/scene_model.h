@@ -219,6 +219,18 @@ struct Model {
       return false;
     return std::none_of(voids.begin(), voids.end(), [&](const Convex& c) { return is_inside(c, p, -margin); });
   }
+
+  // Whether a point of the plane of the face is on its visible part.
+  bool is_on(const Face& face, const Vec& p, double margin) const
+  {
+    const auto holds = [&](const std::array<Vec, 3>& t) {
+      for(std::size_t i = 0; i < 3; ++i)
+        if(dot(cross(t[(i + 1) % 3] - t[i], p - t[i]), face.normal) < 0)
+          return false;
+      return true;
+    };
+    return std::any_of(face.triangles.begin(), face.triangles.end(), holds) && !is_hidden(p, margin);
+  }
 };
 
 } // namespace scenes

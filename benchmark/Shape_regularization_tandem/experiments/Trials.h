@@ -3,11 +3,11 @@
 //
 // What the experiments share: runs that become rows.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_TRIALS_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_TRIALS_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_TRIALS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_TRIALS_H
 
 #include "clouds/experiment_clouds.h"
-#include "experiments.h"
+#include "Experiment.h"
 
 namespace CGAL {
 namespace Tandem {
@@ -51,13 +51,8 @@ inline std::vector<std::string> methods(const Experiment_options& options, const
   return options.contestants.empty() ? usual : options.contestants;
 }
 
-inline std::vector<std::string> regularized_methods(const Experiment_options& options)
-{
-  return methods(options, {"tandem", "growing+regularize", "ransac+regularize"});
-}
-
 } // namespace benchmark
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_TRIALS_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_TRIALS_H

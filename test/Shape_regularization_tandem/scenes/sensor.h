@@ -4,10 +4,10 @@
 // A model as one sensor sees it from one place: a frame, whose points lie on the grid of the sensor, with noise along
 // the rays. A label is a piece of a face that is connected on that grid, since shadows of other things divide faces.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SENSOR_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SENSOR_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SENSOR_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SENSOR_H
 
-#include "testing/scenes.h"
+#include "scenes.h"
 
 namespace CGAL {
 namespace Tandem {
@@ -27,7 +27,6 @@ struct Sensor {
   double lowest = 0;    // elevation of the first row of a scanner
   double noise = 0;     // sigma at a distance of three units; of an aerial sensor: everywhere
   std::uint64_t seed = 1;
-  double step = 0; // of depth, as a camera measures disparities: at three units, growing with the square
 };
 
 // Without normals; `ideal` has the points without noise, and each face its plane.
@@ -37,4 +36,4 @@ Scene scan(const Model& model, const Sensor& sensor);
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SENSOR_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SENSOR_H

@@ -4,11 +4,11 @@
 // Colors of shapes: distinct, the same in every run, and the same for the shapes of two results that have most points
 // in common. Colored clouds are written as PLY files, which viewers show and scripts/render.sh draws.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SHAPE_COLORS_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SHAPE_COLORS_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_FIGURES_SHAPE_COLORS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_FIGURES_SHAPE_COLORS_H
 
 #include "clouds/ply_cloud.h"
-#include "testing/evaluate_spread.h"
+#include "testing/evaluate.h"
 
 namespace CGAL {
 namespace Tandem {
@@ -78,4 +78,4 @@ inline Ply_cloud colored(Ply_cloud cloud, const Detection& detection, const std:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SHAPE_COLORS_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_FIGURES_SHAPE_COLORS_H

@@ -61,7 +61,7 @@ std::size_t nearest_scanner(const std::vector<Vec>& scanners, const Vec& p)
 }
 
 // The range as the sensor reports it.
-double measured_range(double range, const Sensor& sensor, Random& random)
+double measured_range(double range, const Sensor_errors& sensor, Random& random)
 {
   double sigma = sensor.range_noise;
   for(int i = 0; i < sensor.range_power; ++i)
@@ -70,7 +70,7 @@ double measured_range(double range, const Sensor& sensor, Random& random)
   return step > 0 ? step * std::floor(measured / step + 0.5) : measured;
 }
 
-void apply_sensor(const Sensor& sensor, const std::vector<Vec>& scanners, std::uint64_t seed, Scene& scene)
+void apply_errors(const Sensor_errors& sensor, const std::vector<Vec>& scanners, std::uint64_t seed, Scene& scene)
 {
   Random random(seed ^ 0x73656e736f72u);
   std::vector<Vec> offset;
@@ -98,7 +98,7 @@ Scene make_twin(const Twin& twin, std::size_t points, std::uint64_t seed)
   options.seed = seed;
   Model model = twin.model();
   Scene scene = make_scene(model, options);
-  apply_sensor(twin.sensor, model.scanners, seed, scene);
+  apply_errors(twin.sensor, model.scanners, seed, scene);
   return scene;
 }
 

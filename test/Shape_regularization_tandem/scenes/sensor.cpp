@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "sensor.h"
-#include "Ray_caster.h"
 
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -12,6 +12,58 @@ namespace Tandem {
 namespace scenes {
 
 namespace {
+
+struct Hit {
+  double distance = std::numeric_limits<double>::infinity(); // in units of the length of the direction
+  std::int32_t label = -1;                                   // index of the face, -1 on curved patches
+
+  bool exists() const { return distance < std::numeric_limits<double>::infinity(); }
+};
+
+// Where a ray meets a model first. The same bits on every machine.
+class Ray_caster {
+public:
+  explicit Ray_caster(const Model& model) : model_(model) {}
+
+  // Farther than `nearest`, since a ray that begins on a surface is not to meet it.
+  Hit operator()(const Vec& origin, const Vec& direction, double nearest = 0.01) const
+  {
+    Hit hit;
+    for(std::size_t f = 0; f < model_.faces.size(); ++f) {
+      const Face& face = model_.faces[f];
+      const double slope = dot(face.normal, direction);
+      const double distance = slope == 0 ? -1 : -(dot(face.normal, origin) + face.offset) / slope;
+      if(distance > nearest && distance < hit.distance &&
+         model_.is_on(face, add_scaled(origin, distance, direction), 1e-7))
+        hit = {distance, std::int32_t(f)};
+    }
+    for(const Curved& curved : model_.curved)
+      meet(curved, origin, direction, nearest, hit);
+    return hit;
+  }
+
+private:
+  // Both roots of the quadratic equation, the nearer one first.
+  static void meet(const Curved& curved, const Vec& origin, const Vec& direction, double nearest, Hit& hit)
+  {
+    const Frame& f = curved.frame;
+    const bool is_sphere = curved.height == 0;
+    const auto local = [&](const Vec& v) { return Vec{dot(f.x, v), dot(f.y, v), dot(f.z, v)}; };
+    const Vec o = local(origin - f.origin), d = local(direction);
+    const Vec a = {o.x, o.y, is_sphere ? o.z : 0}, b = {d.x, d.y, is_sphere ? d.z : 0};
+    const double square = dot(b, b), half = dot(a, b);
+    const double root2 = half * half - square * (dot(a, a) - curved.radius * curved.radius);
+    if(square == 0 || root2 < 0)
+      return;
+    for(const double root : {-std::sqrt(root2), std::sqrt(root2)}) {
+      const double distance = (root - half) / square, z = o.z + distance * d.z;
+      if(distance > nearest && distance < hit.distance && (is_sphere || (z >= 0 && z <= curved.height)))
+        hit = {distance, -1};
+    }
+  }
+
+  const Model& model_;
+};
 
 // By its series, which has the same bits on every machine, unlike that of a library; within [-pi, pi].
 double sine(double angle)
@@ -55,13 +107,6 @@ double noise_of(const Sensor& sensor, double distance)
     return sensor.noise;
   const double share = distance / 3;
   return sensor.noise * (sensor.kind == Sensor_kind::camera ? share * share : share);
-}
-
-// Along the ray. The inverse of the depth is rounded, along the axis of the camera.
-double in_steps(const Sensor& sensor, const Ray& ray, double distance)
-{
-  const double step = sensor.step / 9, cosine = dot(ray.direction, sensor.pose.z);
-  return step > 0 ? 1 / (std::round(1 / (step * distance * cosine)) * step * cosine) : distance;
 }
 
 // The pixels that met something, with the index of their point.
@@ -141,7 +186,7 @@ Scene scan(const Model& model, const Sensor& sensor)
         continue;
       image(int(column), int(row)) = std::int32_t(scene.points.size());
       scene.ideal.push_back(add_scaled(ray.origin, hit.distance, ray.direction));
-      scene.points.push_back(add_scaled(ray.origin, in_steps(sensor, ray, hit.distance + noise), ray.direction));
+      scene.points.push_back(add_scaled(ray.origin, hit.distance + noise, ray.direction));
       scene.label.push_back(hit.label);
     }
   split_faces(image, model, scene);
