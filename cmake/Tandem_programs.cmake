@@ -91,16 +91,6 @@ function(tandem_share_testing target)
   target_link_libraries(${target} PRIVATE tandem_testing)
 endfunction()
 
-# Contestants in processes of their own: in the benchmark, and in the test of it.
-function(tandem_share_run_isolated target)
-  if(NOT TARGET tandem_run_isolated)
-    tandem_add_shared(tandem_run_isolated
-      "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem/contestants/run_isolated.cpp")
-    tandem_share_testing(tandem_run_isolated)
-  endif()
-  target_link_libraries(${target} PRIVATE tandem_run_isolated)
-endfunction()
-
 # What is linked with tandem_cuda, also through other libraries, is compiled with the flags of that, and so is what it
 # shares: sets the variable to the end of their names. All libraries are linked before.
 function(tandem_find_suffix target suffix)

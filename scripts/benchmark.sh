@@ -85,8 +85,6 @@ esac
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || install
 build_program
 "$root/scripts/sample_cloud.sh" "$result/clouds/building.ply"
-TANDEM_COMMIT=$(git -C "$root" describe --always --dirty 2> /dev/null || echo unknown)
-export TANDEM_COMMIT
 
 forget_results
 measure compare "$@"

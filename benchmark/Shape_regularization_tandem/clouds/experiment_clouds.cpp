@@ -5,9 +5,7 @@
 #include "scene_normals.h"
 #include "scenes/scene_twins.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 Named_cloud cloud_of(const std::string& name, scenes::Scene scene, const Task& task)
 {
@@ -64,6 +62,4 @@ Named_cloud house_scan(std::size_t points)
   return cloud_of("scan", scenes::make_scene("house", o), task);
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

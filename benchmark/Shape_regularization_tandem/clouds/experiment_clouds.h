@@ -8,9 +8,7 @@
 
 #include "named_clouds.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // A scene with its truth.
 Named_cloud cloud_of(const std::string& name, scenes::Scene scene, const Task& task);
@@ -30,8 +28,6 @@ Named_cloud noisy_house(const House& house);
 // A laser scan of the house; clouds of different size differ in density only.
 Named_cloud house_scan(std::size_t points);
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_CLOUDS_H

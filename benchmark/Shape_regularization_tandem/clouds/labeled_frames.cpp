@@ -7,9 +7,7 @@
 #include "scenes/frame_models.h"
 #include "scenes/sensor.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -220,6 +218,4 @@ Named_cloud make_cloud(const Labeled_frame& frame)
   return cloud_of(frame.name, std::move(scene), frame.task);
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

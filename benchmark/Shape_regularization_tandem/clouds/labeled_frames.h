@@ -9,9 +9,7 @@
 
 #include "named_clouds.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 struct Labeled_frame {
   std::string group; // frames of a group count as one in means over groups
@@ -33,8 +31,6 @@ std::vector<Labeled_frame> labeled_layers();
 // With normals by PCA of 20 neighbors.
 Named_cloud make_cloud(const Labeled_frame& frame);
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_LABELED_FRAMES_H

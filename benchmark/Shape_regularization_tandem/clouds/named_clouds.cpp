@@ -9,9 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -163,6 +161,4 @@ Named_cloud load_own_cloud(std::vector<std::string> arguments)
   return named;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

@@ -8,9 +8,7 @@
 
 #include "experiments/Experiment.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // A cloud and what a contestant shall do with it.
 struct Named_cloud {
@@ -32,8 +30,6 @@ Named_cloud load_cloud(const Row& row, const Experiment_options& options);
 // A file of the caller: PATH [LABELS] EPSILON ALPHA MINIMUM [CLUSTER_EPSILON].
 Named_cloud load_own_cloud(std::vector<std::string> arguments);
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_NAMED_CLOUDS_H

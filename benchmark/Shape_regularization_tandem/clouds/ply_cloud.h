@@ -13,9 +13,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 using scenes::Vec;
 using Color = std::array<std::uint8_t, 3>; // red, green, blue
@@ -106,8 +104,6 @@ inline void write_ply(const std::string& path, const Ply_cloud& cloud)
     throw std::runtime_error(path + ": cannot be written");
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLY_CLOUD_H

@@ -14,9 +14,7 @@
 
 #include <stdexcept>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 using Ply_points = Point_set_3<Simple_cartesian<double>::Point_3>;
 
@@ -62,8 +60,6 @@ inline Ply_cloud read_ply(const std::string& path)
   return cloud;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_READ_PLY_H

@@ -15,9 +15,7 @@
 #include <iomanip>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -134,6 +132,4 @@ std::vector<Contestant> tandem_contestants()
   return list;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

@@ -10,9 +10,7 @@
 #include "result_score.h"
 #include "segmentation.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // Those that the contestant used.
 inline const std::vector<Vec>& normals_of(const Named_cloud& c, const Run& run)
@@ -36,8 +34,6 @@ inline void append_judgement(Row& row, const Named_cloud& c, const Task& task, c
                       is_known ? evaluate_segmentation(c.truth, run.detection, minimum) : Segmentation());
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_JUDGEMENT_H

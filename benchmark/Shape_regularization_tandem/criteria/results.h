@@ -10,28 +10,11 @@
 #include "contestants/Contestant.h"
 #include "table.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+#include <thread>
 
-// Where and by what was measured: the first columns of each row (results.cpp). The commit is that of the variable
-// TANDEM_COMMIT.
-struct Environment {
-  std::string date, commit, compiler, cgal, processor;
-  unsigned processors = 1;
-};
+namespace CGAL::Tandem::benchmark {
 
-Environment environment();
-
-inline void append_environment(Row& row, const Environment& e)
-{
-  append_cell(row, "date", e.date);
-  append_cell(row, "commit", e.commit);
-  append_cell(row, "compiler", e.compiler);
-  append_cell(row, "cgal", e.cgal);
-  append_cell(row, "processor", e.processor);
-  append_cell(row, "processors", e.processors);
-}
+inline unsigned number_of_processors() { return (std::max)(1u, std::thread::hardware_concurrency()); }
 
 inline void append_task(Row& row, const std::string& cloud, std::size_t points, const Task& task)
 {
@@ -67,20 +50,17 @@ inline void append_run(Row& row, const Contestant& contestant, const Run& run)
   append_if(!contestant.base.empty(), "regularization_seconds", run.regularization_seconds);
   append_if(true, "user_seconds", run.user);
   const Stage_times& t = run.stages;
-  append_if(contestant.is_tandem, "stage_normals", t.normals);
-  append_if(contestant.is_tandem, "stage_sort", t.sort);
-  append_if(contestant.is_tandem, "stage_neighbors", t.neighbors);
-  append_if(contestant.is_tandem, "stage_growth", t.growth);
-  append_if(contestant.is_tandem, "stage_regularity", t.regularity);
-  append_if(contestant.is_tandem, "stage_finish", t.finish);
+  const std::pair<const char*, double> stages[] = {{"normals", t.normals},       {"sort", t.sort},
+                                                   {"neighbors", t.neighbors},   {"growth", t.growth},
+                                                   {"regularity", t.regularity}, {"finish", t.finish}};
+  for(const auto& [stage, seconds] : stages)
+    append_if(contestant.is_tandem, std::string("stage_") + stage, seconds);
   append_if(run.peak_bytes > 0, "peak_mib", double(run.peak_bytes) / 1048576);
   append_if(run.peak_bytes > 0, "bytes_per_point", double(run.peak_bytes) / double(run.detection.label.size() + 1e-9));
   append_if(contestant.is_tandem, "engine_mib", double(run.engine_bytes) / 1048576);
   append_cell(row, "hash", run.hash);
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULTS_H

@@ -8,9 +8,7 @@
 
 #include "table.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // Shares of shapes, or of faces, are 0 where there are none.
 struct Segmentation {
@@ -118,8 +116,6 @@ inline void append_segmentation(Row& row, bool is_known, const Segmentation& s)
   append_cell_if(row, is_known, "noise", s.noise);
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SEGMENTATION_H

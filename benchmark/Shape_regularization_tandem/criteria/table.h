@@ -13,9 +13,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // (column, value) in the order of the columns. Names are words joined by "_"; an empty value is not known.
 using Row = std::vector<std::pair<std::string, std::string>>;
@@ -98,18 +96,12 @@ inline std::vector<std::string> columns_of(const std::vector<Row>& rows)
   return columns;
 }
 
-inline std::string csv_quoted(const std::string& text)
+// Without what would end a cell.
+inline std::string csv_cell(std::string text)
 {
-  if(text.find_first_of(",\"\n\r") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for(char c : text) {
-    quoted += c == '\n' || c == '\r' ? ' ' : c;
-    if(c == '"')
-      quoted += '"';
-  }
-  quoted += '"';
-  return quoted;
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == ',' || c == '\n'; }, ';');
+  return text;
 }
 
 inline void write_csv(const std::string& path, const std::vector<Row>& rows)
@@ -117,11 +109,11 @@ inline void write_csv(const std::string& path, const std::vector<Row>& rows)
   std::vector<std::string> columns = columns_of(rows);
   std::ofstream out(path);
   for(std::size_t c = 0; c < columns.size(); ++c)
-    out << (c == 0 ? "" : ",") << csv_quoted(columns[c]);
+    out << (c == 0 ? "" : ",") << csv_cell(columns[c]);
   out << "\n";
   for(const Row& row : rows) {
     for(std::size_t c = 0; c < columns.size(); ++c)
-      out << (c == 0 ? "" : ",") << csv_quoted(cell(row, columns[c]));
+      out << (c == 0 ? "" : ",") << csv_cell(cell(row, columns[c]));
     out << "\n";
   }
   out.close();
@@ -129,21 +121,11 @@ inline void write_csv(const std::string& path, const std::vector<Row>& rows)
     throw std::runtime_error(path + ": cannot be written");
 }
 
-inline std::vector<std::string> split_csv_line(const std::string& line)
+inline std::vector<std::string> split_csv_line(std::istringstream line)
 {
-  std::vector<std::string> cells(1);
-  bool is_quoted = false;
-  for(std::size_t i = 0; i < line.size(); ++i) {
-    char c = line[i];
-    if(c == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"')
-      cells.back() += line[++i];
-    else if(c == '"')
-      is_quoted = !is_quoted;
-    else if(c == ',' && !is_quoted)
-      cells.emplace_back();
-    else if(c != '\r')
-      cells.back() += c;
-  }
+  std::vector<std::string> cells;
+  for(std::string cell; std::getline(line, cell, ',');)
+    cells.push_back(cell);
   return cells;
 }
 
@@ -159,11 +141,12 @@ inline std::vector<Row> read_csv(const std::string& path)
   while(std::getline(in, line)) {
     if(line.empty() || line[0] == '#')
       continue;
-    std::vector<std::string> cells = split_csv_line(line);
+    std::vector<std::string> cells = split_csv_line(std::istringstream(line));
     if(columns.empty()) {
       columns = cells;
       continue;
     }
+    cells.resize((std::max)(cells.size(), columns.size())); // the last one may be empty
     if(cells.size() != columns.size())
       throw std::runtime_error(path + ": not as many cells as columns in: " + line);
     Row row;
@@ -174,8 +157,6 @@ inline std::vector<Row> read_csv(const std::string& path)
   return rows;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_TABLE_H

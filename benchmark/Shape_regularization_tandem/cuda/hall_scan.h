@@ -14,9 +14,7 @@
 #include <thread>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 class Hall_scan {
 public:
@@ -173,8 +171,6 @@ void for_each_on_all_processors(std::size_t n, F f)
     thread.join();
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_HALL_SCAN_H

@@ -10,16 +10,13 @@
 #include "contestants/Contestant.h"
 #include "criteria/results.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 struct Experiment_options {
   bool is_quick = false;                // small clouds, few steps
   std::string output = ".";             // folder of the CSV files; it exists
   std::string data;                     // folder of clouds (TANDEM_DATA); empty: there is none
   std::string sources;                  // folder of the benchmark's own files: clouds.csv
-  double time_limit = 600;              // seconds for one run of one contestant
   unsigned repeats = 3;                 // runs that are timed
   unsigned threads = 0;                 // of parallel contestants; 0: all
   std::vector<std::string> contestants; // names; empty: as the experiment thinks fit
@@ -43,8 +40,6 @@ void run_scaling(const Experiment_options& options);
 // are deterministic but for the times.
 std::vector<Experiment> experiments();
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_H

@@ -6,9 +6,7 @@
 
 #include <cstdio>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -39,7 +37,8 @@ Trials::Trials(const Experiment_options& options, const std::string& name) : opt
 const Row& Trials::add(const Named_cloud& c, const Task& task, const Trial& trial)
 {
   const Contestant who = contestant(trial.contestant);
-  const Run run = run_isolated(who, c.cloud, task, options_.time_limit, trial.base);
+  const Run run = trial.base && trial.base->finished ? run_after(who, c.cloud, task, *trial.base)
+                                                     : benchmark::run(who, c.cloud, task);
   Row row = trial.columns;
   append_cell(row, "contestant", who.name);
   append_cell(row, "method", trial.method.empty() ? who.description : trial.method);
@@ -55,19 +54,9 @@ const Row& Trials::add(const Named_cloud& c, const Task& task, const Trial& tria
 Run Trials::run_base(const Named_cloud& c, const std::string& contestant_name, const Task& task) const
 {
   const std::string base = contestant(contestant_name).base;
-  return base.empty() ? Run() : run_isolated(contestant(base), c.cloud, task, options_.time_limit);
+  return base.empty() ? Run() : run(contestant(base), c.cloud, task);
 }
 
-void Trials::write() const
-{
-  Row where;
-  append_environment(where, environment());
-  std::vector<Row> rows = rows_;
-  for(Row& row : rows)
-    row.insert(row.end(), where.begin(), where.end());
-  write_csv(path(".csv"), rows);
-}
+void Trials::write() const { write_csv(path(".csv"), rows_); }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

@@ -9,9 +9,7 @@
 #include "clouds/experiment_clouds.h"
 #include "Experiment.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 struct Trial {
   std::string contestant;
@@ -25,7 +23,7 @@ class Trials {
 public:
   Trials(const Experiment_options& options, const std::string& name);
 
-  // One run in a process of its own. The row that was added; the run may have failed.
+  // One run. The row that was added; the run may have failed.
   const Row& add(const Named_cloud& c, const Task& task, const Trial& trial);
 
   // The run of the contestant's base, to be continued by add(); not finished if there is no base.
@@ -51,8 +49,6 @@ inline std::vector<std::string> methods(const Experiment_options& options, const
   return options.contestants.empty() ? usual : options.contestants;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_TRIALS_H

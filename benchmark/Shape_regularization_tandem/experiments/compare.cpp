@@ -8,9 +8,7 @@
 #include "comparison_table.h"
 #include "criteria/judgement.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -27,8 +25,8 @@ std::vector<Contestant> chosen(const Experiment_options& options, std::vector<st
   return list;
 }
 
-// All contestants on one cloud, with the same points, tolerances and, if asked for, normals: several runs, in turn, each
-// in a process of its own; then the criteria of each run as a row.
+// All contestants on one cloud, with the same points, tolerances and, if asked for, normals: several runs, in turn; then
+// the criteria of each run as a row.
 class Comparison {
 public:
   Comparison(const Experiment_options& options, const Named_cloud& named, const std::vector<Contestant>& contestants)
@@ -36,7 +34,7 @@ public:
       graph_(neighbor_graph(named.cloud.points, named.task.k_neighbors, named.task.maximum_distance))
   {
     for(const Contestant& c : contestants)
-      entries_.push_back({c, {}, Run()});
+      entries_.push_back({c, {}});
   }
 
   // Contestant by contestant, as many times over as there are repeats, so that a busy while does not hit one alone.
@@ -45,14 +43,7 @@ public:
     for(unsigned repeat = 0; repeat < options_.repeats; ++repeat)
       for(Entry& entry : entries_)
         if(!is_slow(entry))
-          entry.runs.push_back(run(entry, named_.cloud, repeat));
-    if(options_.repeats < 2)
-      return;
-    const std::vector<std::size_t> order = shuffled_order();
-    const Ply_cloud shuffled = in_order(named_.cloud, order);
-    for(Entry& entry : entries_)
-      if(!is_slow(entry) && entry.contestant.base.empty())
-        entry.shuffled = in_first_order(run(entry, shuffled, 0), order);
+          entry.runs.push_back(run(entry, repeat));
   }
 
   // A row for each run, and, for each peer, one of the cleaned result of its first run.
@@ -76,7 +67,6 @@ private:
   struct Entry {
     Contestant contestant;
     std::vector<Run> runs;
-    Run shuffled; // of the points in another order, with its labels in the first one
   };
 
   static constexpr double slow = 10; // seconds: it is not run again
@@ -86,63 +76,24 @@ private:
     return !entry.runs.empty() && (!entry.runs.back().finished || entry.runs.back().wall() > slow);
   }
 
-  // Random contestants have another seed in each repeat.
-  Run run(const Entry& entry, const Ply_cloud& cloud, unsigned repeat) const
+  // Random contestants have another seed in each repeat. The base, where it takes part, has run before.
+  Run run(const Entry& entry, unsigned repeat) const
   {
     Task task = named_.task;
     task.seed = entry.contestant.is_random ? repeat : 0;
     const std::string& base = entry.contestant.base;
     for(const Entry& other : entries_)
-      if(!base.empty() && other.contestant.name == base) {
-        const Run& last = other.runs.back();
-        if(last.finished)
-          return run_isolated(entry.contestant, cloud, task, options_.time_limit, &last);
-        Run failed;
-        failed.error = base + " did not finish";
-        return failed;
-      }
-    return run_isolated(entry.contestant, cloud, task, options_.time_limit);
-  }
-
-  std::vector<std::size_t> shuffled_order() const
-  {
-    std::vector<std::size_t> order(named_.cloud.points.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    scenes::Random random(7);
-    for(std::size_t i = order.size(); i > 1; --i)
-      std::swap(order[i - 1], order[std::size_t(random.bits() % i)]);
-    return order;
-  }
-
-  static Ply_cloud in_order(const Ply_cloud& cloud, const std::vector<std::size_t>& order)
-  {
-    Ply_cloud result;
-    for(std::size_t i : order) {
-      result.points.push_back(cloud.points[i]);
-      if(cloud.has_normals())
-        result.normals.push_back(cloud.normals[i]);
-    }
-    return result;
-  }
-
-  static Run in_first_order(Run run, const std::vector<std::size_t>& order)
-  {
-    if(!run.finished)
-      return run;
-    const std::vector<std::int32_t> label = run.detection.label;
-    for(std::size_t i = 0; i < order.size(); ++i)
-      run.detection.label[order[i]] = label[i];
-    return run;
+      if(!base.empty() && other.contestant.name == base)
+        return run_after(entry.contestant, named_.cloud, task, other.runs.back());
+    return benchmark::run(entry.contestant, named_.cloud, task);
   }
 
   Row row(const Entry& entry, std::size_t repeat, const Run& run, bool is_cleaned) const
   {
     Row row;
     Task task = named_.task;
-    const Environment here = environment();
     task.seed = entry.contestant.is_random ? unsigned(repeat) : 0;
-    task.threads = !entry.contestant.is_parallel ? 1 : task.threads > 0 ? task.threads : here.processors;
-    append_environment(row, here);
+    task.threads = !entry.contestant.is_parallel ? 1 : task.threads > 0 ? task.threads : number_of_processors();
     append_task(row, named_.name, named_.cloud.points.size(), task);
     append_cell(row, "method", entry.contestant.name);
     append_cell(row, "description", entry.contestant.description + (is_cleaned ? ", cleaned" : ""));
@@ -152,25 +103,13 @@ private:
     if(!run.finished)
       return row;
     append_judgement(row, named_, task, graph_, run);
+    std::vector<Detection> detections; // over the repeats: for random contestants, over the seeds
+    for(const Run& r : entry.runs)
+      if(r.finished)
+        detections.push_back(r.detection);
     if(!is_cleaned)
-      append_spreads(row, entry);
+      append_spread(row, evaluate_spread(detections));
     return row;
-  }
-
-  // Over the repeats (for random contestants: over the seeds), and against the run on shuffled points.
-  static void append_spreads(Row& row, const Entry& entry)
-  {
-    std::vector<Detection> detections;
-    for(const Run& run : entry.runs)
-      if(run.finished)
-        detections.push_back(run.detection);
-    append_spread(row, evaluate_spread(detections));
-    if(!entry.shuffled.finished)
-      return;
-    append_cell(row, "relabeled_when_shuffled",
-                share_relabeled(entry.runs.front().detection, entry.shuffled.detection));
-    append_cell(row, "same_planes_when_shuffled",
-                are_same({{}, entry.runs.front().detection.planes}, {{}, entry.shuffled.detection.planes}));
   }
 
   const Experiment_options& options_;
@@ -220,8 +159,7 @@ private:
   std::vector<Row> rows_; // a row for each run
 };
 
-// What is guaranteed: each run finishes, its points are within the tolerances, and runs, back ends and orders of the
-// points give the same.
+// What is guaranteed: each run finishes, its points are within the tolerances, and runs and back ends give the same.
 std::string complaint(const std::vector<Row>& rows)
 {
   std::map<std::string, std::string> hash;
@@ -233,8 +171,6 @@ std::string complaint(const std::vector<Row>& rows)
       return cloud + ": " + cell(row, "error");
     if(cell(row, "beyond_either") != "0")
       return cloud + ": points violate the tolerances";
-    if(cell(row, "same_planes_when_shuffled") == "false")
-      return cloud + ": other planes when the points are shuffled";
     if(hash.emplace(cloud, cell(row, "hash")).first->second != cell(row, "hash"))
       return cloud + ": the runs or back ends of Tandem differ";
   }
@@ -279,6 +215,4 @@ void run_compare(const Experiment_options& options)
     throw std::runtime_error("Tandem failed on " + wrong);
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

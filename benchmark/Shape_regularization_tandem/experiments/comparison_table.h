@@ -12,9 +12,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 enum class Better { lower, higher, neither };
 
@@ -44,31 +42,7 @@ inline const std::vector<Criterion>& shown_criteria()
                                                   {">alpha", "beyond_alpha", 1, 0, Better::lower},
                                                   {"F1", "face_f1_50", 1, 3, Better::higher},
                                                   {"prec.", "point_precision", 1, 3, Better::higher},
-                                                  {"again%", "points_relabeled", 100, 1, Better::lower},
-                                                  {"shuf.%", "relabeled_when_shuffled", 100, 1, Better::lower}};
-  return criteria;
-}
-
-// These are only named where a peer is better.
-inline const std::vector<Criterion>& further_criteria()
-{
-  static const std::vector<Criterion> criteria = {
-    {"top 10 shapes", "top_10_shapes", 100, 1, Better::higher},
-    {"top 30 shapes", "top_30_shapes", 100, 1, Better::higher},
-    {"top 100 shapes", "top_100_shapes", 100, 1, Better::higher},
-    {"top 10 planes", "top_10_planes", 100, 1, Better::higher},
-    {"top 30 planes", "top_30_planes", 100, 1, Better::higher},
-    {"top 100 planes", "top_100_planes", 100, 1, Better::higher},
-    {"d.o.f. for 50%", "degrees_of_freedom_for_50", 1, 0, Better::lower},
-    {"d.o.f. for 60%", "degrees_of_freedom_for_60", 1, 0, Better::lower},
-    {"d.o.f. for 70%", "degrees_of_freedom_for_70", 1, 0, Better::lower},
-    {"d.o.f. for 80%", "degrees_of_freedom_for_80", 1, 0, Better::lower},
-    {"d.o.f. for 90%", "degrees_of_freedom_for_90", 1, 0, Better::lower},
-    {"mean IoU", "mean_iou", 1, 3, Better::higher},
-    {"over-segmented", "over_segmented", 1, 3, Better::lower},
-    {"under-segmented", "under_segmented", 1, 3, Better::lower},
-    {"angle error", "angle_error_deg", 1, 2, Better::lower},
-    {"false parallel pairs", "parallel_false_relaxed", 1, 0, Better::lower}};
+                                                  {"again%", "points_relabeled", 100, 1, Better::lower}};
   return criteria;
 }
 
@@ -91,14 +65,6 @@ public:
     const std::size_t n = values.size();
     return n == 0 ? "" : shown(c, (values[(n - 1) / 2] + values[n / 2]) / 2);
   }
-
-  std::string range(const Criterion& c) const
-  {
-    const std::vector<double> values = sorted(c.column);
-    return values.empty() ? "" : shown(c, values.front()) + ".." + shown(c, values.back());
-  }
-
-  bool same(const char* column) const { return cell(first(), column) == "true"; }
 
 private:
   static std::string shown(const Criterion& c, double value)
@@ -179,22 +145,6 @@ inline void print_summary(const Summary& summary, const Summary& reference)
     const std::string text = marked(c, summary, reference);
     std::printf(text.back() == '*' ? "%8s" : "%7s ", text.c_str());
   }
-  const char* before = " also better: ";
-  for(const Criterion& c : further_criteria())
-    if(!summary.is_tandem() && is_better(c, summary, reference)) {
-      std::printf("%s%s", before, c.title);
-      before = ", ";
-    }
-  std::printf("\n");
-}
-
-inline void print_ranges(const Summary& summary)
-{
-  std::printf("%-64s", "  from .. to, over the seeds");
-  for(const Criterion& c : shown_criteria())
-    if(c.column == std::string("shapes") || c.column == std::string("coverage") ||
-       (c.column == std::string("face_f1_50") && !summary.text(c).empty()))
-      std::printf("  %s %s", c.title, summary.range(c).c_str());
   std::printf("\n");
 }
 
@@ -205,11 +155,8 @@ inline void print_table(const std::vector<Summary>& all)
   for(const Criterion& c : shown_criteria())
     std::printf("%7s ", c.title);
   std::printf("\n");
-  for(const Summary& summary : all) {
+  for(const Summary& summary : all)
     print_summary(summary, all.front());
-    if(summary.is_finished() && summary.runs() > 1 && !summary.same("same_result"))
-      print_ranges(summary);
-  }
   std::fflush(stdout);
 }
 
@@ -222,15 +169,11 @@ inline void print_legend()
     "(score/Score.h), per point of the cloud. mean/e, max/e:\n"
     "distance of the points to their planes, in epsilons. >eps, >alpha: points of shapes that violate the tolerances.\n"
     "Cleaned: these points, then shapes that have become too small, are dropped. F1: of true faces found, at an\n"
-    "intersection over union of one half; prec.: of points. again%%, shuf.%%: points in another shape when the method\n"
-    "runs once more (RANSAC: with another seed), and when the points come in another order. Region growing (cached):\n"
-    "each neighborhood computed once. Top 10 shapes, planes: share of the points in the 10 largest, without those\n"
-    "that violate the tolerances. D.o.f. for 50%%: degrees of freedom of the largest shapes that have half of the\n"
-    "points.\n");
+    "intersection over union of one half; prec.: of points. again%%: points in another shape when the method\n"
+    "runs once more (RANSAC: with another seed). Region growing (cached):\n"
+    "each neighborhood computed once. results.csv has more columns, as of the largest shapes and planes.\n");
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_COMPARISON_TABLE_H

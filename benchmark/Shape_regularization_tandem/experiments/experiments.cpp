@@ -6,9 +6,7 @@
 #include "clouds/labeled_frames.h"
 #include "Trials.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -262,6 +260,4 @@ std::vector<Experiment> experiments()
     {"scaling", "time and memory over points, neighbors and threads, with exponents", run_scaling}};
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

@@ -5,7 +5,6 @@
 // tandem_benchmark --help explains it; scripts/benchmark.sh runs all of it.
 
 #include "experiments/Experiment.h"
-#include "contestants/run_isolated.h"
 
 #include <boost/program_options.hpp>
 
@@ -46,8 +45,7 @@ po::options_description make_options(Command_line& line)
     "output", po::value(&o.output)->default_value("."), "folder of what is written; it exists")(
     "data", po::value(&o.data), "folder of the clouds of clouds.csv that are files")(
     "sources", po::value(&o.sources)->default_value(TANDEM_BENCHMARK_SOURCES),
-    "folder of clouds.csv")("time-limit", po::value(&o.time_limit)->default_value(600), "seconds for one run")(
-    "repeats", po::value(&o.repeats)->default_value(3), "runs that are timed")(
+    "folder of clouds.csv")("repeats", po::value(&o.repeats)->default_value(3), "runs that are timed")(
     "threads", po::value(&o.threads)->default_value(0), "of parallel contestants; 0: all processors")(
     "contestants", po::value(&line.contestants), "names, separated by commas; default: as the subcommand has them");
   return visible;
@@ -80,8 +78,6 @@ void check(const Experiment_options& o)
   struct stat status;
   if(stat(o.output.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
     throw std::invalid_argument("--output " + o.output + " is not a folder");
-  if(!(o.time_limit > 0))
-    throw std::invalid_argument("--time-limit must be positive");
   if(o.repeats == 0)
     throw std::invalid_argument("--repeats must be at least 1");
   for(const std::string& name : o.contestants)
@@ -109,8 +105,6 @@ int fail(int code, const std::string& message)
 
 int main(int argc, char** argv)
 {
-  if(is_isolated_call(argc, argv))
-    return isolated_main(argv);
   try {
     const Command_line line = parse(argc, argv);
     if(line.help.empty())

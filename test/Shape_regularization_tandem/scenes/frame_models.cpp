@@ -5,9 +5,7 @@
 
 #include <stdexcept>
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 namespace {
 
@@ -171,6 +169,4 @@ Model make_strips(double gap)
   return model;
 }
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes

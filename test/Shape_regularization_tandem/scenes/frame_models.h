@@ -10,9 +10,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 // A furnished room of 6 by 5 by 2.7 m: tables, shelves, boxes; and cylinders and a ball, which are clutter.
 Model make_office();
@@ -31,8 +29,6 @@ Model make_boards(double gap);
 // Five strips of .8 by 3 m side by side; the second and the fourth are higher by `gap`.
 Model make_strips(double gap);
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_FRAME_MODELS_H

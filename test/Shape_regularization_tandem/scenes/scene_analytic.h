@@ -8,9 +8,7 @@
 
 #include "scene_model.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 // 6 faces, 3 directions, 6 planes: complexity 9/18.
 Model make_cube(const Frame& frame = Frame());
@@ -40,8 +38,6 @@ Model make_offset_pair(double offset);
 
 Model make_sphere();
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_ANALYTIC_H

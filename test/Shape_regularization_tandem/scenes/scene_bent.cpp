@@ -3,9 +3,7 @@
 
 #include "scene_bent.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 Model make_bent_hall()
 {
@@ -34,6 +32,4 @@ Model make_bent_road()
   return model;
 }
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes

@@ -9,9 +9,7 @@
 
 #include "scene_model.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 // 8 by 5 m. Floor and ceiling sag by 2 and 4 cm, a wall is planar. A board hangs 2.2 cm before that wall, and another
 // one 6 cm: layers. Columns of three radii.
@@ -20,8 +18,6 @@ Model make_bent_hall();
 // 30 m of a road that is 12 cm lower in its middle, with a planar wall, and two roofs warped by 6 cm, to either side.
 Model make_bent_road();
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_BENT_H

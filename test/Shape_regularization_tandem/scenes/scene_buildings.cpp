@@ -3,9 +3,7 @@
 
 #include "scene_buildings.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 namespace {
 
@@ -251,6 +249,4 @@ Model make_part()
   return model;
 }
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes

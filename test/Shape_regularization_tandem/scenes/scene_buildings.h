@@ -9,9 +9,7 @@
 
 #include "scene_model.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 Model make_house();
 
@@ -32,8 +30,6 @@ void add_cylinder(Model& model, const Frame& f, double radius, double height, bo
 // A block with a slot, steps, a chamfer, a pocket, a boss and holes.
 Model make_part();
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_BUILDINGS_H

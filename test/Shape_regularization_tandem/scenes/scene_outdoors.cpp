@@ -3,9 +3,7 @@
 
 #include "scene_outdoors.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 namespace {
 
@@ -157,6 +155,4 @@ Model make_curved()
   return model;
 }
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes

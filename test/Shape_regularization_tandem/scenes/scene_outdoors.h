@@ -9,9 +9,7 @@
 
 #include "scene_buildings.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 // As a mobile mapping system passes it, in the middle of the road.
 Model make_street();
@@ -25,8 +23,6 @@ Model make_study();
 // A plate with balls and drums: two thirds of the surface are curved.
 Model make_curved();
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_OUTDOORS_H

@@ -3,9 +3,7 @@
 
 #include "scene_twins.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 const std::vector<Twin>& twins()
 {
@@ -102,6 +100,4 @@ Scene make_twin(const Twin& twin, std::size_t points, std::uint64_t seed)
   return scene;
 }
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes

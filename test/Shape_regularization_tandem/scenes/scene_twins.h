@@ -10,9 +10,7 @@
 #include "scene_outdoors.h"
 #include "scenes.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 // Errors along the ray from the nearest scanner grow with a power of the range.
 struct Sensor_errors {
@@ -44,8 +42,6 @@ const Twin& twin(const std::string& name);
 // Without normals, as such clouds come; `ideal` has the points before the sensor.
 Scene make_twin(const Twin& twin, std::size_t points, std::uint64_t seed = 1);
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_TWINS_H

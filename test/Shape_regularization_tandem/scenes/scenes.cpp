@@ -3,9 +3,7 @@
 
 #include "scenes.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 namespace {
 
@@ -234,6 +232,4 @@ Scene make_scene(const std::string& name, const Options& options)
   return name == "noise" ? make_noise(options) : make_scene(make_model(name), options);
 }
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes

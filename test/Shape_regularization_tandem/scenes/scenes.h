@@ -17,9 +17,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 class Random {
 public:
@@ -102,8 +100,6 @@ Model make_model(const std::string& name);
 
 Scene make_scene(const std::string& name, const Options& options);
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENES_H

@@ -7,9 +7,7 @@
 #include <map>
 #include <numeric>
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 namespace {
 
@@ -193,6 +191,4 @@ Scene scan(const Model& model, const Sensor& sensor)
   return scene;
 }
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes

@@ -9,9 +9,7 @@
 
 #include "scenes.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 enum class Sensor_kind {
   scanner, // turns about the z axis; rows are elevations. Noise grows with the distance
@@ -32,8 +30,6 @@ struct Sensor {
 // Without normals; `ideal` has the points without noise, and each face its plane.
 Scene scan(const Model& model, const Sensor& sensor);
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SENSOR_H

@@ -18,9 +18,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 struct Detection {
   std::vector<std::int32_t> label; // per point: its shape, -1 for none
@@ -356,8 +354,6 @@ inline Spread evaluate_spread(const std::vector<Detection>& runs)
   return spread;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_H

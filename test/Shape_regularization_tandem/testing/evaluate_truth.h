@@ -10,9 +10,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 struct Truth {
   std::vector<std::int32_t> label; // per point: its face, -1 for none
@@ -127,8 +125,6 @@ inline Truth_criteria evaluate_truth(const Truth& truth, const Detection& detect
   return criteria;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_TRUTH_H

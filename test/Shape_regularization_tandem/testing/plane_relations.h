@@ -11,9 +11,7 @@
 
 #include <numeric>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 using scenes::Vec;
 
@@ -124,8 +122,6 @@ private:
   std::size_t degrees_of_freedom_ = 0;
 };
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLANE_RELATIONS_H
