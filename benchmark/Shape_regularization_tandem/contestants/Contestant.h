@@ -12,7 +12,6 @@
 #include "clouds/ply_cloud.h"
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/Statistics.h>
 
 #include <functional>
 
@@ -46,9 +45,7 @@ struct Run {
   double detection_seconds = 0;      // where it regularizes in tandem, all of it
   double regularization_seconds = 0; // where that is a step of its own
   double user = 0;                   // processor seconds of all threads and steps, user and system
-  Stage_times stages;                // Tandem's
   std::size_t peak_bytes = 0;        // of the process, beyond what it had with the cloud ready; 0: unknown
-  std::size_t engine_bytes = 0;      // Tandem's own account
   bool finished = false;
   Detection detection;
   std::vector<Vec> normals; // those that were used, if the contestant estimated them; null: none

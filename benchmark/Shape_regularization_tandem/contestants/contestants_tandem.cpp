@@ -72,8 +72,6 @@ Run run_of(const Shapes& shapes, bool has_estimated)
     const Kernel::Vector_3 n = shapes.estimated_normal(i);
     run.normals.push_back({n.x(), n.y(), n.z()});
   }
-  run.stages = shapes.statistics().times;
-  run.engine_bytes = shapes.statistics().peak_bytes;
   std::ostringstream hash;
   hash << std::hex << std::setw(16) << std::setfill('0') << shapes.hash();
   run.hash = hash.str();
@@ -96,8 +94,8 @@ Run detect_step(const Ply_cloud& cloud, const Task& task, const Run&)
   const double seconds = meter.lap(), processor = meter.processor();
   const std::size_t bytes = meter.peak_bytes();
   Run run = run_of(shapes, estimates);
-  run.normal_seconds = run.stages.normals;
-  run.detection_seconds = seconds - run.stages.normals;
+  run.normal_seconds = shapes.statistics().times.normals;
+  run.detection_seconds = seconds - run.normal_seconds;
   run.user = processor;
   run.peak_bytes = bytes;
   run.finished = true;

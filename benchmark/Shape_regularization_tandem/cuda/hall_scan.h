@@ -8,6 +8,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_HALL_SCAN_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_HALL_SCAN_H
 
+#include "scenes/scenes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -71,13 +73,7 @@ private:
     double bell() { return (uniform() + uniform() + uniform() + uniform() - 2) * 1.7320508; }
 
   private:
-    static std::uint64_t mixed(std::uint64_t z)
-    {
-      z += 0x9e3779b97f4a7c15;
-      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-      z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-      return z ^ (z >> 31);
-    }
+    static std::uint64_t mixed(std::uint64_t z) { return scenes::Random(z).bits(); }
 
     std::uint64_t state_;
   };

@@ -43,7 +43,7 @@ const Row& Trials::add(const Named_cloud& c, const Task& task, const Trial& tria
   append_cell(row, "contestant", who.name);
   append_cell(row, "method", trial.method.empty() ? who.description : trial.method);
   append_task(row, c.name, c.cloud.points.size(), task);
-  append_run(row, who, run);
+  append_run(row, run);
   if(run.finished)
     append_judgement(row, c, task, neighbor_graph(c.cloud.points, task.k_neighbors, task.maximum_distance), run);
   rows_.push_back(row);

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_TRIALS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_TRIALS_H
 
-#include "clouds/experiment_clouds.h"
+#include "clouds/named_clouds.h"
 #include "Experiment.h"
 
 namespace CGAL::Tandem::benchmark {

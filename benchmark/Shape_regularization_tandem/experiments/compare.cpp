@@ -99,7 +99,7 @@ private:
     append_cell(row, "description", entry.contestant.description + (is_cleaned ? ", cleaned" : ""));
     append_cell(row, "cleaned", is_cleaned);
     append_cell(row, "repeat", repeat);
-    append_run(row, entry.contestant, run);
+    append_run(row, run);
     if(!run.finished)
       return row;
     append_judgement(row, named_, task, graph_, run);

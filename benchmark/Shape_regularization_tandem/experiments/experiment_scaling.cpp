@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time and memory over points, neighbors and threads, on scans of one house that
+// Time and memory over points and threads, on scans of one house that
 // differ in density only: the same faces, with more points on each.
 
 #include "Trials.h"
@@ -49,20 +49,6 @@ public:
       names = patient;
     }
     finish("points");
-  }
-
-  void over_neighbors()
-  {
-    Named_cloud c = house_scan(options_.is_quick ? 50000 : 1000000);
-    for(unsigned k :
-        options_.is_quick ? std::vector<unsigned>{6, 12, 24} : std::vector<unsigned>{6, 8, 12, 16, 24, 32, 48})
-      for(const char* name : {"tandem", "growing-cached"}) {
-        Task task = c.task;
-        task.k_neighbors = k;
-        if(k <= 24 || std::string(name) == "tandem")
-          add(c, "k", k, name, task);
-      }
-    finish("k");
   }
 
   void over_threads()
@@ -146,7 +132,6 @@ void run_scaling(const Experiment_options& options)
 {
   Scaling scaling(options);
   scaling.over_points();
-  scaling.over_neighbors();
   scaling.over_threads();
 }
 

@@ -3,7 +3,6 @@
 //
 // The experiments of the paper, and the labels of all detectors.
 
-#include "clouds/labeled_frames.h"
 #include "Trials.h"
 
 namespace CGAL::Tandem::benchmark {
@@ -180,11 +179,11 @@ void run_stability(const Experiment_options& options)
 void run_labels(const Experiment_options& options)
 {
   Trials trials(options, "labels");
-  std::vector<Labeled_frame> frames = labeled_frames();
-  for(const Labeled_frame& scene : labeled_scenes())
+  std::vector<scenes::Labeled_scene> frames = scenes::labeled_frames();
+  for(const scenes::Labeled_scene& scene : scenes::labeled_scenes())
     frames.push_back(scene);
   std::string group;
-  for(const Labeled_frame& frame : frames) {
+  for(const scenes::Labeled_scene& frame : frames) {
     if(options.is_quick && frame.group == group)
       continue;
     group = frame.group;
@@ -257,7 +256,7 @@ std::vector<Experiment> experiments()
     {"synergy", "from alternation in every round to detection before regularization (figure 12)", run_synergy},
     {"stability", "shapes and coverage over epsilon, on curved objects (figure 14)", run_stability},
     {"labels", "labels against true ones: rooms of a scanner and a depth camera, roofs, scenes", run_labels},
-    {"scaling", "time and memory over points, neighbors and threads, with exponents", run_scaling}};
+    {"scaling", "time and memory over points and threads, with exponents", run_scaling}};
 }
 
 } // namespace CGAL::Tandem::benchmark

@@ -5,7 +5,7 @@
 // target has the same name. Without CMake, in the folder benchmark/Shape_regularization_tandem:
 //   g++ -std=c++17 -O2 -DNDEBUG -DCGAL_EIGEN3_ENABLED -I. -I../../include -I../../test/Shape_regularization_tandem
 //     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/contestants_tandem.cpp criteria/result_score.cpp
-//     clouds/{experiment_clouds,labeled_frames,scene_normals}.cpp
+//     clouds/{named_clouds,scene_normals}.cpp
 //     ../../test/Shape_regularization_tandem/scenes/*.cpp -lgmp -lmpfr -o labeled_frames
 //   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [PART...]
 // only clouds whose group or name contains one of the PARTs.
@@ -13,7 +13,7 @@
 // of shapes, F1 at .5, precision of points, score per point (criteria/segmentation.h, criteria/result_score.h). Of
 // layers: the share of a face that its main shape has, of the worst face and on average.
 
-#include "clouds/labeled_frames.h"
+#include "clouds/named_clouds.h"
 #include "contestants/contestants.h"
 #include "criteria/judgement.h"
 
@@ -21,6 +21,7 @@
 #include <map>
 
 using namespace CGAL::Tandem::benchmark;
+namespace scenes = CGAL::Tandem::scenes;
 
 namespace {
 
@@ -65,12 +66,12 @@ public:
   Judge(const Task& knobs, const std::vector<std::string>& parts) : knobs_(knobs), parts_(parts) {}
 
   // Frames of a group follow each other.
-  void judge(const std::string& title, const std::vector<Labeled_frame>& frames)
+  void judge(const std::string& title, const std::vector<scenes::Labeled_scene>& frames)
   {
     std::map<std::string, Sums> sums[2];
     std::vector<std::string> groups;
     std::printf("\n%-30s%s\n", title.c_str(), titles);
-    for(const Labeled_frame& frame : frames) {
+    for(const scenes::Labeled_scene& frame : frames) {
       if(!is_wanted(frame))
         continue;
       const Named_cloud cloud = make_cloud(frame);
@@ -94,7 +95,7 @@ public:
   void judge_layers()
   {
     std::map<std::string, std::vector<double>> worst, mean;
-    for(const Labeled_frame& frame : labeled_layers()) {
+    for(const scenes::Labeled_scene& frame : scenes::labeled_layers()) {
       if(!is_wanted(frame))
         continue;
       const Named_cloud cloud = make_cloud(frame);
@@ -121,7 +122,7 @@ public:
   const std::vector<Row>& rows() const { return rows_; }
 
 private:
-  bool is_wanted(const Labeled_frame& frame) const
+  bool is_wanted(const scenes::Labeled_scene& frame) const
   {
     const std::string name = frame.group + " " + frame.name;
     return parts_.empty() || std::any_of(parts_.begin(), parts_.end(),
@@ -137,7 +138,7 @@ private:
     return tandem_contestants().back().step(cloud.cloud, task, Run());
   }
 
-  Row row(const Labeled_frame& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own) const
+  Row row(const scenes::Labeled_scene& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own) const
   {
     Row all = {{"group", frame.group}, {"cloud", frame.name}, {"normals", kinds[own]}}, row;
     append_cell(all, "points", cloud.cloud.points.size());
@@ -221,8 +222,8 @@ try {
       throw std::runtime_error("unknown option " + parts[0]);
   }
   Judge judge(knobs, parts);
-  judge.judge("labeled frames", labeled_frames());
-  judge.judge("scenes", labeled_scenes());
+  judge.judge("labeled frames", scenes::labeled_frames());
+  judge.judge("scenes", scenes::labeled_scenes());
   judge.judge_layers();
   if(!csv.empty())
     write_csv(csv, judge.rows());

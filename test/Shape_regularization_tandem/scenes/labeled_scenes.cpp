@@ -1,32 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "labeled_frames.h"
-#include "experiment_clouds.h"
-#include "scene_normals.h"
-#include "scenes/frame_models.h"
-#include "scenes/sensor.h"
+#include "labeled_scenes.h"
+#include "frame_models.h"
+#include "sensor.h"
 
-namespace CGAL::Tandem::benchmark {
+namespace CGAL::Tandem::scenes {
 
 namespace {
 
-using scenes::Frame;
-using scenes::Model;
-using scenes::Scene;
-using scenes::Sensor;
-using scenes::Sensor_kind;
-
 constexpr double cosine_9 = 25.841932763167124, cosine_8 = 36.86989764584402; // degrees
-
-Task make_task(double epsilon, double alpha_deg, std::size_t minimum)
-{
-  Task task;
-  task.maximum_distance = epsilon;
-  task.maximum_angle_deg = alpha_deg;
-  task.minimum_region_size = minimum;
-  return task;
-}
 
 // Rotating, on its tripod: all around, from 60 degrees below to 80 degrees above the horizon.
 Sensor scanner(const Vec& position, unsigned columns, unsigned rows)
@@ -59,7 +42,7 @@ struct Room {
   Model (*make)();
 };
 
-Labeled_frame scanned_room(const std::string& group, const Room& room, unsigned columns, const Noise& noise)
+Labeled_scene scanned_room(const std::string& group, const Room& room, unsigned columns, const Noise& noise)
 {
   const unsigned rows = columns == 100 ? 100 : columns * 5 / 8;
   const auto make = [=] {
@@ -69,8 +52,12 @@ Labeled_frame scanned_room(const std::string& group, const Room& room, unsigned 
     return scan(model, sensor);
   };
   const std::size_t minimum = columns == 100 ? 40 : 150;
-  return {group, room.name + "-" + std::to_string(columns) + "-" + std::to_string(noise.millimetres) + "mm", make,
-          make_task(noise.scanner_epsilon, noise.alpha_deg, minimum)};
+  return {group,
+          room.name + "-" + std::to_string(columns) + "-" + std::to_string(noise.millimetres) + "mm",
+          make,
+          noise.scanner_epsilon,
+          noise.alpha_deg,
+          minimum};
 }
 
 struct View {
@@ -81,19 +68,23 @@ const View corner = {"corner", {0.4, 0.4, 1.7}, {4, 3.2, 0.8}}, shelves = {"shel
 
 const Frame office_frame = Frame().turned({0, 0, 1}, 0.17);
 
-Labeled_frame depth_image(const View& view, const Noise& noise)
+Labeled_scene depth_image(const View& view, const Noise& noise)
 {
   const auto make = [=] {
     Sensor sensor = camera(office_frame.point(view.position), office_frame.point(view.target));
     sensor.noise = 1e-3 * noise.millimetres;
-    return scan(scenes::make_office(), sensor);
+    return scan(make_office(), sensor);
   };
-  return {"camera", "camera-" + view.name + "-" + std::to_string(noise.millimetres) + "mm", make,
-          make_task(noise.camera_epsilon, noise.alpha_deg, 150)};
+  return {"camera",
+          "camera-" + view.name + "-" + std::to_string(noise.millimetres) + "mm",
+          make,
+          noise.camera_epsilon,
+          noise.alpha_deg,
+          150};
 }
 
 // About 28, 9 and 3 points a square metre.
-Labeled_frame roof(const std::string& kind, unsigned points)
+Labeled_scene roof(const std::string& kind, unsigned points)
 {
   const auto make = [=] {
     Frame pose = Frame().turned({0, 0, 1}, 0.17).at({-2, -5, 30});
@@ -106,11 +97,15 @@ Labeled_frame roof(const std::string& kind, unsigned points)
                      width,
                      depth};
     sensor.noise = 0.03;
-    return scan(scenes::make_roof(kind), sensor);
+    return scan(make_roof(kind), sensor);
   };
   const std::size_t minimum = points >= 3000 ? 30 : points >= 1000 ? 15 : 10;
-  return {points < 1000 ? "sparse roofs" : "roofs", "roof-" + kind + "-" + std::to_string(points), make,
-          make_task(0.15, cosine_9, minimum)};
+  return {points < 1000 ? "sparse roofs" : "roofs",
+          "roof-" + kind + "-" + std::to_string(points),
+          make,
+          0.15,
+          cosine_9,
+          minimum};
 }
 
 struct Scene_kind {
@@ -120,22 +115,26 @@ struct Scene_kind {
 };
 
 // As in clouds.csv, with fewer points.
-Labeled_frame scene(const Scene_kind& kind, std::size_t points, std::uint64_t seed)
+Labeled_scene scene(const Scene_kind& kind, std::size_t points, std::uint64_t seed)
 {
   const auto make = [=] {
-    scenes::Options o;
+    Options o;
     o.points = points;
     o.noise = kind.noise;
     o.outliers = kind.outliers;
     o.varies_density = kind.varies_density;
-    o.normals = scenes::Normals::none;
+    o.normals = Normals::none;
     o.seed = seed;
-    Scene scene = make_scene(kind.model, o);
-    set_blended_normals(scene, kind.normal_noise_deg, seed);
-    return scene;
+    return make_scene(kind.model, o);
   };
-  return {kind.name, kind.name + "-" + std::to_string(seed), make,
-          make_task(kind.epsilon, kind.alpha_deg, points / 1000)};
+  return {kind.name,
+          kind.name + "-" + std::to_string(seed),
+          make,
+          kind.epsilon,
+          kind.alpha_deg,
+          points / 1000,
+          kind.normal_noise_deg,
+          seed};
 }
 
 struct Layers {
@@ -145,30 +144,28 @@ struct Layers {
 };
 
 // With noise of a third of epsilon, and normals that lean by about 5 degrees.
-Labeled_frame layers(const Layers& kind, std::uint64_t seed)
+Labeled_scene layers(const Layers& kind, std::uint64_t seed)
 {
   const double epsilon = 0.02;
   const auto make = [=] {
     const Model model = kind.make(kind.gap * epsilon);
-    scenes::Options o;
+    Options o;
     o.points = 1;
     o.noise = epsilon / 3 / make_scene(model, o).diagonal;
     o.points = 40000;
-    o.normals = scenes::Normals::none;
+    o.normals = Normals::none;
     o.seed = seed;
-    Scene scene = make_scene(model, o);
-    set_blended_normals(scene, 5, seed);
-    return scene;
+    return make_scene(model, o);
   };
-  return {kind.name, kind.name + "-" + std::to_string(seed), make, make_task(epsilon, cosine_9, 100)};
+  return {kind.name, kind.name + "-" + std::to_string(seed), make, epsilon, cosine_9, 100, 5, seed};
 }
 
 } // namespace
 
-std::vector<Labeled_frame> labeled_frames()
+std::vector<Labeled_scene> labeled_frames()
 {
-  const Room office = {"office", scenes::make_office}, tilted = {"tilted", scenes::make_tilted_room};
-  std::vector<Labeled_frame> list = {scanned_room("small room", office, 100, noises[0]),
+  const Room office = {"office", make_office}, tilted = {"tilted", make_tilted_room};
+  std::vector<Labeled_scene> list = {scanned_room("small room", office, 100, noises[0]),
                                      scanned_room("small room", tilted, 100, noises[0])};
   for(const Noise& noise : noises)
     list.push_back(scanned_room("room", office, 400, noise));
@@ -178,14 +175,14 @@ std::vector<Labeled_frame> labeled_frames()
     for(const Noise& noise : noises)
       list.push_back(depth_image(view, noise));
   for(unsigned points : {3000u, 1000u, 300u})
-    for(const std::string& kind : scenes::roof_kinds())
+    for(const std::string& kind : roof_kinds())
       list.push_back(roof(kind, points));
   return list;
 }
 
-std::vector<Labeled_frame> labeled_scenes(std::size_t points)
+std::vector<Labeled_scene> labeled_scenes(std::size_t points)
 {
-  std::vector<Labeled_frame> list;
+  std::vector<Labeled_scene> list;
   const Scene_kind kinds[] = {{"house", "house", 0, 0, 0, 0.04, cosine_9, false},
                               {"part", "part", 0.0003, 0, 3, 0.02, cosine_9, false},
                               {"indoor", "indoor", 0.0002, 0.02, 4, 0.015, cosine_9, true},
@@ -197,25 +194,17 @@ std::vector<Labeled_frame> labeled_scenes(std::size_t points)
   return list;
 }
 
-std::vector<Labeled_frame> labeled_layers()
+std::vector<Labeled_scene> labeled_layers()
 {
-  std::vector<Labeled_frame> list;
-  const Layers kinds[] = {{"strips-1.1", scenes::make_strips, 1.1},
-                          {"strips-1.3", scenes::make_strips, 1.3},
-                          {"boards-1.1", scenes::make_boards, 1.1},
-                          {"boards-1.3", scenes::make_boards, 1.3}};
+  std::vector<Labeled_scene> list;
+  const Layers kinds[] = {{"strips-1.1", make_strips, 1.1},
+                          {"strips-1.3", make_strips, 1.3},
+                          {"boards-1.1", make_boards, 1.1},
+                          {"boards-1.3", make_boards, 1.3}};
   for(const Layers& kind : kinds)
     for(std::uint64_t seed = 1; seed <= 3; ++seed)
       list.push_back(layers(kind, seed));
   return list;
 }
 
-Named_cloud make_cloud(const Labeled_frame& frame)
-{
-  Scene scene = frame.make();
-  if(scene.normals.empty())
-    scene.normals = scenes::pca_normals(scene.points);
-  return cloud_of(frame.name, std::move(scene), frame.task);
-}
-
-} // namespace CGAL::Tandem::benchmark
+} // namespace CGAL::Tandem::scenes
