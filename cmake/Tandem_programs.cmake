@@ -87,26 +87,16 @@ function(tandem_add_shared name)
   tandem_set_warnings(${name})
 endfunction()
 
-# Scenes and criteria, which tests and benchmark share ("testing/scenes.h"), and the headers of the benchmark
-# ("report/shape_colors.h").
+# Scenes ("scenes/scenes.h") and criteria ("testing/evaluate.h"), which tests and benchmark share, and the headers of the
+# benchmark ("criteria/table.h").
 function(tandem_share_testing target)
   if(NOT TARGET tandem_testing)
-    file(GLOB sources CONFIGURE_DEPENDS "${tandem_testing_dir}/scene*.cpp")
+    file(GLOB sources CONFIGURE_DEPENDS "${tandem_testing_dir}/../scenes/*.cpp")
     tandem_add_shared(tandem_testing ${sources})
     target_include_directories(tandem_testing PUBLIC
       "${tandem_testing_dir}/.." "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem")
   endif()
   target_link_libraries(${target} PRIVATE tandem_testing)
-endfunction()
-
-# Contestants in processes of their own: in the benchmark, and in the test of it.
-function(tandem_share_run_isolated target)
-  if(NOT TARGET tandem_run_isolated)
-    tandem_add_shared(tandem_run_isolated
-      "${tandem_programs_dir}/../benchmark/Shape_regularization_tandem/contestants/run_isolated.cpp")
-    tandem_share_testing(tandem_run_isolated)
-  endif()
-  target_link_libraries(${target} PRIVATE tandem_run_isolated)
 endfunction()
 
 # What is linked with tandem_cuda, also through other libraries, is compiled with the flags of that, and so is what it

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing, builds, and measures Tandem beside CGAL's own detectors and PCL, by the
-# criteria and the experiments of the paper. Prints tables; writes CSV files, plots, pictures, where three.js
-# is installed views in 3D, and the page index.html into a folder that it names at the end.
+# criteria and the experiments of the paper. Prints tables, and writes them as CSV files into a folder that it names at
+# the end.
 #   benchmark.sh                    everything: an hour or more
 #   benchmark.sh --quick            everything in small: five minutes
 #   benchmark.sh CLOUD...           the comparison on clouds of clouds.csv (building, house, ...)
@@ -42,11 +42,9 @@ usage() { sed -n '/^# Installs/,/^$/s/^# \{0,1\}//p' "$0"; }
 install()
 {
   "$root/scripts/install_dependencies.sh" g++ make cmake libcgal-dev libeigen3-dev libboost-program-options-dev \
-    libtbb-dev gnuplot-nox xz-utils
+    libtbb-dev xz-utils
   [ -n "$quick" ] || [ "${TANDEM_WITHOUT_PCL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libpcl-dev ||
     echo "PCL cannot be installed: the comparison goes on without it"
-  "$root/scripts/install_dependencies.sh" libjs-three nlohmann-json3-dev ||
-    echo "three.js or nlohmann's JSON cannot be installed: the page has no views in 3D"
 }
 
 build_program()
@@ -62,15 +60,6 @@ build_program()
     { cat "$build/build.log" >&2; fail "the build failed"; }
 }
 
-# The program of the views, if it can make some: with three.js, and with the examples in the build.
-build_viewer()
-{
-  grep -q '^TANDEM_ORBIT_CONTROLS_JS:.*\.js$' "$build/CMakeCache.txt" || return 0
-  if cmake --build "$build" -j "$jobs" --target detect_planes >> "$build/build.log" 2>&1; then
-    viewer=$build/examples/detect_planes/detect_planes
-  fi
-}
-
 measure()
 {
   # shellcheck disable=SC2086
@@ -81,11 +70,10 @@ measure()
 # A run that was measured before must not show up beside this one.
 forget_results()
 {
-  rm -rf "$result"/*.csv "$result"/*.svg "$result/results" "$result/pictures" "$result/views" "$result/index.html"
+  rm -f "$result"/*.csv
 }
 
 quick=
-viewer=
 result=$build/result
 case ${1:-} in
   --help | -h) usage; exit 0 ;;
@@ -96,16 +84,13 @@ esac
 
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || install
 build_program
-build_viewer
 "$root/scripts/sample_cloud.sh" "$result/clouds/building.ply"
-TANDEM_COMMIT=$(git -C "$root" describe --always --dirty 2> /dev/null || echo unknown)
-export TANDEM_COMMIT
 
 forget_results
-measure compare ${viewer:+--views} "$@"
+measure compare "$@"
 if [ $# -eq 0 ]; then
   for experiment in table1 robustness regularity cell-size synergy stability labels scaling; do
     measure "$experiment"
   done
 fi
-"$root/benchmark/Shape_regularization_tandem/report/page.sh" "$result" ${viewer:+"$viewer"}
+echo "Tables: $result"

@@ -50,7 +50,7 @@ while read -r file; do
 done < files
 
 ${CXX:-g++} -std=c++17 -O1 -include request.h -Iinclude "-I$tests" -I/usr/include/eigen3 \
-  "$tests/shapes/test_requests.cpp" "$tests"/testing/scene*.cpp -lgmp -lmpfr -lpthread -o test_requests ||
+  "$tests/shapes/test_requests.cpp" "$tests"/scenes/*.cpp -lgmp -lmpfr -lpthread -o test_requests ||
   fail "the test does not compile"
 ./test_requests || fail "the test fails with all requests"
 superfluous=0

@@ -164,7 +164,7 @@ fi
 "$root/scripts/sample_cloud.sh" "$work/building.ply"
 # A function that is called once would lose its name.
 "$cxx" -std=c++17 -O2 -DNDEBUG -fno-inline-functions-called-once "-I$root/include" "-I$benchmark" "-I$test" \
-  "$benchmark/programs/cost.cpp" "$test"/testing/scene*.cpp -o "$work/cost" -lgmp -lmpfr
+  "$benchmark/programs/cost.cpp" "$test"/scenes/*.cpp -o "$work/cost" -lgmp -lmpfr
 {
   count_cloud building "$work/building.ply"
   count_cloud house house

@@ -17,7 +17,7 @@
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
-script=$root/benchmark/Shape_regularization_tandem/report/picture.gnuplot
+script=$root/doc/Shape_regularization_tandem/figures/picture.gnuplot
 
 fail() { echo "render.sh: $*" >&2; exit 1; }
 

@@ -7,15 +7,13 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_LABEL_FILES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_LABEL_FILES_H
 
-#include "ply_cloud.h"
+#include "read_ply.h"
 #include "testing/evaluate_truth.h"
 #include "testing/fit_plane.h"
 
 #include <map>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // Empty lines and those that begin with # are skipped.
 inline Ply_cloud read_text_cloud(const std::string& path)
@@ -79,8 +77,6 @@ inline Truth make_truth(const std::vector<Vec>& points, const std::vector<std::i
   return {label, fit_planes(points, label, faces)};
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_LABEL_FILES_H

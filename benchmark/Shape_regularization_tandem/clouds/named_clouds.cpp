@@ -2,16 +2,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "named_clouds.h"
-#include "experiment_clouds.h"
 #include "label_files.h"
 #include "scene_normals.h"
+#include "scenes/scene_twins.h"
 
 #include <cstdio>
 #include <cstdlib>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
+
+Named_cloud cloud_of(const std::string& name, scenes::Scene scene, const Task& task)
+{
+  Named_cloud c{
+    name, "generated", {std::move(scene.points), std::move(scene.normals), scene.label, true}, {scene.label, {}}, task};
+  for(const scenes::Truth_face& f : scene.faces)
+    c.truth.faces.push_back({f.normal, f.offset});
+  return c;
+}
+
+Named_cloud make_cloud(const scenes::Labeled_scene& labeled)
+{
+  scenes::Scene scene = labeled.make();
+  if(labeled.normal_noise_deg < 0)
+    scene.normals = scenes::pca_normals(scene.points);
+  else
+    scenes::set_blended_normals(scene, labeled.normal_noise_deg, labeled.seed);
+  Task task;
+  task.maximum_distance = labeled.epsilon;
+  task.maximum_angle_deg = labeled.alpha_deg;
+  task.minimum_region_size = labeled.minimum;
+  return cloud_of(labeled.name, std::move(scene), task);
+}
+
+Named_cloud twin_cloud(const std::string& name, std::size_t points, std::uint64_t seed)
+{
+  const scenes::Twin& twin = scenes::twin(name);
+  scenes::Scene scene = scenes::make_twin(twin, points, seed);
+  scene.normals = scenes::pca_normals(scene.points);
+  Task task;
+  task.maximum_distance = twin.epsilon;
+  task.maximum_angle_deg = twin.alpha_deg;
+  task.minimum_region_size = twin.minimum(points);
+  task.cluster_epsilon = twin.gap * std::sqrt(500000. / double(points)); // as the spacing
+  return cloud_of(name, std::move(scene), task);
+}
+
+Named_cloud noisy_house(const House& house)
+{
+  scenes::Options o;
+  o.points = house.points;
+  o.noise = house.noise;
+  o.outliers = house.outliers;
+  o.normals = scenes::Normals::none;
+  o.seed = house.seed;
+  scenes::Scene scene = scenes::make_scene("house", o);
+  scenes::set_blended_normals(scene, 4000 * house.noise, house.seed);
+  Task task;
+  task.maximum_distance = (std::max)(0.04, 3 * house.noise * scene.diagonal);
+  task.maximum_angle_deg = 36.87;
+  task.minimum_region_size = (std::max)(std::size_t(40), house.points / 1000);
+  task.cluster_epsilon = 0.2;
+  return cloud_of("house", std::move(scene), task);
+}
+
+Named_cloud house_scan(std::size_t points)
+{
+  scenes::Options o;
+  o.points = points;
+  o.noise = 0.0005;
+  o.outliers = 0.02;
+  o.varies_density = true;
+  o.normals = scenes::Normals::perturbed;
+  Task task;
+  task.maximum_distance = 0.06;
+  task.minimum_region_size = (std::max)(std::size_t(20), points / 2000);
+  task.cluster_epsilon = 0.2;
+  return cloud_of("scan", scenes::make_scene("house", o), task);
+}
 
 namespace {
 
@@ -88,10 +155,7 @@ void generate(const Row& row, const Experiment_options& options, Named_cloud& na
   o.normals = scenes::Normals::none;
   scenes::Scene scene = scenes::make_scene(cell(row, "scene"), o);
   scenes::set_blended_normals(scene, number_or_zero(row, "normal_noise"), o.seed);
-  named.cloud = {scene.points, scene.normals, scene.label, true};
-  named.truth.label = scene.label;
-  for(const scenes::Truth_face& f : scene.faces)
-    named.truth.faces.push_back({f.normal, f.offset});
+  named = cloud_of(named.name, std::move(scene), named.task);
   named.origin = "generated: make_scene " + cell(row, "scene") + " --points " + std::to_string(o.points) + " --noise " +
                  cell(row, "noise") + " --outliers " + cell(row, "outliers") + " --normal-noise " +
                  cell(row, "normal_noise") + (o.varies_density ? " --varying-density" : "");
@@ -166,6 +230,4 @@ Named_cloud load_own_cloud(std::vector<std::string> arguments)
   return named;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

@@ -1,16 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The clouds of clouds.csv: files and generated scenes, with their parameters.
+// The clouds of clouds.csv, files and generated scenes, and those of the experiments: with their truth and a task.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_NAMED_CLOUDS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_NAMED_CLOUDS_H
 
 #include "experiments/Experiment.h"
+#include "scenes/labeled_scenes.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // A cloud and what a contestant shall do with it.
 struct Named_cloud {
@@ -32,8 +31,27 @@ Named_cloud load_cloud(const Row& row, const Experiment_options& options);
 // A file of the caller: PATH [LABELS] EPSILON ALPHA MINIMUM [CLUSTER_EPSILON].
 Named_cloud load_own_cloud(std::vector<std::string> arguments);
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+// A scene with its truth.
+Named_cloud cloud_of(const std::string& name, scenes::Scene scene, const Task& task);
+
+// With normals by PCA of 20 neighbors, or blended ones.
+Named_cloud make_cloud(const scenes::Labeled_scene& scene);
+
+// The twin of a real cloud (scene_twins.h), with the normals of 20 neighbors.
+Named_cloud twin_cloud(const std::string& name, std::size_t points, std::uint64_t seed = 1);
+
+struct House {
+  std::size_t points;
+  double noise, outliers; // share of the diagonal, share of the points
+  std::uint64_t seed;
+};
+
+// A house whose normals are as noisy as its points; epsilon follows the noise, as a user would choose it.
+Named_cloud noisy_house(const House& house);
+
+// A laser scan of the house; clouds of different size differ in density only.
+Named_cloud house_scan(std::size_t points);
+
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_NAMED_CLOUDS_H

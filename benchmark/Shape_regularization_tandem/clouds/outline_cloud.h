@@ -6,8 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_OUTLINE_CLOUD_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_OUTLINE_CLOUD_H
 
-#include "clouds/ply_cloud.h"
-#include "testing/scenes.h"
+#include "clouds/read_ply.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 
@@ -19,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 using Outline_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Outline_cloud = std::vector<std::pair<Outline_kernel::Point_3, Outline_kernel::Vector_3>>;
@@ -84,8 +81,6 @@ inline Cloud_with_shapes cloud_with_shapes(const std::vector<std::string>& argum
   return {std::move(cloud), std::move(shapes), std::move(scene)};
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_OUTLINE_CLOUD_H

@@ -9,9 +9,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k)
 {
@@ -42,6 +40,4 @@ void set_blended_normals(Scene& scene, double normal_noise_deg, std::uint64_t se
     n = perturbed(n, normal_noise_deg, random);
 }
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes

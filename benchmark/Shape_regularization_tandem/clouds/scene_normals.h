@@ -7,11 +7,9 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SCENE_NORMALS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SCENE_NORMALS_H
 
-#include "testing/scenes.h"
+#include "scenes/scenes.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace scenes {
+namespace CGAL::Tandem::scenes {
 
 std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k = 20);
 
@@ -19,8 +17,6 @@ std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k = 20);
 // edges and arbitrary at outliers), then perturbed.
 void set_blended_normals(Scene& scene, double normal_noise_deg, std::uint64_t seed, unsigned k = 20);
 
-} // namespace scenes
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::scenes
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SCENE_NORMALS_H

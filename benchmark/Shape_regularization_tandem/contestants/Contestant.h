@@ -12,16 +12,12 @@
 #include "clouds/ply_cloud.h"
 
 #include <CGAL/Tandem/Parameters.h>
-#include <CGAL/Tandem/Statistics.h>
 
 #include <functional>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
-// The same for all contestants; each reads what concerns it. Lengths in units of the cloud. A new member has to be
-// handed to the other process, too: see run_isolated.cpp.
+// The same for all contestants; each reads what concerns it. Lengths in units of the cloud.
 struct Task {
   double maximum_distance = 0;                   // epsilon
   double maximum_angle_deg = 25.841932763167124; // alpha: a cosine of 0.9, as in the paper
@@ -34,7 +30,10 @@ struct Task {
   unsigned threads = 0;                          // of parallel contestants; 0: as many as there are processors
   unsigned seed = 0;                             // of randomized contestants
   bool estimates_normals = false;                // each by its own means, although the cloud may have normals
-  Parameters engine;                             // Tandem: all that has no member above
+  double simplicity = Parameters().simplicity;   // Tandem, as the following
+  double regularity = Parameters().regularity;
+  std::size_t regularity_period = Parameters().regularity_period;
+  bool regularizes = true;
 
   double offset() const { return maximum_offset < 0 ? maximum_distance : maximum_offset; }
   Tolerances tolerances() const { return {maximum_distance, maximum_angle_deg}; }
@@ -42,18 +41,16 @@ struct Task {
 
 // Seconds are those of the method: neither reading nor the conversion of the cloud counts.
 struct Run {
-  Detection detection;
-  std::vector<Vec> normals;          // those that were used, if the contestant estimated them; null: none
   double normal_seconds = 0;         // estimation of normals, where the task asks for it
   double detection_seconds = 0;      // where it regularizes in tandem, all of it
   double regularization_seconds = 0; // where that is a step of its own
   double user = 0;                   // processor seconds of all threads and steps, user and system
-  Stage_times stages;                // Tandem's
-  std::string hash;                  // of labels and planes
   std::size_t peak_bytes = 0;        // of the process, beyond what it had with the cloud ready; 0: unknown
-  std::size_t engine_bytes = 0;      // Tandem's own account
   bool finished = false;
-  std::string error; // why it did not finish
+  Detection detection;
+  std::vector<Vec> normals; // those that were used, if the contestant estimated them; null: none
+  std::string hash;         // of labels and planes
+  std::string error;        // why it did not finish
 
   double wall() const { return normal_seconds + detection_seconds + regularization_seconds; }
 };
@@ -65,13 +62,9 @@ struct Contestant {
   bool is_tandem = false;
   bool is_parallel = false; // uses Task::threads
   bool is_random = false;   // uses Task::seed
-  bool regularizes = false;
 
   // Cloud, task, and the run of the base (an empty one if there is no base).
   std::function<Run(const Ply_cloud&, const Task&, const Run&)> step;
-
-  // From the cloud to the result, in this process: with the base, if there is one.
-  std::function<Run(const Ply_cloud&, const Task&)> run;
 };
 
 // All that are compiled in, each after its base (contestants.h). Throws std::invalid_argument for an unknown name.
@@ -82,14 +75,12 @@ Contestant contestant(const std::string& name);
 // what a detector has under the tolerances it was given (contestants.h). `normals` are those that the run used.
 Detection cleaned(const Ply_cloud& cloud, const std::vector<Vec>& normals, const Task& task, Detection detection);
 
-// The same in a process of its own (run_isolated.h): fresh memory and threads, whose peak is measured; a crash or an
-// overrun is a run with finished == false. `base` spares the run of the base. main() begins with
-//   if(is_isolated_call(argc, argv)) return isolated_main(argv);
-Run run_isolated(const Contestant& contestant, const Ply_cloud& cloud, const Task& task, double time_limit_seconds,
-                 const Run* base = nullptr);
+// Of the step, after the base that is given; what it throws is the error of a run that did not finish.
+Run run_after(const Contestant& contestant, const Ply_cloud& cloud, const Task& task, const Run& base);
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+// The same after its own base, if it has one.
+Run run(const Contestant& contestant, const Ply_cloud& cloud, const Task& task);
+
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTESTANT_H

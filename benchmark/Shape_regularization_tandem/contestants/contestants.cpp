@@ -3,9 +3,9 @@
 
 #include "contestants.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+#include <malloc.h>
+
+namespace CGAL::Tandem::benchmark {
 
 std::string hash_of(const Detection& detection)
 {
@@ -29,12 +29,8 @@ std::vector<Contestant> contestants()
   static const std::vector<Contestant> all = [] {
     std::vector<Contestant> list;
     for(auto family : {tandem_contestants, cgal_contestants, pcl_contestants})
-      for(Contestant& c : family()) {
-        c.run = [step = c.step, base = c.base](const Ply_cloud& cloud, const Task& task) {
-          return step(cloud, task, base.empty() ? Run() : contestant(base).run(cloud, task));
-        };
+      for(const Contestant& c : family())
         list.push_back(c);
-      }
     return list;
   }();
   return all;
@@ -49,6 +45,26 @@ Contestant contestant(const std::string& name)
     names += " " + c.name;
   }
   throw std::invalid_argument("there is no contestant " + name + "; choose of" + names);
+}
+
+Run run_after(const Contestant& contestant, const Ply_cloud& cloud, const Task& task, const Run& base)
+{
+  // What is freed goes back to the system at once: else what comes next would use it again, and seem to need less.
+  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+  Run failed;
+  try {
+    if(contestant.base.empty() || base.finished)
+      return contestant.step(cloud, task, base);
+    failed.error = contestant.base + " did not finish";
+  } catch(const std::exception& e) {
+    failed.error = e.what();
+  }
+  return failed;
+}
+
+Run run(const Contestant& c, const Ply_cloud& cloud, const Task& task)
+{
+  return run_after(c, cloud, task, c.base.empty() ? Run() : run(contestant(c.base), cloud, task));
 }
 
 Detection cleaned(const Ply_cloud& cloud, const std::vector<Vec>& normals, const Task& task, Detection detection)
@@ -75,6 +91,4 @@ Detection cleaned(const Ply_cloud& cloud, const std::vector<Vec>& normals, const
   return detection;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

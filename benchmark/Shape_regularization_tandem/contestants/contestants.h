@@ -10,9 +10,7 @@
 #include "Contestant.h"
 #include "testing/measure.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 std::vector<Contestant> tandem_contestants();
 std::vector<Contestant> cgal_contestants();
@@ -37,8 +35,6 @@ inline Run finished(Run run, const Meter& meter)
   return run;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTESTANTS_H

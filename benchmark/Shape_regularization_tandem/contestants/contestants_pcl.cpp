@@ -7,20 +7,15 @@
 #include "contestants.h"
 
 #ifdef TANDEM_HAS_PCL
-#include "Memory_file.h"
 #include "testing/fit_plane.h"
 
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/region_growing.h>
-
-#include <sys/wait.h>
 #endif
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 #ifdef TANDEM_HAS_PCL
 namespace {
@@ -50,38 +45,15 @@ Normals::Ptr estimated_normals(const Points::Ptr& points)
   return normals;
 }
 
-// Estimated in a process of its own: what it would leave in the heap, the detector would use again, and seem to take
-// less memory than it does.
-std::vector<float> curvatures(const Points::Ptr& points)
-{
-  Memory_file file;
-  const pid_t child = fork();
-  if(child == 0) {
-    std::vector<float> result;
-    const Normals::Ptr normals = estimated_normals(points);
-    for(const pcl::Normal& n : *normals)
-      result.push_back(n.curvature);
-    file.put(result);
-    _exit(0);
-  }
-  int status = 1;
-  if(child < 0 || waitpid(child, &status, 0) != child || status != 0)
-    throw std::runtime_error("the curvatures cannot be estimated");
-  file.rewind();
-  std::vector<float> result;
-  file.get(result);
-  return result;
-}
-
 // The curvature, by which the seeds are ordered, comes with the normals where these are given.
 Normals::Ptr given_normals(const Ply_cloud& cloud, const Points::Ptr& points)
 {
-  const std::vector<float> curvature = curvatures(points);
+  const Normals::Ptr estimated = estimated_normals(points);
   Normals::Ptr normals(new Normals);
   for(std::size_t i = 0; i < cloud.points.size(); ++i) {
     const Vec n = unit(cloud.normals[i]);
     pcl::Normal normal(float(n.x), float(n.y), float(n.z));
-    normal.curvature = curvature[i];
+    normal.curvature = (*estimated)[i].curvature;
     normals->push_back(normal);
   }
   return normals;
@@ -150,6 +122,4 @@ std::vector<Contestant> pcl_contestants()
 std::vector<Contestant> pcl_contestants() { return {}; }
 #endif
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

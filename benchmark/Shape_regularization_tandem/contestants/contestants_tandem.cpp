@@ -15,9 +15,7 @@
 #include <iomanip>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -40,43 +38,26 @@ std::vector<Point_with_normal> range_of(const Ply_cloud& cloud)
 
 Parameters parameters_of(const Task& task)
 {
-  Parameters p = task.engine;
+  Parameters p;
   p.maximum_distance = task.maximum_distance;
   p.maximum_angle = task.maximum_angle_deg;
   p.angle_tolerance = task.angle_tolerance_deg;
   p.minimum_region_size = task.minimum_region_size;
   p.k_neighbors = task.k_neighbors;
   p.cell_size = task.cell_size;
+  p.simplicity = task.simplicity;
+  p.regularity = task.regularity;
+  p.regularity_period = task.regularity_period;
+  p.regularize_parallelism = p.regularize_orthogonality = p.regularize_coplanarity = task.regularizes;
   return p;
 }
 
-// The tolerance of an item of the range.
-struct Tolerance_map {
-  using key_type = Point_with_normal;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-
-  const Point_with_normal* first;
-  const double* tolerance;
-
-  friend double get(const Tolerance_map& map, const Point_with_normal& item)
-  {
-    return map.tolerance[&item - map.first];
-  }
-};
-
 template <class Tag>
-Shapes detect(const std::vector<Point_with_normal>& range, const std::vector<double>& tolerances, const Task& task,
-              bool estimates)
+Shapes detect(const std::vector<Point_with_normal>& range, const Task& task, bool estimates)
 {
-  namespace np = Tandem::parameters;
-  const auto all = np::settings(parameters_of(task)).maximum_offset(task.offset()).point_map(Point_map());
-  const auto with_normals = [&](const auto& list) {
-    return estimates ? detect_planes<Tag>(range, list) : detect_planes<Tag>(range, list.normal_map(Normal_map()));
-  };
-  return tolerances.empty() ? with_normals(all)
-                            : with_normals(all.maximum_distance_map(Tolerance_map{range.data(), tolerances.data()}));
+  const auto np =
+    Tandem::parameters::settings(parameters_of(task)).maximum_offset(task.offset()).point_map(Point_map());
+  return estimates ? detect_planes<Tag>(range, np) : detect_planes<Tag>(range, np.normal_map(Normal_map()));
 }
 
 Run run_of(const Shapes& shapes, bool has_estimated)
@@ -91,8 +72,6 @@ Run run_of(const Shapes& shapes, bool has_estimated)
     const Kernel::Vector_3 n = shapes.estimated_normal(i);
     run.normals.push_back({n.x(), n.y(), n.z()});
   }
-  run.stages = shapes.statistics().times;
-  run.engine_bytes = shapes.statistics().peak_bytes;
   std::ostringstream hash;
   hash << std::hex << std::setw(16) << std::setfill('0') << shapes.hash();
   run.hash = hash.str();
@@ -109,15 +88,14 @@ Run detect_step(const Ply_cloud& cloud, const Task& task, const Run&)
   const std::vector<Point_with_normal> range = range_of(cloud);
   const bool estimates = estimates_normals(cloud, task);
   if(std::is_same<Tag, Cuda_tag>::value)
-    detect<Tag>(range, cloud.tolerances, task,
-                estimates); // the first call sets up the device, which is not the method's time
+    detect<Tag>(range, task, estimates); // the first call sets up the device, which is not the method's time
   Meter meter;
-  const Shapes shapes = detect<Tag>(range, cloud.tolerances, task, estimates);
+  const Shapes shapes = detect<Tag>(range, task, estimates);
   const double seconds = meter.lap(), processor = meter.processor();
   const std::size_t bytes = meter.peak_bytes();
   Run run = run_of(shapes, estimates);
-  run.normal_seconds = run.stages.normals;
-  run.detection_seconds = seconds - run.stages.normals;
+  run.normal_seconds = shapes.statistics().times.normals;
+  run.detection_seconds = seconds - run.normal_seconds;
   run.user = processor;
   run.peak_bytes = bytes;
   run.finished = true;
@@ -130,7 +108,7 @@ Contestant make(const std::string& name, const std::string& description, bool is
   Contestant c;
   c.name = name;
   c.description = description;
-  c.is_tandem = c.regularizes = true;
+  c.is_tandem = true;
   c.is_parallel = is_parallel;
   c.step = detect_step<Tag>;
   return c;
@@ -152,6 +130,4 @@ std::vector<Contestant> tandem_contestants()
   return list;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

@@ -6,9 +6,7 @@
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Simple_cartesian.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -108,6 +106,4 @@ Result_score evaluate_score(const Scored_cloud& cloud, const Detection& detectio
   return data.statistics.score;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

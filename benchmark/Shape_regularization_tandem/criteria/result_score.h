@@ -8,13 +8,11 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULT_SCORE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULT_SCORE_H
 
-#include "testing/evaluate_columns.h"
+#include "table.h"
 
 #include <CGAL/Tandem/Statistics.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 constexpr std::uint32_t no_neighbor = 0xffffffffu;
 
@@ -49,8 +47,6 @@ inline void append_score(Row& row, const Result_score& score, std::size_t points
   append_cell_if(row, points > 0, "score_of_point", score.total() / double(points));
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULT_SCORE_H

@@ -8,31 +8,13 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULTS_H
 
 #include "contestants/Contestant.h"
-#include "testing/evaluate_columns.h"
-#include "results_csv.h"
+#include "table.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+#include <thread>
 
-// Where and by what was measured: the first columns of each row (results.cpp). The commit is that of the variable
-// TANDEM_COMMIT.
-struct Environment {
-  std::string date, commit, compiler, cgal, processor;
-  unsigned processors = 1;
-};
+namespace CGAL::Tandem::benchmark {
 
-Environment environment();
-
-inline void append_environment(Row& row, const Environment& e)
-{
-  append_cell(row, "date", e.date);
-  append_cell(row, "commit", e.commit);
-  append_cell(row, "compiler", e.compiler);
-  append_cell(row, "cgal", e.cgal);
-  append_cell(row, "processor", e.processor);
-  append_cell(row, "processors", e.processors);
-}
+inline unsigned number_of_processors() { return (std::max)(1u, std::thread::hardware_concurrency()); }
 
 inline void append_task(Row& row, const std::string& cloud, std::size_t points, const Task& task)
 {
@@ -42,17 +24,13 @@ inline void append_task(Row& row, const std::string& cloud, std::size_t points, 
   append_cell(row, "epsilon", task.maximum_distance);
   append_cell(row, "alpha_deg", task.maximum_angle_deg);
   append_cell(row, "minimum", task.minimum_region_size);
-  append_cell(row, "beta_deg", task.angle_tolerance_deg);
-  append_cell(row, "sigma", task.offset());
   append_cell(row, "k", task.k_neighbors);
-  append_cell(row, "cell_size", task.cell_size);
-  append_cell(row, "cluster_epsilon", task.cluster_epsilon);
   append_cell(row, "threads", task.threads);
   append_cell(row, "seed", task.seed);
 }
 
-// Seconds and memory. What does not concern a contestant is empty.
-inline void append_run(Row& row, const Contestant& contestant, const Run& run)
+// Seconds and memory; empty where they are not known.
+inline void append_run(Row& row, const Run& run)
 {
   auto append_if = [&](bool is_known, const std::string& name, double value) {
     if(is_known && run.finished)
@@ -63,25 +41,12 @@ inline void append_run(Row& row, const Contestant& contestant, const Run& run)
   append_cell(row, "finished", run.finished);
   append_cell(row, "error", run.error);
   append_if(true, "seconds", run.wall());
-  append_if(true, "normal_seconds", run.normal_seconds);
-  append_if(true, "detection_seconds", run.detection_seconds);
-  append_if(!contestant.base.empty(), "regularization_seconds", run.regularization_seconds);
   append_if(true, "user_seconds", run.user);
-  const Stage_times& t = run.stages;
-  append_if(contestant.is_tandem, "stage_normals", t.normals);
-  append_if(contestant.is_tandem, "stage_sort", t.sort);
-  append_if(contestant.is_tandem, "stage_neighbors", t.neighbors);
-  append_if(contestant.is_tandem, "stage_growth", t.growth);
-  append_if(contestant.is_tandem, "stage_regularity", t.regularity);
-  append_if(contestant.is_tandem, "stage_finish", t.finish);
   append_if(run.peak_bytes > 0, "peak_mib", double(run.peak_bytes) / 1048576);
   append_if(run.peak_bytes > 0, "bytes_per_point", double(run.peak_bytes) / double(run.detection.label.size() + 1e-9));
-  append_if(contestant.is_tandem, "engine_mib", double(run.engine_bytes) / 1048576);
   append_cell(row, "hash", run.hash);
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_RESULTS_H

@@ -1,36 +1,26 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Labels beside true labels, as benchmarks of plane segmentation compare them: those of EVOPS (Kornilova et al., 2022),
-// by intersection over union (IoU), and those of SegComp (Hoover et al., 1996), by overlaps of 80 %.
+// Labels beside true labels, as EVOPS (Kornilova et al., 2022) compares them, by intersection over union (IoU).
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SEGMENTATION_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SEGMENTATION_H
 
-#include "testing/evaluate_columns.h"
+#include "table.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // Shares of shapes, or of faces, are 0 where there are none.
 struct Segmentation {
   std::size_t shapes = 0, faces = 0; // faces with enough points to count
 
-  // EVOPS: a shape and a face match with an IoU of at least .75, and partly with at least .2.
+  // A shape and a face match with an IoU of at least .75, and partly with at least .2.
   double precision = 0, recall = 0, f = 0;
   double mean_iou = 0;        // of the shapes that match
   double over_segmented = 0;  // share of the faces that several shapes match partly
   double under_segmented = 0; // share of the shapes that match several faces partly
   double missed = 0;          // share of the faces that are neither matched nor part of the two above
   double noise = 0;           // share of the shapes, likewise
-
-  // SegComp: numbers of instances. A shape or a face takes part in at most one.
-  std::size_t correct = 0;               // each has 80 % of the other
-  std::size_t over_segmented_faces = 0;  // shapes that lie in it by 80 % have 80 % of it
-  std::size_t under_segmented_faces = 0; // lie by 80 % in a shape of which they have 80 %
-  std::size_t missed_faces = 0;          // none of these
-  std::size_t noise_shapes = 0;          // likewise
 };
 
 class Segmentation_judge {
@@ -48,12 +38,11 @@ public:
   {
     match();
     match_partly();
-    count_hoover();
     return result_;
   }
 
 private:
-  static constexpr double full = 0.75, part = 0.2, tolerance = 0.8;
+  static constexpr double full = 0.75, part = 0.2;
 
   double iou(std::size_t s, std::size_t f) const { return o_.intersection_over_union(s, f); }
 
@@ -103,65 +92,6 @@ private:
     result_.missed = ratio(result_.missed, double(result_.faces));
   }
 
-  bool has_most(std::size_t part_size, std::size_t whole) const
-  {
-    return whole > 0 && double(part_size) >= tolerance * double(whole);
-  }
-
-  // Correct instances first, then over-segmentation, then under-segmentation: what is in one is in no later one.
-  void count_hoover()
-  {
-    std::vector<bool> shape_used(o_.shapes, false), face_used(o_.faces, false);
-    for(std::size_t s = 0; s < o_.shapes; ++s)
-      for(std::size_t f = 0; f < o_.faces; ++f)
-        if(has_most(o_.common(s, f), o_.shape_size[s]) && has_most(o_.common(s, f), o_.face_size[f])) {
-          shape_used[s] = face_used[f] = true;
-          result_.correct += counts_[f];
-        }
-    for(std::size_t f = 0; f < o_.faces; ++f)
-      over_segmentation(f, shape_used, face_used);
-    for(std::size_t s = 0; s < o_.shapes; ++s)
-      under_segmentation(s, shape_used, face_used);
-    for(std::size_t f = 0; f < o_.faces; ++f)
-      result_.missed_faces += counts_[f] && !face_used[f];
-    result_.noise_shapes = std::size_t(std::count(shape_used.begin(), shape_used.end(), false));
-  }
-
-  void over_segmentation(std::size_t f, std::vector<bool>& shape_used, std::vector<bool>& face_used)
-  {
-    std::vector<std::size_t> inside;
-    std::size_t common = 0;
-    for(std::size_t s = 0; s < o_.shapes; ++s)
-      if(!shape_used[s] && has_most(o_.common(s, f), o_.shape_size[s])) {
-        inside.push_back(s);
-        common += o_.common(s, f);
-      }
-    if(face_used[f] || inside.size() < 2 || !has_most(common, o_.face_size[f]))
-      return;
-    face_used[f] = true;
-    for(std::size_t s : inside)
-      shape_used[s] = true;
-    result_.over_segmented_faces += counts_[f];
-  }
-
-  void under_segmentation(std::size_t s, std::vector<bool>& shape_used, std::vector<bool>& face_used)
-  {
-    std::vector<std::size_t> inside;
-    std::size_t common = 0;
-    for(std::size_t f = 0; f < o_.faces; ++f)
-      if(!face_used[f] && has_most(o_.common(s, f), o_.face_size[f])) {
-        inside.push_back(f);
-        common += o_.common(s, f);
-      }
-    if(shape_used[s] || inside.size() < 2 || !has_most(common, o_.shape_size[s]))
-      return;
-    shape_used[s] = true;
-    for(std::size_t f : inside) {
-      face_used[f] = true;
-      result_.under_segmented_faces += counts_[f];
-    }
-  }
-
   const Overlap& o_;
   std::vector<bool> counts_, shape_matches_, face_matches_;
   Segmentation result_;
@@ -184,15 +114,8 @@ inline void append_segmentation(Row& row, bool is_known, const Segmentation& s)
   append_cell_if(row, is_known, "under_segmented", s.under_segmented);
   append_cell_if(row, is_known, "missed", s.missed);
   append_cell_if(row, is_known, "noise", s.noise);
-  append_cell_if(row, is_known, "segcomp_correct", s.correct);
-  append_cell_if(row, is_known, "segcomp_over_segmented", s.over_segmented_faces);
-  append_cell_if(row, is_known, "segcomp_under_segmented", s.under_segmented_faces);
-  append_cell_if(row, is_known, "segcomp_missed", s.missed_faces);
-  append_cell_if(row, is_known, "segcomp_noise", s.noise_shapes);
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_SEGMENTATION_H

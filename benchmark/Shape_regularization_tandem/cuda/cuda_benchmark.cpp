@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Times of the back ends, host to host: one CSV row a run. The first run of a process is cold.
-//   cuda_benchmark [surfels=R...] [BACKEND [RUNS [POINTS...]]]
-//   cuda_benchmark [surfels=R...] BACKEND RUNS CLOUD.ply EPSILON MINIMUM [own]
+//   cuda_benchmark [BACKEND [RUNS [POINTS...]]]
+//   cuda_benchmark BACKEND RUNS CLOUD.ply EPSILON MINIMUM [own]
 // BACKEND: cuda (the default), parallel or sequential. Of simulated scans with so many points, or of a cloud, with its
-// normals if it has any; own: without them. Coordinates become floats. surfels=R in front: another surfel_size; several
-// of them are timed in turns.
+// normals if it has any; own: without them. Coordinates become floats.
 
 #include "hall_scan.h"
-#include "clouds/ply_cloud.h"
+#include "clouds/read_ply.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 
@@ -54,8 +53,6 @@ struct Job {
   bool has_normals;
 };
 
-using Surfel_sizes = std::vector<double>;
-
 Job job_of_scan(std::size_t points)
 {
   return {scan(points), 0.012, (std::max)(std::size_t(200), (std::min)(points, points_of_hall) / 10000), true};
@@ -63,7 +60,7 @@ Job job_of_scan(std::size_t points)
 
 Job job_of_file(const std::string& path, double maximum_distance, std::size_t minimum_region_size, bool uses_normals)
 {
-  const CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::Ply_reader(path).read();
+  const CGAL::Tandem::benchmark::Ply_cloud file = CGAL::Tandem::benchmark::read_ply(path);
   const bool has_normals = uses_normals && file.has_normals();
   Job job = {Cloud(file.points.size()), maximum_distance, minimum_region_size, has_normals};
   const auto to_vector = [](const auto& v) { return Kernel::Vector_3(float(v.x), float(v.y), float(v.z)); };
@@ -74,16 +71,14 @@ Job job_of_file(const std::string& path, double maximum_distance, std::size_t mi
 }
 
 template <class Tag, class NP>
-void time_calls(const Job& job, int runs, const Surfel_sizes& surfel_sizes, const NP& np)
+void time_calls(const Job& job, int runs, const NP& np)
 {
-  for(int turn = 0; turn < runs * int(surfel_sizes.size()); ++turn) {
-    const int i = turn / int(surfel_sizes.size());
-    const double surfel_size = surfel_sizes[std::size_t(turn) % surfel_sizes.size()];
+  for(int i = 0; i < runs; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const auto shapes = CGAL::Tandem::detect_planes<Tag>(job.cloud, np.surfel_size(surfel_size));
+    const auto shapes = CGAL::Tandem::detect_planes<Tag>(job.cloud, np);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     const auto& s = shapes.statistics();
-    std::cout << s.backend << ',' << job.cloud.size() << ',' << surfel_size << ',' << i << ',' << wall.count() * 1000;
+    std::cout << s.backend << ',' << job.cloud.size() << ',' << i << ',' << wall.count() * 1000;
     for(double t :
         {s.times.sort, s.times.neighbors, s.times.normals, s.times.growth, s.times.regularity, s.times.finish})
       std::cout << ',' << t * 1000;
@@ -94,35 +89,35 @@ void time_calls(const Job& job, int runs, const Surfel_sizes& surfel_sizes, cons
 }
 
 template <class Tag>
-void run_with(const Job& job, int runs, const Surfel_sizes& surfel_sizes)
+void run_with(const Job& job, int runs)
 {
   namespace parameters = CGAL::Tandem::parameters;
   const auto np = parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
                     .maximum_distance(job.maximum_distance)
                     .minimum_region_size(job.minimum_region_size);
   if(job.has_normals)
-    time_calls<Tag>(job, runs, surfel_sizes, np.normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>()));
+    time_calls<Tag>(job, runs, np.normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>()));
   else
-    time_calls<Tag>(job, runs, surfel_sizes, np);
+    time_calls<Tag>(job, runs, np);
 }
 
-void run(const std::string& backend, const Job& job, int runs, const Surfel_sizes& surfel_sizes)
+void run(const std::string& backend, const Job& job, int runs)
 {
   if(backend == "sequential")
-    run_with<CGAL::Sequential_tag>(job, runs, surfel_sizes);
+    run_with<CGAL::Sequential_tag>(job, runs);
   else if(backend == "parallel")
-    run_with<CGAL::Parallel_if_available_tag>(job, runs, surfel_sizes);
+    run_with<CGAL::Parallel_if_available_tag>(job, runs);
 #ifdef CGAL_TANDEM_USE_CUDA
   else
-    run_with<CGAL::Tandem::Cuda_tag>(job, runs, surfel_sizes);
+    run_with<CGAL::Tandem::Cuda_tag>(job, runs);
 #endif
 }
 
 [[noreturn]] void exit_with_usage(const std::string& what)
 {
   std::cerr << "cuda_benchmark: " << what << R"(
-cuda_benchmark [surfels=R...] [cuda|parallel|sequential [RUNS [POINTS...]]]
-cuda_benchmark [surfels=R...] cuda|parallel|sequential RUNS CLOUD.ply EPSILON MINIMUM [own]
+cuda_benchmark [cuda|parallel|sequential [RUNS [POINTS...]]]
+cuda_benchmark cuda|parallel|sequential RUNS CLOUD.ply EPSILON MINIMUM [own]
 )";
   std::exit(2);
 }
@@ -140,13 +135,6 @@ int main(int argc, char** argv)
 {
   constexpr double maximum_points = 2147483648.0;
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  Surfel_sizes surfel_sizes;
-  const std::string surfels = "surfels=";
-  for(; !arguments.empty() && arguments.front().compare(0, surfels.size(), surfels) == 0;
-      arguments.erase(arguments.begin()))
-    surfel_sizes.push_back(number(arguments.front().substr(surfels.size()), 0, CGAL::Tandem::largest_surfel_size));
-  if(surfel_sizes.empty())
-    surfel_sizes.push_back(CGAL::Tandem::Parameters().surfel_size);
   const std::string backend = !arguments.empty() ? arguments[0] : "cuda";
   if(backend != "cuda" && backend != "parallel" && backend != "sequential")
     exit_with_usage("unknown back end '" + backend + "'");
@@ -172,15 +160,14 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   std::cout << "# " << CGAL::Tandem::cuda_device_report() << '\n'
-            << "backend,points,surfel size,run,wall "
+            << "backend,points,run,wall "
                "ms,sort,neighbors,normals,growth,regularity,final,rounds,shapes,coverage,bytes a "
                "point,hash\n";
   try {
     if(is_file)
-      run(backend, job_of_file(arguments[2], maximum_distance, minimum_region_size, arguments.size() == 5), runs,
-          surfel_sizes);
+      run(backend, job_of_file(arguments[2], maximum_distance, minimum_region_size, arguments.size() == 5), runs);
     for(std::size_t size : sizes)
-      run(backend, job_of_scan(size), runs, surfel_sizes);
+      run(backend, job_of_scan(size), runs);
   } catch(const std::exception& e) {
     std::cerr << "cuda_benchmark: " << e.what() << std::endl;
     return EXIT_FAILURE;

@@ -8,15 +8,15 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_HALL_SCAN_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_HALL_SCAN_H
 
+#include "scenes/scenes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <thread>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 class Hall_scan {
 public:
@@ -73,13 +73,7 @@ private:
     double bell() { return (uniform() + uniform() + uniform() + uniform() - 2) * 1.7320508; }
 
   private:
-    static std::uint64_t mixed(std::uint64_t z)
-    {
-      z += 0x9e3779b97f4a7c15;
-      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-      z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-      return z ^ (z >> 31);
-    }
+    static std::uint64_t mixed(std::uint64_t z) { return scenes::Random(z).bits(); }
 
     std::uint64_t state_;
   };
@@ -173,8 +167,6 @@ void for_each_on_all_processors(std::size_t n, F f)
     thread.join();
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_HALL_SCAN_H

@@ -10,32 +10,36 @@
 #include "contestants/Contestant.h"
 #include "criteria/results.h"
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 struct Experiment_options {
   bool is_quick = false;                // small clouds, few steps
-  bool writes_view_files = false;       // the clouds of the comparison, for detect_planes --view
-  std::string output = ".";             // folder of the CSV files and pictures; it exists
+  std::string output = ".";             // folder of the CSV files; it exists
   std::string data;                     // folder of clouds (TANDEM_DATA); empty: there is none
   std::string sources;                  // folder of the benchmark's own files: clouds.csv
-  double time_limit = 600;              // seconds for one run of one contestant
   unsigned repeats = 3;                 // runs that are timed
   unsigned threads = 0;                 // of parallel contestants; 0: all
   std::vector<std::string> contestants; // names; empty: as the experiment thinks fit
   std::vector<std::string> arguments;   // what is left of the command line
 };
 
-// A subcommand of tandem_benchmark: benchmark.cpp has the list.
+// A subcommand of tandem_benchmark.
 struct Experiment {
   const char* name;
   const char* help;
   void (*run)(const Experiment_options&); // throws what main prints
 };
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+// All contestants on clouds: prints the tables, and writes results.csv (compare.cpp).
+void run_compare(const Experiment_options& options);
+
+// How time and memory grow (experiment_scaling.cpp).
+void run_scaling(const Experiment_options& options);
+
+// These two, and the experiments of the paper (experiments.cpp). Each writes NAME.csv to the folder of the output. All
+// are deterministic but for the times.
+std::vector<Experiment> experiments();
+
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EXPERIMENT_H

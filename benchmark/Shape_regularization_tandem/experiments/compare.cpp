@@ -1,20 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The subcommand `compare`: all contestants on the clouds of clouds.csv, or on a
-// cloud of the caller.
+// The subcommand `compare`: all contestants on the clouds of clouds.csv, or on a cloud of the caller.
 
-#include "compare.h"
-#include "Comparison.h"
-#include "report/comparison_table.h"
-#include "report/view_files.h"
+#include "Experiment.h"
+#include "clouds/named_clouds.h"
+#include "comparison_table.h"
+#include "criteria/judgement.h"
 
-#include <map>
-#include <sys/stat.h>
-
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -31,15 +25,102 @@ std::vector<Contestant> chosen(const Experiment_options& options, std::vector<st
   return list;
 }
 
+// All contestants on one cloud, with the same points, tolerances and, if asked for, normals: several runs, in turn; then
+// the criteria of each run as a row.
+class Comparison {
+public:
+  Comparison(const Experiment_options& options, const Named_cloud& named, const std::vector<Contestant>& contestants)
+    : options_(options), named_(named),
+      graph_(neighbor_graph(named.cloud.points, named.task.k_neighbors, named.task.maximum_distance))
+  {
+    for(const Contestant& c : contestants)
+      entries_.push_back({c, {}});
+  }
+
+  // Contestant by contestant, as many times over as there are repeats, so that a busy while does not hit one alone.
+  void measure()
+  {
+    for(unsigned repeat = 0; repeat < options_.repeats; ++repeat)
+      for(Entry& entry : entries_)
+        if(!is_slow(entry))
+          entry.runs.push_back(run(entry, repeat));
+  }
+
+  // A row for each run, and, for each peer, one of the cleaned result of its first run.
+  std::vector<Row> rows() const
+  {
+    std::vector<Row> rows;
+    for(const Entry& entry : entries_) {
+      for(std::size_t r = 0; r < entry.runs.size(); ++r)
+        rows.push_back(row(entry, r, entry.runs[r], false));
+      const Run& first = entry.runs.front();
+      if(entry.contestant.is_tandem || !first.finished)
+        continue;
+      Run run = first;
+      run.detection = cleaned(named_.cloud, normals_of(named_, run), named_.task, run.detection);
+      rows.push_back(row(entry, 0, run, true));
+    }
+    return rows;
+  }
+
+private:
+  struct Entry {
+    Contestant contestant;
+    std::vector<Run> runs;
+  };
+
+  static constexpr double slow = 10; // seconds: it is not run again
+
+  static bool is_slow(const Entry& entry)
+  {
+    return !entry.runs.empty() && (!entry.runs.back().finished || entry.runs.back().wall() > slow);
+  }
+
+  // Random contestants have another seed in each repeat. The base, where it takes part, has run before.
+  Run run(const Entry& entry, unsigned repeat) const
+  {
+    Task task = named_.task;
+    task.seed = entry.contestant.is_random ? repeat : 0;
+    const std::string& base = entry.contestant.base;
+    for(const Entry& other : entries_)
+      if(!base.empty() && other.contestant.name == base)
+        return run_after(entry.contestant, named_.cloud, task, other.runs.back());
+    return benchmark::run(entry.contestant, named_.cloud, task);
+  }
+
+  Row row(const Entry& entry, std::size_t repeat, const Run& run, bool is_cleaned) const
+  {
+    Row row;
+    Task task = named_.task;
+    task.seed = entry.contestant.is_random ? unsigned(repeat) : 0;
+    task.threads = !entry.contestant.is_parallel ? 1 : task.threads > 0 ? task.threads : number_of_processors();
+    append_task(row, named_.name, named_.cloud.points.size(), task);
+    append_cell(row, "method", entry.contestant.name);
+    append_cell(row, "description", entry.contestant.description + (is_cleaned ? ", cleaned" : ""));
+    append_cell(row, "cleaned", is_cleaned);
+    append_cell(row, "repeat", repeat);
+    append_run(row, run);
+    if(!run.finished)
+      return row;
+    append_judgement(row, named_, task, graph_, run);
+    std::vector<Detection> detections; // over the repeats: for random contestants, over the seeds
+    for(const Run& r : entry.runs)
+      if(r.finished)
+        detections.push_back(r.detection);
+    if(!is_cleaned)
+      append_spread(row, evaluate_spread(detections));
+    return row;
+  }
+
+  const Experiment_options& options_;
+  const Named_cloud& named_;
+  Neighbor_graph graph_;
+  std::vector<Entry> entries_;
+};
+
 class Comparer {
 public:
-  explicit Comparer(const Experiment_options& options) : options_(options)
-  {
-    mkdir((options.output + "/results").c_str(), 0777);
-    mkdir((options.output + "/pictures").c_str(), 0777);
-    if(options.writes_view_files)
-      mkdir((options.output + "/views").c_str(), 0777);
-  }
+  explicit Comparer(const Experiment_options& options) : options_(options) {}
 
   void compare(Named_cloud named)
   {
@@ -50,8 +131,6 @@ public:
       t.minimum_region_size, t.k_neighbors);
     std::fflush(stdout);
     run(options_, named, {});
-    if(options_.writes_view_files)
-      write_view_files(options_.output + "/views", named.name, named.cloud, t);
 
     // Each with the normals that it estimates itself: peers by PCA of 20 neighbors.
     std::printf("%s, each with its own normals\n", named.name.c_str());
@@ -61,11 +140,7 @@ public:
     run(once, named, {"tandem", "growing-cached", "growing+regularize", "ransac", "pcl-growing"});
   }
 
-  void write() const
-  {
-    write_csv(options_.output + "/results.csv", rows_);
-    write_csv(options_.output + "/comparison.csv", table_);
-  }
+  void write() const { write_csv(options_.output + "/results.csv", rows_); }
 
   const std::vector<Row>& rows() const { return rows_; }
 
@@ -75,27 +150,16 @@ private:
     Comparison comparison(options, named, chosen(options, names));
     comparison.measure();
     const std::vector<Row> rows = comparison.rows();
-    const std::vector<Summary> all = summaries(rows);
-    print_table(all);
-    for(const Summary& summary : all) {
-      table_.push_back(summary_row(summary, all.front()));
-      append_environment(table_.back(), environment());
-    }
-    const std::string normals = named.task.estimates_normals ? "own" : "given";
-    comparison.write_detections(options.output + "/results/" + named.name + "." + normals);
-    if(!named.task.estimates_normals)
-      comparison.draw(options.output + "/pictures");
+    print_table(summaries(rows));
     rows_.insert(rows_.end(), rows.begin(), rows.end());
     write(); // what is there so far, should something end the program
   }
 
   Experiment_options options_;
-  std::vector<Row> rows_;  // a row for each run
-  std::vector<Row> table_; // and for each method
+  std::vector<Row> rows_; // a row for each run
 };
 
-// What is guaranteed: each run finishes, its points are within the tolerances, and runs, back ends and orders of the
-// points give the same.
+// What is guaranteed: each run finishes, its points are within the tolerances, and runs and back ends give the same.
 std::string complaint(const std::vector<Row>& rows)
 {
   std::map<std::string, std::string> hash;
@@ -107,8 +171,6 @@ std::string complaint(const std::vector<Row>& rows)
       return cloud + ": " + cell(row, "error");
     if(cell(row, "beyond_either") != "0")
       return cloud + ": points violate the tolerances";
-    if(cell(row, "same_planes_when_shuffled") == "false")
-      return cloud + ": other planes when the points are shuffled";
     if(hash.emplace(cloud, cell(row, "hash")).first->second != cell(row, "hash"))
       return cloud + ": the runs or back ends of Tandem differ";
   }
@@ -153,6 +215,4 @@ void run_compare(const Experiment_options& options)
     throw std::runtime_error("Tandem failed on " + wrong);
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

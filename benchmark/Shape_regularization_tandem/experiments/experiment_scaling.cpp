@@ -1,17 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time and memory over points, neighbors and threads, on scans of one house that
+// Time and memory over points and threads, on scans of one house that
 // differ in density only: the same faces, with more points on each.
 
-#include "experiment_trials.h"
+#include "Trials.h"
 
 #include <cmath>
 #include <map>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 namespace {
 
@@ -53,24 +51,10 @@ public:
     finish("points");
   }
 
-  void over_neighbors()
-  {
-    Named_cloud c = house_scan(options_.is_quick ? 50000 : 1000000);
-    for(unsigned k :
-        options_.is_quick ? std::vector<unsigned>{6, 12, 24} : std::vector<unsigned>{6, 8, 12, 16, 24, 32, 48})
-      for(const char* name : {"tandem", "growing-cached"}) {
-        Task task = c.task;
-        task.k_neighbors = k;
-        if(k <= 24 || std::string(name) == "tandem")
-          add(c, "k", k, name, task);
-      }
-    finish("k");
-  }
-
   void over_threads()
   {
     Named_cloud c = house_scan(options_.is_quick ? 100000 : 1000000);
-    const unsigned all = environment().processors;
+    const unsigned all = number_of_processors();
     for(unsigned threads = 1; threads <= all; threads = threads < all ? (std::min)(2 * threads, all) : all + 1) {
       Task task = c.task;
       task.threads = threads;
@@ -111,52 +95,30 @@ private:
   void finish(const std::string& sweep)
   {
     for(const char* quantity : {"seconds", "user_seconds", "peak_mib"})
-      for(const std::string& method : methods_of(sweep)) {
-        const std::map<double, double> values = least_values(sweep, method, quantity);
-        if(values.size() > 1)
-          add_exponent(method, quantity, sweep, values);
+      for(const auto& [method, values] : least_values(sweep, quantity)) {
+        if(values.size() < 2)
+          continue;
+        const double value = exponent(values);
+        std::printf("%-32s %-10s ~ %s^%.2f\n", method.c_str(), quantity, sweep.c_str(), value);
+        exponents_.push_back({{"method", method}, {"quantity", quantity}, {"over", sweep}});
+        append_cell(exponents_.back(), "exponent", value);
       }
     trials_.write();
     write_csv(trials_.path("-exponents.csv"), exponents_);
   }
 
-  std::vector<std::string> methods_of(const std::string& sweep) const
+  // By method and value of the sweep: the least over the repeats, since errors of times are positive.
+  std::map<std::string, std::map<double, double>> least_values(const std::string& sweep, const char* quantity) const
   {
-    std::vector<std::string> names;
-    for(const Row& row : trials_.rows())
-      if(cell(row, "sweep") == sweep && std::find(names.begin(), names.end(), cell(row, "method")) == names.end())
-        names.push_back(cell(row, "method"));
-    return names;
-  }
-
-  // The least over the repeats, for each value of the sweep: errors of times are positive.
-  std::map<double, double> least_values(const std::string& sweep, const std::string& method,
-                                        const std::string& quantity) const
-  {
-    std::map<double, double> least;
+    std::map<std::string, std::map<double, double>> least;
     for(const Row& row : trials_.rows()) {
       const double y = std::atof(cell(row, quantity).c_str());
-      if(cell(row, "sweep") != sweep || cell(row, "method") != method || !(y > 0))
+      if(cell(row, "sweep") != sweep || !(y > 0))
         continue;
-      const auto entry = least.emplace(std::atof(cell(row, "value").c_str()), y).first;
+      const auto entry = least[cell(row, "method")].emplace(std::atof(cell(row, "value").c_str()), y).first;
       entry->second = (std::min)(entry->second, y);
     }
     return least;
-  }
-
-  void add_exponent(const std::string& method, const std::string& quantity, const std::string& over,
-                    const std::map<double, double>& values)
-  {
-    const double value = exponent(values);
-    std::printf("%-32s %-10s ~ %s^%.2f\n", method.c_str(), quantity.c_str(), over.c_str(), value);
-    Row row;
-    append_cell(row, "method", method);
-    append_cell(row, "quantity", quantity);
-    append_cell(row, "over", over);
-    append_cell(row, "exponent", value);
-    append_cell(row, "from", values.begin()->first);
-    append_cell(row, "to", values.rbegin()->first);
-    exponents_.push_back(row);
   }
 
   const Experiment_options& options_;
@@ -170,10 +132,7 @@ void run_scaling(const Experiment_options& options)
 {
   Scaling scaling(options);
   scaling.over_points();
-  scaling.over_neighbors();
   scaling.over_threads();
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark

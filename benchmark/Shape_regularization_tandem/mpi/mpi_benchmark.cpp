@@ -8,6 +8,7 @@
 // hall of its own with so many points, side by side with those of the others.
 
 #include "cuda/hall_scan.h"
+#include "testing/measure.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 #include <CGAL/Shape_regularization_tandem/mpi.h>
@@ -19,7 +20,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -44,16 +44,6 @@ Cloud scan(std::size_t first, std::size_t last, float shift)
                        Kernel::Vector_3(float(s.normal[0]), float(s.normal[1]), float(s.normal[2])));
   }
   return cloud;
-}
-
-// What the kernel says of this process, in bytes: "VmHWM" is the largest memory so far.
-double memory(const std::string& name)
-{
-  std::ifstream status("/proc/self/status");
-  for(std::string line; std::getline(status, line);)
-    if(line.compare(0, name.size() + 1, name + ":") == 0)
-      return 1024. * std::strtod(line.c_str() + name.size() + 1, nullptr);
-  return 0;
 }
 
 // A sum over the points of a rank, so that sums over ranks do not depend on who has which point.
@@ -104,7 +94,7 @@ Row detect(const Job& job, const NP& np, const Traits& traits, Bytes bytes_sent)
   const auto shapes = detection.shapes();
   row.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   row.sent[number_of_stages - 1] += bytes_sent() - sent;
-  row.memory = memory("VmHWM") - job.before;
+  row.memory = double(CGAL::Tandem::benchmark::status_bytes("VmHWM")) - job.before;
   row.hash = hash_of_labels(shapes, job.cloud.size(), job.first);
   row.statistics = shapes.statistics();
   return row;
@@ -197,7 +187,7 @@ int main(int argc, char** argv)
   job.minimum_region_size = (std::max)(std::size_t(200), points / 10000);
   if((are_tiles || kind == "strong") && points > 0) {
     job.cloud = are_tiles ? scan(0, points, 100 * float(rank)) : scan(job.first, points * (rank + 1) / ranks, 0);
-    job.before = memory("VmRSS");
+    job.before = double(CGAL::Tandem::benchmark::status_bytes("VmRSS"));
     if(rank == 0) {
       std::cout
         << "backend,ranks,points,wall s,sort,neighbors,growth,regularity,final,bytes a point of the largest rank";

@@ -4,7 +4,7 @@
 // Writes a cloud with normals by PCA of the k nearest points, so that all
 // detectors read the same normals; optionally of a fixed random subset.
 
-#include "clouds/ply_cloud.h"
+#include "clouds/read_ply.h"
 #include "clouds/scene_normals.h"
 
 #include <iostream>

@@ -4,9 +4,7 @@
 // The benchmark: Tandem beside its peers, by the paper's criteria and experiments.
 // tandem_benchmark --help explains it; scripts/benchmark.sh runs all of it.
 
-#include "experiments/compare.h"
-#include "experiments/experiments.h"
-#include "contestants/run_isolated.h"
+#include "experiments/Experiment.h"
 
 #include <boost/program_options.hpp>
 
@@ -19,17 +17,6 @@ namespace po = boost::program_options;
 using namespace CGAL::Tandem::benchmark;
 
 namespace {
-
-std::vector<Experiment> experiments()
-{
-  std::vector<Experiment> list = {
-    {"compare",
-     "all contestants on clouds of clouds.csv (default: all), or on FILE [LABELS] EPSILON ALPHA MINIMUM [CLUSTER]",
-     run_compare}};
-  for(const Experiment& e : paper_experiments())
-    list.push_back(e);
-  return list;
-}
 
 struct Command_line {
   std::string experiment, contestants;
@@ -55,13 +42,10 @@ po::options_description make_options(Command_line& line)
   Experiment_options& o = line.options;
   po::options_description visible("Options");
   visible.add_options()("help", "this text")("quick", po::bool_switch(&o.is_quick), "small clouds, few steps")(
-    "views", po::bool_switch(&o.writes_view_files),
-    "compare: also writes what detect_planes --view needs, into the folder views")(
     "output", po::value(&o.output)->default_value("."), "folder of what is written; it exists")(
     "data", po::value(&o.data), "folder of the clouds of clouds.csv that are files")(
     "sources", po::value(&o.sources)->default_value(TANDEM_BENCHMARK_SOURCES),
-    "folder of clouds.csv")("time-limit", po::value(&o.time_limit)->default_value(600), "seconds for one run")(
-    "repeats", po::value(&o.repeats)->default_value(3), "runs that are timed")(
+    "folder of clouds.csv")("repeats", po::value(&o.repeats)->default_value(3), "runs that are timed")(
     "threads", po::value(&o.threads)->default_value(0), "of parallel contestants; 0: all processors")(
     "contestants", po::value(&line.contestants), "names, separated by commas; default: as the subcommand has them");
   return visible;
@@ -94,8 +78,6 @@ void check(const Experiment_options& o)
   struct stat status;
   if(stat(o.output.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
     throw std::invalid_argument("--output " + o.output + " is not a folder");
-  if(!(o.time_limit > 0))
-    throw std::invalid_argument("--time-limit must be positive");
   if(o.repeats == 0)
     throw std::invalid_argument("--repeats must be at least 1");
   for(const std::string& name : o.contestants)
@@ -123,8 +105,6 @@ int fail(int code, const std::string& message)
 
 int main(int argc, char** argv)
 {
-  if(is_isolated_call(argc, argv))
-    return isolated_main(argv);
   try {
     const Command_line line = parse(argc, argv);
     if(line.help.empty())

@@ -5,7 +5,7 @@
 // millions. scripts/cost.sh compiles it and runs it under valgrind's callgrind.
 //   cost house|scan|CLOUD.ply DUMP     DUMP: the --callgrind-out-file
 
-#include "clouds/ply_cloud.h"
+#include "clouds/read_ply.h"
 #include "cuda/hall_scan.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -5,25 +5,23 @@
 // target has the same name. Without CMake, in the folder benchmark/Shape_regularization_tandem:
 //   g++ -std=c++17 -O2 -DNDEBUG -DCGAL_EIGEN3_ENABLED -I. -I../../include -I../../test/Shape_regularization_tandem
 //     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/contestants_tandem.cpp criteria/result_score.cpp
-//     clouds/{labeled_frames,frame_models,sensor,scene_normals}.cpp
-//     ../../test/Shape_regularization_tandem/testing/scene*.cpp -o labeled_frames
+//     clouds/{named_clouds,scene_normals}.cpp
+//     ../../test/Shape_regularization_tandem/scenes/*.cpp -lgmp -lmpfr -o labeled_frames
 //   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [PART...]
 // only clouds whose group or name contains one of the PARTs.
 // Columns: F, mean IoU, precision and recall at an intersection over union of .75, over- and under-segmentation, number
 // of shapes, F1 at .5, precision of points, score per point (criteria/segmentation.h, criteria/result_score.h). Of
 // layers: the share of a face that its main shape has, of the worst face and on average.
 
-#include "clouds/labeled_frames.h"
+#include "clouds/named_clouds.h"
 #include "contestants/contestants.h"
-#include "criteria/result_score.h"
-#include "criteria/results_csv.h"
-#include "criteria/segmentation.h"
+#include "criteria/judgement.h"
 
 #include <cstdio>
 #include <map>
 
 using namespace CGAL::Tandem::benchmark;
-using CGAL::Tandem::Parameters;
+namespace scenes = CGAL::Tandem::scenes;
 
 namespace {
 
@@ -31,37 +29,11 @@ const std::vector<std::string> columns = {
   "segmentation_f", "mean_iou",   "segmentation_precision", "segmentation_recall", "over_segmented", "under_segmented",
   "shapes",         "face_f1_50", "point_precision",        "score_of_point"};
 // Of the file.
-const std::vector<std::string> written_columns = {"group",
-                                                  "cloud",
-                                                  "normals",
-                                                  "points",
-                                                  "shapes",
-                                                  "coverage",
-                                                  "mean_distance_in_epsilons",
-                                                  "degrees_of_freedom_relaxed",
-                                                  "planes_relaxed",
-                                                  "segmentation_f",
-                                                  "mean_iou",
-                                                  "segmentation_precision",
-                                                  "segmentation_recall",
-                                                  "over_segmented",
-                                                  "under_segmented",
-                                                  "missed",
-                                                  "noise",
-                                                  "segcomp_correct",
-                                                  "segcomp_over_segmented",
-                                                  "segcomp_under_segmented",
-                                                  "true_faces",
-                                                  "face_f1_50",
-                                                  "point_precision",
-                                                  "angle_error_deg",
-                                                  "parallel_false_relaxed",
-                                                  "score_fit",
-                                                  "score_links",
-                                                  "score_size",
-                                                  "score_price",
-                                                  "score_freedom",
-                                                  "score_of_point"};
+const char* const written_columns =
+  "group cloud normals points shapes coverage mean_distance_in_epsilons degrees_of_freedom_relaxed planes_relaxed "
+  "segmentation_f mean_iou segmentation_precision segmentation_recall over_segmented under_segmented missed noise "
+  "true_faces face_f1_50 point_precision angle_error_deg parallel_false_relaxed score_fit score_links score_size "
+  "score_price score_freedom score_of_point";
 const char* const titles = "   F.75    mIoU    prec     rec    over   under  shapes    F1.5   pprec       S";
 
 using Values = std::vector<double>;
@@ -90,15 +62,16 @@ const char* const kinds[] = {"given", "own"}; // of normals
 
 class Judge {
 public:
-  Judge(const Parameters& engine, const std::vector<std::string>& parts) : engine_(engine), parts_(parts) {}
+  // The task has the simplicity and the regularity.
+  Judge(const Task& knobs, const std::vector<std::string>& parts) : knobs_(knobs), parts_(parts) {}
 
   // Frames of a group follow each other.
-  void judge(const std::string& title, const std::vector<Labeled_frame>& frames)
+  void judge(const std::string& title, const std::vector<scenes::Labeled_scene>& frames)
   {
     std::map<std::string, Sums> sums[2];
     std::vector<std::string> groups;
     std::printf("\n%-30s%s\n", title.c_str(), titles);
-    for(const Labeled_frame& frame : frames) {
+    for(const scenes::Labeled_scene& frame : frames) {
       if(!is_wanted(frame))
         continue;
       const Named_cloud cloud = make_cloud(frame);
@@ -122,7 +95,7 @@ public:
   void judge_layers()
   {
     std::map<std::string, std::vector<double>> worst, mean;
-    for(const Labeled_frame& frame : labeled_layers()) {
+    for(const scenes::Labeled_scene& frame : scenes::labeled_layers()) {
       if(!is_wanted(frame))
         continue;
       const Named_cloud cloud = make_cloud(frame);
@@ -149,7 +122,7 @@ public:
   const std::vector<Row>& rows() const { return rows_; }
 
 private:
-  bool is_wanted(const Labeled_frame& frame) const
+  bool is_wanted(const scenes::Labeled_scene& frame) const
   {
     const std::string name = frame.group + " " + frame.name;
     return parts_.empty() || std::any_of(parts_.begin(), parts_.end(),
@@ -159,32 +132,19 @@ private:
   Run detect(const Named_cloud& cloud, bool estimates_normals) const
   {
     Task task = cloud.task;
-    task.engine.simplicity = engine_.simplicity;
-    task.engine.regularity = engine_.regularity;
+    task.simplicity = knobs_.simplicity;
+    task.regularity = knobs_.regularity;
     task.estimates_normals = estimates_normals;
     return tandem_contestants().back().step(cloud.cloud, task, Run());
   }
 
-  Row row(const Labeled_frame& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own) const
+  Row row(const scenes::Labeled_scene& frame, const Named_cloud& cloud, const Neighbor_graph& graph, int own) const
   {
-    const Run run = detect(cloud, own);
-    const Task& task = cloud.task;
-    const std::vector<Vec>& points = cloud.cloud.points;
-    const std::vector<Vec>& normals = own ? run.normals : cloud.cloud.normals;
-    Row row = {{"group", frame.group}, {"cloud", frame.name}, {"normals", kinds[own]}};
-    append_cell(row, "points", points.size());
-    append_criteria(row, evaluate(points, normals, run.detection, task.tolerances()));
-    append_segmentation(row, true, evaluate_segmentation(cloud.truth, run.detection, task.minimum_region_size));
-    append_truth(row, evaluate_truth(cloud.truth, run.detection, extent_of(points), task.minimum_region_size));
-    const Scored_cloud scored = {points, normals, graph, task.tolerances(), task.minimum_region_size};
-    append_score(row, evaluate_score(scored, run.detection), points.size());
-    return written(row);
-  }
-
-  static Row written(const Row& all)
-  {
-    Row row;
-    for(const std::string& column : written_columns)
+    Row all = {{"group", frame.group}, {"cloud", frame.name}, {"normals", kinds[own]}}, row;
+    append_cell(all, "points", cloud.cloud.points.size());
+    append_judgement(all, cloud, cloud.task, graph, detect(cloud, own));
+    std::istringstream columns(written_columns);
+    for(std::string column; columns >> column;)
       row.emplace_back(column, cell(all, column));
     return row;
   }
@@ -241,7 +201,7 @@ private:
     return {worst, right / all};
   }
 
-  Parameters engine_;
+  Task knobs_;
   std::vector<std::string> parts_;
   std::vector<Row> rows_;
 };
@@ -252,18 +212,18 @@ int main(int argc, char** argv)
 try {
   std::vector<std::string> parts(argv + 1, argv + argc);
   std::string csv;
-  Parameters engine;
+  Task knobs;
   for(; parts.size() > 1 && parts[0].compare(0, 2, "--") == 0; parts.erase(parts.begin(), parts.begin() + 2)) {
     if(parts[0] == "--csv")
       csv = parts[1];
     else if(parts[0] == "--simplicity" || parts[0] == "--regularity")
-      (parts[0] == "--simplicity" ? engine.simplicity : engine.regularity) = std::stod(parts[1]);
+      (parts[0] == "--simplicity" ? knobs.simplicity : knobs.regularity) = std::stod(parts[1]);
     else
       throw std::runtime_error("unknown option " + parts[0]);
   }
-  Judge judge(engine, parts);
-  judge.judge("labeled frames", labeled_frames());
-  judge.judge("scenes", labeled_scenes());
+  Judge judge(knobs, parts);
+  judge.judge("labeled frames", scenes::labeled_frames());
+  judge.judge("scenes", scenes::labeled_scenes());
   judge.judge_layers();
   if(!csv.empty())
     write_csv(csv, judge.rows());

@@ -6,7 +6,7 @@
 
 #include "clouds/ply_cloud.h"
 #include "clouds/scene_normals.h"
-#include "testing/scene_twins.h"
+#include "scenes/scene_twins.h"
 
 #include <boost/program_options.hpp>
 
@@ -21,8 +21,6 @@ namespace {
 
 struct Request {
   std::string scene, output, normals;
-  double offset[3] = {0, 0, 0};
-  bool is_double = false;
   scenes::Options options;
 };
 
@@ -35,9 +33,7 @@ po::options_description make_description(Request& r)
     "outliers", po::value(&r.options.outliers)->default_value(0), "share of the points that lie anywhere")(
     "varying-density", po::bool_switch(&r.options.varies_density), "density as seen from scanners")(
     "normals", po::value(&r.normals)->default_value("blended"), "exact, perturbed, blended, pca or none")(
-    "normal-noise", po::value(&r.options.normal_noise_deg)->default_value(0),
-    "degrees, for perturbed and blended")("double", po::bool_switch(&r.is_double), "store coordinates as double")(
-    "offset", po::value<std::vector<double>>()->multitoken(), "X Y Z added to all coordinates")(
+    "normal-noise", po::value(&r.options.normal_noise_deg)->default_value(0), "degrees, for perturbed and blended")(
     "seed", po::value(&r.options.seed)->default_value(1), "seed of the random numbers");
   return visible;
 }
@@ -62,11 +58,6 @@ Request parse(int argc, char** argv)
     std::exit(0);
   }
   po::notify(values);
-  if(values.count("offset")) {
-    auto offset = values["offset"].as<std::vector<double>>();
-    for(std::size_t i = 0; i < 3 && i < offset.size(); ++i)
-      r.offset[i] = offset[i];
-  }
   return r;
 }
 
@@ -92,12 +83,12 @@ scenes::Scene generate(Request r)
   return scene;
 }
 
-void write_truth(const std::string& path, const scenes::Scene& scene, const scenes::Vec& offset)
+void write_truth(const std::string& path, const scenes::Scene& scene)
 {
   std::ofstream out(path);
   out << std::setprecision(17);
   for(const scenes::Truth_face& f : scene.faces)
-    out << f.normal.x << " " << f.normal.y << " " << f.normal.z << " " << f.offset - dot(f.normal, offset) << "\n";
+    out << f.normal.x << " " << f.normal.y << " " << f.normal.z << " " << f.offset << "\n";
   out.close();
   if(!out)
     throw std::runtime_error(path + ": cannot be written");
@@ -109,12 +100,8 @@ int main(int argc, char** argv)
 try {
   Request request = parse(argc, argv);
   scenes::Scene scene = generate(request);
-  scenes::Vec offset{request.offset[0], request.offset[1], request.offset[2]};
-  Ply_cloud cloud{scene.points, scene.normals, scene.label, request.is_double};
-  for(scenes::Vec& p : cloud.points)
-    p = p + offset;
-  CGAL::Tandem::benchmark::write_ply(request.output, cloud);
-  write_truth(request.output + ".truth", scene, offset);
+  CGAL::Tandem::benchmark::write_ply(request.output, {scene.points, scene.normals, scene.label});
+  write_truth(request.output + ".truth", scene);
   std::cout << request.scene << ": " << scene.points.size() << " points, " << scene.faces.size() << " faces, diagonal "
             << scene.diagonal << "\n";
   return 0;

@@ -6,7 +6,8 @@
 //   draw_figures CLOUD.ply MAXIMUM_DISTANCE MAXIMUM_ANGLE MINIMUM_REGION_SIZE CLOUDS TABLES
 // writes CLOUDS/*.ply and TABLES/*.md.
 
-#include "report/shape_colors.h"
+#include "shape_colors.h"
+#include "clouds/read_ply.h"
 
 #include <CGAL/Shape_regularization_tandem.h>
 #include <CGAL/Simple_cartesian.h>

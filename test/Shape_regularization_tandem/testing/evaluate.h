@@ -1,20 +1,24 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The paper's criteria, and comparison with a known truth, of the labels and
-// planes that any detector wrote. Nothing of the package takes part.
+// What is judged of the labels and planes that any detector made: the paper's criteria, how few and how large its shapes
+// are, and how far several runs differ. Nothing of the package takes part.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_H
 
 #include "plane_relations.h"
 
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 struct Detection {
   std::vector<std::int32_t> label; // per point: its shape, -1 for none
@@ -32,13 +36,10 @@ struct Relation_counts {
 };
 
 struct Criteria {
-  std::size_t points = 0, assigned = 0, shapes = 0, smallest_shape = 0;
+  std::size_t points = 0, assigned = 0, shapes = 0;
   std::size_t beyond_epsilon = 0, beyond_alpha = 0, beyond_either = 0; // points
-  std::size_t not_unit = 0;                                            // planes whose normal is not a unit vector
-  double mean_distance = 0, max_distance = 0;
   double mean_distance_in_epsilons = 0, max_distance_in_epsilons = 0;
-  double mean_normal_angle_deg = 0;
-  Relation_counts exact, relaxed;
+  Relation_counts relations; // within 1e-6
 
   double coverage() const { return points == 0 ? 0 : double(assigned) / double(points); }
 };
@@ -125,34 +126,30 @@ inline std::vector<std::size_t> shape_sizes(const Detection& detection)
 inline void check_points(const std::vector<Vec>& points, const std::vector<Vec>& normals, const Detection& detection,
                          const Tolerances& tolerances, Criteria& criteria)
 {
-  Fidelity fidelity(tolerances);
-  double sum_of_angles = 0;
+  const Fidelity fidelity(tolerances);
+  double sum = 0, largest = 0;
   for(std::size_t i = 0; i < points.size(); ++i) {
     if(detection.label[i] < 0)
       continue;
     const Plane& plane = detection.planes[std::size_t(detection.label[i])];
-    double d = distance(plane, points[i]);
+    const double d = distance(plane, points[i]);
     ++criteria.assigned;
-    criteria.mean_distance += d;
-    criteria.max_distance = (std::max)(criteria.max_distance, d);
-    bool is_beyond_epsilon = fidelity.is_beyond_epsilon(plane, points[i]);
-    bool is_beyond_alpha = !normals.empty() && fidelity.is_beyond_alpha(plane, normals[i]);
-    double c = normals.empty() ? 1 : cosine(plane, normals[i]);
+    sum += d;
+    largest = (std::max)(largest, d);
+    const bool is_beyond_epsilon = fidelity.is_beyond_epsilon(plane, points[i]);
+    const bool is_beyond_alpha = !normals.empty() && fidelity.is_beyond_alpha(plane, normals[i]);
     criteria.beyond_epsilon += is_beyond_epsilon;
     criteria.beyond_alpha += is_beyond_alpha;
     criteria.beyond_either += is_beyond_epsilon || is_beyond_alpha;
-    sum_of_angles += std::acos((std::min)(c, 1.0)) * 57.29577951308232;
   }
-  criteria.max_distance_in_epsilons = criteria.max_distance / tolerances.maximum_distance;
-  double count = double((std::max)(criteria.assigned, std::size_t(1)));
-  criteria.mean_distance /= count;
-  criteria.mean_distance_in_epsilons = criteria.mean_distance / tolerances.maximum_distance;
-  criteria.mean_normal_angle_deg = sum_of_angles / count;
+  const double count = double((std::max)(criteria.assigned, std::size_t(1)));
+  criteria.mean_distance_in_epsilons = sum / count / tolerances.maximum_distance;
+  criteria.max_distance_in_epsilons = largest / tolerances.maximum_distance;
 }
 
-inline Relation_counts count_relations(const std::vector<Plane>& planes, const Relation_tolerance& tolerance)
+inline Relation_counts count_relations(const std::vector<Plane>& planes, const Extent& extent)
 {
-  Plane_relations r(planes, tolerance);
+  const Plane_relations r(planes, relaxed_relations(extent.diagonal, extent.center));
   return {r.directions(), r.planes(), r.degrees_of_freedom(), r.complexity()};
 }
 
@@ -166,19 +163,197 @@ inline Criteria evaluate(const std::vector<Vec>& points, const std::vector<Vec>&
   Criteria criteria;
   criteria.points = points.size();
   criteria.shapes = detection.planes.size();
-  auto sizes = shape_sizes(detection);
-  criteria.smallest_shape = sizes.empty() ? 0 : *std::min_element(sizes.begin(), sizes.end());
-  for(const Plane& plane : detection.planes)
-    criteria.not_unit += !(std::abs(length(plane.normal) - 1) <= 1e-9);
+  shape_sizes(detection); // throws for labels that no plane has
   check_points(points, normals, detection, tolerances, criteria);
-  Extent extent = extent_of(points);
-  criteria.exact = count_relations(detection.planes, exact_relations());
-  criteria.relaxed = count_relations(detection.planes, relaxed_relations(extent.diagonal, extent.center));
+  criteria.relations = count_relations(detection.planes, extent_of(points));
   return criteria;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+// How few and how large the shapes are: the share of the points in the N largest shapes, and in the N largest distinct
+// planes. Points beyond the tolerances of their plane do not count. So a detector gains nothing by planes that are far
+// from their points. The largest first. Sizes are shares of all points of the cloud.
+class Size_curve {
+public:
+  Size_curve() = default;
+  Size_curve(const std::vector<std::size_t>& sizes, std::size_t points)
+  {
+    for(std::size_t size : sizes)
+      shares_.push_back(double(size) / double(points));
+    std::sort(shares_.begin(), shares_.end(), std::greater<double>());
+  }
+
+  std::size_t size() const { return shares_.size(); }
+
+  // The share of the points in the n largest.
+  double top(std::size_t n) const
+  {
+    return std::accumulate(shares_.begin(), shares_.begin() + std::ptrdiff_t((std::min)(n, size())), 0.);
+  }
+
+  // How many are needed for that share of the points; size() + 1 if all of them are not enough.
+  std::size_t needed_for(double share) const
+  {
+    double sum = 0;
+    for(std::size_t i = 0; i < size(); ++i)
+      if((sum += shares_[i]) >= share)
+        return i + 1;
+    return size() + 1;
+  }
+
+private:
+  std::vector<double> shares_;
+};
+
+// The degrees of freedom of the planes of as many of the largest shapes as a clean coverage needs: of the directions, and
+// one for each plane. 0 where the detection has less.
+struct Needed_freedom {
+  double coverage = 0;
+  std::size_t degrees_of_freedom = 0;
+};
+
+struct Curves {
+  Size_curve shapes, planes;
+  std::array<Needed_freedom, 5> needed = {{{.5}, {.6}, {.7}, {.8}, {.9}}};
+};
+
+// The points of each shape with fits(plane, point) for its own plane.
+template <class Fits>
+std::vector<std::vector<std::size_t>> clean_points(const Detection& detection, Fits fits)
+{
+  std::vector<std::vector<std::size_t>> clean(detection.planes.size());
+  for(std::size_t i = 0; i < detection.label.size(); ++i)
+    if(detection.label[i] >= 0 && fits(std::size_t(detection.label[i]), i))
+      clean[std::size_t(detection.label[i])].push_back(i);
+  return clean;
+}
+
+// The distinct planes of the shapes in this order, with the number of their clean points. A shape belongs to the first
+// plane that nine tenths of its clean points fit, or else its own plane is a further one. One rule for all detectors,
+// whether their planes are equal or nearly so.
+template <class Fits>
+std::vector<std::size_t> sizes_of_planes(const std::vector<std::vector<std::size_t>>& clean,
+                                         const std::vector<std::size_t>& order, Fits fits)
+{
+  std::vector<std::size_t> distinct, size;
+  for(std::size_t s : order) {
+    const auto explains = [&](std::size_t f) {
+      const std::size_t tolerated = clean[s].size() / 10;
+      std::size_t misfits = 0;
+      return std::none_of(clean[s].begin(), clean[s].end(),
+                          [&](std::size_t i) { return !fits(f, i) && ++misfits > tolerated; });
+    };
+    const std::size_t plane = std::size_t(std::find_if(distinct.begin(), distinct.end(), explains) - distinct.begin());
+    if(plane == distinct.size()) {
+      distinct.push_back(s);
+      size.push_back(0);
+    }
+    size[plane] += clean[s].size();
+  }
+  return size;
+}
+
+// `normals` may be empty. The arguments are those of evaluate(), which checks them.
+inline Curves evaluate_curves(const std::vector<Vec>& points, const std::vector<Vec>& normals,
+                              const Detection& detection, const Tolerances& tolerances)
+{
+  const Fidelity fidelity(tolerances);
+  const auto fits = [&](std::size_t s, std::size_t i) {
+    return fidelity.fits(detection.planes[s], points, normals, i);
+  };
+  const auto clean = clean_points(detection, fits);
+  std::vector<std::size_t> order; // of shapes with clean points, the largest first
+  for(std::size_t s = 0; s < clean.size(); ++s)
+    if(!clean[s].empty())
+      order.push_back(s);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return clean[a].size() > clean[b].size(); });
+
+  Curves curves;
+  std::vector<std::size_t> sizes;
+  for(std::size_t s : order)
+    sizes.push_back(clean[s].size());
+  curves.shapes = Size_curve(sizes, points.size());
+  curves.planes = Size_curve(sizes_of_planes(clean, order, fits), points.size());
+
+  const Extent extent = extent_of(points);
+  for(Needed_freedom& needed : curves.needed) {
+    const std::size_t n = curves.shapes.needed_for(needed.coverage);
+    if(n > order.size())
+      continue;
+    std::vector<Plane> planes;
+    for(std::size_t i = 0; i < n; ++i)
+      planes.push_back(detection.planes[order[i]]);
+    const Relation_counts counts = count_relations(planes, extent);
+    needed.degrees_of_freedom = counts.degrees_of_freedom + counts.planes;
+  }
+  return curves;
+}
+
+// How far the results of several runs on the same points differ: nothing, for a method that is deterministic.
+struct Spread {
+  bool is_same = true;  // labels, and planes bit for bit
+  double relabeled = 0; // largest share of points with another shape than in the first run
+};
+
+// Of each shape of `other`: the shape of `reference` it corresponds to, or -1. Each is taken once, by the number
+// of common points; ties go to the smaller indices.
+inline std::vector<std::int32_t> match_shapes(const Detection& reference, const Detection& other)
+{
+  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> common;
+  for(std::size_t i = 0; i < reference.label.size(); ++i)
+    if(reference.label[i] >= 0 && other.label[i] >= 0)
+      ++common[{other.label[i], reference.label[i]}];
+  std::vector<std::pair<std::size_t, std::pair<std::int32_t, std::int32_t>>> by_size;
+  for(const auto& entry : common)
+    by_size.emplace_back(entry.second, entry.first);
+  std::stable_sort(by_size.begin(), by_size.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::int32_t> match(other.planes.size(), -1);
+  std::vector<bool> is_taken(reference.planes.size(), false);
+  for(const auto& entry : by_size) {
+    std::size_t s = std::size_t(entry.second.first), r = std::size_t(entry.second.second);
+    if(match[s] < 0 && !is_taken[r]) {
+      match[s] = entry.second.second;
+      is_taken[r] = true;
+    }
+  }
+  return match;
+}
+
+inline double share_relabeled(const Detection& reference, const Detection& other)
+{
+  std::vector<std::int32_t> match = match_shapes(reference, other);
+  std::size_t count = 0;
+  for(std::size_t i = 0; i < reference.label.size(); ++i) {
+    // A shape without a counterpart never equals the label of the reference, -1 included.
+    std::int32_t label = other.label[i] < 0 ? -1 : match[std::size_t(other.label[i])];
+    count += label != reference.label[i] || (label < 0 && other.label[i] >= 0);
+  }
+  return reference.label.empty() ? 0 : double(count) / double(reference.label.size());
+}
+
+inline bool are_same(const Detection& a, const Detection& b)
+{
+  auto is_same_plane = [](const Plane& p, const Plane& q) {
+    return p.normal.x == q.normal.x && p.normal.y == q.normal.y && p.normal.z == q.normal.z && p.offset == q.offset;
+  };
+  return a.label == b.label && a.planes.size() == b.planes.size() &&
+         std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), is_same_plane);
+}
+
+// Throws std::runtime_error where the runs are not on the same points.
+inline Spread evaluate_spread(const std::vector<Detection>& runs)
+{
+  Spread spread;
+  for(std::size_t r = 0; r < runs.size(); ++r) {
+    if(runs[r].label.size() != runs[0].label.size())
+      throw std::runtime_error("run " + std::to_string(r) + " has another number of points than run 0");
+    shape_sizes(runs[r]); // throws for labels that no plane has
+    spread.is_same = spread.is_same && are_same(runs[0], runs[r]);
+    spread.relabeled = (std::max)(spread.relabeled, r == 0 ? 0 : share_relabeled(runs[0], runs[r]));
+  }
+  return spread;
+}
+
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A detection beside the true faces of a cloud: points, faces and relations.
+// A detection beside the true faces of a cloud: points, faces, and pairs of them.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_TRUTH_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_TRUTH_H
@@ -10,44 +10,21 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 struct Truth {
   std::vector<std::int32_t> label; // per point: its face, -1 for none
   std::vector<Plane> faces;
 };
 
-struct Face_score {
-  std::size_t shapes_found = 0, faces_found = 0;
-  double precision = 0, recall = 0, f1 = 0;
-};
-
-// Of the pairs of matched shapes whose faces have the relation: how many have it
-// in the result; and how many pairs have it whose faces do not.
-struct Pair_score {
-  std::size_t true_pairs = 0, kept = 0, false_pairs = 0;
-
-  double share() const { return true_pairs == 0 ? 1 : double(kept) / double(true_pairs); }
-};
-
-struct Relation_score {
-  std::size_t pairs = 0; // of matched shapes
-  Pair_score parallel, orthogonal, coplanar;
-};
-
 struct Truth_criteria {
   std::size_t faces = 0;           // with enough points to count
   double point_precision = 0;      // share of the assigned points that lie on the main face of their shape
-  double point_recall = 0;         // share of all face points that are so assigned
-  double false_points = 0;         // share of the assigned points that lie on no face
-  Face_score at_50, at_75;         // matched where intersection / union is above .5, above .75
-  double shapes_per_face = 0;      // of the faces found; 1 is right, more is over-segmentation
-  std::size_t split_faces = 0;     // found as several shapes
-  std::size_t swallowed_faces = 0; // half of the face is in a shape of another one
+  std::size_t shapes_matched = 0;  // a shape and a face match where intersection / union is above one half
+  double face_f1 = 0;              // of these matches
   double angle_error_deg = 0;      // mean over the matched shapes
-  Relation_score exact, relaxed;
+  std::size_t pairs = 0;           // of matched shapes
+  std::size_t false_parallels = 0; // of these: are parallel within 1e-6, although their faces are not
 };
 
 // How many points each shape shares with each face; column `faces` is no face.
@@ -77,12 +54,12 @@ public:
     return both == 0 ? 0 : double(both) / double(shape_size[s] + face_size[f] - both);
   }
 
-  // (shape, face) with more than this intersection over union: from one half on unique, so "more" matters.
-  std::vector<std::pair<std::size_t, std::size_t>> matches(double bound) const
+  // (shape, face) with an intersection over union of more than one half: unique, so "more" matters.
+  std::vector<std::pair<std::size_t, std::size_t>> matches() const
   {
     std::vector<std::pair<std::size_t, std::size_t>> result;
     for(std::size_t s = 0; s < shapes; ++s)
-      if(main_face[s] != faces && intersection_over_union(s, main_face[s]) > bound)
+      if(main_face[s] != faces && intersection_over_union(s, main_face[s]) > 0.5)
         result.emplace_back(s, main_face[s]);
     return result;
   }
@@ -101,84 +78,14 @@ private:
 
 inline double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
-// A shape that matches a face too small to count is neither right nor wrong for recall, but right for precision.
-inline Face_score score_faces(const Overlap& overlap, double bound, std::size_t smallest_face, std::size_t faces)
+inline double point_precision(const Overlap& overlap)
 {
-  Face_score score;
-  for(auto match : overlap.matches(bound)) {
-    ++score.shapes_found;
-    score.faces_found += overlap.face_size[match.second] >= smallest_face;
-  }
-  score.precision = ratio(double(score.shapes_found), double(overlap.shapes));
-  score.recall = ratio(double(score.faces_found), double(faces));
-  score.f1 = ratio(2 * score.precision * score.recall, score.precision + score.recall);
-  return score;
-}
-
-inline void add_pair(Pair_score& score, bool is_true, bool is_made)
-{
-  score.true_pairs += is_true;
-  score.kept += is_true && is_made;
-  score.false_pairs += !is_true && is_made;
-}
-
-inline Relation_score score_relations(const Overlap& overlap, const Plane_relations& truth, const Plane_relations& made)
-{
-  Relation_score score;
-  auto matches = overlap.matches(0.5);
-  for(std::size_t i = 0; i < matches.size(); ++i)
-    for(std::size_t j = 0; j < i; ++j) {
-      std::size_t s = matches[i].first, t = matches[j].first, f = matches[i].second, g = matches[j].second;
-      ++score.pairs;
-      add_pair(score.parallel, truth.are_parallel(f, g), made.are_parallel(s, t));
-      add_pair(score.orthogonal, truth.are_orthogonal(f, g), made.are_orthogonal(s, t));
-      add_pair(score.coplanar, truth.are_coplanar(f, g), made.are_coplanar(s, t));
-    }
-  return score;
-}
-
-inline void score_points(const Overlap& overlap, Truth_criteria& criteria)
-{
-  std::size_t assigned = 0, right = 0, on_no_face = 0, on_faces = 0;
+  std::size_t assigned = 0, right = 0;
   for(std::size_t s = 0; s < overlap.shapes; ++s) {
     assigned += overlap.shape_size[s];
-    on_no_face += overlap.common(s, overlap.faces);
     right += overlap.main_face[s] == overlap.faces ? 0 : overlap.common(s, overlap.main_face[s]);
   }
-  for(std::size_t f = 0; f < overlap.faces; ++f)
-    on_faces += overlap.face_size[f];
-  criteria.point_precision = ratio(double(right), double(assigned));
-  criteria.point_recall = ratio(double(right), double(on_faces));
-  criteria.false_points = ratio(double(on_no_face), double(assigned));
-}
-
-inline void score_segmentation(const Overlap& overlap, std::size_t smallest_face, Truth_criteria& criteria)
-{
-  std::vector<std::size_t> parts(overlap.faces, 0);
-  std::vector<bool> is_swallowed(overlap.faces, false);
-  for(std::size_t s = 0; s < overlap.shapes; ++s) {
-    std::size_t main = overlap.main_face[s];
-    if(main != overlap.faces && 2 * overlap.common(s, main) >= overlap.shape_size[s])
-      ++parts[main];
-    for(std::size_t f = 0; f < overlap.faces; ++f)
-      if(f != main && overlap.face_size[f] >= smallest_face && 2 * overlap.common(s, f) >= overlap.face_size[f])
-        is_swallowed[f] = true;
-  }
-  std::size_t found = std::size_t(std::count_if(parts.begin(), parts.end(), [](std::size_t n) { return n > 0; }));
-  criteria.shapes_per_face = ratio(double(std::accumulate(parts.begin(), parts.end(), std::size_t(0))), double(found));
-  criteria.split_faces = std::size_t(std::count_if(parts.begin(), parts.end(), [](std::size_t n) { return n > 1; }));
-  criteria.swallowed_faces = std::size_t(std::count(is_swallowed.begin(), is_swallowed.end(), true));
-}
-
-inline double mean_angle_error_deg(const Overlap& overlap, const Truth& truth, const Detection& detection)
-{
-  double sum = 0;
-  auto matches = overlap.matches(0.5);
-  for(auto match : matches) {
-    const Vec &a = detection.planes[match.first].normal, &b = truth.faces[match.second].normal;
-    sum += std::atan2(length(cross(a, b)), std::abs(dot(a, b))) * 57.29577951308232;
-  }
-  return ratio(sum, double(matches.size()));
+  return ratio(double(right), double(assigned));
 }
 
 // Faces with fewer than `smallest_face` points need not be found.
@@ -188,24 +95,36 @@ inline Truth_criteria evaluate_truth(const Truth& truth, const Detection& detect
   if(truth.label.size() != detection.label.size())
     throw std::runtime_error(std::to_string(truth.label.size()) + " true labels for " +
                              std::to_string(detection.label.size()) + " labels");
-  Overlap overlap(truth, detection);
+  const Overlap overlap(truth, detection);
   Truth_criteria criteria;
   for(std::size_t f = 0; f < overlap.faces; ++f)
     criteria.faces += overlap.face_size[f] >= smallest_face;
-  score_points(overlap, criteria);
-  score_segmentation(overlap, smallest_face, criteria);
-  criteria.at_50 = score_faces(overlap, 0.5, smallest_face, criteria.faces);
-  criteria.at_75 = score_faces(overlap, 0.75, smallest_face, criteria.faces);
-  criteria.angle_error_deg = mean_angle_error_deg(overlap, truth, detection);
-  Relation_tolerance relaxed = relaxed_relations(extent.diagonal, extent.center);
-  Plane_relations relations(truth.faces, relaxed);
-  criteria.exact = score_relations(overlap, relations, Plane_relations(detection.planes, exact_relations()));
-  criteria.relaxed = score_relations(overlap, relations, Plane_relations(detection.planes, relaxed));
+  criteria.point_precision = point_precision(overlap);
+  const Relation_tolerance relaxed = relaxed_relations(extent.diagonal, extent.center);
+  const Plane_relations true_relations(truth.faces, relaxed), relations(detection.planes, relaxed);
+  const auto matches = overlap.matches();
+  std::size_t found = 0;
+  double angles = 0;
+  for(std::size_t i = 0; i < matches.size(); ++i) {
+    const auto [s, f] = matches[i];
+    found += overlap.face_size[f] >= smallest_face;
+    const Vec &a = detection.planes[s].normal, &b = truth.faces[f].normal;
+    angles += std::atan2(length(cross(a, b)), std::abs(dot(a, b))) * 57.29577951308232;
+    for(std::size_t j = 0; j < i; ++j) {
+      ++criteria.pairs;
+      criteria.false_parallels +=
+        relations.are_parallel(s, matches[j].first) && !true_relations.are_parallel(f, matches[j].second);
+    }
+  }
+  criteria.shapes_matched = matches.size();
+  criteria.angle_error_deg = ratio(angles, double(matches.size()));
+  // A shape that matches a face too small to count is neither right nor wrong for recall, but right for precision.
+  const double precision = ratio(double(matches.size()), double(overlap.shapes)),
+               recall = ratio(double(found), double(criteria.faces));
+  criteria.face_f1 = ratio(2 * precision * recall, precision + recall);
   return criteria;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_EVALUATE_TRUTH_H

@@ -11,9 +11,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // The plane of each label 0 .. count - 1; a label with fewer than three points gets z = 0.
 inline std::vector<Plane> fit_planes(const std::vector<Vec>& points, const std::vector<std::int32_t>& label,
@@ -46,8 +44,6 @@ inline std::vector<Plane> fit_planes(const std::vector<Vec>& points, const std::
   return planes;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_FIT_PLANE_H

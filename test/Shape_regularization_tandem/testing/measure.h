@@ -14,9 +14,7 @@
 #include <malloc.h>
 #include <sys/resource.h>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // A value of /proc/self/status in bytes; 0 where there is none.
 inline std::size_t status_bytes(const std::string& name)
@@ -74,8 +72,6 @@ private:
   std::size_t bytes_;
 };
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_MEASURE_H

@@ -7,13 +7,11 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLANE_RELATIONS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLANE_RELATIONS_H
 
-#include "scene_model.h"
+#include "scenes/scene_model.h"
 
 #include <numeric>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 using scenes::Vec;
 
@@ -23,17 +21,15 @@ struct Plane {
 };
 
 struct Relation_tolerance {
-  bool is_bitwise;
   double parallel;   // sine of the angle
   double orthogonal; // cosine of the angle
   double offset;     // at `center`
   Vec center;
 };
 
-inline Relation_tolerance exact_relations() { return {true, 0, 1e-15, 0, {0, 0, 0}}; }
 inline Relation_tolerance relaxed_relations(double diagonal, const Vec& center)
 {
-  return {false, 1e-6, 1e-6, 1e-6 * diagonal, center};
+  return {1e-6, 1e-6, 1e-6 * diagonal, center};
 }
 
 class Plane_relations {
@@ -74,19 +70,12 @@ private:
     return first < 0 ? Plane{-1.0 * n, -plane.offset} : plane;
   }
 
-  bool have_same_direction(const Vec& a, const Vec& b) const
-  {
-    if(tolerance_.is_bitwise)
-      return a.x == b.x && a.y == b.y && a.z == b.z;
-    return length(cross(a, b)) <= tolerance_.parallel;
-  }
+  bool have_same_direction(const Vec& a, const Vec& b) const { return length(cross(a, b)) <= tolerance_.parallel; }
 
   bool are_same(const Plane& a, const Plane& b) const
   {
     if(!have_same_direction(a.normal, b.normal))
       return false;
-    if(tolerance_.is_bitwise)
-      return a.offset == b.offset;
     double sign = dot(a.normal, b.normal) < 0 ? -1 : 1;
     double at_center = dot(a.normal, tolerance_.center) + a.offset;
     return std::abs(at_center - sign * (dot(b.normal, tolerance_.center) + b.offset)) <= tolerance_.offset;
@@ -133,8 +122,6 @@ private:
   std::size_t degrees_of_freedom_ = 0;
 };
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_PLANE_RELATIONS_H

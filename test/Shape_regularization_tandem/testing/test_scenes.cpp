@@ -1,26 +1,33 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The generated scenes are what they claim to be: points on their faces, known
-// numbers of directions and planes, no two labels for one connected plane.
+// The generated scenes, and twins of real clouds, are what they claim to be: points on their faces, known numbers of
+// directions and planes, no two labels for one connected plane, errors of the declared size, the same bits everywhere.
 
-#undef NDEBUG
+#include "testing/checks.h"
 
-#define BOOST_TEST_MODULE scenes
+#include "scenes/scene_twins.h"
+#include "scenes/sensor.h"
+#include "testing/plane_relations.h"
+
 #include <boost/test/unit_test.hpp>
 
-#include "scene_relations.h"
-
 #include <cstring>
+#include <map>
+#include <set>
+#include <tuple>
+
+// Not `scenes`, which is a namespace here.
+BOOST_AUTO_TEST_SUITE(generated_scenes)
 
 namespace scenes = CGAL::Tandem::scenes;
 using CGAL::Tandem::benchmark::Plane;
 using CGAL::Tandem::benchmark::Plane_relations;
+using CGAL::Tandem::benchmark::relaxed_relations;
 using scenes::Options;
 using scenes::Scene;
+using scenes::Twin;
 using scenes::Vec;
-
-namespace {
 
 Options options(std::size_t points)
 {
@@ -32,9 +39,8 @@ Options options(std::size_t points)
 std::uint64_t hash(const Scene& scene)
 {
   std::uint64_t h = 0xcbf29ce484222325u;
-  auto add = [&](double value) {
+  const auto add = [&](double value) {
     std::uint64_t bits;
-    static_assert(sizeof(bits) == sizeof(value), "double has 64 bits");
     std::memcpy(&bits, &value, sizeof(bits));
     h = (h ^ bits) * 0x100000001b3u;
   };
@@ -45,7 +51,53 @@ std::uint64_t hash(const Scene& scene)
   return h;
 }
 
-} // namespace
+std::uint64_t hash_of_points(const Scene& scene)
+{
+  std::uint64_t h = 0xcbf29ce484222325u;
+  for(const Vec& p : scene.points)
+    for(double c : {p.x, p.y, p.z}) {
+      std::uint64_t bits;
+      std::memcpy(&bits, &c, sizeof(bits));
+      h = (h ^ bits) * 0x100000001b3u;
+    }
+  return h;
+}
+
+// Of the true faces.
+Plane_relations relations(const Scene& scene)
+{
+  std::vector<Plane> planes;
+  for(const scenes::Truth_face& f : scene.faces)
+    planes.push_back({f.normal, f.offset});
+  return Plane_relations(planes, relaxed_relations(scene.diagonal, {0, 0, 0}));
+}
+
+// The first two coplanar faces whose points share a voxel; equal ones if there are none. Then they would be one shape with
+// two labels, and the truth would be wrong.
+std::pair<std::size_t, std::size_t> touching_faces(const Scene& scene, const std::vector<Vec>& points)
+{
+  using Voxel = std::tuple<long, long, long>;
+  const Plane_relations r = relations(scene);
+  const double size = 6e-4 * scene.diagonal;
+  std::vector<std::set<Voxel>> voxels(scene.faces.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(scene.label[i] >= 0) {
+      const Vec p = (1 / size) * points[i];
+      voxels[std::size_t(scene.label[i])].emplace(std::lround(p.x), std::lround(p.y), std::lround(p.z));
+    }
+  for(std::size_t f = 0; f < voxels.size(); ++f)
+    for(std::size_t g = 0; g < f; ++g)
+      if(r.are_coplanar(f, g) &&
+         std::any_of(voxels[f].begin(), voxels[f].end(), [&](const Voxel& v) { return voxels[g].count(v) > 0; }))
+        return {f, g};
+  return {0, 0};
+}
+
+double face_distance(const Scene& scene, std::size_t i, const Vec& p)
+{
+  const scenes::Truth_face& f = scene.faces[std::size_t(scene.label[i])];
+  return std::abs(dot(f.normal, p) + f.offset);
+}
 
 BOOST_AUTO_TEST_CASE(clean_points_lie_on_their_faces)
 {
@@ -141,7 +193,7 @@ BOOST_AUTO_TEST_CASE(coplanar_faces_do_not_touch)
 {
   for(const char* name : {"house", "village", "indoor", "part", "squares_gap"}) {
     const Scene scene = scenes::make_scene(name, options(300000));
-    const auto [f, g] = scenes::touching_faces(scene, scene.points);
+    const auto [f, g] = touching_faces(scene, scene.points);
     BOOST_REQUIRE_MESSAGE(f == g, name << ": faces " << f << " and " << g << " touch");
   }
 }
@@ -240,3 +292,98 @@ BOOST_AUTO_TEST_CASE(scenes_without_normals_and_unknown_scenes)
   BOOST_CHECK_THROW(scenes::make_scene("castle", o), std::invalid_argument);
   BOOST_TEST(scenes::make_scene("cube", options(0)).points.empty());
 }
+
+BOOST_AUTO_TEST_CASE(sensors_have_errors_of_their_size)
+{
+  for(const Twin& twin : scenes::twins()) {
+    Scene scene = scenes::make_twin(twin, 20000);
+    BOOST_REQUIRE_EQUAL(scene.points.size(), 20000u);
+    double squares = 0, faces = 0, outside = 0;
+    for(std::size_t i = 0; i < scene.points.size(); ++i) {
+      if(scene.label[i] < 0)
+        continue;
+      BOOST_REQUIRE_MESSAGE(face_distance(scene, i, scene.ideal[i]) < 1e-10 * scene.diagonal, twin.name);
+      double d = face_distance(scene, i, scene.points[i]);
+      squares += d * d;
+      outside += d > twin.epsilon;
+      ++faces;
+    }
+    double rms = std::sqrt(squares / faces);
+    BOOST_TEST_CONTEXT(twin.name << ": rms " << rms << " of epsilon " << twin.epsilon)
+    {
+      bool is_exact = twin.sensor.range_noise == 0 && twin.sensor.roughness == 0;
+      BOOST_TEST((is_exact ? rms < 1e-10 : rms > 0.03 * twin.epsilon));
+      BOOST_TEST(rms < 0.6 * twin.epsilon);
+      BOOST_TEST(outside < 0.1 * faces);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sizes_and_names_of_twins)
+{
+  for(const Twin& twin : scenes::twins()) {
+    Scene scene = scenes::make_twin(twin, 1000);
+    BOOST_TEST(scene.normals.empty());
+    BOOST_TEST(twin.minimum(1000) >= 20u);
+    BOOST_TEST(twin.minimum(1000000) > twin.minimum(100000));
+  }
+  BOOST_CHECK_THROW(scenes::twin("castle"), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(every_face_of_a_twin_is_seen)
+{
+  for(const Twin& twin : scenes::twins()) {
+    Scene scene = scenes::make_twin(twin, 300000);
+    std::vector<std::size_t> count(scene.faces.size(), 0);
+    for(std::int32_t f : scene.label)
+      if(f >= 0)
+        ++count[std::size_t(f)];
+    // From a road, a few reveals of windows are not.
+    std::ptrdiff_t unseen = std::count(count.begin(), count.end(), 0u);
+    BOOST_TEST(unseen <= (twin.name == "street" ? 40 : 0), twin.name << ": " << unseen << " faces have no point");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(coplanar_faces_of_twins_do_not_touch)
+{
+  for(const char* name : {"kinect", "street", "multiview", "curved"}) {
+    const Scene scene = scenes::make_twin(scenes::twin(name), 200000);
+    const auto [f, g] = touching_faces(scene, scene.ideal);
+    BOOST_REQUIRE_MESSAGE(f == g, name << ": faces " << f << " and " << g << " touch");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(same_seed_same_bits_of_twins)
+{
+  // The same for all compilers and flags.
+  const std::map<std::string, std::uint64_t> expected = {
+    {"terrestrial", 1029664864976318346u}, {"kinect", 13497633120438636856u},    {"street", 3048911798510605531u},
+    {"aerial", 7601843585497981935u},      {"multiview", 13637846688728164120u}, {"mechanical", 13538663334630593238u},
+    {"curved", 11421857331715693994u}};
+  for(const Twin& twin : scenes::twins()) {
+    std::uint64_t first = hash_of_points(scenes::make_twin(twin, 2000));
+    BOOST_TEST(first == hash_of_points(scenes::make_twin(twin, 2000)), twin.name);
+    BOOST_TEST(first == expected.at(twin.name), twin.name << " " << first);
+    BOOST_TEST(first != hash_of_points(scenes::make_twin(twin, 2000, 2)));
+  }
+}
+
+// A camera looks at a wall, before whose middle a board stands that divides it.
+BOOST_AUTO_TEST_CASE(a_sensor_labels_connected_pieces)
+{
+  scenes::Model model;
+  model.add_rectangle(scenes::Frame().at({-2, -2, 4}), 4, 4);
+  model.add_rectangle(scenes::Frame().at({-.25, -2, 2}), .5, 4);
+  scenes::Sensor camera = {scenes::Sensor_kind::camera, {}, 40, 40, 1, 1};
+  const scenes::Scene scene = scenes::scan(model, camera);
+  BOOST_TEST(scene.points.size() == 1600u);
+  BOOST_TEST(scene.faces.size() == 3u);
+  for(std::size_t i = 0; i < scene.points.size(); ++i) {
+    const scenes::Truth_face& f = scene.faces[std::size_t(scene.label[i])];
+    BOOST_TEST(std::abs(dot(f.normal, scene.points[i]) + f.offset) < 1e-9);
+  }
+  camera.noise = .01;
+  BOOST_TEST(scenes::scan(model, camera).label == scene.label);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

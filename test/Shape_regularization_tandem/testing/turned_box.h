@@ -7,6 +7,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TURNED_BOX_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TURNED_BOX_H
 
+#include "scenes.h"
+
 #include <CGAL/Tandem/internal/cloud/curve.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
@@ -21,17 +23,10 @@ using CGAL::Tandem::internal::Grid_point;
 using CGAL::Tandem::internal::hilbert_code;
 using CGAL::Tandem::internal::no_normal;
 
-struct Random {
-  std::uint64_t state;
+struct Random : CGAL::Tandem::scenes::Random {
+  using CGAL::Tandem::scenes::Random::Random;
 
-  std::uint64_t next()
-  {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  std::int64_t below(std::int64_t n) { return std::int64_t(next() % std::uint64_t(n)); }
+  std::int64_t below(std::int64_t n) { return std::int64_t(bits() % std::uint64_t(n)); }
 
   // About normal, of standard deviation sigma.
   std::int64_t noise(std::int64_t sigma)
@@ -70,7 +65,7 @@ constexpr std::int64_t box_size[3] = {60 * 1024, 40 * 1024, 24 * 1024};
 // The six sides of a turned box, evenly, and clutter around it.
 inline std::vector<Item> make_box(const Box_options& o)
 {
-  Random random = {17};
+  Random random(17);
   std::vector<Item> items;
   for(int i = 0; i < o.points; ++i) {
     const std::int64_t pick = random.below(60 * 40 + 60 * 24 + 40 * 24);

@@ -285,7 +285,7 @@ inline bool separates(const std::vector<Kernel::Point_2>& a, const std::vector<K
   return false;
 }
 
-inline Cells limited_partition(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
+inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
 {
   const double reach = .05 * extent_of(box); // of the planes beyond their points
   Cell_cutter cutter(box);

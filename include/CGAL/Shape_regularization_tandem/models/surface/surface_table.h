@@ -112,7 +112,7 @@ CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position
   result.number_of_planes = input.number_of_planes();
   if(input.planes().size() < Surface_input::fewest_planes)
     return result;
-  const Cells cells = limited_partition(input.planes(), input.box());
+  const Cells cells = cut_cells(input.planes(), input.box());
   const Inside_cost cost(cells, input.planes(), up);
   const Inside_cells inside(cells, cost);
   for(std::size_t f = 0; f < cells.facets.size(); ++f)

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The experiments of the paper, and the labels of all detectors.
+
+#include "Trials.h"
+
+namespace CGAL::Tandem::benchmark {
+
+namespace {
+
+std::vector<std::string> regularized_methods(const Experiment_options& options)
+{
+  return methods(options, {"tandem", "growing+regularize", "ransac+regularize"});
+}
+
+// The paper's figure 7: a house under more and more noise, and more and more outliers, beside the peers with a
+// regularization afterwards.
+enum class Varied { noise, outliers };
+enum class Use_normals { given, own };
+
+struct Sweep {
+  const char* name;
+  Varied varied;
+  Use_normals normals;
+};
+
+const Sweep sweeps[] = {{"noise", Varied::noise, Use_normals::given},
+                        {"own-normals", Varied::noise, Use_normals::own},
+                        {"outliers", Varied::outliers, Use_normals::given}};
+
+void run_robustness(const Experiment_options& options)
+{
+  Trials trials(options, "robustness");
+  const std::size_t points = options.is_quick ? 30000 : 100000;
+  for(const Sweep& sweep : sweeps) {
+    std::vector<double> percents = {0, 0.05, 0.1, 0.2, 0.3, 0.5};
+    if(sweep.varied == Varied::outliers)
+      percents = {0, 10, 20, 40, 60, 80};
+    if(options.is_quick)
+      percents = {percents[0], percents[3]};
+    for(double percent : percents)
+      for(std::uint64_t seed = 1; seed <= (options.is_quick ? 1u : 3u); ++seed) {
+        House house{points, percent / 100, 0.05, seed};
+        if(sweep.varied == Varied::outliers)
+          house = {points, 0.001, percent / 100, seed};
+        Named_cloud c = noisy_house(house);
+        c.task.estimates_normals = sweep.normals == Use_normals::own;
+        Row columns;
+        append_cell(columns, "sweep", sweep.name);
+        append_cell(columns, "percent", percent);
+        append_cell(columns, "scene_seed", seed);
+        for(const std::string& method : regularized_methods(options))
+          trials.add(c, c.task, {method, columns});
+      }
+    trials.write();
+  }
+}
+
+// The paper's figures 9 and 11: what the angle tolerance and the size of the cells do to the result.
+Named_cloud house_for_sweeps(const Experiment_options& options)
+{
+  return noisy_house({std::size_t(options.is_quick ? 50000 : 200000), 0.001, 0.1, 1});
+}
+
+void run_regularity(const Experiment_options& options)
+{
+  Trials trials(options, "regularity");
+  const std::size_t points = options.is_quick ? 30000 : 200000;
+  std::vector<Named_cloud> cases = {house_for_sweeps(options)};
+  for(const char* name : {"kinect", "street"})
+    if(!options.is_quick || cases.size() < 2)
+      cases.push_back(twin_cloud(name, points));
+  std::vector<double> betas = {0, 1, 2, 4, 8, 12, 16, 24};
+  if(options.is_quick)
+    betas = {0, 8, 24};
+  for(const Named_cloud& c : cases)
+    for(const std::string& method : regularized_methods(options)) {
+      const Run base = trials.run_base(c, method, c.task); // does not depend on beta
+      for(double beta : betas) {
+        Task task = c.task;
+        task.angle_tolerance_deg = beta;
+        Row columns;
+        append_cell(columns, "beta", beta);
+        trials.add(c, task, {method, columns, "", &base});
+      }
+    }
+  trials.write();
+}
+
+void run_cell_size(const Experiment_options& options)
+{
+  Trials trials(options, "cell-size");
+  std::vector<Named_cloud> cases = {house_for_sweeps(options)};
+  if(!options.is_quick)
+    for(const char* name : {"kinect", "street"})
+      cases.push_back(twin_cloud(name, 300000));
+  for(const Named_cloud& c : cases)
+    for(std::size_t size = 512; size <= 65536; size *= options.is_quick ? 8 : 2)
+      for(unsigned repeat = 0; repeat < (options.is_quick ? 1 : options.repeats); ++repeat) {
+        Task task = c.task;
+        task.cell_size = size;
+        task.threads = options.threads;
+        Row columns;
+        append_cell(columns, "points_in_a_cell", size);
+        append_cell(columns, "repeat", repeat);
+        trials.add(c, task, {"tandem", columns});
+      }
+  trials.write();
+}
+
+// The paper's figure 12: what the alternation of growth and regularization is worth. From a regularity step after every
+// round of growth to a detection that is regularized once it is complete, by the same engine; and not at all.
+// More than there are rounds.
+constexpr std::size_t never_in_the_loop = 100000;
+
+std::string period_name(std::size_t period)
+{
+  return period == never_in_the_loop ? "afterwards" : period == 0 ? "never" : std::to_string(period);
+}
+
+void add_periods(Trials& trials, const Named_cloud& c, const std::string& series,
+                 const std::vector<std::size_t>& periods)
+{
+  double position = 0;
+  for(std::size_t period : periods) {
+    Task task = c.task;
+    if(period == 0)
+      task.regularizes = false;
+    else
+      task.regularity_period = period;
+    Row columns;
+    append_cell(columns, "series", series);
+    append_cell(columns, "period", period_name(period));
+    append_cell(columns, "position", position++);
+    trials.add(c, task, {"tandem", columns, "Tandem, regularized: " + period_name(period)});
+  }
+  trials.write();
+}
+
+void run_synergy(const Experiment_options& options)
+{
+  Trials trials(options, "synergy");
+  const std::size_t points = options.is_quick ? 50000 : 200000;
+  std::vector<std::size_t> periods = {1, 2, 4, 8, never_in_the_loop, 0};
+  if(options.is_quick)
+    periods = {1, 4, never_in_the_loop, 0};
+  for(double noise : options.is_quick ? std::vector<double>{0.002} : std::vector<double>{0, 0.001, 0.002, 0.003})
+    for(std::uint64_t seed = 1; seed <= (options.is_quick ? 2u : 5u); ++seed) {
+      std::ostringstream series;
+      series << "noise " << 100 * noise << " % of the diagonal";
+      add_periods(trials, noisy_house({points, noise, 100 * noise, seed}), series.str(), periods);
+    }
+}
+
+// The paper's figure 14: over epsilon, the number of shapes that approximate curved objects falls smoothly, with no jumps
+// of the coverage.
+void run_stability(const Experiment_options& options)
+{
+  Trials trials(options, "stability");
+  const Named_cloud c = twin_cloud("curved", options.is_quick ? 30000 : 200000);
+  const double diagonal = extent_of(c.cloud.points).diagonal;
+  std::vector<double> percents = {0.1, 0.14, 0.2, 0.28, 0.4, 0.56, 0.8, 1.1, 1.6, 2.2, 3.2};
+  if(options.is_quick)
+    percents = {0.2, 0.8, 3.2};
+  for(double percent : percents)
+    for(const std::string& method : regularized_methods(options)) {
+      Task task = c.task;
+      task.maximum_distance = percent / 100 * diagonal;
+      task.maximum_angle_deg = 45; // so that epsilon alone decides how far a shape reaches
+      Row columns;
+      append_cell(columns, "epsilon_percent", percent);
+      trials.add(c, task, {method, columns});
+    }
+  trials.write();
+}
+
+// With given and with own normals.
+void run_labels(const Experiment_options& options)
+{
+  Trials trials(options, "labels");
+  std::vector<scenes::Labeled_scene> frames = scenes::labeled_frames();
+  for(const scenes::Labeled_scene& scene : scenes::labeled_scenes())
+    frames.push_back(scene);
+  std::string group;
+  for(const scenes::Labeled_scene& frame : frames) {
+    if(options.is_quick && frame.group == group)
+      continue;
+    group = frame.group;
+    const Named_cloud cloud = make_cloud(frame);
+    for(const char* normals : {"given", "own"}) {
+      Task task = cloud.task;
+      task.threads = options.threads;
+      task.estimates_normals = normals == std::string("own");
+      for(const std::string& method : methods(options, {"tandem", "growing-cached", "ransac", "growing+regularize"}))
+        trials.add(cloud, task, {method, {{"group", frame.group}}});
+    }
+    trials.write();
+  }
+}
+
+// The paper's table 1: one cloud of each category. The file of clouds.csv where it is in the folder of the data, else a
+// generated twin.
+struct Category {
+  const char* name;
+  const char* cloud; // of clouds.csv
+  const char* twin;
+};
+
+const Category categories[] = {
+  {"terrestrial laser", "sheridan", "terrestrial"}, {"depth camera", "kinect", "kinect"},
+  {"mobile mapping", "street", "street"},           {"aerial laser", "autzen", "aerial"},
+  {"multi-view stereo", "clocktower", "multiview"}, {"mechanical part", "fandisk", "mechanical"}};
+
+Named_cloud load(const Category& category, const Experiment_options& options)
+{
+  if(!options.is_quick)
+    for(const Row& row : cloud_table(options))
+      if(cell(row, "name") == category.cloud && is_available(row, options))
+        return load_cloud(row, options);
+  Named_cloud c = twin_cloud(category.twin, options.is_quick ? 30000 : 500000);
+  c.name += "-twin";
+  return c;
+}
+
+void run_table1(const Experiment_options& options)
+{
+  Trials trials(options, "table1");
+  int position = 0;
+  for(const Category& category : categories) {
+    const Named_cloud c = load(category, options);
+    Row columns;
+    append_cell(columns, "category", category.name);
+    append_cell(columns, "position", position++);
+    for(const std::string& method : regularized_methods(options)) {
+      Task task = c.task;
+      task.threads = options.threads;
+      trials.add(c, task, {method, columns});
+    }
+    trials.write();
+  }
+}
+
+} // namespace
+
+std::vector<Experiment> experiments()
+{
+  return {
+    {"compare",
+     "all contestants on clouds of clouds.csv (default: all), or on FILE [LABELS] EPSILON ALPHA MINIMUM [CLUSTER]",
+     run_compare},
+    {"table1", "one cloud of each category: time, coverage, error, complexity beside the peers", run_table1},
+    {"robustness", "more and more noise and outliers (the paper's figure 7)", run_robustness},
+    {"regularity", "coverage against complexity, over the angle tolerance (figure 9)", run_regularity},
+    {"cell-size", "time, coverage and complexity over the size of the cells (figure 11)", run_cell_size},
+    {"synergy", "from alternation in every round to detection before regularization (figure 12)", run_synergy},
+    {"stability", "shapes and coverage over epsilon, on curved objects (figure 14)", run_stability},
+    {"labels", "labels against true ones: rooms of a scanner and a depth camera, roofs, scenes", run_labels},
+    {"scaling", "time and memory over points and threads, with exponents", run_scaling}};
+}
+
+} // namespace CGAL::Tandem::benchmark

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Scenes whose points have the label of their plane, with the tolerances that a user would choose: rooms as a scanner
+// and a depth camera see them, a room of planes that are nearly parallel, roofs, the scenes of make_scene, and layers.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LABELED_SCENES_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LABELED_SCENES_H
+
+#include "scenes.h"
+
+#include <functional>
+
+namespace CGAL::Tandem::scenes {
+
+struct Labeled_scene {
+  std::string group; // scenes of a group count as one in means over groups
+  std::string name;  // of [a-z0-9-]
+  std::function<Scene()> make;
+  double epsilon, alpha_deg;
+  std::size_t minimum;          // points of the smallest shape
+  double normal_noise_deg = -1; // of blended normals; negative: normals are those of a neighborhood fit
+  std::uint64_t seed = 1;       // of that noise
+};
+
+// Rooms and roofs.
+std::vector<Labeled_scene> labeled_frames();
+
+// House, part, indoor and village, and a noisy house with five seeds.
+std::vector<Labeled_scene> labeled_scenes(std::size_t points = 100000);
+
+// Strips side by side, and boards before a wall, 1.1 and 1.3 epsilon apart, with noise of a third of epsilon, with
+// three seeds.
+std::vector<Labeled_scene> labeled_layers();
+
+} // namespace CGAL::Tandem::scenes
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_LABELED_SCENES_H

@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a generated scene is made of: planar faces, curved patches, and the
+// convex volumes that hide parts of them. The same bits on every machine: only
+// + - * / sqrt fma are used, and turned parts are placed by quaternions.
+
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_MODEL_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_MODEL_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Tandem::scenes {
+
+struct Vec {
+  double x, y, z;
+};
+
+inline Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec operator*(double s, const Vec& a) { return {s * a.x, s * a.y, s * a.z}; }
+
+// a + s b
+inline Vec add_scaled(const Vec& a, double s, const Vec& b)
+{
+  return {std::fma(s, b.x, a.x), std::fma(s, b.y, a.y), std::fma(s, b.z, a.z)};
+}
+
+inline double dot(const Vec& a, const Vec& b) { return std::fma(a.x, b.x, std::fma(a.y, b.y, a.z * b.z)); }
+
+inline Vec cross(const Vec& a, const Vec& b)
+{
+  return {std::fma(a.y, b.z, -(a.z * b.y)), std::fma(a.z, b.x, -(a.x * b.z)), std::fma(a.x, b.y, -(a.y * b.x))};
+}
+
+inline double length(const Vec& a) { return std::sqrt(dot(a, a)); }
+inline Vec unit(const Vec& a) { return (1 / length(a)) * a; }
+
+// A local coordinate system. The axes are orthonormal and right-handed.
+struct Frame {
+  Vec origin{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+
+  Vec vector(const Vec& v) const { return add_scaled(add_scaled(v.x * x, v.y, y), v.z, z); }
+  Vec point(const Vec& p) const { return origin + vector(p); }
+
+  Frame at(const Vec& p) const { return {point(p), x, y, z}; }
+
+  // The frame turned about its own axis `v` by 2 atan(t).
+  Frame turned(const Vec& v, double t) const
+  {
+    Vec q = t * unit(v);
+    auto turn = [&](const Vec& a) {
+      Vec c = cross(q, a);
+      return vector(add_scaled(a, 2 / std::fma(t, t, 1.0), c + cross(q, c)));
+    };
+    Vec new_x = unit(turn({1, 0, 0})), new_z = unit(cross(new_x, turn({0, 1, 0})));
+    return {origin, new_x, cross(new_z, new_x), new_z};
+  }
+
+  // Axes: u and v as given (in this frame, orthogonal), and their cross product.
+  Frame with_axes(const Vec& u, const Vec& v) const { return {origin, vector(u), vector(v), vector(cross(u, v))}; }
+};
+
+struct Half_space {
+  Vec normal;
+  double offset; // inside: normal . p + offset < 0
+};
+using Convex = std::vector<Half_space>;
+
+// A surface that is not quite planar: a parabola along an axis in the plane of its face, which lies at its mean height.
+struct Bend {
+  Vec axis{0, 0, 0};          // unit
+  double first = 0, last = 1; // axis . p where the surface begins and ends
+  double sag = 0;             // how much higher its middle is than these ends; negative in a valley
+
+  double height(const Vec& p) const
+  {
+    const double t = position(p);
+    return sag * (std::fma(4 * t, 1 - t, -2. / 3));
+  }
+
+  Vec normal(const Vec& p, const Vec& face_normal) const
+  {
+    return unit(add_scaled(face_normal, -4 * sag * std::fma(-2, position(p), 1.) / (last - first), axis));
+  }
+
+private:
+  double position(const Vec& p) const { return (dot(axis, p) - first) / (last - first); }
+};
+
+struct Face {
+  Vec normal;    // unit, outward
+  double offset; // normal . p + offset = 0
+  std::vector<std::array<Vec, 3>> triangles;
+  Bend bend{};
+};
+
+// A cylinder without lids, or (height 0) a sphere. Its points have the label -1.
+struct Curved {
+  Frame frame; // the axis is frame.z
+  double radius, height;
+  bool is_hole; // normals point to the axis
+};
+
+constexpr unsigned side_left = 1, side_right = 2, side_front = 4, side_back = 8, side_bottom = 16, side_top = 32;
+constexpr unsigned side_walls = 15, side_visible = 47, side_all = 63;
+
+// A rectangular hollow in a wall: its corner and size there.
+struct Recess {
+  double u, v, width, height, depth;
+  unsigned sides = side_walls;
+};
+
+// A point on a face is kept when it lies strictly inside no void, and strictly
+// inside a solid only where it lies on the boundary of a void.
+struct Model {
+  std::vector<Face> faces;
+  std::vector<Curved> curved;
+  std::vector<Convex> solids, voids;
+  std::vector<Vec> scanners; // where the density is highest, if it varies
+
+  // Corners counter-clockwise seen from outside, convex.
+  std::size_t add_face(const Frame& frame, const std::vector<Vec>& corners)
+  {
+    Vec normal = unit(frame.vector(cross(corners[1] - corners[0], corners[2] - corners[0])));
+    faces.push_back({normal, -dot(normal, frame.point(corners[0])), {}, {}});
+    extend_face(faces.size() - 1, frame, corners);
+    return faces.size() - 1;
+  }
+
+  // Another convex part of the same face.
+  void extend_face(std::size_t face, const Frame& frame, const std::vector<Vec>& corners)
+  {
+    for(std::size_t i = 2; i < corners.size(); ++i)
+      faces[face].triangles.push_back({frame.point(corners[0]), frame.point(corners[i - 1]), frame.point(corners[i])});
+  }
+
+  void add_rectangle(const Frame& frame, double width, double height)
+  {
+    add_face(frame, {{0, 0, 0}, {width, 0, 0}, {width, height, 0}, {0, height, 0}});
+  }
+
+  // The same, bent along its width.
+  void add_bent_rectangle(const Frame& frame, double width, double height, double sag)
+  {
+    add_rectangle(frame, width, height);
+    const double first = dot(frame.x, frame.origin);
+    faces.back().bend = {frame.x, first, first + width, sag};
+  }
+
+  // The faces of an axis-parallel box of `frame`; `sign` -1: seen from inside.
+  void add_box_faces(const Frame& frame, const Vec& a, const Vec& b, unsigned sides, bool is_inward = false)
+  {
+    auto add = [&](std::vector<Vec> corners) {
+      if(is_inward)
+        std::reverse(corners.begin(), corners.end());
+      add_face(frame, corners);
+    };
+    if(sides & side_left)
+      add({{a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}, {a.x, b.y, a.z}});
+    if(sides & side_right)
+      add({{b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z}, {b.x, a.y, b.z}});
+    if(sides & side_front)
+      add({{a.x, a.y, a.z}, {b.x, a.y, a.z}, {b.x, a.y, b.z}, {a.x, a.y, b.z}});
+    if(sides & side_back)
+      add({{a.x, b.y, a.z}, {a.x, b.y, b.z}, {b.x, b.y, b.z}, {b.x, b.y, a.z}});
+    if(sides & side_bottom)
+      add({{a.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z}, {b.x, a.y, a.z}});
+    if(sides & side_top)
+      add({{a.x, a.y, b.z}, {b.x, a.y, b.z}, {b.x, b.y, b.z}, {a.x, b.y, b.z}});
+  }
+
+  void add_box(const Frame& frame, const Vec& a, const Vec& b, unsigned sides = side_visible)
+  {
+    add_box_faces(frame, a, b, sides);
+    solids.push_back(box(frame, a, b));
+  }
+
+  // A recess in a wall: `wall` has its z axis outward and its origin in the wall.
+  void add_recess(const Frame& wall, const Recess& r)
+  {
+    add_box_faces(wall, {r.u, r.v, -r.depth}, {r.u + r.width, r.v + r.height, 0}, r.sides | side_bottom, true);
+    voids.push_back(box(wall, {r.u, r.v, -r.depth}, {r.u + r.width, r.v + r.height, 0.1 * r.height}));
+  }
+
+  static Half_space half_space(const Frame& frame, const Vec& normal, double distance)
+  {
+    Vec n = frame.vector(normal);
+    return {n, -(dot(n, frame.origin) + distance)};
+  }
+
+  static Convex box(const Frame& frame, const Vec& a, const Vec& b)
+  {
+    return {half_space(frame, {-1, 0, 0}, -a.x), half_space(frame, {1, 0, 0}, b.x),
+            half_space(frame, {0, -1, 0}, -a.y), half_space(frame, {0, 1, 0}, b.y),
+            half_space(frame, {0, 0, -1}, -a.z), half_space(frame, {0, 0, 1}, b.z)};
+  }
+
+  // Whether p lies in all half spaces, farther than `margin` from their borders.
+  static bool is_inside(const Convex& convex, const Vec& p, double margin)
+  {
+    return std::all_of(convex.begin(), convex.end(),
+                       [&](const Half_space& h) { return dot(h.normal, p) + h.offset < -margin; });
+  }
+
+  bool is_hidden(const Vec& p, double margin) const
+  {
+    auto strictly = [&](const Convex& c) { return is_inside(c, p, margin); };
+    if(std::any_of(voids.begin(), voids.end(), strictly))
+      return true;
+    if(std::none_of(solids.begin(), solids.end(), strictly))
+      return false;
+    return std::none_of(voids.begin(), voids.end(), [&](const Convex& c) { return is_inside(c, p, -margin); });
+  }
+
+  // Whether a point of the plane of the face is on its visible part.
+  bool is_on(const Face& face, const Vec& p, double margin) const
+  {
+    const auto holds = [&](const std::array<Vec, 3>& t) {
+      for(std::size_t i = 0; i < 3; ++i)
+        if(dot(cross(t[(i + 1) % 3] - t[i], p - t[i]), face.normal) < 0)
+          return false;
+      return true;
+    };
+    return std::any_of(face.triangles.begin(), face.triangles.end(), holds) && !is_hidden(p, margin);
+  }
+};
+
+} // namespace CGAL::Tandem::scenes
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_MODEL_H
