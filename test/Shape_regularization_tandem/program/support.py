@@ -98,7 +98,7 @@ class Program:
             self.path(name).write_bytes(content if isinstance(content, bytes) else content.encode())
 
     def read(self, name):
-        return self.path(name).read_bytes().decode(errors="backslashreplace")
+        return self.path(name).read_bytes().decode(errors="surrogateescape")
 
     def json(self, name):
         return json.loads(self.read(name))
@@ -130,7 +130,7 @@ class Program:
         """The exit code, and what the output matches; of an error one line, and of a success none but warnings."""
         words = shlex.split(arguments) if isinstance(arguments, str) else arguments
         tolerance = ["--maximum-distance", str(EPSILON)]
-        words = [word for given in words for word in (tolerance if given == "E" else [str(given)])]
+        words = [word for given in words for word in (tolerance if given == "E" else [given])]
         return self.check(code, pattern, [PROGRAM, *words], environment)
 
     def shell(self, code, pattern, command, **environment):
@@ -141,7 +141,7 @@ class Program:
     def check(self, code, pattern, command, environment):
         run = subprocess.run(command, cwd=self.folder, env={**os.environ, **environment}, timeout=250,
                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        out, err = (stream.decode(errors="backslashreplace") for stream in (run.stdout, run.stderr))
+        out, err = (stream.decode(errors="surrogateescape") for stream in (run.stdout, run.stderr))
         what = f"{command[1:]}\nexit code {run.returncode}: {out}{err}"
         assert run.returncode == (0 if code is WARNS else code), what
         assert re.search(pattern, out + err, re.DOTALL), f"{what}\nno {pattern}"
