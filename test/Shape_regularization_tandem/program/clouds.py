@@ -1,0 +1,195 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Clouds as sensors, conversions and people make them, and files of LAS and PCD from the specifications alone."""
+
+import random
+import struct
+from types import SimpleNamespace
+
+import numpy as np
+
+from support import ply
+
+# --- The floor and two walls of a room, turned about the vertical, with noise
+
+
+def turned_room(points_a_plane=1100, noise=0.004):
+    rng = random.Random(49)
+    points = []
+    for plane in range(3):
+        for _ in range(points_a_plane):
+            a, b, e = rng.uniform(0.05, 4), rng.uniform(0.05, 3), rng.gauss(0, noise)
+            points.append([(a, b, e), (a, e, b), (e, a * 0.75, b)][plane])
+    rng.shuffle(points)
+    c, s = np.cos(0.37), np.sin(0.37)
+    return np.array(points) @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) + (20, 30, 5)
+
+
+def rows_of(points, separator=" ", before=lambda i: "", after=lambda i: ""):
+    return "".join(before(i) + separator.join(f"{x:.4f}" for x in p) + after(i) + "\n" for i, p in enumerate(points))
+
+
+def ptx(points, scans=1, colors=""):
+    """Scans of a level scanner turned about the vertical, whose last column of pixels is empty."""
+    text = ""
+    for scan in range(scans):
+        part = points[scan::scans]
+        part = part[:len(part) // 50 * 50]
+        c, s = np.cos(scan + 0.5), np.sin(scan + 0.5)
+        place = np.array([20 + scan, 31, 6])
+        where = "{} {} {}".format(*place)
+        text += f"{len(part) // 50 + 1}\n50\n{where}\n1 0 0\n0 1 0\n0 0 1\n"
+        text += f"{c:.9f} {s:.9f} 0 0\n{-s:.9f} {c:.9f} 0 0\n0 0 1 0\n{where} 1\n"
+        for x, y, z in (part - place) @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]):
+            text += f"{x:.6f} {y:.6f} {z:.6f} 0.5{colors}\n"
+        text += f"0 0 0 0.5{colors}\n" * 50
+    return text
+
+
+TYPES = {"short": "i2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8"}
+
+
+def typed_ply(points, types, scale=1, names="xyz", order="little"):
+    """The same points as a binary file and as text."""
+    columns = [(np.rint(scale * column) if TYPES[kind][0] in "iu" else column).astype(TYPES[kind])
+               for column, kind in zip(points.T, types)]
+    header = f"element vertex {len(points)}\n" + "".join(f"property {t} {n}\n" for t, n in zip(types, names))
+    rows = np.rec.fromarrays([c.astype(c.dtype.newbyteorder("<" if order == "little" else ">")) for c in columns])
+    text = "".join(" ".join(f"{x:.17g}" for x in row) + "\n" for row in zip(*columns))
+    return ply(header, kind=f"binary_{order}_endian").encode() + rows.tobytes(), ply(header, text)
+
+
+# --- What sensors and conversions make of a room
+
+MAP = (694386.2, 5155487.5, 380)
+
+
+def sensor_room(rng, count, corner):
+    """Floor and two walls, pairwise orthogonal, of noise 4 mm: 3 planes."""
+    points = []
+    for i in range(count):
+        p = [4 * rng.random(), 3 * rng.random(), 2.5 * rng.random()]
+        p[2 - i % 3] = (0, 3, 4)[i % 3] + rng.gauss(0, .004)
+        points.append(p)
+    return np.array(points) + corner
+
+
+def corridor(seed):
+    """What a depth camera at (1, 2, 3) sees of a corridor; noise .0028 r^2 along the ray: 4 walls and an end, 5 planes."""
+    width, height = 160, 120
+    i, j = np.meshgrid(np.arange(width), np.arange(height))
+    rays = np.stack([(i - width / 2) / (.9 * width), (j - height / 2) / (.9 * width), np.ones(i.shape)], axis=-1)
+    rays = (rays / np.linalg.norm(rays, axis=-1, keepdims=True)).reshape(-1, 3)
+    cosines = rays @ np.array([(0, 1, 0), (-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 0, 1)]).T
+    r = np.where(cosines > 1e-6, (1.2, 1.2, 1.2, 1.3, 5) / np.maximum(cosines, 1e-6), np.inf).min(axis=1)
+    r += .0028 * r * r * np.random.default_rng(seed).standard_normal(len(r))
+    return rays * r[:, None] + (1, 2, 3)
+
+
+def sensor_points(kind, seed):
+    rng = random.Random(seed)
+    if kind == "far":  # 20 invalid pixels at 0 0 0
+        return np.concatenate([sensor_room(rng, 6000, MAP), np.zeros((20, 3))])
+    if kind == "half":  # as a depth camera sees it, half of whose pixels are invalid
+        return np.stack([sensor_room(rng, 3000, (-2, -1, .6)), np.zeros((3000, 3))], axis=1).reshape(-1, 3)
+    if kind == "floats":  # went through floats: y comes in steps of .5
+        return sensor_room(rng, 6000, MAP).astype(np.float32).astype(float)
+    if kind == "degrees":  # of longitude and latitude, with heights in meters
+        return sensor_room(rng, 3000, (0, 0, 0)) * (1 / 7500, 1 / 11100, 4) + (11.57, 48.14, 515)
+    return sensor_room(rng, 6000, MAP)
+
+
+# --- LAS of all point formats
+
+RECORD_SIZES = [20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67]
+COLOR_PLACES = {2: 20, 3: 28, 5: 28, 7: 30, 8: 30, 10: 30}
+PROJECTIONS = {2112: b"WKT\0\0", 34735: struct.pack("<4H", 1, 1, 0, 0)}
+WKT_BIT = 16
+
+
+def las(points, point_format, version=4, records=(2112,), flag=0, classification=6, offset=0, extra=0, gap=b""):
+    """With steps of 0.001; `extra` bytes are behind each point, and `gap` is before the first one."""
+    points, count, size = np.asarray(points), len(points), RECORD_SIZES[point_format] + extra
+    blocks = b"".join(struct.pack("<H16sHH32s", 0, b"LASF_Projection", i, len(PROJECTIONS[i]), b"") + PROJECTIONS[i]
+                      for i in records) + gap
+    header_size = 375 if version == 4 else 235 if version == 3 else 227
+    header = b"LASF" + struct.pack("<HH16sBB64sHH", 0, WKT_BIT * flag, b"", 1, version, b"", 1, 2024)
+    header += struct.pack("<HII", header_size, header_size + len(blocks), len(records))
+    header += struct.pack("<BHI20s", point_format, size, 0 if version == 4 else count, b"")
+    header += struct.pack("<12d", *[.001] * 3, *[offset] * 3, *[0] * 6)
+    header += struct.pack("<Q", 0) if version >= 3 else b""
+    header += struct.pack("<QIQ120s", 0, 0, count, b"") if version == 4 else b""
+    assert len(header) == header_size
+    rows = np.zeros((count, size), np.uint8)
+    rows[:, :12] = np.rint((points - offset) / .001).astype("<i4").view(np.uint8)
+    rows[:, 12:14] = np.arange(count, dtype="<u2")[:, None].view(np.uint8)
+    rows[:, 15 if point_format < 6 else 16] = classification
+    if point_format in COLOR_PLACES:
+        place = COLOR_PLACES[point_format]
+        colors = np.stack([np.arange(count), np.full(count, 300), np.full(count, 65535)], axis=1)
+        rows[:, place:place + 6] = colors.astype("<u2").view(np.uint8)
+    return header + blocks + rows.tobytes()
+
+
+def las_of_each_format(points):
+    return {f"{f}.las": las(points, f, 0 if f < 2 else 2 if f < 4 else 3 if f < 6 else 4, offset=4000, gap=b"\xdd\xcc",
+                            classification=6 | 128 if f < 6 else 200, extra=5 if f in (3, 8) else 0)  # 128: withheld
+            for f in range(len(RECORD_SIZES))}
+
+
+def read_las(data):
+    size, first, records, point_format, length = struct.unpack_from("<HIIBH", data, 94)
+    count, = struct.unpack_from("<Q", data, 247)
+    ids, place = [], size
+    for _ in range(records):
+        user, record, content = struct.unpack_from("<16sHH", data, place + 2)
+        ids += [record] if user.startswith(b"LASF_Projection") else []
+        place += 54 + content
+    assert place == first, "the records do not end where the points begin"
+    frame = np.frombuffer(data, "<f8", 6, 131)
+    integers = np.frombuffer(data, np.uint8, count * length, first).reshape(count, length)[:, :12].copy().view("<i4")
+    return SimpleNamespace(format=point_format, flag=struct.unpack_from("<H", data, 6)[0] // WKT_BIT % 2, ids=ids,
+                           scale=frame[:3], offset=frame[3:], bounds=np.frombuffer(data, "<f8", 6, 179).reshape(3, 2),
+                           points=integers * frame[:3] + frame[3:])
+
+
+# --- PCD of all kinds
+
+
+def lzf(data):
+    result = bytearray()
+    i = 0
+    while i < len(data):
+        run = 1
+        while run < 264 and i + run < len(data) and i > 0 and data[i + run - 1] == data[i - 1]:
+            run += 1
+        run -= 1
+        if run >= 3:  # repeats the byte before
+            result += bytes([(run - 2) << 5, 0] if run < 9 else [7 << 5, run - 9, 0])
+            i += run
+        else:
+            piece = data[i:i + 7]
+            result += bytes([len(piece) - 1]) + piece
+            i += len(piece)
+    return bytes(result)
+
+
+def pcd_of_each_kind(points):
+    count = len(points)
+    color = struct.unpack("<f", struct.pack("<I", 0x0A14FA))[0]
+
+    def file(kind, body):
+        return (f"VERSION .7\nFIELDS _ x y z rgb intensity label\nSIZE 1 8 8 8 4 4 4\nTYPE U F F F F F U\n"
+                f"COUNT 3 1 1 1 1 1 1\nWIDTH {count // 2}\nHEIGHT 2\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {count}\n"
+                f"DATA {kind}\n").encode() + body
+
+    row = np.dtype([("_", "3u1"), ("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("c", "<f4"), ("i", "<f4"), ("l", "<u4")])
+    rows = np.empty(count, row)
+    rows[:] = [((1, 2, 3), *p, color, 77, 9) for p in points]
+    text = "".join(f"1 2 3 {x:.3f} {y:.3f} {z:.3f} {color:.9g} 77 9\n" for x, y, z in points).encode()
+    packed = lzf(b"".join(rows[name].tobytes() for name in row.names))
+    sizes = struct.pack("<II", len(packed), rows.nbytes)
+    return {"text.pcd": file("ascii", text), "binary.pcd": file("binary", rows.tobytes()),
+            "compressed.pcd": file("binary_compressed", sizes + packed),
+            "damaged.pcd": file("binary_compressed", sizes + packed[:-9] + b"\xff" * 9),
+            "huge.pcd": file("binary_compressed", struct.pack("<II", len(packed), 0xFFFFFFFF) + packed)}

@@ -1,0 +1,236 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Text tables as people have them, and texts that are refused since they would be read as others: commas within numbers,
+lines that end in a carriage return alone, and lines without an end."""
+
+import gzip
+import os
+import random
+import re
+
+import pytest
+from clouds import ptx, rows_of, turned_room
+from support import BARE, CLOUD, CUBE, HAS_GZIP, N, VERTICES, WARNS, XYZ, off, pcd, ply, table
+
+TABLES = ["xyz", "txt", "csv", "pts", "pwn"]
+TWO = "element vertex 2\n" + XYZ
+PCD_ROWS = pcd("", count=2, size=4)
+STRIP = VERTICES + "element strip 1\nproperty list int int vertex_indices\n"
+PLAIN = {"off": off(CUBE), "ply": ply(CLOUD, CUBE), "pcd": pcd(CUBE, "x y z normal_x normal_y normal_z"),
+         **{kind: CUBE for kind in TABLES}}
+
+
+def prepare(p):
+    room = turned_room()
+    rng = random.Random(1)
+
+    def numbered(skip=0):
+        return rows_of(room, before=lambda i: f"{i + 7 + (i >= 2000) * skip} ")
+
+    pts = rows_of(room, before=lambda i: f"{i + 7} ", after=lambda i: f" {i % 50}")
+    p.write({"plain.xyz": rows_of(room), "numbered.xyz": numbered(), "broken.xyz": numbered(1),
+             "numbered.pts": f"{len(room)}\n{pts}", "numbered.txt": "x y z\n" + numbered(),
+             "named.csv": "Easting,Northing,Elevation\n" + rows_of(room, ","),
+             "units.csv": "Point,East [m],North [m],Height (m)\n" + rows_of(room, ",", lambda i: f"P{i},"),
+             "short.txt": "E N Z\n" + rows_of(room), "degrees.csv": "lon,lat,height\n" + rows_of(room, ","),
+             "strange.csv": "rechts,hoch,auf\n" + rows_of(room, ","), "points.asc": rows_of(room),
+             "twice.csv": "rechts,hoch,auf\n" * 2 + rows_of(room, ","),
+             "normals.xyzn": rows_of(room, after=lambda i: " 0 0 0"),
+             "colors.xyzrgb": rows_of(room, after=lambda i: " 0.25 0.5 1"),
+             "commas.csv": rows_of(room, ";").replace(".", ","),
+             "commas.txt": "x y z\n" + rows_of(room, "\t").replace(".", ","),
+             "commas.ptx": ptx(room).replace(".", ","), "one.ptx": ptx(room),
+             # Each row of the raster has one y, and an x that counts.
+             "raster.xyz": "".join(f"{x} {y} {rng.gauss(0, .004):.3f} 9\n" for y in range(4) for x in range(1200))})
+
+
+# --- Commas
+
+
+@table("row", ["1,5 2,5 3,5", "1,5\t2,5\t3,5", " -1,5  2,5  3,5 ", "1,5 2 3", "1 2 3,5", "1,5 2,5 3,5 0 0 1",
+               "1,5 2,5 3,5 255 0 0", "1,5;2,5;3,5", "1,5 ; 2 ; 3", "1,5, 2,5, 3,5", "1,5 ,2,5 ,3,5", "1,05,2,5,3,5",
+               "1.234,5;2;3", "1.234,5 2.345,6 3.456,7", "1,234.5 2,345.6 3,456.7", "1,234.5\t2\t3",
+               "1,034.5,2,345.6,3,456.7", "1 234,5;2 345,6;3 456,7", "1,234,567.5 2 3"])
+@table("format", ["xyz", "csv"])
+def test_commas_within_numbers(p, row, format):
+    """The first row, a later one, one below names, and one whose columns are named."""
+    for text, number, more in ((f"{row}\n{row}\n", 1, ""), (f"0.5 1 2\n\n# comment\n{row}\n", 4, ""),
+                               (f"x y z\n0.5 1 2\n{row}\n", 3, ""), (f"{row}\n{row}\n", 1, "--columns 'x y z'")):
+        p.write({f"comma.{format}": text})
+        p(1, f"comma.{format}: row {number} .*with a decimal point", f"comma.{format} {more}")
+
+
+@table("row", ["1,5 2,5 3,5", "1,234.5 2 3", "1 2 3,5", "1,2,3"])
+def test_commas_where_blanks_separate(p, row):
+    p.write({"comma.off": off(f"0 0 0\n{row}\n", "2 0 0"), "comma.ply": ply(TWO, f"0 0 0\n{row}\n"),
+             "comma.pcd": f"{PCD_ROWS}0 0 0\n{row}\n"})
+    p(1, "comma.off: row 4 has a comma .write numbers with a decimal point", "comma.off")
+    p(1, "comma.ply: row 2 of 'vertex' has a comma .write numbers with a decimal point", "comma.ply")
+    p(1, "comma.pcd: row 7 has '[0-9,.]+' where a number is expected.*with a decimal point", "comma.pcd")
+
+
+PAIRS = "pairs.csv: each row is of integers with commas between them, read as x y z r g b"
+
+
+@table("code, row, pattern", [
+    *((WARNS, row, f'warnings": .*"{PAIRS}[_ ]*: .*warning: {PAIRS}[_ ]*: write numbers with a decimal point if ')
+      for row in ("4,4,17,4,1,1", "1,5,2,5,3,5", "-4,4,-17,4,+1,1", "4,4,17,4,1,1,0,5", "4,4,17,4,1,1,0,0,0,0,1,0")),
+    *((1, row, "pairs.csv: each row is of integers .*, read as x y z r g b with values above 255 of r g b: write")
+      for row in ("5,426,18,369,2,112", "4,4,17,400,1,1"))])  # colors above 255 are none
+def test_integers_with_commas_only(p, code, row, pattern):
+    """They may be numbers with decimal commas, or with separators of thousands."""
+    p.write({"pairs.csv": re.sub("[^,]+", "1", row) + f"\n{row}\n"})
+    p(code, pattern, "pairs.csv --maximum-distance 1 --report /dev/stdout")
+
+
+@table("name, content, more, pattern", [
+    ("zero.csv", "1,05,2,5,3,5\n", "",
+     "row 1 has a number with a leading 0 behind a comma, .*write numbers with a decimal point"),
+    # More values than names, or another number of them in each row
+    ("names.csv", "x,y,z\n1,5,2,5,3,5\n", "", "row 2 has more than 3 values.*with a decimal point"),
+    ("names.csv", "x,y,z\n1,5,2,5,3,5\n", "--columns 'x y z'",
+     "row 2 has more than 3 values .name all its columns by --columns, also those to pass over, by _."),
+    ("ragged.csv", "1,5,2,5,3,5\n1,5,2,3,5\n", "--columns 'x y z'", "row 1 has more than 3 values"),
+    ("ragged.csv", "1,5,2,5,3,5\n1,5,2,3,5\n", "--columns 'x _ y z _'", "row 1 has more than 5 values"),
+    ("ragged.csv", "1,5,2,5,3,5\n1,5,2,3,5\n", "", "row 2 has 5 values instead of 6.*with a decimal point"),
+    ("more.pcd", PCD_ROWS + "0 0 0\n0 0 0 1\n", "", "row 7 has more than 3 values"),
+    ("less.pcd", PCD_ROWS + "0 0 0\n0.25 0.25\n", "", "row 7 has 2 values instead of 3"),
+    ("less.xyz", BARE + "1 2\n", "", "row 1729 has 2 values instead of 3"),
+    ("more.xyz", BARE + "1 2 3 4\n", "", "row 1729 has more than 3 values"),
+    ("word.xyz", BARE + "1 2 three\n", "", "row 1729 has 'three' where the number z is expected"),
+    ("comma.csv", "1,5;2,5;3,5\n", "", "row 1 is neither a point.*with a decimal point"),
+    # With --decimal-comma
+    *(("points.txt", f"1;2;3\n{row}\n", "--decimal-comma",
+       "row 2 has '[0-9.,]+': with --decimal-comma, numbers have a comma, and neither a point nor")
+      for row in ("1.234,5;2;3", "1.5;2,5;3", "1 2.25 3", "1.5,2.5,3.5")),
+    *(("many.txt", f"1;2;3\n{row}\n", "--decimal-comma", "row 2 has ")
+      for row in ("1,2,3", "1,5,2,5,3,5", "1,5; 2,5,5; 3")),
+    ("commas.csv", None, "", "row 1 .*commas are no part of numbers.* .or give --decimal-comma."),
+    ("commas.txt", None, "--columns 'x y z'", "row 2 .*or give --decimal-comma."),
+    # Names and extensions
+    ("strange.csv", None, "", "row 1 is a line of names that do not tell x, y and z .name the columns by --columns.\n"),
+    ("twice.csv", None, "--columns 'x y z'", "row 2 is a line of names"),
+    *(("raster.asc", "NCOLS 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n", *case) for case in (
+        ("", "is a raster of ESRI .its first word is ncols., and no table"),
+        ("--columns 'x y z'", "is a raster of ESRI"))),
+    ("cloud.doc", "1 2 3\n", "", r"unknown format '.doc', expected .*\.pwn, .xyzn, .xyzrgb, .asc")])
+def test_refused(p, name, content, more, pattern):
+    p.write({} if content is None else {name: content})
+    p(1, f"{name}: {pattern}", f"{name} {more}")
+
+
+@table("columns, rows, more", [
+    # Commas and semicolons between values are read, also those of integers.
+    ("x y z", "1,2,3\n4,5,6\n", ""), ("x y z", "1.5, 2.5, 3.5\n4, 5,6 ,\n", ""), ("x y z", "1.5 2.5 3.5\n4 ,, 5\n", ""),
+    ("x y z", "1;2.5; 3\r\n4; 5;6;\r\n", ""), ("x y z r g b", "1,-5,2,5,3,5\n0,10,20,0,0,0\n", ""),
+    ("x y z r g b", "1,5,2,5,3,5\n0,.5,20,0,0,0\n", ""), ("x y z r g b", "1,5,2,5,3,500\n", "--columns 'x y z r g b'"),
+    ("x y z r g b", "x,y,z,r,g,b\n1,5,2,5,3,5\n", ""), ("x y z r g b", "1;5;2;500;3;5\n0;10;20;0;0;0\n", ""),
+    ("x y z r g b", "1,5,2.5,500,3,5\n0,10,20,0,0,0\n", ""),
+    ("x y z r g b", "100, 20,300,  5, 10, 15\n  1,  2,  3,  5, 10,100\n", ""),
+    ("_ x y z", "scan 05,1,2,3\nscan 06,1,2,3\n", "--columns '_ x y z'"),
+    ("x y z _", "1,2,3,05\n1,2,3,06\n", "--columns 'x y z _'"),
+    ("x _ y z _ _", "1,0,2,3,4,5,\n", "--columns 'x _ y z _ _'"), ("x y z", "1 2 3 4\n", "--columns 'x y z'"),
+    ("x y z", "1;2;3;4\n", "--columns 'x y z'"), ("x _ y z", "x,,y,z\n1,a b,2,3\n", ""),
+    # x, y and z are never others where a file has them.
+    ("_ x y z", "height,x,y,z\n9,1,2,3\n9,2,2,3\n9,3,4,3\n", ""),
+    # Decimal commas
+    ("x y z", "1,5 -2,5 3,5e1\n,5 -,5 3\n1 2 3\n", "--decimal-comma"),
+    ("x y z", "1,5, 2,5, 3,5\n1,5, 2,5, 4,5\n", "--decimal-comma"),
+    ("z y x", "# z, y, x\n1,5;2;3\n1;2;3,25\n", "--decimal-comma"),
+    ("x y z _", "X;Y;Z;code 1.2\n1,5;2;3;a.1\n1,5;2;4;b\n", "--decimal-comma")])
+def test_columns(p, columns, rows, more):
+    """Few points have no shape, which is the only warning."""
+    p.write({"right.csv": rows})
+    text = p(WARNS, f"columns +{columns}\n", f"right.csv --maximum-distance 1 {more}")
+    assert "warning: right.csv" not in text
+
+
+# --- Names, extensions and a column that counts the rows
+
+
+@pytest.fixture(scope="module")
+def room_hash(p):
+    return p.hash("plain.xyz", "columns +x y z\n.*shapes +3 in 3 planes ")
+
+
+@table("columns, arguments", [
+    ("x y z", "named.csv"), ("_ x y z", "units.csv"), ("x y z", "short.txt"), ("x y z", "named.csv --columns 'x y z'"),
+    ("x y z", "strange.csv --columns x,y,z"), ("_ x y z .the first counts the rows.", "numbered.xyz"),
+    ("_ x y z .the first counts the rows.", "numbered.txt"),
+    ("_ x y z intensity .the first counts the rows.", "numbered.pts"), ("x y z", "points.asc"),
+    ("x y z r g b", "colors.xyzrgb"), ("x y z", "commas.csv --decimal-comma"), ("x y z", "commas.txt --decimal-comma")])
+def test_tables_with_the_same_result(p, room_hash, columns, arguments):
+    p(0, f"columns +{columns}\n.*{room_hash}", arguments)
+
+
+@table("code, pattern, arguments", [
+    (0, "columns +x y z intensity\n", "numbered.xyz --columns 'x y z intensity'"),
+    (0, "columns +x y z intensity\n", "raster.xyz --maximum-distance .02"),
+    (0, "normals estimated\n +columns +x y z nx ny nz\n", "normals.xyzn"),  # all of them are zero
+    (2, "--decimal-comma is for text tables .* and .ptx", "cube.ply --decimal-comma")])
+def test_other_tables(p, code, pattern, arguments):
+    p(code, pattern, arguments)
+
+
+def test_decimal_commas_of_scans(p):
+    p(0, p.hash("one.ptx"), "commas.ptx --decimal-comma")
+
+
+@table("arguments, pattern", [
+    ("degrees.csv", "degrees.csv: x and y are columns of longitude and latitude"),
+    ("degrees.csv --columns 'x y z'", "degrees.csv: x and y are columns of longitude and latitude"),
+    ("broken.xyz", "broken.xyz: column 1 counts the rows until row 2001 goes on otherwise")])
+def test_warnings(p, arguments, pattern):
+    p.warns(arguments, pattern)
+
+
+# --- Ends of lines, and none
+
+
+@table("kind", PLAIN)
+def test_carriage_returns(p, kind):
+    text = PLAIN[kind]
+    lines = text.split("\n")
+    lines[999] = re.sub(r"^(\S+ \S+) ", r"\1" + "\r", lines[999])  # of a row of the points
+    p.write({f"crlf.{kind}": text.replace("\n", "\r\n"), f"cr.{kind}": text.replace("\n", "\r"),
+             f"note.{kind}": "# comment\r" + text, f"row.{kind}": "\n".join(lines)})
+    p(0, f"points +{N}", f"crlf.{kind} E")
+    p(1, f"cr.{kind}: row 1 ends in a carriage return alone", f"cr.{kind}")
+    p(1, f"note.{kind}: row 1 ends in a carriage return alone", f"note.{kind}")
+    p(1, f"row.{kind}: row [0-9]+ (of 'vertex' )?ends in a carriage return alone", f"row.{kind}")
+    if kind != "ply":  # a byte 0, as of UTF-16: the message is whole
+        p.write({f"zero.{kind}": "\n".join(lines[:20]) + "\n\0" + "\n".join(lines[20:])})
+        p(1, f"zero.{kind}: row 21 has a byte 0, which no text has but one of UTF-16", f"zero.{kind}")
+
+
+def test_a_carriage_return_of_some_rows(p):
+    p.write({"body.ply": ply(CLOUD, CUBE.replace("\n", "\r")), "end.xyz": "1 2 3\r"})
+    p(1, "body.ply: row 1 of 'vertex' ends in a carriage return alone", "body.ply")
+    p(WARNS, "points +1,", "end.xyz --maximum-distance 1")
+
+
+LIMIT = "more than 65536 bytes, the limit of a"
+
+
+@table("row, name, text", [
+    *((row, f"endless.{kind}", text) for kind in TABLES for row, text in (
+        ("row 1", ""), ("row 3", "0 0 0\n1 0 0\n0 1 0"), ("row 2", "0 0 0\n# comment"))),
+    ("row 1", "head.off", ""), ("row 2", "count.off", "OFF\n1"), ("row 4", "rows.off", "OFF\n2 0 0\n0 0 0\n1 0 0"),
+    ("row 4", "face.off", "OFF\n1 1 0\n0 0 0\n1 0"), ("row 1", "head.ply", ""),
+    ("row 3", "note.ply", "ply\nformat ascii 1.0\ncomment"), ("row 2 of 'vertex'", "rows.ply", ply(TWO, "0 0 0\n1 0 0")),
+    ("row 1 of 'strip'", "strip.ply", ply(STRIP, BARE + "1 ")), ("row 1", "head.pcd", ""),
+    ("row 3", "size.pcd", "# comment\nFIELDS x y z\nSIZE 4"), ("row 7", "rows.pcd", PCD_ROWS + "0 0 0\n1 0 0")])
+def test_lines_without_an_end(p, row, name, text):
+    """What has no bytes on the disk is 4 GB of zeros."""
+    p.write({name: text})
+    os.truncate(p.path(name), 4 << 30)
+    p.shell(1, f"{name}: {row} has {LIMIT}", f"exec timeout -k 1 10 $P {name}")
+    p.path(name).unlink()
+
+
+def test_long_lines(p):
+    p.write({"wide.xyz": f"0 0{' ' * 65000}0\n1 0 0\n", "strip.ply": ply(STRIP, f"{BARE}100000{' 1' * 100000}\n"),
+             "line.xyz.gz": gzip.compress(bytes(100000000), 1)})
+    p(WARNS, "points +2,", "wide.xyz --maximum-distance 1")
+    p(0, f"points +{N},", "strip.ply E")  # no line of points
+    p(1, f"line.xyz.gz: row 1 has {LIMIT}" if HAS_GZIP else "without zlib", "line.xyz.gz")

@@ -1,0 +1,121 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tiles of an area: --output-directory of detect_planes, by one process."""
+
+import gzip
+import os
+import shutil
+
+from support import HAS_GZIP, HELP, NOTHING, WARNS, ply, properties, table
+from tiles import OPTIONS, OUTPUTS, TILES, write_tiles
+
+ALL = " ".join(TILES)
+EMPTY = ply("element vertex 0\n" + properties(["x", "y", "z", "nx", "ny", "nz"], "float"))
+
+
+def prepare(p):
+    write_tiles(p)
+    last = p.path("last.las").read_bytes()
+    p.write({"classes.csv": "x,y,z,classification\n0,0,0,6\n1,0,0,6\n0,1,0,6\n1,1,0,2\n", "empty.ply": EMPTY,
+             "none.ply": EMPTY, "folder/last.las": last, "folder/last.pts": last, "folder/last.ply": "old",
+             "zipped/last.las": "old", "zipped/last.las.gz": gzip.compress(last),
+             "folder/Middle.XYZ.gz": gzip.compress(p.path("folder/Middle.XYZ").read_bytes())})
+    p.path("linked").mkdir()
+    for name, target in (("link", "folder"), ("linked/a.las", "../folder/last.las"), ("deep", "folder/sub")):
+        p.path(name).symlink_to(target)
+    p(0, r"\Acorner.pts, .*points +9600.*hash", f"{ALL} {OPTIONS} --output-directory new/one --planes planes --output all.csv")
+
+
+def test_each_input_has_its_points(p):
+    """In a file of its own, with shapes of the whole area"""
+    assert sorted(os.listdir(p.path("new/one"))) == sorted(OUTPUTS) and len(p.lines("planes")) == 4
+    seam = p.lines("new/one/seam.csv")
+    assert set(seam) <= set(p.lines("all.csv")) and len(seam) == len(p.lines("folder/sub/seam.csv"))
+    assert {row.split(",")[-1] for row in seam} >= set("0123")
+
+
+def test_what_is_written_is_read_again(p):
+    p(0, "left out +normals", f"new/one/corner.ply new/one/last.las {OPTIONS} --colors shape --output-directory new/two")
+    p(0, NOTHING, f"new/one/last.las {OPTIONS} --output-directory new/two --quiet")
+    assert p.is_same("new/one/last.las", "new/two/last.las")
+    p(0, NOTHING, f"folder/Middle.XYZ {OPTIONS} --output-directory new/two --output middle.xyz --quiet")
+    assert p.is_same("middle.xyz", "new/two/Middle.XYZ")
+    if HAS_GZIP:
+        p(0, NOTHING, f"folder/Middle.XYZ.gz {OPTIONS} --output-directory new/three --quiet")
+        assert p.is_same("middle.xyz", "new/three/Middle.XYZ")
+
+
+def test_a_tile_without_points(p):
+    """It has an output without points, and changes nothing."""
+    run = f"{OPTIONS} --output-directory with_empty"
+    text = p(WARNS, "warning: empty.ply: has no points\n", f"empty.ply {ALL} {run}")
+    assert "normals estimated" in text
+    for name in OUTPUTS:
+        assert p.is_same(f"new/one/{name}", f"with_empty/{name}")
+    p(1, "with_empty/empty.ply: has no points", "with_empty/empty.ply")
+    p(WARNS, "warning: last.las: has no points of the --classes", f"last.las classes.csv --classes 6 {run}")
+    p(1, "with_empty/last.las: has no points", "with_empty/last.las")
+    p.shell(0, "warning: none.ply: has no points\n.*none of the inputs has points\n.*exit 1",
+            "$P empty.ply none.ply --output-directory out 2>&1 || echo exit $?")
+    assert not p.has("out")
+
+
+IS_INPUT = "--output-directory is the folder of {}. take another folder"
+
+
+@table("pattern, arguments", [
+    ("last.las and folder/last.las would both become out/last.las", "last.las folder/last.las --output-directory out"),
+    ("corner.pts and corner.ply would both become out/corner.ply", "corner.pts corner.ply --output-directory out"),
+    *((IS_INPUT.format(name), f"{name} --output-directory {folder}") for place in ("folder", "link")
+      for name in (f"{place}/last.las", f"{place}/last.pts", f"{place}/../folder/last.las")
+      for folder in ("folder/sub/..", "./folder/", "folder/.", "link", "link/")),
+    *((IS_INPUT.format("linked/a.las"), f"linked/a.las --output-directory {folder}") for folder in ("linked", "folder")),
+    (IS_INPUT.format("folder/last.las"), "corner.pts folder/last.las --output-directory folder"),
+    *(HAS_GZIP * [(IS_INPUT.format("zipped/last.las.gz"), "zipped/last.las.gz --output-directory zipped")]),
+    # By names through folders that are not there yet, which the run would make; and through those that lead elsewhere
+    *((IS_INPUT.format("folder/last.pts"), f"folder/last.pts --output-directory {folder}")
+      for folder in ("folder/nn/..", "folder/nn/../", "folder/nn/mm/../../", "./folder/nn/./..//", "nn/../folder",
+                     "link/n/..", "deep/n/../..", "link/n/../sub/m/../..")),
+    ("out/last.las is named twice", "last.las --output-directory out --labels out/last.las"),
+    ("--output-directory is '-'", "last.las --output-directory -")])
+def test_refused_names(p, pattern, arguments):
+    p(2, pattern, arguments)
+    assert p.read("folder/last.ply") == p.read("zipped/last.las") == "old"
+    assert not p.has("out", "folder/nn", "folder/n", "folder/sub/n", "nn")
+
+
+def test_other_names(p):
+    p(0, NOTHING, f"last.las {OPTIONS} --quiet --output-directory folder/nn/../out")
+    assert p.is_same("new/one/last.las", "folder/out/last.las")
+    for name in ("folder/nn", "folder/out"):
+        shutil.rmtree(p.path(name))
+
+
+@table("pattern, arguments", [
+    ("last.xyz: cannot be made", "last.las --output-directory last.xyz"),
+    ("taken/last.las: is a directory", f"last.las corner.pts {OPTIONS} --output-directory taken"),
+    ("nothere.las: no such file", "corner.pts nothere.las --output-directory out"),
+    ("no/planes: cannot be written", f"last.las {OPTIONS} --output-directory made/one/two --planes no/planes"),
+    ("--maximum-distance is 1e-09 while the extent", "last.las --output-directory made/one --maximum-distance 1e-9"),
+    ("last.las/two: cannot be made .Not a directory", "last.las --output-directory last.las/two"),
+    ("/dev/full: cannot be written completely",
+     f"last.las {OPTIONS} --output-directory made/one/two --report /dev/full")])
+def test_a_run_that_fails_leaves_no_folder(p, pattern, arguments):
+    p.path("taken/last.las").mkdir(parents=True, exist_ok=True)
+    p(1, pattern, arguments)
+    assert not p.has("out", "taken/corner.ply", "made")
+
+
+def test_a_folder_of_before_stays(p):
+    p.path("before").mkdir()
+    p(1, "/dev/full: cannot be written completely",
+      f"last.las {OPTIONS} --output-directory before/one --report /dev/full")
+    assert p.has("before") and not p.has("before/one")
+
+
+def test_other_processes(p):
+    """What mpirun would tell a program that cannot work with others"""
+    if "mpirun" not in HELP:
+        p(1, "3 processes were started .OMPI_COMM_WORLD_SIZE., but this program was built without MPI", "last.las",
+          OMPI_COMM_WORLD_SIZE="3")
+        p(0, NOTHING, "last.las", OMPI_COMM_WORLD_SIZE="3", OMPI_COMM_WORLD_RANK="1")

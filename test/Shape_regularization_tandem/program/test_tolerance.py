@@ -1,0 +1,188 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tolerance of each point: --tolerance-column in all formats, --noise, and --maximum-distance auto-local. And points
+at 0 0 0, and coordinates that are no longer what was measured."""
+
+import re
+
+import numpy as np
+import pytest
+from clouds import corridor, sensor_points
+from support import BARE, HELP, N, NOTHING, ROWS, VERTICES, WARNS, pcd, ply, table, text_of
+
+# Of the 1728 points of the cube, 24 have no tolerance, those of an edge have a small one.
+POINTS = ROWS[:, :3]
+ROW = np.arange(1, N + 1)
+SIGMA = np.where(ROW % 72 == 0, np.where(ROW % 144 == 0, -.25, 0), np.where(POINTS[:, 0] > .02, .00390625, .0078125))
+SEVEN = np.full((N, 1), 7)
+WITH_SIGMA = np.column_stack([POINTS, SIGMA])
+WITH_OTHER = text_of(np.column_stack([POINTS, SEVEN, SIGMA]))
+EXPECTED = {"minimum": 0.00390625, "maximum": 0.0078125}
+BOUND = "--viewpoint 0,0,0"
+
+
+def prepare(p):
+    seen_from = "VIEWPOINT {} 1 0 0 0\n"
+    near = [(3, 4 + i / 1e7, j / 1e7) for i in range(40) for j in range(40)]
+    p.write({"bare.xyz": text_of(WITH_SIGMA), "plain.xyz": BARE, "near.xyz": text_of(near),
+             "named.txt": "x y z scalar_Sigma\n" + text_of(WITH_SIGMA),
+             "second.txt": "x y z scalar_Sigma\n" + text_of(WITH_SIGMA + (7, 0, 0, 0)),
+             "named.csv": "X,Y,Z,sigma\n" + text_of(WITH_SIGMA, ","),
+             "cloud.pcd": pcd(WITH_OTHER, "x y z other Sigma").replace("8 8 8 8 8", "8 8 8 4 8").replace(
+                 "F F F F F", "F F F U F"),
+             "cloud.ply": ply(VERTICES + "property uchar other\nproperty float sigma\n", WITH_OTHER),
+             "far.pcd": pcd(more=seen_from.format("0.1 0 0")), "origin.pcd": pcd(more=seen_from.format("0 0 0"))})
+
+
+def check_tolerances(p, source, expected, ignored, arguments):
+    p(0, NOTHING, f"{arguments} --quiet --report t.json")
+    report = p.json("t.json")
+    found = {name: report["tolerance"][name] for name in ("source", *expected)}
+    assert found == {"source": f"column {source}", **expected}
+    assert report["counts"]["ignored_tolerances"] == ignored
+
+
+def test_columns(p):
+    for i, arguments in enumerate(["named.txt", "named.csv", "cloud.pcd", "cloud.ply", "bare.xyz --columns 'x y z sigma'"]):
+        check_tolerances(p, "sigma", EXPECTED, 24, f"{arguments} --tolerance-column sigma --labels {i}.labels")
+        assert p.is_same("0.labels", f"{i}.labels")
+
+
+@table("expected, ignored, arguments", [
+    (EXPECTED, 48, "named.csv second.txt"),
+    ({**EXPECTED, "maximum": 0.0048828125}, 24, "cloud.ply --maximum-distance 0.0048828125")])
+def test_inputs_and_bounds(p, expected, ignored, arguments):
+    """More than one input; and an upper bound that is less."""
+    check_tolerances(p, "sigma", expected, ignored, arguments + " --tolerance-column sigma")
+
+
+@table("format", ["ply", "pcd", "xyz", "csv"])
+def test_they_are_written_and_read_again(p, format):
+    p(0, NOTHING, f"cloud.ply --tolerance-column sigma --output out.{format} --quiet")
+    check_tolerances(p, "tolerance", EXPECTED, 24, f"out.{format} --estimate-normals --tolerance-column tolerance")
+
+
+def test_extra_bytes_of_las(p):
+    """The shape of each point, as a number, is one more number."""
+    p(0, NOTHING, "cloud.ply E --output out.las --quiet")
+    check_tolerances(p, "shape", {name: 0.00390625 for name in EXPECTED}, 576,
+                     "out.las --tolerance-column shape --maximum-distance 0.00390625")
+    p(1, "out.las: has no extra dimension 'sigma', which --tolerance-column names; it has shape",
+      "out.las --tolerance-column sigma")
+
+
+@table("code, pattern, arguments", [
+    (0, "; ignored: 24 without a tolerance\n.*tolerances  0.003906 to 0.007812, by column sigma\n.*shapes +3 in",
+     "cloud.ply --tolerance-column sigma"),
+    (1, "cloud.ply: has no property 'error', which --tolerance-column names; it has other, sigma\n",
+     "cloud.ply --tolerance-column error"),
+    (1, "cloud.pcd: has no field 'error', .* it has x, y, z, other, Sigma\n", "cloud.pcd --tolerance-column error"),
+    (1, "named.csv: has no column 'error', .* it has X, Y, Z, sigma\n", "named.csv --tolerance-column error"),
+    (1, "named.csv: the column 'z' of --tolerance-column is a coordinate", "named.csv --tolerance-column z"),
+    (1, "bare.xyz: has no line of names, .*--columns names them", "bare.xyz --tolerance-column sigma"),
+    (2, ": --columns has no 'sigma', which --tolerance-column names",
+     "bare.xyz --columns 'x y z _' --tolerance-column sigma"),
+    (2, ": --columns has no '_', which --tolerance-column names", "bare.xyz --columns 'x y z _' --tolerance-column _"),
+    (2, ": --columns has 'error', must be of", "bare.xyz --columns 'x y z error' --tolerance-column sigma"),
+    # Noise
+    (0, "tolerances  0.00[0-9]* to 0.01[0-9]*, by noise 0.001 . 0.02[*]r\n.*shapes +3 in",
+     f"plain.xyz --noise '0.001 + 0.02*r' {BOUND}"),
+    # Given normals have a side, so the place is only that of the sensor.
+    (0, "normals given\n.*by noise .001r.2\n", "cube.ply --noise .001r^2 --viewpoint 1,1,1"),
+    # Negative noise is none: points beyond a range of .1 are in no shape.
+    (0, "; ignored: [0-9]* without a tolerance\n", f"plain.xyz --noise '0.004 - 0.04*r' {BOUND}"),
+    # The place of PCD files, if they have one
+    (0, "by noise .02r\n", "far.pcd --noise .02r"), (0, "by noise .02r\n", f"origin.pcd --noise .02r {BOUND}"),
+    (1, "origin.pcd: the VIEWPOINT is 0 0 0 1 0 0 0, .*: --noise needs it by --viewpoint X,Y,Z", "origin.pcd --noise r"),
+    (1, "plain.xyz: has no place of the sensor: --noise needs it by --viewpoint X,Y,Z", "far.pcd plain.xyz --noise r"),
+    (2, ": --noise needs the place of the sensor: --viewpoint X,Y,Z .0,0,0 if it is the origin.", "plain.xyz --noise r"),
+    *((2, ": --noise is '[^']*', which .*; it must be a sum of numbers and powers of the range r, as in ",
+       f"plain.xyz --noise '{text}' {BOUND}") for text in ("r^3", "1 2", "a + b*r", "0.1 +", "0,1", "0")),
+    # One number, or one for each point
+    (0, "maximum distance 0.004, angle", "plain.xyz E"),
+    (0, "tolerances .* by auto-local\n.*shapes +3 in", "plain.xyz --maximum-distance auto-local"),
+    (2, ": --maximum-distance is 'local', must be a number, auto or auto-local ", "plain.xyz --maximum-distance local"),
+    (2, ": --tolerance-column and --noise both give ", f"cloud.ply --tolerance-column sigma --noise r {BOUND}"),
+    *((2, ": --maximum-distance auto-local and --[a-z-]* both give ", f"cloud.ply --maximum-distance auto-local {more}")
+      for more in (f"--noise r {BOUND}", "--tolerance-column sigma"))])
+def test_options(p, code, pattern, arguments):
+    p(code, pattern, arguments)
+
+
+def test_a_multiple_of_the_noise(p):
+    """It is the tolerance, and the help tells it."""
+    multiple = float(re.search("tolerance of each point is ([0-9.]*) times that", re.sub(r"\s+", " ", HELP)).group(1))
+    p(WARNS, "", f"near.xyz --noise '0.3 r' {BOUND} --report t.json --minimum-region-size 3 --quiet")
+    assert multiple > 1 and p.json("t.json")["tolerance"]["minimum"] == pytest.approx(.3 * 5 * multiple, rel=.01)
+
+
+def test_auto(p):
+    p(0, "maximum distance [0-9.e-]* .estimated., angle", "plain.xyz --planes a.planes")
+    p(0, NOTHING, "plain.xyz --maximum-distance auto --planes b.planes --quiet")
+    assert p.is_same("a.planes", "b.planes")
+
+
+@table("seed", [1, 2, 3])
+def test_corridor(p, seed):
+    """Noise grows with the square of the range; its shapes are its walls and its end."""
+    p.write({"corridor.xyz": text_of(corridor(seed))})
+    p(0, "shapes +5 in 5 planes of 3 directions", "corridor.xyz --noise '0.0028*r^2' --viewpoint 1,2,3")
+    p(0, "estimate +The noise varies from .*: each point has a tolerance of its own .*by auto-local.*shapes +5 in 5 planes",
+      "corridor.xyz --report t.json")
+    assert '"note": "The noise varies' in p.read("t.json")
+
+
+# --- Coordinates that are none, or no longer what was measured
+
+SENSOR = "--maximum-distance 0.012"
+
+
+@table("seed", [1, 2])
+@table("kind, zeros", [("far", 20), ("half", 3000)])
+def test_zeros_are_left_out(p, seed, kind, zeros):
+    points = sensor_points(kind, seed)
+    is_zero = (points == 0).all(axis=1)
+    p.write({"z.xyz": text_of(points), "others.xyz": text_of(points[~is_zero])})
+    p(0, f"; ignored: {zeros} at 0 0 0\n.*shapes +3 in 3 planes", f"z.xyz --ignore-zeros {SENSOR} --report z.json "
+      "--labels z.labels --output z.txt --planes z.planes")
+    counts = p.json("z.json")["counts"]
+    assert (counts["ignored_zeros"], counts["ignored_coordinates"]) == (zeros, 0)
+    # They are in no shape, and where they were.
+    written = np.loadtxt(p.path("z.txt"))
+    assert ((written[:, :3] == 0).all(axis=1) == is_zero).all() and (written[is_zero, -1] == -1).all()
+    assert (p.labels("z.labels") == written[:, -1]).all()
+    # The others are those of a cloud without them.
+    p(0, NOTHING, f"others.xyz {SENSOR} --planes others.planes --quiet")
+    assert p.is_same("z.planes", "others.planes")
+    p.warns("z.xyz --ignore-zeros")
+    if kind == "half":  # where they are not left out, a hint does not blame the tolerance
+        p.warns(f"z.xyz {SENSOR}", "3000 points are exactly at 0 0 0, as invalid pixels are: --ignore-zeros")
+
+
+def test_all_points_are_zeros(p):
+    p.write({"zero.xyz": "0 0 0\n" * 3})
+    p(1, "all points are at 0 0 0, which --ignore-zeros leaves out", "zero.xyz --ignore-zeros")
+
+
+@table("seed", [1, 2])
+@table("kind, more, patterns", [
+    ("plain", SENSOR, []), ("plain", "", []),
+    ("floats", "--maximum-distance 0.2", ["rounded, x in steps of 0.0625, y in steps of 0.5, while .* is 0.2: write "
+                                          "doubles, or subtract an offset"]),
+    ("floats", "", None), ("degrees", "", None)])
+def test_rounded_coordinates_and_degrees(p, seed, kind, more, patterns):
+    p.write({"sensor.xyz": text_of(sensor_points(kind, seed))})
+    if patterns is not None:
+        p.warns(f"sensor.xyz {more}", *patterns)
+    elif kind == "floats":  # whatever is estimated
+        p(WARNS, "warning: the coordinates are rounded, .*y in steps of 0.5", "sensor.xyz")
+    else:
+        p(WARNS, "warning: the coordinates look like degrees of longitude and latitude .*: project such coordinates "
+          "first, to UTM", "sensor.xyz")
+
+
+def test_names_of_degrees(p):
+    p.write({"named_degrees.csv": "lon,lat,height\n" + text_of(sensor_points("degrees", 1), ",")})
+    text = p(WARNS, "warning: named_degrees.csv: x and y are columns of longitude and latitude: planes need lengths, so "
+             "project", "named_degrees.csv --maximum-distance 0.1")
+    assert re.search("columns +x y z\n", text)

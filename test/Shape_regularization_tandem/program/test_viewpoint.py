@@ -1,0 +1,156 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The outward sides of planes and of estimated normals: those of given normals, of --viewpoint, and of the VIEWPOINT of
+PCD files."""
+
+import re
+
+import numpy as np
+import pytest
+from support import HAS_VIEW, HELP, NOTHING, ROWS, WARNS, pcd, table
+
+PLACES = {"inside": "5 6 7 1 0 0 0", "behind": "-1 0 -1e0 .7 0 .7 0", "default": "0 0 0 1 0 0 0",
+          "turned": "0 0 0 0 1 0 0", "short": "5 6 7", "nan": "5 6 nan 1 0 0 0"}
+
+
+def rows(shift=0, with_normals=False):
+    """The cube, its corner at (1, 1, 1) or further along x, without normals or with such as point to the outside."""
+    normals = " {:g} {:g} {:g}" if with_normals else ""
+    return "".join(("{:.3f} {:.3f} {:.3f}" + normals + "\n").format(*row[:3] + (1 + shift, 1, 1), *-row[3:])
+                   for row in ROWS)
+
+
+def prepare(p):
+    p.write({"bare.xyz": rows(), "outside.xyz": rows(with_normals=True), "far.xyz": rows(4500000),
+             "second.xyz": rows(9), "none.pcd": pcd(rows()),
+             "outside.pcd": pcd(rows(with_normals=True), "x y z normal_x normal_y normal_z",
+                                "VIEWPOINT 5 6 7 1 0 0 0\n"),
+             **{f"{name}.pcd": pcd(rows(), more=f"VIEWPOINT {place}\n") for name, place in PLACES.items()}})
+
+
+@pytest.fixture(scope="module")
+def plain(p):
+    """Runs without --oriented: their hashes, and their planes, which others may turn only."""
+    hashes = {"bare": p.hash("bare.xyz E --planes bare.planes --output bare.txt --vg bare.vg",
+                             "normals estimated\n.*shapes +3 in"),
+              "far": p.hash("far.xyz E --planes far.planes", "shapes +3 in"),
+              "outside": p.hash("outside.xyz E --planes outside.planes", "normals given\n")}
+    return {name: (found, p.planes(f"{name}.planes")) for name, found in hashes.items()}
+
+
+def check_sides(place, side, planes=(), points=()):
+    """Planes a b c d are on the side 1 of a place or the other one, -1; and so are points with their normals."""
+    heights = [plane[:3] @ place + plane[3] for plane in planes] + [row[3:6] @ (place - row[:3]) for row in points]
+    assert len(heights) >= 3 and (np.array(heights) * side > 0).all()
+
+
+def check_turned(planes, expected):
+    assert len(planes) == 3 and all((a == b).all() or (a == -b).all() for a, b in zip(planes, expected))
+
+
+def groups(p, name):
+    return [np.array(line.split()[1:5], float) for line in p.lines(name, "^group_parameters")]
+
+
+@table("cloud, side, place, arguments", [
+    ("bare", 1, (5, 6, 7), "bare.xyz --viewpoint 5,6,7"), ("bare", 1, (-2, -3, .5), "bare.xyz --viewpoint '-2, -3, .5'"),
+    ("bare", 1, (0, 6, 0), "bare.xyz --viewpoint=0,6,0"),
+    # Far away a step of float is half a unit.
+    ("far", 1, (4500001.25, 2, 2), "far.xyz --viewpoint 4500001.25,2,2"),
+    ("far", 1, (4500000.75, 2, 2), "far.xyz --viewpoint 4500000.75,2,2"),
+    # Given normals have a side.
+    ("outside", -1, (5, 6, 7), "outside.xyz"), ("outside", -1, (5, 6, 7), "outside.pcd"),
+    ("bare", 1, (5, 6, 7), "outside.xyz --estimate-normals --viewpoint 5,6,7"),
+    # VIEWPOINT of PCD files
+    ("bare", 1, (5, 6, 7), "inside.pcd"), ("bare", -1, (5, 6, 7), "inside.pcd --viewpoint 0,0,0"),
+    ("bare", 1, (-1, 0, -1), "behind.pcd"), ("bare", 1, (0, 0, 0), "default.pcd"), ("bare", 1, (0, 0, 0), "turned.pcd")])
+def test_oriented(p, plain, cloud, side, place, arguments):
+    found, planes = plain[cloud]
+    p(0, found, f"{arguments} E --oriented --planes sided.planes --output sided.xyz --vg sided.vg")
+    check_sides(place, side, p.planes("sided.planes"), np.loadtxt(p.path("sided.xyz")))
+    check_sides(place, side, groups(p, "sided.vg"))
+    check_turned(p.planes("sided.planes"), planes)
+
+
+@table("cloud, arguments, files", [
+    ("bare", "bare.xyz --viewpoint 5,6,7", ["planes"]), ("bare", "bare.xyz --viewpoint -2,-3,0", ["planes"]),
+    ("outside", "outside.xyz", ["planes"]), ("bare", "inside.pcd", ["planes"]),
+    ("bare", "default.pcd", ["planes", "txt", "vg"]), ("bare", "none.pcd", ["planes", "txt", "vg"])])
+def test_the_same_without_oriented(p, plain, cloud, arguments, files):
+    p(0, plain[cloud][0], f"{arguments} E --planes again.planes --output again.txt --vg again.vg")
+    for file in files:
+        assert p.is_same(f"{cloud}.{file}", f"again.{file}")
+
+
+@table("pattern, arguments", [
+    ("normals by PCA of 9 neighbors, towards the viewpoint\n",
+     "outside.xyz --estimate-normals 9 --viewpoint 5,6,7 --output sided.xyz --vg sided.vg"),
+    ("normals estimated, towards the viewpoint\n", "bare.xyz --viewpoint 5,6,7 --output sided.xyz --vg sided.vg"),
+    ("normals estimated, towards the viewpoint\n", "inside.pcd --output sided.xyz --vg sided.vg")])
+def test_estimated_normals(p, pattern, arguments):
+    p(0, pattern, f"{arguments} E")
+    check_sides((5, 6, 7), 1, groups(p, "sided.vg"), np.loadtxt(p.path("sided.xyz")))
+
+
+def test_no_viewpoint(p, plain):
+    assert plain
+    p(WARNS, r"\Adetect_planes: warning: --oriented: no normals are given, and no viewpoint is known[^\n]*\n\Z",
+      "bare.xyz E --quiet --oriented --planes again.planes")
+    assert p.is_same("bare.planes", "again.planes")
+    for name in ("short", "nan"):
+        p(WARNS, rf"\Adetect_planes: warning: {name}.pcd: the VIEWPOINT of the PCD header is not seven finite numbers[^\n]*"
+          r"\n\Z", f"{name}.pcd E --quiet --output again.txt")
+        assert p.is_same("again.txt", "bare.txt")
+    p(1, "--viewpoint is for estimated normals, but the input has normals",
+      "outside.xyz E --viewpoint 5,6,7 --planes none.planes")
+    assert not p.has("none.planes")
+
+
+def test_several_inputs(p):
+    """Each has its own, or none."""
+    p(0, "shapes +6 in", "behind.pcd second.xyz E --output-directory two --planes two.planes")
+    p(0, "shapes +6 in", "none.pcd second.xyz E --output-directory none")
+    p(0, "shapes +6 in", "behind.pcd second.xyz E --oriented --planes two_sided.planes --output-directory again")
+    assert p.is_same("two/second.xyz", "none/second.xyz", "again/second.xyz")
+    assert p.is_same("two/behind.pcd", "again/behind.pcd")
+    assert not p.is_same("two/behind.pcd", "none/none.pcd"), "the viewpoint is not used"
+    assert not p.is_same("two.planes", "two_sided.planes"), "no plane was turned"
+
+
+def planes_of_text(text, pattern):
+    return np.array([[float(x) for x in found.split(",")] for found in re.findall(pattern, text)]).reshape(-1, 4)
+
+
+def test_areas(p):
+    """Corners are in the order seen from the outward side, with or without --oriented."""
+    for more, name in (("", "plain"), ("--oriented", "sided")):
+        p(0, "shapes +3 in", f"bare.xyz E --viewpoint 0,0,0 --triangulate --polygons {name}.obj {more}")
+        p(0, "shapes +3 in", f"bare.xyz E --viewpoint 0,0,0 --polygons {name}.json --planes {name}.planes {more}")
+    assert p.is_same("plain.obj", "sided.obj")
+    corners = np.array([line.split()[1:] for line in p.lines("sided.obj", "^v ")], float)
+    faces = np.array([line.split()[1:] for line in p.lines("sided.obj", "^f ")], int) - 1
+    a, b, c = (corners[faces[:, k]] for k in range(3))
+    assert len(faces) >= 6 and ((np.cross(b - a, c - a) * a).sum(axis=1) <= 0).all(), "inside out"
+    planes = planes_of_text(p.read("sided.json"), r'plane":\s*\[([^\]]*)\]')
+    check_turned(planes, p.planes("sided.planes"))
+    check_sides((0, 0, 0), 1, planes)
+    assert not p.is_same("plain.json", "sided.json"), "no plane was turned"
+
+
+def test_page(p):
+    assert re.search("--viewpoint X,Y,Z .*--oriented ", HELP, re.DOTALL)
+    if HAS_VIEW:
+        p(0, "shapes +3 in", "bare.xyz E --viewpoint 0,0,0 --oriented --view sided.html --planes sided.planes")
+        planes = planes_of_text(p.read("sided.html"), r'"coefficients":\s*\[([^\]]*)\]')
+        check_turned(planes, p.planes("sided.planes"))
+        check_sides((0, 0, 0), 1, planes)
+
+
+@table("pattern, arguments", [
+    *((r": --viewpoint is '[^']*', must be three numbers .*, as in 2.5,-1,1.6 ", f"bare.xyz --viewpoint '{value}'")
+      for value in ("0,0", "1,2", "a,b,c", "0 0 1", "0,0,1,0", "0,0,1x", "0,0,1e999", "nan,0,1", "1,inf,0", ",0,1", "1,2,",
+                    "1/2/3")),
+    ("--viewpoint is empty", "bare.xyz --viewpoint ''"), ("viewpoint", "bare.xyz --viewpoint"),
+    ("viewpoint' cannot be specified more than once", "bare.xyz --viewpoint 0,0,0 --viewpoint 0,0,1")])
+def test_bad_usage(p, pattern, arguments):
+    p(2, pattern, arguments)
