@@ -63,6 +63,17 @@ private:
   std::array<std::size_t, 2> axes;
 };
 
+// f(corners) for the lines and triangles of a polygon.
+template <class Function>
+void for_each_list(Polygon& polygon, Function f)
+{
+  f(polygon.outer);
+  for(Polygon::Loop& hole : polygon.holes)
+    f(hole);
+  for(auto& triangle : polygon.triangles)
+    f(triangle);
+}
+
 // Of all shapes, with one table of vertices. The outlines of a shape are simple and have no common points: the vertices as
 // they are, without the coordinate along which the plane is steepest, are those of simple polygons in two dimensions. No
 // polygon, if the points cover less than a few squares of their spacing.

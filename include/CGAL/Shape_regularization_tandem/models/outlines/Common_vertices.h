@@ -20,7 +20,7 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-// --- Free edges that lie on the line of two planes are edges of that line like straight borders.
+// --- Free edges that lie on the line of two planes are edges of that line like straight borders
 
 // Up to the rounding of coordinates.
 inline bool is_on_line(const Outline_vertex& v, const Border_line& line)

@@ -14,7 +14,7 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-// --- The straight parts of outlines.
+// --- The straight parts of outlines
 
 // It depends on the planes and on its place on their line only, so that it is the same for all shapes that have it.
 struct Border_vertex_position {
@@ -61,7 +61,7 @@ struct Straight_border {
   float reach;                               // points of the shape are within this distance
 };
 
-// --- Closed lines around the points of a shape, and the numbers that decide how they follow the points.
+// --- Closed lines around the points of a shape, and the numbers that decide how they follow the points
 
 // Lengths are multiples of the spacing of the points, areas of its square.
 struct Outline_limits {

@@ -62,10 +62,6 @@ private:
     double drop;   // to the plane below
     double length; // seen from above
   };
-  static double height(const Coefficients& c, const Point& p)
-  {
-    return c[0] * p.x() + c[1] * p.y() + c[2] * p.z() + c[3];
-  }
 
   bool is_upright(const Coefficients& c) const
   {

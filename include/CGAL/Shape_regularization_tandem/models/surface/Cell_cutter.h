@@ -61,12 +61,11 @@ public:
   std::vector<Point> section(int cell, int plane) const
   {
     const Coefficients& c = planes_[std::size_t(plane + sides_of_box)];
-    const auto height = [&](const Point& p) { return c[0] * p.x() + c[1] * p.y() + c[2] * p.z() + c[3]; };
     std::vector<Point> result;
     for(int f : cells_.facets_of(cell))
       for_each_edge(cells_.facet(f).vertices, [&](int u, int v) {
         const Point &p = cells_.points[std::size_t(u)], &q = cells_.points[std::size_t(v)];
-        const double a = height(p), b = height(q);
+        const double a = height(c, p), b = height(c, q);
         if((a < 0) != (b < 0))
           result.push_back(p + a / (a - b) * (q - p));
       });

@@ -28,7 +28,7 @@ namespace Tandem {
 namespace internal {
 namespace surface {
 
-// --- The part of a plane that points cover: the squares of a grid that have points.
+// --- The part of a plane that points cover: the squares of a grid that have points
 
 class Covered_squares {
 public:
@@ -156,9 +156,7 @@ public:
     return Kernel::Point_2((p - origin_) * first_, (p - origin_) * second_);
   }
 
-  Point raised(const Kernel::Point_2& p) const { return origin_ + p.x() * first_ + p.y() * second_; }
-
-  double height(const Point& p) const { return normal_ * (p - CGAL::ORIGIN) + plane_[3]; }
+  double height(const Point& p) const { return surface::height(plane_, p); }
 
   bool is_in_hull(const Point& p) const { return is_in(hull_, flat(p)); }
   bool is_near_hull(const Point& p, double distance) const
