@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H
 
 #include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
-#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Tandem/Coefficients.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
