@@ -215,7 +215,7 @@ public:
     std::sort(chain.begin(), chain.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     if(!piece.is_left)
       std::reverse(chain.begin(), chain.end());
-    Straight_border border = {line, plane, {}, piece.spacing, float(piece.reach)};
+    Straight_border border = {{}, piece.spacing, float(piece.reach)};
     for(const auto& [along, vertex] : chain)
       border.chain.push_back(vertex);
     return border;
@@ -242,7 +242,6 @@ private:
 
   double overhang(float spacing, const Border_line& line) const { return spacing + maximum_distance / line.sine; }
   double reach(float spacing, const Border_line& line) const { return 2 * spacing + maximum_distance / line.sine; }
-  const Shapes::Coefficients& plane_of(std::size_t s) const { return planes[shapes.coplanar_group(s)]; }
   Kernel::Vector_3 normal_of(std::size_t s) const { return shapes.plane(s).orthogonal_vector(); }
 
   // In ascending order.

@@ -11,12 +11,11 @@
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Border_finder.h>
-#include <CGAL/Shape_regularization_tandem/models/outlines/Common_vertices.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/common_vertices.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Plane_directions.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Regular_loop.h>
-#include <CGAL/Shape_regularization_tandem/models/outlines/common_ends.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/hilbert_sort.h>

@@ -54,8 +54,6 @@ struct Border_piece {
 using Border_pieces = std::vector<Border_piece>;
 
 struct Straight_border {
-  Border_line line;
-  int plane;                                 // the other plane, as coplanar group
   std::vector<Border_vertex_position> chain; // about as close as points; the shape is to the left
   float spacing;                             // of the points nearby
   float reach;                               // points of the shape are within this distance

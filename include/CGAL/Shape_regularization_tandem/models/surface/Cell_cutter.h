@@ -270,20 +270,6 @@ private:
 // --- The cells of a box that planes cut: each plane cuts those that the hull of its points meets or is close to. So their
 // number grows about linearly with that of the planes, and gaps between shapes are bridged.
 
-// Whether an edge of one convex polygon, which is counterclockwise, separates the other one by more than a distance.
-inline bool separates(const std::vector<Kernel::Point_2>& a, const std::vector<Kernel::Point_2>& b, double distance)
-{
-  for(std::size_t i = 0; i < a.size(); ++i) {
-    const Kernel::Vector_2 edge = a[(i + 1) % a.size()] - a[i];
-    const auto is_beyond = [&](const Kernel::Point_2& p) {
-      return CGAL::determinant(edge, p - a[i]) < -distance * std::sqrt(edge.squared_length());
-    };
-    if(std::all_of(b.begin(), b.end(), is_beyond))
-      return true;
-  }
-  return false;
-}
-
 inline Cells limited_partition(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
 {
   const double reach = .05 * extent_of(box); // of the planes beyond their points
