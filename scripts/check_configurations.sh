@@ -70,7 +70,8 @@ mkdir -p "$folder"
 # shellcheck disable=SC2086
 without '' $options
 without '' -DTANDEM_BUILD_ENGINE=OFF
-without TBB -DTANDEM_BUILD_ENGINE=ON
+without '' -DTANDEM_BUILD_ENGINE=ON -DTANDEM_BUILD_MODELS=OFF
+without TBB -DTANDEM_BUILD_MODELS=ON
 for package in CUDAToolkit MPI boost_mpi Eigen3 GLPK ZLIB boost_program_options nlohmann_json boost_unit_test_framework; do
   without "$package"
 done

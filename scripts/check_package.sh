@@ -29,6 +29,7 @@ has '^/usr/bin/detect_planes$'
 has '^/usr/include/CGAL/Shape_regularization_tandem\.h$'
 has '^/usr/lib/.*cmake/Tandem/TandemConfig\.cmake$'
 has '^/usr/lib/.*libtandem_engine\.'
+has '^/usr/lib/.*libtandem_models\.'
 has '^/usr/share/bash-completion/completions/detect_planes$'
 ! grep -Ev '^/usr/(bin|include|lib|share)/|^/(usr/)?((bin|include|lib|share)/)?$' "$folder/files" || fail "files are elsewhere"
 ! grep -i python "$folder/files" || fail "it has a part of the Python module"
@@ -41,8 +42,8 @@ mkdir "$folder/project"
 cat > "$folder/project/CMakeLists.txt" << 'END'
 cmake_minimum_required(VERSION 3.16)
 project(use_of_package LANGUAGES CXX)
-find_package(Tandem REQUIRED COMPONENTS engine)
-if(NOT TARGET Tandem::tandem_engine OR NOT Tandem_DIR MATCHES "/extracted/usr/lib")
+find_package(Tandem REQUIRED COMPONENTS engine models)
+if(NOT TARGET Tandem::tandem_engine OR NOT TARGET Tandem::tandem_models OR NOT Tandem_DIR MATCHES "/extracted/usr/lib")
   message(FATAL_ERROR "Tandem_DIR is ${Tandem_DIR}")
 endif()
 END

@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Seconds and memory of the compiler for the example of README, header-only and with the library tandem_engine, beside
-# a file that only includes a kernel of CGAL.
+# Seconds and memory of the compiler for the example of README, header-only and with the library tandem_engine, and for a
+# caller of outlines and a closed surface, with and without the library tandem_models, beside a file that only includes a
+# kernel of CGAL.
 #   compile_time.sh [COMPILER...]     (default: c++)
 # TANDEM_SKIP_INSTALL=1 trusts that everything is installed.
 
@@ -17,6 +18,18 @@ trap 'rm -rf "$work"' EXIT
 # The first program of README.
 awk '/^```/ && within { exit } within { print } /^```cpp/ { within = 1 }' "$root/README.md" > "$work/example.cpp"
 printf '#include <CGAL/Simple_cartesian.h>\n#include <iostream>\n' > "$work/kernel.cpp"
+
+cat > "$work/models.cpp" << 'END'
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Shape_regularization_tandem/closed_surface.h>
+#include <CGAL/Shape_regularization_tandem/polygons.h>
+using Kernel = CGAL::Simple_cartesian<double>;
+std::size_t sizes(const CGAL::Tandem::Planar_shapes_3<Kernel>& shapes, const std::vector<Kernel::Point_3>& points)
+{
+  return CGAL::Tandem::polygons(shapes, points).points().size() +
+         CGAL::Tandem::closed_surface(shapes, points).faces.size();
+}
+END
 
 # measure COMPILER NAME SOURCE FLAGS...: prints a row
 measure()
@@ -33,4 +46,6 @@ for compiler in "$@"; do
   measure "$compiler" 'a kernel of CGAL' kernel
   measure "$compiler" 'example, with the library' example -DCGAL_TANDEM_USE_ENGINE=1
   measure "$compiler" 'example, header-only' example
+  measure "$compiler" 'models, with the libraries' models -DCGAL_TANDEM_USE_ENGINE=1 -DCGAL_TANDEM_USE_MODELS=1
+  measure "$compiler" 'models, header-only' models
 done

@@ -13,6 +13,12 @@ namespace Tandem {
 /// the plane a x + b y + c z + d = 0 as the four numbers (a, b, c, d), in double for every kernel
 using Coefficients = std::array<double, 4>;
 
+namespace internal {
+
+using Position = std::array<double, 3>; // the coordinates of a point
+
+} // namespace internal
+
 } // namespace Tandem
 } // namespace CGAL
 

@@ -25,7 +25,7 @@ string(REGEX REPLACE ".*\"([0-9]+\\.[0-9]+).*" "\\1" version "${version}")
 
 if(USE STREQUAL "find_package")
   run(${CMAKE_COMMAND} -S ${TANDEM_DIR} -B ${WORK_DIR}/tandem ${common} -DTANDEM_BUILD_EXAMPLES=OFF
-      -DTANDEM_BUILD_ENGINE=OFF -DTANDEM_WITH_MPI=OFF -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
+      -DTANDEM_BUILD_ENGINE=OFF -DTANDEM_BUILD_MODELS=OFF -DTANDEM_WITH_MPI=OFF -DTANDEM_BUILD_TESTS=OFF -DCMAKE_INSTALL_PREFIX=${WORK_DIR}/prefix)
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/tandem --target install)
   set(get_tandem "find_package(Tandem ${version} REQUIRED)")
 elseif(USE STREQUAL "engine")

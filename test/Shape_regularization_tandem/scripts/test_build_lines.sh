@@ -19,9 +19,9 @@ complain() { echo "test_build_lines.sh: $*" >&2; failures=1; }
 targets_of()
 {
   case $1 in
-    library) echo tandem_engine ;;
-    module) echo 'tandem_engine|tandem_python' ;;
-    deb) echo 'tandem_engine|detect_planes(_[a-z]*)?' ;;
+    library) echo 'tandem_engine|tandem_models' ;;
+    module) echo 'tandem_engine|tandem_models|tandem_python' ;;
+    deb) echo 'tandem_engine|tandem_models|detect_planes(_[a-z]*)?' ;;
     *) return 1 ;;
   esac
 }

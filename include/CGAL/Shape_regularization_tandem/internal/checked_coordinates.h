@@ -11,7 +11,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,8 +23,6 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-using Position = std::array<double, 3>;
 
 template <class Any_shapes>
 void check_input(const Any_shapes& shapes, std::size_t number_of_points)

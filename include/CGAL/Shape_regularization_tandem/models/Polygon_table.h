@@ -7,7 +7,6 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_POLYGON_TABLE_H
 
 #include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
-#include <CGAL/Shape_regularization_tandem/internal/checked_coordinates.h>
 #include <CGAL/Tandem/Coefficients.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -62,6 +61,17 @@ private:
   std::size_t steepest = 0;
   std::array<std::size_t, 2> axes;
 };
+
+// f(corners) for the lines and triangles of a polygon.
+template <class Function>
+void for_each_list(Polygon& polygon, Function f)
+{
+  f(polygon.outer);
+  for(Polygon::Loop& hole : polygon.holes)
+    f(hole);
+  for(auto& triangle : polygon.triangles)
+    f(triangle);
+}
 
 // Of all shapes, with one table of vertices. The outlines of a shape are simple and have no common points: the vertices as
 // they are, without the coordinate along which the plane is steepest, are those of simple polygons in two dimensions. No

@@ -7,10 +7,10 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_MODELS_H
 
-#include <CGAL/Shape_regularization_tandem/internal/upward.h>
 #include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
 #include <CGAL/Tandem/Shape_facts.h>
 #include <CGAL/Tandem/Shapes_data.h>
+#include <CGAL/Tandem/internal/base/linear_algebra.h>
 
 #include <cstddef>
 #include <vector>

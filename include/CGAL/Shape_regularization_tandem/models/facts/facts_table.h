@@ -30,7 +30,7 @@ namespace Tandem {
 namespace internal {
 namespace facts {
 
-// --- How planes lie to the level: inclination, and direction of the compass.
+// --- How planes lie to the level: inclination, and direction of the compass
 
 inline double degrees(double radians) { return radians / angles::radians_per_degree; }
 
@@ -79,7 +79,7 @@ private:
   Vector up, north, east;
 };
 
-// --- The rectangle of smallest area around points of a plane.
+// --- The rectangle of smallest area around points of a plane
 
 using Flat_point = outlines::Kernel::Point_2;
 using Flat_vector = outlines::Kernel::Vector_2;
@@ -137,7 +137,7 @@ inline Rectangle_sides smallest_rectangle(const std::vector<Flat_point>& points)
   return best;
 }
 
-// --- The points of a shape against its plane, and against the plane that fits them best.
+// --- The points of a shape against its plane, and against the plane that fits them best
 
 // Lengths are in the unit.
 class Shape_measures {

@@ -21,7 +21,7 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-// --- A straightened loop of an outline, and the points along each of its edges.
+// --- A straightened loop of an outline, and the points along each of its edges
 
 class Border_points {
 public:

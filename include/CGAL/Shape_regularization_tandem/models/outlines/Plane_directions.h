@@ -88,7 +88,7 @@ private:
   std::vector<double> sizes;               // points of each parallel group
 };
 
-// --- Directions for shapes to which no other plane gives one, as flat roofs and the ground are: those of their own edges.
+// --- Directions for shapes to which no other plane gives one, as flat roofs and the ground are: those of their own edges
 
 // Of one shape, or of all of a parallel group, whose frames have the same axes.
 class Dominant_direction {

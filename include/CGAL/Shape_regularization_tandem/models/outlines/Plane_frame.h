@@ -25,6 +25,15 @@ using Shapes = CGAL::Tandem::Planar_shapes_3<Kernel>;
 // Of the angle between lines, or planes, that are intersected, about 15 degrees: flatter ones do not tell well where.
 constexpr double smallest_sine = .25;
 
+// Of a list that is not empty, which gets another order.
+template <class Number>
+Number median(std::vector<Number>& all)
+{
+  const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
 // Coordinates in the plane of a shape, with the lengths and angles in space. They decide what is connected how; vertices
 // are computed in space.
 class Plane_frame {
@@ -90,7 +99,7 @@ private:
   int exponent = 0;
 };
 
-// --- Points on one to three planes.
+// --- Points on one to three planes
 
 using Plane_row = std::array<long double, 4>; // a x + b y + c z + d = 0
 using Plane_rows = std::array<Plane_row, 3>;

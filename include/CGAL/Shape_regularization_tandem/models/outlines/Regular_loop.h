@@ -211,7 +211,7 @@ private:
   const std::vector<Run>& runs;
 };
 
-// --- Holes of windows and doors as rectangles.
+// --- Holes of windows and doors as rectangles
 
 // A rectangle with sides of a given direction, at the medians of the points that are closest to each.
 class Fitted_rectangle {
@@ -276,10 +276,8 @@ private:
     }
     for(std::size_t side = 0; side < 4; ++side) {
       std::vector<double>& all = of_sides[side];
-      if(all.empty())
-        continue;
-      std::nth_element(all.begin(), all.begin() + std::ptrdiff_t(all.size() / 2), all.end());
-      (side % 2 == 0 ? ranges[side / 2].low : ranges[side / 2].high) = all[all.size() / 2];
+      if(!all.empty())
+        (side % 2 == 0 ? ranges[side / 2].low : ranges[side / 2].high) = median(all);
     }
   }
 

@@ -18,7 +18,7 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-// --- Measures of faces of a triangulation, and of those around a vertex.
+// --- Measures of faces of a triangulation, and of those around a vertex
 
 // Infinite for a sliver, whose area is within the rounding of its computation: it would be divided by that. Points of
 // a lattice that are on a line in space form slivers in the plane of the shape.
@@ -68,7 +68,7 @@ int number_of_fans(const Triangulation& triangulation, typename Triangulation::V
   return count;
 }
 
-// --- The closed lines around the faces of a triangulation that are inside.
+// --- The closed lines around the faces of a triangulation that are inside
 
 // An edge is opposite to a vertex of its face, which is inside and to its left.
 template <class Triangulation, class Is_inside>

@@ -11,12 +11,11 @@
 #include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Border_finder.h>
-#include <CGAL/Shape_regularization_tandem/models/outlines/Common_vertices.h>
+#include <CGAL/Shape_regularization_tandem/models/outlines/common_vertices.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_triangulation.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Plane_directions.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Regular_loop.h>
-#include <CGAL/Shape_regularization_tandem/models/outlines/common_ends.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/hilbert_sort.h>
@@ -35,7 +34,7 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-// --- The points of a shape in its frame.
+// --- The points of a shape in its frame
 
 // The order of the caller's points does not matter.
 inline Shape_points points_of_shape(const std::vector<Position>& points, const Shapes& shapes, const Unit& unit,
@@ -59,7 +58,7 @@ inline Shape_points points_of_shape(const std::vector<Position>& points, const S
   return result;
 }
 
-// --- One table of vertices for the polygons of all shapes.
+// --- One table of vertices for the polygons of all shapes
 
 // Of one shape, with vertices of its own.
 struct Shape_polygons {
@@ -81,17 +80,11 @@ inline Polygon_table joined(std::vector<Shape_polygons>& of_shapes)
         result.points.push_back(p);
       numbers.push_back(added.first->second);
     }
-    const auto renumber = [&](auto& corners) {
-      for(std::uint32_t& corner : corners)
-        corner = numbers[corner];
-    };
-    for(Polygon& polygon : shape.polygons) {
-      renumber(polygon.outer);
-      for(Polygon::Loop& hole : polygon.holes)
-        renumber(hole);
-      for(auto& triangle : polygon.triangles)
-        renumber(triangle);
-    }
+    for(Polygon& polygon : shape.polygons)
+      for_each_list(polygon, [&](auto& corners) {
+        for(std::uint32_t& corner : corners)
+          corner = numbers[corner];
+      });
     result.polygons.push_back(std::move(shape.polygons));
     result.areas.push_back(shape.area);
   }
@@ -378,18 +371,12 @@ inline Shapes_data with_positive_normals(Shapes_data data)
 // To the planes as they were.
 inline Polygon_table with_sides_of(const std::vector<Coefficients>& planes, Polygon_table table)
 {
-  const auto reverse = [](auto& corners) { std::reverse(corners.begin(), corners.end()); };
   for(std::size_t s = 0; s < planes.size(); ++s) {
     if(!is_turned(planes[s]))
       continue;
     table.frames[s] = Projection(planes[s]);
-    for(Polygon& polygon : table.polygons[s]) {
-      reverse(polygon.outer);
-      for(Polygon::Loop& hole : polygon.holes)
-        reverse(hole);
-      for(auto& triangle : polygon.triangles)
-        reverse(triangle);
-    }
+    for(Polygon& polygon : table.polygons[s])
+      for_each_list(polygon, [](auto& corners) { std::reverse(corners.begin(), corners.end()); });
   }
   return table;
 }

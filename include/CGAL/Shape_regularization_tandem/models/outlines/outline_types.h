@@ -14,7 +14,7 @@ namespace Tandem {
 namespace internal {
 namespace outlines {
 
-// --- The straight parts of outlines.
+// --- The straight parts of outlines
 
 // It depends on the planes and on its place on their line only, so that it is the same for all shapes that have it.
 struct Border_vertex_position {
@@ -54,14 +54,12 @@ struct Border_piece {
 using Border_pieces = std::vector<Border_piece>;
 
 struct Straight_border {
-  Border_line line;
-  int plane;                                 // the other plane, as coplanar group
   std::vector<Border_vertex_position> chain; // about as close as points; the shape is to the left
   float spacing;                             // of the points nearby
   float reach;                               // points of the shape are within this distance
 };
 
-// --- Closed lines around the points of a shape, and the numbers that decide how they follow the points.
+// --- Closed lines around the points of a shape, and the numbers that decide how they follow the points
 
 // Lengths are multiples of the spacing of the points, areas of its square.
 struct Outline_limits {

@@ -61,12 +61,11 @@ public:
   std::vector<Point> section(int cell, int plane) const
   {
     const Coefficients& c = planes_[std::size_t(plane + sides_of_box)];
-    const auto height = [&](const Point& p) { return c[0] * p.x() + c[1] * p.y() + c[2] * p.z() + c[3]; };
     std::vector<Point> result;
     for(int f : cells_.facets_of(cell))
       for_each_edge(cells_.facet(f).vertices, [&](int u, int v) {
         const Point &p = cells_.points[std::size_t(u)], &q = cells_.points[std::size_t(v)];
-        const double a = height(p), b = height(q);
+        const double a = height(c, p), b = height(c, q);
         if((a < 0) != (b < 0))
           result.push_back(p + a / (a - b) * (q - p));
       });
@@ -270,20 +269,6 @@ private:
 
 // --- The cells of a box that planes cut: each plane cuts those that the hull of its points meets or is close to. So their
 // number grows about linearly with that of the planes, and gaps between shapes are bridged.
-
-// Whether an edge of one convex polygon, which is counterclockwise, separates the other one by more than a distance.
-inline bool separates(const std::vector<Kernel::Point_2>& a, const std::vector<Kernel::Point_2>& b, double distance)
-{
-  for(std::size_t i = 0; i < a.size(); ++i) {
-    const Kernel::Vector_2 edge = a[(i + 1) % a.size()] - a[i];
-    const auto is_beyond = [&](const Kernel::Point_2& p) {
-      return CGAL::determinant(edge, p - a[i]) < -distance * std::sqrt(edge.squared_length());
-    };
-    if(std::all_of(b.begin(), b.end(), is_beyond))
-      return true;
-  }
-  return false;
-}
 
 inline Cells cut_cells(const std::vector<Plane_coverage>& planes, const CGAL::Bbox_3& box)
 {

@@ -7,6 +7,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELLS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_CELLS_H
 
+#include <CGAL/Tandem/Coefficients.h>
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -65,6 +67,12 @@ inline double area_of(const std::vector<Point>& corners) { return std::sqrt(norm
 inline double extent_of(const CGAL::Bbox_3& box)
 {
   return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+// Of a point above a plane.
+inline double height(const Coefficients& c, const Point& p)
+{
+  return c[0] * p.x() + c[1] * p.y() + c[2] * p.z() + c[3];
 }
 
 // The ends of an edge, in any direction.

@@ -26,7 +26,7 @@ namespace Tandem {
 namespace internal {
 namespace surface {
 
-// --- How much of each facet points cover, or walls without points are assumed to, with places there.
+// --- How much of each facet points cover, or walls without points are assumed to, with places there
 
 struct Covered_part {
   double area = 0;

@@ -28,7 +28,7 @@ namespace Tandem {
 namespace internal {
 namespace surface {
 
-// --- The part of a plane that points cover: the squares of a grid that have points.
+// --- The part of a plane that points cover: the squares of a grid that have points
 
 class Covered_squares {
 public:
@@ -97,6 +97,20 @@ private:
   CGAL::Bbox_2 box_;
 };
 
+// Whether an edge of one convex polygon, which is counterclockwise, separates the other one by more than a distance.
+inline bool separates(const std::vector<Kernel::Point_2>& a, const std::vector<Kernel::Point_2>& b, double distance)
+{
+  for(std::size_t i = 0; i < a.size(); ++i) {
+    const Kernel::Vector_2 edge = a[(i + 1) % a.size()] - a[i];
+    const auto is_beyond = [&](const Kernel::Point_2& p) {
+      return CGAL::determinant(edge, p - a[i]) < -distance * std::sqrt(edge.squared_length());
+    };
+    if(std::all_of(b.begin(), b.end(), is_beyond))
+      return true;
+  }
+  return false;
+}
+
 class Plane_coverage {
 public:
   using Quadrangle = std::array<Point, 4>;
@@ -156,21 +170,10 @@ public:
     return Kernel::Point_2((p - origin_) * first_, (p - origin_) * second_);
   }
 
-  Point raised(const Kernel::Point_2& p) const { return origin_ + p.x() * first_ + p.y() * second_; }
-
-  double height(const Point& p) const { return normal_ * (p - CGAL::ORIGIN) + plane_[3]; }
+  double height(const Point& p) const { return surface::height(plane_, p); }
 
   bool is_in_hull(const Point& p) const { return is_in(hull_, flat(p)); }
-  bool is_near_hull(const Point& p, double distance) const
-  {
-    const Kernel::Point_2 q = flat(p);
-    for(std::size_t i = 0; i < hull_.size(); ++i) {
-      const Kernel::Vector_2 edge = hull_[(i + 1) % hull_.size()] - hull_[i];
-      if(CGAL::determinant(edge, q - hull_[i]) < -distance * std::sqrt(edge.squared_length()))
-        return false;
-    }
-    return true;
-  }
+  bool is_near_hull(const Point& p, double distance) const { return !separates(hull_, {flat(p)}, distance); }
 
   bool is_assumed(const Point& p) const { return is_assumed(flat(p)); }
   double area_of_point(std::size_t i) const { return areas_[i]; } // its share of the covered area

@@ -6,11 +6,13 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_SURFACE_TABLE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_MODELS_SURFACE_SURFACE_TABLE_H
 
+#include <CGAL/Shape_regularization_tandem/models/Polygon_table.h>
+#include <CGAL/Shape_regularization_tandem/models/for_each_in_parallel.h>
 #include <CGAL/Shape_regularization_tandem/models/models.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/Plane_frame.h>
-#include <CGAL/Shape_regularization_tandem/models/surface/Border_walls.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Boundary_faces.h>
 #include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
+#include <CGAL/Shape_regularization_tandem/models/surface/Plane_coverage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +27,159 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 namespace surface {
+
+// --- Walls that no point covers, as in airborne scans: where a shape ends with another one below its border, a wall is
+// assumed to go straight down from there.
+
+class Border_walls {
+public:
+  Border_walls(std::vector<Plane_coverage>& planes, const Vector& up, double maximum_distance)
+    : planes_(planes), up_(up), near_(2 * maximum_distance)
+  {}
+
+  // Below the borders of these polygons, each of which has a plane of its own, from long ones to short ones.
+  void add(const outlines::Polygon_table& polygons, const std::vector<Coefficients>& planes)
+  {
+    std::vector<Border> borders;
+    for(std::size_t s = 0; s < polygons.polygons.size(); ++s)
+      if(!is_upright(planes[s]))
+        for(const Indexed_polygon& polygon : polygons.polygons[s])
+          add_borders(polygons, polygon, planes[s], borders);
+    std::stable_sort(borders.begin(), borders.end(),
+                     [](const Border& a, const Border& b) { return a.length > b.length; });
+    borders.resize((std::min)(borders.size(), most_borders));
+    std::vector<Plane_coverage> walls;
+    for(const Border& border : borders) {
+      const Plane_coverage::Quadrangle wall = wall_below(border);
+      walls.push_back(plane_of(border));
+      walls.back().reach(wall);
+      walls.back().assume(wall);
+    }
+    Ray_votes rays(up_);
+    rays.add_obstacles(planes_);
+    rays.add_obstacles(walls);
+    std::vector<double> shares(walls.size());
+    for_each_in_parallel(walls.size(), [&](std::size_t w) { shares[w] = share_of_rays(borders[w], rays, walls[w]); });
+    const std::size_t most = planes_.size() + most_planes;
+    for(std::size_t w = 0; w < walls.size(); ++w)
+      add_wall(borders[w], shares[w] > least_share, most);
+  }
+
+private:
+  struct Border {
+    Point first, last;
+    double drop;   // to the plane below
+    double length; // seen from above
+  };
+
+  bool is_upright(const Coefficients& c) const
+  {
+    return std::fabs(Vector(c[0], c[1], c[2]) * up_) < outlines::smallest_sine;
+  }
+  bool is_near(const Coefficients& c, const Point& p) const { return std::fabs(height(c, p)) < near_; }
+
+  void add_borders(const outlines::Polygon_table& polygons, const Indexed_polygon& polygon, const Coefficients& own,
+                   std::vector<Border>& borders) const
+  {
+    const auto point = [&](std::uint32_t i) {
+      const auto& p = polygons.points[i];
+      return Point(p[0], p[1], p[2]);
+    };
+    Vector area = CGAL::NULL_VECTOR;
+    for(const auto& t : polygon.triangles)
+      area = area + CGAL::cross_product(point(t[1]) - point(t[0]), point(t[2]) - point(t[0]));
+    const Vector left = (area * up_ > 0 ? 1 : -1) * up_; // the polygon is on the left side of its edges
+    const auto add = [&](const auto& loop) {
+      for(std::size_t i = 0; i < loop.size(); ++i) {
+        Border border = {point(loop[i]), point(loop[(i + 1) % loop.size()]), 0, 0};
+        const Vector outward = CGAL::cross_product(border.last - border.first, left);
+        border.length = std::sqrt(outward.squared_length());
+        if(border.length < shortest_wall * near_ || ends_at_other(own, border))
+          continue;
+        border.drop = drop_at(CGAL::midpoint(border.first, border.last) + near_ / border.length * outward);
+        if(border.drop > 0)
+          borders.push_back(border);
+      }
+    };
+    add(polygon.outer);
+    for(const auto& hole : polygon.holes)
+      add(hole);
+  }
+
+  bool ends_at_other(const Coefficients& own, const Border& border) const
+  {
+    return std::any_of(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
+      return p.plane() != own && is_near(p.plane(), border.first) && is_near(p.plane(), border.last) &&
+             p.is_near_hull(CGAL::midpoint(border.first, border.last), near_);
+    });
+  }
+
+  // To the lowest plane that is below a point; 0 if there is none.
+  double drop_at(const Point& p) const
+  {
+    double result = 0;
+    for(const Plane_coverage& plane : planes_) {
+      const Coefficients& c = plane.plane();
+      if(is_upright(c))
+        continue;
+      const double drop = height(c, p) / (Vector(c[0], c[1], c[2]) * up_);
+      if(drop > near_ && drop > result && plane.is_in_hull(p - drop * up_))
+        result = drop;
+    }
+    return result;
+  }
+
+  Plane_coverage plane_of(const Border& border) const
+  {
+    const Vector normal = CGAL::cross_product(border.last - border.first, up_) / border.length;
+    const double offset = -(normal * (CGAL::midpoint(border.first, border.last) - CGAL::ORIGIN));
+    return Plane_coverage({normal.x(), normal.y(), normal.z(), offset});
+  }
+
+  Plane_coverage::Quadrangle wall_below(const Border& border) const
+  {
+    return {border.first, border.last, border.last - border.drop * up_, border.first - border.drop * up_};
+  }
+
+  // That say that it is between inside and outside.
+  double share_of_rays(const Border& border, const Ray_votes& rays, const Plane_coverage& wall) const
+  {
+    constexpr int rows = 16;
+    std::vector<Point> places;
+    for(int i = 0; i < rows; ++i)
+      for(int j = 0; j < rows; ++j)
+        places.push_back(border.first + (i + .5) / rows * (border.last - border.first) -
+                         (j + .5) / rows * border.drop * up_);
+    return std::fabs(rays.share(places, Vector(wall.plane()[0], wall.plane()[1], wall.plane()[2]), wall));
+  }
+
+  // In a plane that is there, or in a new one, which may be a boundary there even if the wall is not assumed.
+  void add_wall(const Border& border, bool is_assumed, std::size_t most)
+  {
+    const Plane_coverage::Quadrangle wall = wall_below(border);
+    auto plane = std::find_if(planes_.begin(), planes_.end(), [&](const Plane_coverage& p) {
+      return is_upright(p.plane()) &&
+             std::all_of(wall.begin(), wall.end(), [&](const Point& corner) { return is_near(p.plane(), corner); });
+    });
+    if(plane == planes_.end()) {
+      if(planes_.size() == most)
+        return;
+      plane = planes_.insert(planes_.end(), plane_of(border));
+    }
+    plane->reach(wall);
+    if(is_assumed)
+      plane->assume(wall);
+  }
+
+  static constexpr std::size_t most_borders = 1000; // the longest ones, as each is asked about with all of them
+  static constexpr std::size_t most_planes = 200;   // that are new
+  static constexpr double shortest_wall = 5;        // times the distance within which two places are one
+  static constexpr double least_share = .25; // of rays: they say nothing of a border within a room or below a roof
+
+  std::vector<Plane_coverage>& planes_;
+  Vector up_;
+  double near_;
+};
 
 // --- What a closed surface is made of: the distinct planes of shapes that have an area, those with most points first, and
 // walls behind them.
