@@ -28,7 +28,7 @@ foreach(member IN ITEMS "parameters;maximum_distance;0.004" "parameters;minimum_
         "counts;ignored;0" "counts;assigned" "counts;directions;3" "counts;planes;3" "counts;rounds"
         "criteria;coverage" "criteria;mean_distance" "criteria;complexity" "score;fit" "score;total" "seconds;read" "seconds;normals"
         "seconds;sort" "seconds;neighbors" "seconds;growth" "seconds;regularity" "seconds;final" "seconds;total"
-        "work;prepare" "work;rounds" "work;final" "memory;process_peak_bytes" "backend" "device;CPU" "hash" "relations;parallel_groups"
+        "memory;process_peak_bytes" "backend" "device;CPU" "hash" "relations;parallel_groups"
         "relations;orthogonal_pairs" "relations;coplanar_groups" "free;misfit" "free;total"
         "uncertainty;centroid;2;2" "uncertainty;normal_covariance;2;5" "uncertainty;noise" "uncertainty;angle_deg")
   list(LENGTH member length)

@@ -79,8 +79,6 @@ public:
     return Kernel::Point_2((p - origin_) * first_, (p - origin_) * second_);
   }
 
-  Point raised(const Kernel::Point_2& p) const { return origin_ + p.x() * first_ + p.y() * second_; }
-
   double height(const Point& p) const { return normal_ * (p - CGAL::ORIGIN) + plane_[3]; }
 
   bool is_in_hull(const Point& p) const { return is_in(hull_, flat(p)); }
