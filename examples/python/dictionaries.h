@@ -21,20 +21,6 @@ inline py::dict times(const CGAL::Tandem::Stage_times& t)
                   "regularity"_a = t.regularity, "finish"_a = t.finish, "total"_a = t.total);
 }
 
-inline py::dict work(const CGAL::Tandem::Work& w)
-{
-  using namespace py::literals;
-  return py::dict("passes_over_points"_a = w.passes_over_points, "passes_over_lists"_a = w.passes_over_lists,
-                  "loops_over_shapes"_a = w.loops_over_shapes, "launches"_a = w.launches, "waits"_a = w.waits,
-                  "bytes_copied"_a = w.bytes_copied);
-}
-
-inline py::dict work(const CGAL::Tandem::Stage_work& w)
-{
-  using namespace py::literals;
-  return py::dict("prepare"_a = work(w.prepare), "rounds"_a = work(w.rounds), "finish"_a = work(w.finish));
-}
-
 inline py::dict score(const CGAL::Tandem::Result_score& s)
 {
   using namespace py::literals;

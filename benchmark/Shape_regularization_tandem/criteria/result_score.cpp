@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "result_score.h"
+#include "testing/count_links.h"
 
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Simple_cartesian.h>
@@ -69,6 +70,30 @@ void relate(const Scored_cloud& cloud, const std::vector<Plane>& planes, Shapes_
         data.orthogonal_groups.emplace_back(int(a), int(b));
 }
 
+// The k nearest neighbors of each imported point, as imported points, without surfels.
+template <class Backend>
+std::vector<std::uint32_t> import_neighbors(Backend& backend, const internal::Import& in, std::size_t k)
+{
+  using namespace internal;
+  const std::uint32_t n = std::uint32_t(in.size());
+  std::vector<std::uint32_t> neighbor(n * k), result(n * k);
+  if(n == 0)
+    return result;
+  const auto order =
+    sort_along_curve(backend, {in.point.data(), n}, make_code_frame(in.low, in.high),
+                     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
+  std::vector<Grid_point> point(n);
+  for(std::uint32_t i = 0; i < n; ++i)
+    point[i] = in.point[order.view().index(i)];
+  find_neighbors(backend, point.data(), n, int(k), neighbor.data());
+  for(std::uint32_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < k; ++j) {
+      const std::uint32_t q = neighbor[i * k + j];
+      result[order.view().index(i) * k + j] = q == no_index ? no_index : std::uint32_t(order.view().index(q));
+    }
+  return result;
+}
+
 } // namespace
 
 Neighbor_graph neighbor_graph(const std::vector<Vec>& points, std::size_t k, double maximum_distance)
@@ -85,7 +110,7 @@ Neighbor_graph neighbor_graph(const std::vector<Vec>& points, std::size_t k, dou
     choose_grid(in, maximum_distance);
     in.point.reset(in.size());
     backend.for_each(in.size(), place_on_grid(in, in.point.data()));
-    const auto neighbor = internal::import_neighbors(backend, in, k);
+    const auto neighbor = import_neighbors(backend, in, k);
     for(std::size_t i = 0; i < in.size(); ++i)
       for(std::size_t j = 0; j < k && neighbor[i * k + j] != internal::no_index; ++j)
         graph.neighbor[in.item_of(i) * k + j] = std::uint32_t(in.item_of(neighbor[i * k + j]));

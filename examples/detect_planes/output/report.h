@@ -128,16 +128,6 @@ inline Json json_of(const CGAL::Tandem::Parameters& p)
   return json;
 }
 
-inline Json json_of(const CGAL::Tandem::Work& w)
-{
-  return {{"passes_over_points", w.passes_over_points},
-          {"passes_over_lists", w.passes_over_lists},
-          {"loops_over_shapes", w.loops_over_shapes},
-          {"launches", w.launches},
-          {"waits", w.waits},
-          {"bytes_copied", w.bytes_copied}};
-}
-
 // Those at 0 0 0 that --ignore-zeros leaves out are counted by themselves.
 inline std::size_t not_finite_points(const CGAL::Tandem::Statistics& s, const Run& run)
 {
@@ -176,8 +166,6 @@ inline void add_figures(const CGAL::Tandem::Statistics& s, const Run& run, Json&
                      {"sort", s.times.sort},     {"neighbors", s.times.neighbors},
                      {"growth", s.times.growth}, {"regularity", s.times.regularity},
                      {"final", s.times.finish},  {"total", s.times.total + run.normal_seconds}};
-  json["work"] = {
-    {"prepare", json_of(s.work.prepare)}, {"rounds", json_of(s.work.rounds)}, {"final", json_of(s.work.finish)}};
   json["memory"] = {{"engine_peak_bytes", s.peak_bytes},
                     {"process_peak_bytes", (std::max)(run.peak_bytes, peak_process_bytes())}};
 }

@@ -134,49 +134,6 @@ std::vector<Point_with_plane<GeomTraits>> projected_points(const PointRange& poi
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-writes, for each shape, a pair of its plane, oriented as its points, and of the vector of its items, as
-`CGAL::Shape_detection::Region_growing` does from CGAL 5.6 on. The items are iterators of the range.
-
-\return the past-the-end iterator of the output
-*/
-template <class PointRange, class GeomTraits, class OutputIterator>
-OutputIterator output_shapes(const PointRange& points, const Planar_shapes_3<GeomTraits>& shapes, OutputIterator out)
-{
-  using Item = typename PointRange::const_iterator;
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    std::vector<Item> items;
-    for(std::size_t i : shapes.points(s))
-      items.push_back(points.begin() + std::ptrdiff_t(i));
-    *out++ = std::make_pair(shapes.oriented_plane(s), std::move(items));
-  }
-  return out;
-}
-
-/*!
-\ingroup PkgShapeRegularizationTandemRef
-
-writes, for each shape of a point set, a pair of its plane, oriented as its points, and of the vector of the indices of
-its points.
-
-\return the past-the-end iterator of the output
-*/
-template <class Point, class Vector, class GeomTraits, class OutputIterator>
-OutputIterator output_shapes(const CGAL::Point_set_3<Point, Vector>& points, const Planar_shapes_3<GeomTraits>& shapes,
-                             OutputIterator out)
-{
-  using Item = typename CGAL::Point_set_3<Point, Vector>::Index;
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) {
-    std::vector<Item> items;
-    for(std::size_t i : shapes.points(s))
-      items.push_back(*(points.begin() + std::ptrdiff_t(i)));
-    *out++ = std::make_pair(shapes.oriented_plane(s), std::move(items));
-  }
-  return out;
-}
-
-/*!
-\ingroup PkgShapeRegularizationTandemRef
-
 \brief writes the shape of each point, -1 for none, into an `int` property of the point set, which is added if it is not
 there. The property is written to files, is shown by CGAL Lab, and maps items to planes where a `plane_index_map` is
 asked for.

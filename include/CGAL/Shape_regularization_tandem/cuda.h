@@ -48,18 +48,6 @@ inline std::string cuda_device_report()
     return "built without CUDA: link Tandem::tandem_cuda";
 }
 
-/*!
-\ingroup PkgShapeRegularizationTandemRef
-
-frees the memory, of the host and of the devices, that calls with `Cuda_tag` have kept for the next one (of the host at
-most 8 GiB), except some megabytes of each thread that still exists. May be called at any time.
-*/
-inline void release_memory()
-{
-  if constexpr(internal::has_cuda)
-    internal::release_cuda_memory();
-}
-
 } // namespace Tandem
 } // namespace CGAL
 

@@ -25,15 +25,12 @@ using Checking_tag = typename std::conditional<Is_given<internal_np::communicato
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-\brief checks a result against the points: all that `Planar_shapes_3` promises for a finished detection, and that its
-parameters, statistics and relations agree with them.
+\brief checks a result against the points: all that `Planar_shapes_3` promises for a finished detection.
 
-A result is refused, whatever it holds, unless a detection in these points can have it: its parameters are within their
-ranges, its relations are exactly those of its planes, and what the statistics count and measure is counted and measured
-again. Of times, rounds, bytes, estimated normals and the name of the back end it is checked that they are possible.
-Other parameters for the same shapes, and whether it was cancelled, cannot be told from the points. Of a result of
-`select_shapes()` with `Free_points::unselected` points, neither can what remains of the detection: the mean distance,
-the score and the reasons of other free points.
+A result is refused, whatever it holds, unless its shapes are a partition of points, each point is within the tolerances
+of its shape, shapes are large enough and connected, its parameters are within their ranges, and its relations are
+exactly those of its planes. Statistics and uncertainties are not measured again. Other parameters for the same shapes
+cannot be told from the points.
 
 Every point is looked at, and the neighbors of all points are searched for anew, so this takes a good part of the time
 of a detection. Distances and angles are evaluated in double; beyond its tolerance a point may be only by

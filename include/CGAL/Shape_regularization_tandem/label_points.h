@@ -99,49 +99,39 @@ inline double largest_coordinate(const Coordinate_box& box)
   return largest;
 }
 
-// The labels of all items, by planes without end.
-template <class Backend>
-std::vector<std::int32_t> labels_by_planes(Backend& backend, const Import& in, const std::vector<Coefficients>& planes,
-                                           const Parameters& p)
-{
-  std::vector<std::int32_t> labels(in.number_of_items, -1);
-  const Plane_choice choice(planes, p.maximum_angle, largest_coordinate(in.box));
-  backend.for_each_on_host(
-    in.size(),
-    [&](std::size_t i) { labels[in.item_of(i)] = choice.nearest(point_to_label(in, i, p.maximum_distance)); },
-    few_to_label);
-  return labels;
-}
-
 // The points in the order of their cells.
 template <class Backend>
-typename Backend::Sort_table sort_by_cells(Backend& backend, const Import& in, const Places_in_reach& places)
+void sort_by_cells(Backend& backend, const Import& in, const Places_in_reach& places,
+                   typename Backend::Sort_table& order)
 {
-  typename Backend::Sort_table order(in.size());
   backend.for_each_on_host(
     in.size(), [&](std::size_t i) { order.view().set(i, places.cell_of(in.position(i)), std::uint32_t(i)); },
     few_to_label);
   backend.sort(order);
-  return order;
 }
 
-// The same, by planes that end where no place of their shape is within reach. Points of a cell share what is near it.
+// The labels of all items: by planes without end, or where there are places, by planes that end where no place of their
+// shape is within reach. Then points of a cell share what is near it.
 template <class Backend>
-std::vector<std::int32_t> labels_by_places(Backend& backend, const Import& in, const std::vector<Coefficients>& planes,
-                                           const Parameters& p, const Places_in_reach& places)
+std::vector<std::int32_t> labels_by_planes(Backend& backend, const Import& in, const std::vector<Coefficients>& planes,
+                                           const Parameters& p, const Places_in_reach* places = nullptr)
 {
   std::vector<std::int32_t> labels(in.number_of_items, -1);
   const Plane_choice choice(planes, p.maximum_angle, largest_coordinate(in.box));
-  const auto order = sort_by_cells(backend, in, places);
+  typename Backend::Sort_table order(places != nullptr ? in.size() : 0);
+  if(places != nullptr)
+    sort_by_cells(backend, in, *places, order);
   backend.for_each_piece(in.size(), few_to_label, [&](std::size_t first, std::size_t last) {
     Places_in_reach::Nearby nearby;
     std::vector<Label_candidate> candidates;
     std::uint64_t cell = Places_in_reach::no_cell;
     for(std::size_t at = first; at < last; ++at) {
-      if(std::exchange(cell, order.view().key(at)) != order.view().key(at))
-        places.collect(cell, nearby);
-      const std::size_t i = order.view().index(at);
-      labels[in.item_of(i)] = choice.nearest(point_to_label(in, i, p.maximum_distance), places, nearby, candidates);
+      const std::size_t i = places != nullptr ? order.view().index(at) : at;
+      const Point_to_label point = point_to_label(in, i, p.maximum_distance);
+      if(places != nullptr && std::exchange(cell, order.view().key(at)) != order.view().key(at))
+        places->collect(cell, nearby);
+      labels[in.item_of(i)] =
+        places != nullptr ? choice.nearest(point, *places, nearby, candidates) : choice.nearest(point);
     }
   });
   return labels;
@@ -221,8 +211,8 @@ std::vector<std::int32_t> label_points(const Planar_shapes_3<GeomTraits>& shapes
     const std::vector<Coefficients>& planes = shapes.data().coefficients;
     if constexpr(internal::Is_given<internal_np::shape_points_t, NamedParameters>::value) {
       const auto given = internal::parameter<internal_np::shape_points_t>(np, 0);
-      return internal::labels_by_places(backend, in, planes, p,
-                                        internal::places_of_shapes(backend, shapes, internal::referred(given), np));
+      const auto places = internal::places_of_shapes(backend, shapes, internal::referred(given), np);
+      return internal::labels_by_planes(backend, in, planes, p, &places);
     } else {
       return internal::labels_by_planes(backend, in, planes, p);
     }

@@ -28,34 +28,6 @@ struct Stage_times {
 /*!
 \ingroup PkgShapeRegularizationTandemRef
 
-What a part of a detection did, counted where a back end starts its loops. Loops count by their size, so the items that
-a loop leaves out count, too: a loop over all cells is a pass over the points. A chain of steps that runs at once, as the
-passes of an assignment, is one loop. Points are counted as they grow, as surfels. Passes and loops do not depend on
-threads and machine, and no result depends on any of these. Of many processes, each has its own.
-*/
-struct Work {
-  double passes_over_points = 0;     ///< items of loops over at least all points, divided by the number of points
-  double passes_over_lists = 0;      ///< items of all smaller loops, over borders, for example, divided by that number
-  std::size_t loops_over_shapes = 0; ///< loops over at most as many items as there are shapes
-  std::size_t launches = 0;     ///< loops, sorts and others of all sizes; on a device, its kernels and calls of CUB
-  std::size_t waits = 0;        ///< how often the host has waited for a device
-  std::size_t bytes_copied = 0; ///< from the host to a device, and back
-};
-
-/*!
-\ingroup PkgShapeRegularizationTandemRef
-
-The work of a detection, from the imported points to the lists of points of the result.
-*/
-struct Stage_work {
-  Work prepare; ///< order, neighbors, normals if they are estimated, seeds
-  Work rounds;  ///< all rounds of growth and regularization, together
-  Work finish;  ///< end game, exact check, components, lists of points
-};
-
-/*!
-\ingroup PkgShapeRegularizationTandemRef
-
 What a result is worth, in points: more is better, and what has another unit is priced. It compares results of the same
 points with the same `maximum_distance`, `minimum_region_size` m, `simplicity`, `regularity` and `k_neighbors`, by which
 the detection itself decided. The manual explains its terms:
@@ -127,7 +99,6 @@ struct Statistics {
 
   std::size_t number_of_rounds = 0;   ///< rounds of growth and regularization
   Stage_times times;                  ///< seconds spent in each stage
-  Stage_work work;                    ///< passes, loops, waits and copies
   std::size_t peak_bytes = 0;         ///< memory of all tables that have an entry for each point, when they are largest
   double grid_step = 0;               ///< the width of a step of the grid, in units of the input
   bool is_grid_coarse = false;        ///< whether `grid_step` exceeds `maximum_distance` / 1024: the extent is large

@@ -65,19 +65,6 @@ void test_regularize_planes(const Pairs<Epick>& points, const Shapes& shapes)
   }
 }
 
-void test_output(const Pairs<Epick>& points, const Shapes& shapes)
-{
-  std::vector<std::pair<Plane, std::vector<Pairs<Epick>::const_iterator>>> regions;
-  CGAL::Tandem::output_shapes(points, shapes, std::back_inserter(regions));
-  CHECK(regions.size() == shapes.number_of_shapes());
-  for(std::size_t s = 0; s < regions.size(); ++s) {
-    CHECK_AT(regions[s].first == shapes.oriented_plane(s), std::to_string(s));
-    CHECK_AT(regions[s].second.size() == shapes.points(s).size(), std::to_string(s));
-    for(std::size_t j = 0; j < regions[s].second.size(); ++j)
-      CHECK_AT(std::size_t(regions[s].second[j] - points.begin()) == shapes.points(s)[j], std::to_string(s));
-  }
-}
-
 // With a hole in the indices: an item is not its position.
 void test_point_set(const Pairs<Epick>& pairs)
 {
@@ -89,13 +76,12 @@ void test_point_set(const Pairs<Epick>& pairs)
   const Shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.006));
   const auto map = CGAL::Tandem::add_shape_property(points, shapes);
   CHECK(points.has_property_map<int>("shape"));
-  std::vector<std::pair<Plane, std::vector<CGAL::Point_set_3<Epick::Point_3>::Index>>> regions;
-  CGAL::Tandem::output_shapes(points, shapes, std::back_inserter(regions));
-  CHECK(regions.size() == 6);
-  for(std::size_t s = 0; s < regions.size(); ++s)
-    for(const auto& item : regions[s].second) {
+  CHECK(shapes.number_of_shapes() == 6);
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+    for(std::size_t i : shapes.points(s)) {
+      const auto item = *(points.begin() + std::ptrdiff_t(i));
       CHECK_AT(map[item] == int(s), std::to_string(s));
-      CHECK_AT(CGAL::squared_distance(points.point(item), regions[s].first) <= .006 * .006 * 1.000001,
+      CHECK_AT(CGAL::squared_distance(points.point(item), shapes.plane(s)) <= .006 * .006 * 1.000001,
                std::to_string(s));
     }
 }
@@ -120,7 +106,6 @@ BOOST_AUTO_TEST_CASE(all_cases)
   test_index_maps(shapes);
   test_structure_point_set(points, shapes);
   test_regularize_planes(points, shapes);
-  test_output(points, shapes);
   test_point_set(points);
   test_projected_points(points, shapes);
 }

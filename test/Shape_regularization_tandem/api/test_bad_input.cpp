@@ -5,9 +5,9 @@
 // value and the allowed range.
 
 #include "testing/box_cloud.h"
+#include "testing/measured_violation.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
-#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <limits>
 
@@ -31,7 +31,7 @@ void check_answer(const std::vector<Box_point>& cloud, std::size_t shapes, const
     CHECK_AT(result.number_of_points() == points.size(), what);
     CHECK_AT(result.number_of_shapes() == expected, what + ": " + std::to_string(result.number_of_shapes()));
     std::string why;
-    CHECK_AT(is_valid_result(points, result, list, &why), what + ": " + why);
+    CHECK_AT((why = violation_of(points, result, list)).empty(), what + ": " + why);
   };
   check(given.maximum_distance(.006).minimum_region_size(100), shapes, name + ", normals");
   check(given.maximum_distance(.006)
@@ -75,11 +75,11 @@ BOOST_AUTO_TEST_CASE(test_degenerate_clouds)
     for(const auto& result : {detect_planes(points, np::point_map(First<Epick>())),
                               detect_planes(points, np::point_map(First<Epick>()).maximum_distance(.01))}) {
       std::string why;
-      CHECK_AT(is_valid_result(points, result, np::point_map(First<Epick>()), &why), why);
+      CHECK_AT((why = violation_of(points, result, np::point_map(First<Epick>()))).empty(), why);
     }
     const auto given = np::point_map(First<Epick>()).normal_map(Second<Epick>());
     std::string why;
-    CHECK_AT(is_valid_result(points, detect_planes(points, given), given, &why), why);
+    CHECK_AT((why = violation_of(points, detect_planes(points, given), given)).empty(), why);
   }
 }
 
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(test_invalid_points)
   CHECK(shapes.statistics().number_of_ignored_normals == (clean.size() + 14) / 15);
   CHECK(shapes.statistics().number_of_points == cloud.size());
   std::string why;
-  CHECK_AT(is_valid_result(points, shapes, given, &why), why);
+  CHECK_AT((why = violation_of(points, shapes, given)).empty(), why);
   std::vector<std::int32_t> mapped;
   for(std::size_t i : position)
     mapped.push_back(shapes.shape_index(i));
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(test_smallest_angle)
     const auto shapes = detect_planes(points, given.maximum_angle(smallest));
     CHECK_AT(shapes.number_of_shapes() == 1 && shapes.statistics().coverage == 1, std::to_string(run));
     std::string why;
-    CHECK_AT(is_valid_result(points, shapes, given.maximum_angle(smallest), &why), why);
+    CHECK_AT((why = violation_of(points, shapes, given.maximum_angle(smallest))).empty(), why);
   }
 }
 
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(test_extent)
   CHECK(shapes.statistics().is_grid_coarse);
   CHECK(shapes.number_of_shapes() == 6);
   std::string why;
-  CHECK_AT(is_valid_result(make_pairs<Epick>(cloud), shapes, given, &why), why);
+  CHECK_AT((why = violation_of(make_pairs<Epick>(cloud), shapes, given)).empty(), why);
   cloud.push_back({{2e6f, 0, 0}, {0, 0, 1}});
   // One in a twentieth of the points may be too far away; more may not.
   const auto estimated = np::point_map(First<Epick>()).normal_map(Second<Epick>());
@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(test_extent)
   for(const bool is_given : {true, false}) {
     const auto of_huge = is_given ? detect_planes(huge, given) : detect_planes(huge, estimated);
     CHECK(of_huge.statistics().number_of_far_points >= 2 && of_huge.number_of_shapes() == 6);
-    CHECK_AT(is_valid_result(huge, of_huge, given, &why), why);
+    CHECK_AT((why = violation_of(huge, of_huge, given)).empty(), why);
   }
   for(std::size_t i = 0; i < huge.size() / 10; ++i)
     huge[i].first = Epick::Point_3(2e6, 0, 0);
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(test_extreme_coordinates)
     const auto shapes = detect_planes(points, list);
     std::string why;
     CHECK_AT(shapes.number_of_points() == points.size(), name);
-    CHECK_AT(is_valid_result(points, shapes, list, &why), name + ": " + why);
+    CHECK_AT((why = violation_of(points, shapes, list)).empty(), name + ": " + why);
   };
   const auto check_all = [&](const Pairs<Epick>& points, const std::string& name) {
     check(points, np::point_map(First<Epick>()), name);

@@ -5,9 +5,9 @@
 // ends it at once.
 
 #include "testing/box_cloud.h"
+#include "testing/measured_violation.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
-#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 BOOST_AUTO_TEST_SUITE(test_callback)
 
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(all_cases)
     CHECK_AT(calls > 1 || shapes.number_of_shapes() == 0, std::to_string(calls));
     CHECK_AT(shapes.number_of_points() == points.size(), std::to_string(calls));
     std::string why;
-    CHECK_AT(is_valid_result(points, shapes, list, &why), std::to_string(calls) + ": " + why);
+    CHECK_AT((why = violation_of(points, shapes, list)).empty(), std::to_string(calls) + ": " + why);
     CHECK_AT(throws_at(calls, points, list), std::to_string(calls));
   }
 }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // is_valid_result() has an answer for whatever a result holds: it neither throws nor goes on for ever. Each field with
-// a value that the points or the other fields contradict is refused, with a reason.
+// a value that the points or the other fields contradict is refused, with a reason: by it, or, of statistics
+// and uncertainties, by the tests.
 
 #include "testing/box_cloud.h"
 #include "testing/corruptions.h"
+#include "testing/measured_violation.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
-#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +47,11 @@ struct Case {
   {
     std::string why = "not set";
     const Shapes shapes(data);
-    const bool is_valid =
-      with_maps([&](const auto& list) { return CGAL::Tandem::is_valid_result(points, shapes, list, &why); });
-    CHECK_AT(is_valid == why.empty(), why);
-    return why;
+    return with_maps([&](const auto& list) {
+      const bool is_valid = CGAL::Tandem::is_valid_result(points, shapes, list, &why);
+      CHECK_AT(is_valid == why.empty(), why);
+      return is_valid ? CGAL::Tandem::internal::measured_violation(points, shapes, list) : why;
+    });
   }
 };
 
@@ -89,12 +91,6 @@ bool are_allowed(const Parameters& p)
   }
 }
 
-bool is_possible(const CGAL::Tandem::Work& w)
-{
-  return w.passes_over_points >= 0 && w.passes_over_points < 1e4 && w.passes_over_lists >= 0 &&
-         w.passes_over_lists < 1e4 && (std::max)({w.loops_over_shapes, w.launches, w.waits, w.bytes_copied}) < 1000000;
-}
-
 // What neither the points nor the other fields contradict: other parameters for the same shapes, how the call went, and
 // numbers and normals within their bounds. Points without lists are grouped again.
 bool may_be_accepted(const std::string& field, const Data& data, const Data& original)
@@ -108,8 +104,6 @@ bool may_be_accepted(const std::string& field, const Data& data, const Data& ori
     return t.number_of_rounds + 1 == right.number_of_rounds || t.number_of_rounds == right.number_of_rounds + 1;
   if(field == "statistics.peak_bytes")
     return t.peak_bytes + 1 == right.peak_bytes || t.peak_bytes == right.peak_bytes + 1;
-  if(starts_with(field, "statistics.work."))
-    return is_possible(t.work.prepare) && is_possible(t.work.rounds) && is_possible(t.work.finish);
   if(field == "points.first")
     return data.points.first.empty();
   return field == "statistics.is_cancelled" || field == "statistics.estimate_note" ||
@@ -135,7 +129,7 @@ void test_each_field(Normals normals)
     refused[corruption.field()] += !why.empty();
     CHECK_AT(!why.empty() || may_be_accepted(corruption.field(), data, original), corruption.name());
   }
-  CHECK_AT(refused.size() > 98, std::to_string(refused.size()) + " fields");
+  CHECK_AT(refused.size() > 80, std::to_string(refused.size()) + " fields");
   for(const auto& [field, times] : refused)
     if(field != "statistics.is_cancelled" && !starts_with(field, "parameters.regularize_"))
       CHECK_AT(times > 0 || starts_with(field, "normal["), field + " is never refused");

@@ -5,9 +5,9 @@
 // and the function, all tags: the same cloud gives the same result, and the range is left alone.
 
 #include "testing/box_cloud.h"
+#include "testing/measured_violation.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
-#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Iterator_range.h>
@@ -80,7 +80,7 @@ std::uint64_t test_pairs(const std::vector<Box_point>& cloud, const std::string&
   check_box(shapes, name);
   CHECK_AT(points == copy, name);
   std::string why;
-  CHECK_AT(is_valid_result(points, shapes, list, &why), name + ": " + why);
+  CHECK_AT((why = violation_of(points, shapes, list)).empty(), name + ": " + why);
   CHECK_AT(shapes.hash() == detect_planes<CGAL::Parallel_if_available_tag>(points, list).hash(), name);
   CHECK_AT(shapes.hash() == detect_planes<CGAL::Tandem::Cuda_if_available_tag>(points, list).hash(), name);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) { // the normals point out of the box
@@ -103,7 +103,7 @@ std::uint64_t test_point_set(const std::vector<Box_point>& cloud, const std::str
   const auto shapes = detect_planes(points, np::maximum_distance(.006));
   check_box(shapes, name);
   std::string why;
-  CHECK_AT(is_valid_result(points, shapes, np::default_values(), &why), name + ": " + why);
+  CHECK_AT((why = violation_of(points, shapes, np::default_values())).empty(), name + ": " + why);
   CHECK_AT(!shapes.has_estimated_normals(), name);
 
   // Without its normals, by request or because there are none.
@@ -125,7 +125,7 @@ std::uint64_t test_points(const std::vector<Box_point>& cloud, const std::string
   const auto shapes = detect_planes(points, np::maximum_distance(.006));
   check_box(shapes, name);
   std::string why;
-  CHECK_AT(is_valid_result(points, shapes, np::default_values(), &why), name + ": " + why);
+  CHECK_AT((why = violation_of(points, shapes, np::default_values())).empty(), name + ": " + why);
   for(std::size_t i = 0; i < points.size(); ++i)
     if(shapes.shape_index(i) >= 0)
       CHECK_AT(std::fabs(CGAL::to_double(shapes.estimated_normal(i).squared_length()) - 1) < 1e-6, name);

@@ -128,11 +128,10 @@ private:
         add_point(sums[s], f_.point[i], -1);
         add_point(expected[s], f_.point[i], -1);
       }
-      const std::size_t number = std::size_t(std::count(is_any_expected.begin(), is_any_expected.end(), 1));
-      check_equal(count_deltas(backend_, shapes), number, where);
+      CHECK_AT(std::count(is_any_expected.begin(), is_any_expected.end(), 1) > 0, where + ": there are none");
       add_deltas(backend_, shapes);
-      check_equal(count_deltas(backend_, shapes), 0u, where + ", added");
-      CHECK_AT(number > 0, where + ": there are none");
+      for(const Shared_moments& sum : shapes.delta)
+        CHECK_AT(!is_any(sum), where + ", added");
       std::vector<Shared_moments> got(shapes.size);
       for(std::size_t s = 0; s < shapes.size; ++s) {
         atomic_add<Sequential_backend>(got[s], shapes.table()[s].moments, shapes.table()[s].box);

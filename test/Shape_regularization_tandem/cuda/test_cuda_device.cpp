@@ -155,14 +155,14 @@ void test_exceptions()
 void test_release()
 {
   const Cloud cloud = make_cloud("village", 300000);
-  CGAL::Tandem::release_memory();
+  CGAL::Tandem::internal::release_cuda_memory();
   const Shapes first = detect<Cuda_tag>(cloud, make_parameters(.05, 100));
   const std::size_t before = free_memory();
-  CGAL::Tandem::release_memory();
+  CGAL::Tandem::internal::release_cuda_memory();
   const std::size_t released = free_memory();
-  CHECK_AT(released > before, std::to_string(before) + " bytes free before release_memory()");
-  CGAL::Tandem::release_memory();
-  check_equal(free_memory(), released, "free memory after the second release_memory()");
+  CHECK_AT(released > before, std::to_string(before) + " bytes free before release_cuda_memory()");
+  CGAL::Tandem::internal::release_cuda_memory();
+  check_equal(free_memory(), released, "free memory after the second release_cuda_memory()");
   CHECK(detect<Cuda_tag>(cloud, make_parameters(.05, 100)).hash() == first.hash());
 }
 
@@ -172,7 +172,7 @@ void test_too_large_cloud()
   const Cloud cloud = make_cloud("house", 120000);
   const Parameters parameters = make_parameters(.05, 100);
   const std::uint64_t expected = detect(cloud, parameters).hash();
-  CGAL::Tandem::release_memory();
+  CGAL::Tandem::internal::release_cuda_memory();
   const std::size_t left = std::size_t(24) << 20;
   void* block = nullptr;
   CHECK(free_memory() > left && cudaMalloc(&block, free_memory() - left) == cudaSuccess);

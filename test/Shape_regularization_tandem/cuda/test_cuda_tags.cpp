@@ -45,7 +45,6 @@ void test_report()
   CHECK(!CGAL::Tandem::cuda_available());
 #endif
   CHECK_AT(report.find(words) != std::string::npos, report);
-  CGAL::Tandem::release_memory();
 }
 
 BOOST_AUTO_TEST_CASE(all_cases)

@@ -180,7 +180,7 @@ void test_kernel(const char* name)
   CHECK_AT(expected.number_of_shapes() > 4, name);
   CHECK_AT(first_difference(shapes.shape_indices(), expected.shape_indices()) < 0, name);
   std::string why;
-  CHECK_AT(CGAL::Tandem::is_valid_result(other, shapes, list, &why), std::string(name) + ": " + why);
+  CHECK_AT((why = violation_of(other, shapes, list)).empty(), std::string(name) + ": " + why);
 }
 
 // Points that are equal but for their tolerances, each of which is a surfel: their order does not matter.

@@ -74,15 +74,6 @@ class Guarantees(unittest.TestCase):
         self.assertEqual(shapes.statistics["angle_note"], expected)
         self.assertEqual(shapes_of_room().statistics["angle_note"], "")
 
-    def test_work(self):
-        work = shapes_of_room().statistics["work"]
-        self.assertEqual(list(work), ["prepare", "rounds", "finish"])
-        for part in work.values():
-            self.assertGreaterEqual(part["passes_over_points"], 1)
-            self.assertGreaterEqual(part["launches"], part["loops_over_shapes"])
-            self.assertGreaterEqual(part["passes_over_lists"], 0)
-            self.assertEqual((part["waits"], part["bytes_copied"]), (0, 0))
-
     def test_points_of_shapes(self):
         shapes = shapes_of_room()
         for s in range(len(shapes)):

@@ -25,10 +25,13 @@ public:
   static const char* name() { return "reverse"; }
   std::size_t concurrency() const { return 1; }
 
+  // What all of these have done: operations on items, the items, and loops over cells.
+  inline static std::size_t loops = 0, items = 0, cell_loops = 0;
+
   template <class F>
   void for_each(std::size_t n, F f, std::size_t = 0)
   {
-    counter().add_loop(n);
+    count(n);
     while(n > 0)
       f(--n);
   }
@@ -36,8 +39,9 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    const One_loop loop(counter(), n);
-    for_each((n + grain - 1) / grain, [&](std::size_t p) { f(p * grain, (std::min)((p + 1) * grain, n)); });
+    count(n);
+    for(std::size_t p = (n + grain - 1) / grain; p > 0; --p)
+      f((p - 1) * grain, (std::min)(p * grain, n));
   }
 
   template <class F>
@@ -49,7 +53,7 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    counter().add_cells(cells);
+    cell_loops += cells > 0;
     const auto scratch = std::make_unique<Scratch>();
     for(std::size_t c = cells; c > 0; --c) {
       Serial_block block;
@@ -59,15 +63,16 @@ public:
 
   void sort(Sort_table& table, int = 63)
   {
-    counter().add_loop(table.size());
+    count(table.size());
     using Entry = Sort_table::Entry;
     std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
   void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t)
   {
-    const One_loop loop(counter(), size);
-    for_each(ranges, [&](std::size_t c) { std::sort(key + range[c].first, key + range[c].last); });
+    count(size);
+    for(std::size_t c = ranges; c > 0; --c)
+      std::sort(key + range[c - 1].first, key + range[c - 1].last);
   }
 
   template <class T>
@@ -104,6 +109,13 @@ public:
     const T old = target;
     target = old == expected ? value : old;
     return old;
+  }
+
+private:
+  static void count(std::size_t n)
+  {
+    loops += n > 0;
+    items += n;
   }
 };
 

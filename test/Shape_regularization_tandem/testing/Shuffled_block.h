@@ -168,7 +168,6 @@ public:
   template <class F>
   void for_each(std::size_t n, F f, std::size_t = 0)
   {
-    counter().add_loop(n);
     dice_.visit(0, n, f);
   }
 
@@ -181,7 +180,6 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    counter().add_loop(n);
     dice_.visit(0, (n + grain - 1) / grain,
                 [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); });
   }
@@ -189,7 +187,6 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    counter().add_cells(cells);
     auto scratch = std::make_unique<Scratch>();
     Shuffled_block block(dice_);
     dice_.visit(0, cells, [&](std::size_t c) {
@@ -201,7 +198,6 @@ public:
   // Equal keys come in random order.
   void sort(Sort_table& table, int = 63)
   {
-    counter().add_loop(table.size());
     using Entry = Sort_table::Entry;
     dice_.shuffle(table.begin(), table.end());
     std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
@@ -211,7 +207,6 @@ public:
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
-    counter().add_loop(n);
     dice_.visit(0, n, [&](std::size_t i) { is_kept(std::uint32_t(i)); });
     std::vector<std::uint32_t> kept;
     dice_.visit(0, n, [&](std::size_t i) {
@@ -233,7 +228,6 @@ public:
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
-    const One_loop loop(counter(), items);
     run_rounds_on(*this, maximum_rounds, items, rounds);
   }
 
@@ -249,9 +243,8 @@ public:
     return sum_on<N>(*this, n, f);
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
-    counter().add_loop(size);
     dice_.visit(0, ranges, [&](std::size_t c) {
       dice_.shuffle(key + range[c].first, key + range[c].last);
       std::sort(key + range[c].first, key + range[c].last);

@@ -52,7 +52,6 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    counter().add_loop(n);
     run((n + grain - 1) / grain, [&](std::atomic<std::size_t>& next, std::size_t pieces) {
       for(std::size_t piece; (piece = next++) < pieces;)
         f(piece * grain, (std::min)((piece + 1) * grain, n));
@@ -62,7 +61,6 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    counter().add_cells(cells);
     run(cells, [&](std::atomic<std::size_t>& next, std::size_t end) {
       auto scratch = std::make_unique<Scratch>();
       Serial_block block;
@@ -74,15 +72,13 @@ public:
   // Equal keys come in an order of their own, as they may.
   void sort(Sort_table& table, int = 63)
   {
-    counter().add_loop(table.size());
     using Entry = Sort_table::Entry;
     std::reverse(table.begin(), table.end());
     std::sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
-    const One_loop loop(counter(), size);
     for_each_piece(ranges, 1,
                    [&](std::size_t c, std::size_t) { std::sort(key + range[c].first, key + range[c].last); });
   }

@@ -85,8 +85,8 @@ private:
   void visit_fields(const std::string& of, CGAL::Tandem::Statistics& s)
   {
     auto& [points, coordinates, normals, tolerances, far_points, assigned, free_points, shapes, directions, planes,
-           pairs, coverage, distance, freedom, complexity, score, rounds, times, work, bytes, step, is_coarse,
-           has_estimated, is_cancelled, estimate_note, angle_note, backend] = s;
+           pairs, coverage, distance, freedom, complexity, score, rounds, times, bytes, step, is_coarse, has_estimated,
+           is_cancelled, estimate_note, angle_note, backend] = s;
     visit(of + "number_of_points", points);
     visit(of + "number_of_ignored_coordinates", coordinates);
     visit(of + "number_of_ignored_normals", normals);
@@ -116,10 +116,6 @@ private:
     visit(of + "score.freedom", free);
     visit(of + "number_of_rounds", rounds);
     visit_fields(of + "times.", times);
-    auto& [prepare, in_rounds, finish] = work;
-    visit_fields(of + "work.prepare.", prepare);
-    visit_fields(of + "work.rounds.", in_rounds);
-    visit_fields(of + "work.finish.", finish);
     visit(of + "peak_bytes", bytes);
     visit(of + "grid_step", step);
     visit(of + "is_grid_coarse", is_coarse);
@@ -140,17 +136,6 @@ private:
     visit(of + "regularity", regularity);
     visit(of + "finish", finish);
     visit(of + "total", total);
-  }
-
-  void visit_fields(const std::string& of, CGAL::Tandem::Work& w)
-  {
-    auto& [over_points, over_lists, over_shapes, launches, waits, bytes] = w;
-    visit(of + "passes_over_points", over_points);
-    visit(of + "passes_over_lists", over_lists);
-    visit(of + "loops_over_shapes", over_shapes);
-    visit(of + "launches", launches);
-    visit(of + "waits", waits);
-    visit(of + "bytes_copied", bytes);
   }
 
   void visit_fields(const std::string& of, CGAL::Tandem::Point_groups& g)

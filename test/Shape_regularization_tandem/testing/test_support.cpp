@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "test_support.h"
-
-#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+#include "measured_violation.h"
 
 void check_valid(const Cloud& cloud, const Shapes& shapes, const std::string& name, Given given)
 {
   const auto list = CGAL::Tandem::parameters::point_map(First<Kernel>());
-  std::string why;
-  const bool is_valid = given == Given::normals
-                          ? CGAL::Tandem::is_valid_result(cloud, shapes, list.normal_map(Second<Kernel>()), &why)
-                          : CGAL::Tandem::is_valid_result(cloud, shapes, list, &why);
-  CHECK_AT(is_valid, name + ": " + why);
+  const std::string why = given == Given::normals ? violation_of(cloud, shapes, list.normal_map(Second<Kernel>()))
+                                                  : violation_of(cloud, shapes, list);
+  CHECK_AT(why.empty(), name + ": " + why);
 }
 
 template Shapes detect<CGAL::Sequential_tag>(const Cloud&, const Parameters&, Given);

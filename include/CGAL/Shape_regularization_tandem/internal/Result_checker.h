@@ -10,8 +10,6 @@
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
 #include <CGAL/Shape_regularization_tandem/internal/common_hash.h>
 #include <CGAL/Shape_regularization_tandem/internal/relation_violation.h>
-#include <CGAL/Shape_regularization_tandem/internal/statistics_violation.h>
-#include <CGAL/Shape_regularization_tandem/internal/uncertainty_violation.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/far_points.h>
 #include <CGAL/Tandem/internal/engine/first_unconnected.h>
@@ -44,8 +42,7 @@ public:
     const Ranks<Backend> ranks(backend);
     return passes_on_all(ranks, check_parameters()) && check_same(ranks) && passes_on_all(ranks, place(ranks)) &&
            passes_on_all(ranks, check_here()) && passes_on_all(ranks, check_sums(ranks)) &&
-           passes_on_all(ranks, check_connectivity(backend)) && passes(listing_violation(data_)) &&
-           passes(uncertainty_violation(data_, in_.grid, sums_of_all(ranks, plane_sums_)));
+           passes_on_all(ranks, check_connectivity(backend)) && passes(listing_violation(data_));
   }
 
   const std::string& violation() const { return violation_; }
@@ -159,10 +156,9 @@ private:
   // of this evaluation.
   bool check_points()
   {
+    constexpr double packing = 2e-4; // the method decides on sides with normals that are packed, and so turned a little
     const double cosine = std::cos(data_.parameters.maximum_angle * (3.14159265358979323846 / 180));
     sides_.assign(2 * data_.coefficients.size(), 0);
-    rounding_ = rounding_of_distances(data_, in_);
-    plane_sums_.assign(data_.coefficients.size(), {});
     for(std::size_t i = 0; i < in_.size(); ++i) {
       const std::size_t item = in_.item_of(i);
       if(data_.shape_of[item] < 0)
@@ -184,24 +180,10 @@ private:
       if(!(std::fabs(aligned) >= cosine * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) - 1e-14) || aligned == 0)
         return fail(numbered("too oblique is the normal of point", item) + ": the cosine is " +
                     to_text(std::fabs(aligned)) + " with that of " + numbered("shape", s));
-      measure(s, {distance, in_.has_tolerances ? epsilon * level_factor(level_of(tolerance, epsilon)) : epsilon},
-              aligned);
-      plane_sums_[s].add(p, data_.uncertainty[s], distance, in_.grid.step);
+      sides_[2 * s] += aligned < -packing;
+      sides_[2 * s + 1] += aligned < packing;
     }
     return true;
-  }
-
-  // The method decides on sides with normals that are packed, and turned a little by that.
-  void measure(std::size_t s, const Measured_distance& distance, double aligned)
-  {
-    constexpr double packing = 2e-4;
-    ++sums_.assigned;
-    sums_.distance += distance.share_of(data_.parameters.maximum_distance);
-    sums_.fit += std::uint64_t(Score::weight_at({1, 0}, distance.share_of(distance.tolerance)));
-    const double error = 2 * rounding_ < distance.tolerance ? 2 * rounding_ / distance.tolerance : 1;
-    sums_.fit_error += std::uint64_t(std::ldexp(error, 20)) + 1;
-    sides_[2 * s] += aligned < -packing;
-    sides_[2 * s + 1] += aligned < packing;
   }
 
   // All processes have the same shapes, up to the points. What follows is then the same on all of them.
@@ -224,13 +206,7 @@ private:
       size.push_back(shapes_.points(s).size());
     size = ranks.total(std::move(size));
     sides_ = ranks.total(std::move(sides_));
-    sums_.assigned = ranks.total(sums_.assigned);
-    sums_.distance = ranks.total(sums_.distance);
-    sums_.fit = ranks.total(sums_.fit);
-    sums_.fit_error = ranks.total(sums_.fit_error);
-    sums_.peak_bytes = ranks.total(data_.statistics.peak_bytes);
-    return check_sizes(size) && check_sides(size) && passes(count_violation(data_, in_, sums_)) &&
-           passes(note_violation(data_)) && passes(cost_violation(data_.statistics, in_, sums_));
+    return check_sizes(size) && check_sides(size);
   }
 
   // Size: the number of points, and no shape is below the minimum.
@@ -260,7 +236,7 @@ private:
   }
 
   // Connectivity: the surfels of each shape are one component. Two surfels are adjacent if one is a neighbor of the
-  // other, or both are neighbors of one surfel. And what is counted in the neighbor graph.
+  // other, or both are neighbors of one surfel.
   template <class Backend>
   bool check_connectivity(Backend& backend)
   {
@@ -270,20 +246,16 @@ private:
       if(!in_.has_normals)
         points.normal.push_back(data_.normal[in_.item_of(i)]);
     }
-    Graph_counts counts;
-    const std::size_t s = first_unconnected(backend, in_, points, counts);
-    return s == points.shapes() ? passes(graph_violation(data_, counts)) : fail(numbered("not connected is shape", s));
+    const std::size_t s = first_unconnected(backend, in_, points);
+    return s == points.shapes() || fail(numbered("not connected is shape", s));
   }
 
   // The points as they were imported, and the result in two forms: planes of the kernel, and plain tables.
   Import& in_;
   const Shapes& shapes_;
   const Shapes_data& data_;
-  Point_sums sums_;
-  double rounding_ = 0;              // of distances
   std::vector<std::uint64_t> sides_; // of each shape: the normals that are surely, and those that may be opposite
-  std::vector<Plane_sums> plane_sums_;
-  std::string violation_; // empty as long as every check has passed
+  std::string violation_;            // empty as long as every check has passed
 };
 
 } // namespace internal

@@ -6,7 +6,6 @@
 #ifndef CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
 #define CGAL_TANDEM_INTERNAL_BACKEND_HOST_MEMORY_H
 
-#include <CGAL/Tandem/internal/backend/Work_counter.h>
 #include <CGAL/Tandem/internal/memory/Host_buffer.h>
 
 #include <algorithm>
@@ -19,7 +18,7 @@ namespace CGAL {
 namespace Tandem {
 namespace internal {
 
-// The operations that concepts.h lists under "Backend, memory" and "Backend, work".
+// The operations that concepts.h lists under "Backend, memory".
 class Host_memory {
 public:
   template <class T>
@@ -37,10 +36,6 @@ public:
       std::memcpy(target, source, n * sizeof(T));
   }
 
-  // What the loops count, and what has been counted.
-  Work_counter& counter() { return counter_; }
-  Work_counts work() const { return counter_.counts(); }
-
 protected:
   template <class T, class Backend, class F>
   static typename Backend::template Buffer<T> make_buffer_on(Backend& backend, std::size_t n, F f)
@@ -55,7 +50,6 @@ protected:
   template <class Backend, class F>
   static Host_buffer<std::uint32_t> compact_on(Backend& backend, std::size_t n, F is_kept)
   {
-    const One_loop loop(backend.counter(), n);
     constexpr std::size_t grain = 2048;
     std::vector<std::size_t> place((n + grain - 1) / grain + 1, 0);
     Host_buffer<std::uint32_t> kept(n);
@@ -94,7 +88,6 @@ protected:
   template <int N, class Backend, class F>
   static std::array<std::int64_t, N> sum_on(Backend& backend, std::size_t n, F f)
   {
-    const One_loop loop(backend.counter(), n);
     constexpr std::size_t grain = 1024;
     std::vector<std::array<std::int64_t, N>> of_piece((n + grain - 1) / grain);
     backend.for_each_piece(n, grain, [&](std::size_t first, std::size_t last) {
@@ -130,9 +123,6 @@ protected:
         });
       }
   }
-
-private:
-  Work_counter counter_;
 };
 
 // The operations that are made of others in the same way on every back end of the host with several threads or another
@@ -167,7 +157,6 @@ public:
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
-    const One_loop loop(this->counter(), items);
     run_rounds_on(self(), maximum_rounds, items, rounds);
   }
 

@@ -31,7 +31,6 @@ public:
   template <class F>
   void for_each(std::size_t n, F f, std::size_t = 4096)
   {
-    counter().add_loop(n);
     for(std::size_t i = 0; i < n; ++i)
       f(i);
   }
@@ -54,7 +53,6 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    counter().add_loop(n);
     for(std::size_t first = 0; first < n; first += grain)
       f(first, (std::min)(first + grain, n));
   }
@@ -64,7 +62,6 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    counter().add_cells(cells);
     auto scratch = std::make_unique<Scratch>();
     Serial_block block;
     for(std::size_t c = 0; c < cells; ++c)
@@ -75,7 +72,6 @@ public:
   // Where keys have less than 63 bits, their number saves a device time.
   void sort(Sort_table& table, int = 63)
   {
-    counter().add_loop(table.size());
     using Entry = Sort_table::Entry;
     boost::sort::spreadsort::integer_sort(
       table.begin(), table.end(), [](const Entry& e, unsigned shift) { return e.key >> shift; },
@@ -94,9 +90,8 @@ public:
   // round the loop ends, if rounds.is_last(round), and it ends after so many rounds. rounds.few(step): fewer items of
   // a step are not worth a second thread.
   template <class Rounds>
-  void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
+  void run_rounds(std::size_t maximum_rounds, std::size_t, const Rounds& rounds)
   {
-    const One_loop loop(counter(), items);
     run_rounds_on(*this, maximum_rounds, 1, rounds);
   }
 
@@ -114,10 +109,10 @@ public:
     return sum_on<N>(*this, n, f);
   }
 
-  // In each of the ranges, ascending. Together they are [0, size); none has more than `largest` items.
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t)
+  // In each of the ranges, ascending. Together they are [0, size), the last but one argument; none has more items than
+  // the last one.
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
-    counter().add_loop(size);
     for(std::size_t c = 0; c < ranges; ++c)
       boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last);
   }

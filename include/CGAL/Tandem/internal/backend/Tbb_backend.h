@@ -74,7 +74,6 @@ public:
   template <class F>
   void for_each_piece(std::size_t n, std::size_t grain, F f)
   {
-    counter().add_loop(n);
     const auto run_piece = [&](std::size_t piece) { f(piece * grain, (std::min)((piece + 1) * grain, n)); };
     run((n + grain - 1) / grain, Index_functor(run_piece));
   }
@@ -83,7 +82,6 @@ public:
   template <class Scratch, class Body>
   void for_each_cell(std::size_t cells, Body body)
   {
-    counter().add_cells(cells);
     tbb::enumerable_thread_specific<std::shared_ptr<void>> scratches;
     const auto run_cell = [&](std::size_t c) {
       std::shared_ptr<void>& scratch = scratches.local();
@@ -97,7 +95,6 @@ public:
 
   void sort(Sort_table& table, int = 63)
   {
-    counter().add_loop(table.size());
     using Entry = Sort_table::Entry;
     const auto sort_all = [&](std::size_t) { // in the context of this task
       tbb::parallel_sort(table.begin(), table.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
@@ -105,9 +102,8 @@ public:
     isolated(1, Index_functor(sort_all));
   }
 
-  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t size, std::size_t)
+  void sort_ranges(std::uint64_t* key, const Range* range, std::size_t ranges, std::size_t, std::size_t)
   {
-    counter().add_loop(size);
     const auto sort_range = [&](std::size_t c) {
       boost::sort::pdqsort_branchless(key + range[c].first, key + range[c].last);
     };

@@ -122,9 +122,6 @@ struct Backend {
   {}
   void wait() {}
 
-  Work_counter& counter() { return counter_; }
-  Work_counts work() const { return {}; }
-
   template <class F>
   void for_each(std::size_t, F f, std::size_t = 0)
   {
@@ -203,9 +200,6 @@ struct Backend {
   {
     return target;
   }
-
-private:
-  Work_counter counter_;
 };
 
 // The same in one of many processes.

@@ -154,16 +154,6 @@ struct Has_execution<
     decltype(std::declval<Backend&>().for_each_on_host(std::size_t(0), archetypes::Item_functor()))>> : std::true_type {
 };
 
-// Backend, work: for the statistics, which tell what was done. No result depends on it:
-//   counter()          a Work_counter; every operation above counts there, by its number of items
-//   work()             the Work_counts so far, with those of a device
-template <class Backend, class = void>
-struct Has_work : std::false_type {};
-
-template <class Backend>
-struct Has_work<Backend, std::void_t<decltype(static_cast<Work_counter&>(std::declval<Backend&>().counter())),
-                                     decltype(Work_counts(std::declval<const Backend&>().work()))>> : std::true_type {};
-
 // Backend, for functors that run at the same time; integers only:
 //   atomic_add(target, value), atomic_min(target, value)   return the old target
 //   atomic_max(target, value)
@@ -188,7 +178,7 @@ struct Has_atomics<
 
 template <class Backend>
 struct Is_backend : std::integral_constant<bool, Has_memory<Backend>::value && Has_execution<Backend>::value &&
-                                                   Has_work<Backend>::value && Has_atomics<Backend>::value> {};
+                                                   Has_atomics<Backend>::value> {};
 
 // A back end whose functors run on the host, as those that read the caller's range. It inherits the memory from
 // Host_memory and has in addition

@@ -13,7 +13,6 @@
 #include <CGAL/Tandem/internal/finish/extract_shapes.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/engine/Detection_engine.h>
-#include <CGAL/Tandem/internal/engine/Work_meter.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>
 #include <CGAL/Tandem/internal/rounds/merge_coplanar.h>
 #include <CGAL/Tandem/internal/rounds/merge_shapes.h>
@@ -57,7 +56,6 @@ private:
   Tandem_state<Backend> state_;
   Shape_relations relations_; // of the last round, or of the end game
   Stage_times times_;
-  Stage_work work_;
   Engine_result final_;
   std::size_t maximum_large_ = 0; // points of large shapes, in the best round so far
   bool is_idle_ = false;          // growth was slow in this round, and no cell is untried
@@ -71,7 +69,7 @@ template <class Backend>
 Engine<Backend>::Engine(Backend& backend, Import& in, const Parameters& parameters, Progress& progress)
   : in_(in), progress_(progress), state_(backend)
 {
-  is_prepared_ = prepare(state_, in, parameters, {times_, work_.prepare}, progress);
+  is_prepared_ = prepare(state_, in, parameters, times_, progress);
 }
 
 // Runs the passes of growth of a round; returns the number of points that got a shape. Young rounds have one pass: with
@@ -210,7 +208,6 @@ bool Engine<Backend>::iterate()
   const Options& options = state_.options;
   if(!is_prepared_)
     return false;
-  const Work_meter<Backend> meter(points.backend, points.cloud.size(), work_.rounds);
   Stage_timer growth(times_.growth);
   const std::size_t new_points = grow();
   growth.stop();
@@ -233,7 +230,6 @@ void Engine<Backend>::finish()
 {
   Stage_timer timer(times_.finish);
   if(is_prepared_) {
-    const Work_meter<Backend> meter(state_.points.backend, state_.points.cloud.size(), work_.finish);
     relations_ = end_game(state_.points, state_.shapes, state_.options, progress_);
     final_ = extract_shapes(state_.points, state_.shapes, state_.options, relations_, in_);
   }
@@ -252,7 +248,6 @@ Engine_result Engine<Backend>::result()
   r.rounds = std::size_t(state_.round);
   r.is_coarse = in_.grid.is_coarse;
   r.times = times_;
-  r.work = work_;
   r.peak_bytes = state_.peak_bytes;
   return r;
 }

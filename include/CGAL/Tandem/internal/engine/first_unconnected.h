@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connected components and links for the check of a result. The graph is made again, by the functions that the engine
+// Connected components for the check of a result. The graph is made again, by the functions that the engine
 // calls, since positions break ties between neighbors at equal distance.
 
 #ifndef CGAL_TANDEM_INTERNAL_ENGINE_FIRST_UNCONNECTED_H
@@ -14,8 +14,6 @@
 #include <CGAL/Tandem/internal/engine/make_options.h>
 #include <CGAL/Tandem/internal/engine/sort_points.h>
 #include <CGAL/Tandem/internal/finish/Seams.h>
-#include <CGAL/Tandem/internal/finish/explain_free_points.h>
-#include <CGAL/Tandem/internal/score/Score.h>
 
 #include <vector>
 
@@ -64,16 +62,6 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-// The neighbors of surfel i that have another shape, or one where it has none, for each of its points.
-inline void count_links(const Cloud_view& cloud, std::uint32_t i, const std::uint32_t* label, Score_counts& counts)
-{
-  const std::uint32_t* row = cloud.row(i);
-  for(int j = 0; j < cloud.k && row[j] != no_index; ++j)
-    if(label[row[j]] != label[i])
-      (label[i] == free_label || label[row[j]] == free_label ? counts.free_links : counts.links) +=
-        cloud.surfels.points(i).size();
-}
-
 // Of a result: how it was made, its planes, and what it says of the imported points.
 struct Labeled_points {
   const Parameters& parameters;
@@ -83,35 +71,6 @@ struct Labeled_points {
 
   std::size_t shapes() const { return planes.size(); }
 };
-
-// What is counted in the neighbor graph.
-struct Graph_counts {
-  Score_counts score; // links only
-  Free_points free_points;
-};
-
-// The k nearest neighbors of each imported point, as imported points, without surfels.
-template <class Backend>
-std::vector<std::uint32_t> import_neighbors(Backend& backend, const Import& in, std::size_t k)
-{
-  const std::uint32_t n = std::uint32_t(in.size());
-  std::vector<std::uint32_t> neighbor(n * k), result(n * k);
-  if(n == 0)
-    return result;
-  const auto order =
-    sort_along_curve(backend, {in.point.data(), n}, make_code_frame(in.low, in.high),
-                     make_tie_order([&](std::uint32_t i, std::uint32_t j) { return in.precedes(i, j); }, Nothing()));
-  std::vector<Grid_point> point(n);
-  for(std::uint32_t i = 0; i < n; ++i)
-    point[i] = in.point[order.view().index(i)];
-  find_neighbors(backend, point.data(), n, int(k), neighbor.data());
-  for(std::uint32_t i = 0; i < n; ++i)
-    for(std::size_t j = 0; j < k; ++j) {
-      const std::uint32_t q = neighbor[i * k + j];
-      result[order.view().index(i) * k + j] = q == no_index ? no_index : std::uint32_t(order.view().index(q));
-    }
-  return result;
-}
 
 // The points of a rank: label and component, and the numbers of roots in the cloud of all ranks.
 template <class Backend>
@@ -172,60 +131,34 @@ std::vector<std::uint32_t> surfel_labels(const Sorted_cloud<Backend>& cloud, con
   return label;
 }
 
-// Surfels and points get the estimated normals of a result. In a result, all points of a surfel have one.
+// Makes the graph of a result again, and returns the labels of its surfels, with those of ghosts; `mixed` as above. The
+// points are those of this rank; ranks have whole leaves of the octree.
 template <class Backend>
-void take_normals(const Ranks<Backend>& ranks, const std::vector<std::uint32_t>& normal, Sorted_cloud<Backend>& cloud)
-{
-  const Surfels_view surfels = cloud.surfels();
-  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p) {
-    const std::uint32_t n = normal[cloud.order.data()[p]];
-    cloud.point.data()[surfels.of_point(p)].normal = n;
-    if(cloud.has_surfels())
-      cloud.all_points.data()[p].normal = n;
-  }
-  ranks.refresh(cloud.point.data(), Rings::inner);
-}
-
-// The reasons why points have no shape. label: by surfel, with ghosts.
-template <class Backend>
-Free_points count_free_points(Labeled_cloud<Backend>& points, const Import& in, const Labeled_points& result,
-                              const std::vector<std::uint32_t>& label)
+std::vector<std::uint32_t> label_graph(Labeled_cloud<Backend>& points, Import& in, const Labeled_points& result,
+                                       std::size_t& mixed)
 {
   Sorted_cloud<Backend>& cloud = points.cloud;
-  if(!in.has_normals) // on all ranks, also where one has no points
-    take_normals(points.ranks, result.normal, cloud);
-  std::vector<std::uint32_t> point_label;
-  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p)
-    point_label.push_back(std::uint32_t(result.shape[cloud.order.data()[p]])); // -1 becomes free_label
-  static_assert(free_label == no_index && free_label == std::uint32_t(-1), "a free surfel has no shape");
-  const Final_shapes shapes = {{cloud.surfels(), label.data(), point_label.data()}, label.data()};
-  return explain_free_points(points, shapes, result.planes, in.grid,
-                             make_options(in, result.parameters).growth.tolerance);
+  cloud.k = int(result.parameters.k_neighbors);
+  sort_points(points.backend, in, result.parameters.cell_size, cloud, points.cells);
+  connect_cloud(points, in, make_options(in, result.parameters).tight);
+  std::vector<std::uint32_t> label = surfel_labels(cloud, result.shape, mixed);
+  points.ranks.refresh(label.data(), Rings::inner);
+  return label;
 }
 
-// The first shape whose surfels are not one component, or the number of shapes; and what is counted in the graph, of all
-// ranks. The points are those of this rank; ranks have whole leaves of the octree.
+// The first shape whose surfels are not one component, or the number of shapes.
 template <class Backend>
-std::size_t first_unconnected_here(Backend& backend, Import& in, const Labeled_points& result, Graph_counts& counts)
+std::size_t first_unconnected_here(Backend& backend, Import& in, const Labeled_points& result)
 {
   Labeled_cloud<Backend> points(backend);
-  Sorted_cloud<Backend>& cloud = points.cloud;
   const Ranks<Backend>& ranks = points.ranks;
-  cloud.k = int(result.parameters.k_neighbors);
-  sort_points(backend, in, result.parameters.cell_size, cloud, points.cells);
-  connect_cloud(points, in, make_options(in, result.parameters).tight);
   std::size_t mixed = result.shapes();
-  std::vector<std::uint32_t> label = surfel_labels(cloud, result.shape, mixed), component;
-  ranks.refresh(label.data(), Rings::inner);
+  const std::vector<std::uint32_t> label = label_graph(points, in, result, mixed);
   Parents parents(label.size());
-  const Cloud_view view = cloud.view();
-  for(std::uint32_t i = 0; i < view.size; ++i) {
+  const Cloud_view view = points.cloud.view();
+  for(std::uint32_t i = 0; i < view.size; ++i)
     parents.unite_around(i, view.row(i), std::size_t(view.k), label.data());
-    count_links(view, i, label.data(), counts.score);
-  }
-  counts.score.links = std::int64_t(ranks.total(std::size_t(counts.score.links)));
-  counts.score.free_links = std::int64_t(ranks.total(std::size_t(counts.score.free_links)));
-  counts.free_points = count_free_points(points, in, result, label);
+  std::vector<std::uint32_t> component;
   for(std::uint32_t i = 0; i < label.size(); ++i)
     component.push_back(parents.root(i));
   Seams<Backend> seams(backend, ranks);
@@ -236,12 +169,12 @@ std::size_t first_unconnected_here(Backend& backend, Import& in, const Labeled_p
   return first;
 }
 
-// The first shape whose points are not one component, or the number of shapes; and what is counted in the graph.
+// The first shape whose points are not one component, or the number of shapes.
 template <class Backend>
-std::size_t first_unconnected(Backend& backend, Import& in, const Labeled_points& result, Graph_counts& counts)
+std::size_t first_unconnected(Backend& backend, Import& in, const Labeled_points& result)
 {
   static_assert(!Ranks<Backend>::are_many, "many ranks need the overload of mpi.h");
-  return in.total.points == 0 ? result.shapes() : first_unconnected_here(backend, in, result, counts);
+  return in.total.points == 0 ? result.shapes() : first_unconnected_here(backend, in, result);
 }
 
 } // namespace internal

@@ -11,7 +11,6 @@
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/engine/Stage_timer.h>
 #include <CGAL/Tandem/internal/engine/Tandem_state.h>
-#include <CGAL/Tandem/internal/engine/Work_meter.h>
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
@@ -35,12 +34,6 @@ struct Free_all {
   }
 };
 
-// What a preparation costs.
-struct Preparation_costs {
-  Stage_times& times;
-  Work& work;
-};
-
 // Starts without shapes: afterwards no point has one, and the lists of the cells are empty.
 template <class Backend>
 void clear_labels(Labeled_cloud<Backend>& points)
@@ -55,8 +48,7 @@ void clear_labels(Labeled_cloud<Backend>& points)
 // options only. Returns whether there is anything to grow from: not in an empty cloud, nor if the callback has
 // cancelled before the seeds.
 template <class Backend>
-bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters, const Preparation_costs& costs,
-             Progress& progress)
+bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters, Stage_times& times, Progress& progress)
 {
   Labeled_cloud<Backend>& points = t.points;
   Backend& backend = points.backend;
@@ -64,33 +56,29 @@ bool prepare(Tandem_state<Backend>& t, Import& in, const Parameters& parameters,
   points.cloud.k = int(parameters.k_neighbors);
   if(points.ranks.total(in.size()) == 0)
     return false;
-  Stage_timer sort(costs.times.sort);
-  backend.counter().set_shapes(0); // those of a detection before
-  Work_meter<Backend> work(backend, in.size(), costs.work);
+  Stage_timer sort(times.sort);
   sort_points(backend, in, parameters.cell_size, points.cloud, points.cells);
   backend.wait();
   sort.stop();
   if(!progress.show(Detection_stage::neighbors, 0))
     return false;
 
-  Stage_timer search(costs.times.neighbors);
-  work.go_on(points.cloud.size());
+  Stage_timer search(times.neighbors);
   connect_cloud(points, in, t.options.tight);
   backend.wait();
   search.stop();
-  work.go_on(points.cloud.size()); // surfels may have been joined
 
   if(!in.has_normals) {
     if(!progress.show(Detection_stage::normals, 0))
       return false;
-    Stage_timer normals(costs.times.normals);
+    Stage_timer normals(times.normals);
     estimate_normals(backend, points.cloud.view(), points.cloud.point.data(), t.options.maximum_distance, points.ranks);
     backend.wait();
   }
 
   if(!progress.show(Detection_stage::seeds, 0))
     return false;
-  Stage_timer growth(costs.times.growth);
+  Stage_timer growth(times.growth);
   find_border(points);
   t.seeds = order_seeds(points, {t.options.growth.tolerance, t.options.tight, parameters.cell_size});
   clear_labels(points);

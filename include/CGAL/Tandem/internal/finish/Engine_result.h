@@ -42,7 +42,6 @@ struct Engine_result {
   bool is_cancelled = false;
   bool is_coarse = false;
   Stage_times times;
-  Stage_work work; // of this rank
   std::size_t peak_bytes = 0;
 };
 

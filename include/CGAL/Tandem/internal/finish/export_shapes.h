@@ -118,7 +118,6 @@ Shapes_data export_shapes(Backend& backend, const Import& in, const Parameters& 
   statistics.is_cancelled = result.is_cancelled;
   statistics.peak_bytes = result.peak_bytes;
   statistics.times = result.times;
-  statistics.work = result.work;
   return data;
 }
 

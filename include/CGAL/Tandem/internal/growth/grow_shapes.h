@@ -192,7 +192,7 @@ std::size_t take_growth(Labeled_cloud<Backend>& points, Shape_table<Backend>& sh
     shapes.table() = std::move(shape);
     shapes.plane = std::move(plane);
   }
-  set_number_of_shapes(backend, shapes, size);
+  shapes.size = size;
   const Labels_view labels = points.change_labels(false);
   if(is_sparse || started.size() > 0)
     backend.for_each(points.cloud.size(), Replace_ids{new_id.data(), labels.label});

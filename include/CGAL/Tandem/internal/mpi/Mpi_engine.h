@@ -71,8 +71,7 @@ std::unique_ptr<Detection_engine> make_engine(Mpi_backend<Local>& backend, Impor
 
 // Connectivity is checked on the points of each rank and their ghosts.
 template <class Local>
-std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const Labeled_points& result,
-                              Graph_counts& counts)
+std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const Labeled_points& result)
 {
   if(in.total.points == 0)
     return result.shapes();
@@ -82,7 +81,7 @@ std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const Lab
   of_own.shape = distribution.distribute_values([&](std::size_t i) { return result.shape[i]; });
   if(!in.has_normals)
     of_own.normal = distribution.distribute_values([&](std::size_t i) { return result.normal[i]; });
-  return first_unconnected_here(backend, own, of_own, counts);
+  return first_unconnected_here(backend, own, of_own);
 }
 
 } // namespace internal

@@ -19,7 +19,6 @@ namespace Tandem {
 namespace internal {
 
 struct Labeled_points;
-struct Graph_counts;
 
 // make_engine() of many ranks, in the library Tandem::tandem_mpi; all ranks call it, and each function of the engine.
 // The values of the import go to other ranks; it keeps its numbers of points and items.
@@ -34,8 +33,7 @@ std::unique_ptr<Detection_engine> make_cuda_engine(Mpi_backend<Parallel_host>& h
 
 // The one of engine/first_unconnected.h for a result over many ranks, in the library as well.
 template <class Local>
-std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const Labeled_points& result,
-                              Graph_counts& counts);
+std::size_t first_unconnected(Mpi_backend<Local>& backend, Import& in, const Labeled_points& result);
 
 } // namespace internal
 } // namespace Tandem

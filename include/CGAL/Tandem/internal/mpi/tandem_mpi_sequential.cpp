@@ -13,7 +13,7 @@ namespace internal {
 using Backend = Mpi_backend<Sequential_backend>;
 
 template std::unique_ptr<Detection_engine> make_engine(Backend&, Import&, const Parameters&, Progress&);
-template std::size_t first_unconnected(Backend&, Import&, const Labeled_points&, Graph_counts&);
+template std::size_t first_unconnected(Backend&, Import&, const Labeled_points&);
 template Distance_estimate complete_parameters(Backend&, const Import&, bool, Parameters&);
 template std::string set_scale(Backend&, Import&, bool, Parameters&);
 template Shapes_data export_shapes(Backend&, const Import&, const Parameters&, const Engine_result&);

@@ -247,7 +247,7 @@ void split_shapes(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, 
   backend.for_each(number,
                    Start_half{shapes.change_moments(), shapes.plane.data(), found.id.data(), found.accepted.data(),
                               found.split.data(), new_id.data(), std::uint32_t(first_new)});
-  set_number_of_shapes(backend, shapes, first_new + number);
+  shapes.size = first_new + number;
   typename Backend::template Buffer<std::uint32_t> chosen(points.cloud.size());
   backend.for_each(chosen.size(), Choose_half{points.cloud.point.data(), points.label(), new_id.data(),
                                               shapes.plane.data(), chosen.data()});

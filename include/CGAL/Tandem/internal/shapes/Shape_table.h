@@ -80,14 +80,6 @@ private:
   bool has_fits_ = false;
 };
 
-// Changes the number of ids. Loops of as many items or fewer count as loops over shapes.
-template <class Backend>
-void set_number_of_shapes(Backend& backend, Shape_table<Backend>& shapes, std::size_t n)
-{
-  shapes.size = n;
-  backend.counter().set_shapes(n);
-}
-
 template <class Backend, class F>
 void for_each_shape(Backend& backend, const Shape_table<Backend>& shapes, F f)
 {
@@ -118,22 +110,6 @@ struct Has_points {
 
   CGAL_TANDEM_HD bool operator()(std::uint32_t id) const { return shape[id].moments.count >= minimum_size; }
 };
-
-struct Copy_sizes {
-  const Shape* shape;
-  std::int64_t* size;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id) const { size[id] = shape[id].moments.count; }
-};
-
-// A copy of the numbers of points, by id, for what goes on with these sizes while they change.
-template <class Backend>
-typename Backend::template Buffer<std::int64_t> sizes_of(Backend& backend, const Shape_table<Backend>& shapes)
-{
-  typename Backend::template Buffer<std::int64_t> size(shapes.size);
-  for_each_shape(backend, shapes, Copy_sizes{shapes.counted(), size.data()});
-  return size;
-}
 
 struct Shape_counts {
   std::size_t shapes, points;
@@ -218,19 +194,6 @@ template <class Backend>
 void sum_deltas(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes)
 {
   sum_moments(backend, ranks, shapes.size, shapes.delta.data());
-}
-
-struct Count_deltas {
-  const Shared_moments* delta;
-
-  CGAL_TANDEM_HD void operator()(std::size_t id, std::int64_t* sum) const { sum[0] += is_any(delta[id]); }
-};
-
-// The number of shapes that a pass has changed.
-template <class Backend>
-std::size_t count_deltas(Backend& backend, const Shape_table<Backend>& shapes)
-{
-  return std::size_t(backend.template sum<1>(shapes.size, Count_deltas{shapes.delta.data()})[0]);
 }
 
 // Adds the sums to moments and boxes, and makes them zero again. A lost point does not shrink a box.

@@ -49,7 +49,6 @@ public:
   {
     if(n == 0)
       return;
-    counter_.add_loop(n);
     const bool is_long = grain < item_lanes;
     if(n <= (is_long ? long_items_of_queue : items_of_queue) && grain >= grain_of_queue)
       return queue_loop(n, is_long ? n * (item_lanes / warp_size) : n, Item_loop<F>{f});
@@ -63,7 +62,6 @@ public:
   template <class F>
   void for_each_on_host(std::size_t n, F f, std::size_t few = 256)
   {
-    counter_.add_loop(n);
     host_.for_each_on_host(n, f, few);
   }
 
@@ -73,7 +71,6 @@ public:
   {
     if(cells == 0)
       return;
-    counter_.add_cells(cells);
     if constexpr(sizeof(Scratch) <= shared_bytes)
       run_cells<Scratch><<<unsigned(cells), cell_lanes, sizeof(Scratch), stream_of_thread()>>>(
         cells == order_.size() ? order_.data() : nullptr, body);
@@ -98,11 +95,7 @@ public:
     for_each(cells.size(), Take_indices{order.view(), order_.data()});
   }
 
-  void sort(Sort_table& table, int bits = 63)
-  {
-    counter_.add_loop(table.size());
-    table.sort(bits);
-  }
+  void sort(Sort_table& table, int bits = 63) { table.sort(bits); }
 
   // Runs, then passes that double their width; keys change between two buffers. Starts in the buffer from which the
   // last pass ends in `key`.
@@ -110,7 +103,6 @@ public:
   {
     if(ranges == 0)
       return;
-    const One_loop loop(counter_, size);
     std::size_t passes = 0;
     while(keys_of_run << passes < largest)
       ++passes;
@@ -130,7 +122,6 @@ public:
   template <class F>
   Buffer<std::uint32_t> compact(std::size_t n, F is_kept)
   {
-    counter_.add_loop(n);
     constexpr std::size_t large = std::size_t(1) << 18;
     Buffer<std::uint32_t> kept(n);
     const std::size_t size = select_items(n, is_kept, kept.data());
@@ -148,7 +139,6 @@ public:
   template <class T, class F>
   Buffer<T> collect(std::size_t n, F f)
   {
-    counter_.add_loop(n);
     Buffer<std::uint32_t> found(n);
     Buffer<T> items(select_items(n, Has_item<F>{f}, found.data()));
     for_each(items.size(), Take_item<T, F>{f, found.data(), items.data()});
@@ -162,7 +152,6 @@ public:
     std::array<std::int64_t, N> total = {};
     if(n == 0)
       return total;
-    counter_.add_loop(n);
     const bool is_queued = n <= items_of_queue;
     const std::size_t parts =
       is_queued ? (std::min)((n + warp_size - 1) / warp_size, maximum_loop_blocks * item_lanes / warp_size)
@@ -185,14 +174,12 @@ public:
   template <class Rounds>
   void run_rounds(std::size_t maximum_rounds, std::size_t items, const Rounds& rounds)
   {
-    counter_.add_loop(items);
     launch_rounds(maximum_rounds, items, rounds);
   }
 
   template <class T, class F>
   Buffer<T> make_buffer(std::size_t n, F f)
   {
-    counter_.add_loop(n);
     Buffer<T> items(n);
     if(n == 0 || n * sizeof(T) > bytes_of_queue || sizeof(T) % sizeof(std::uint32_t) != 0)
       make_on_device(n, f, items.data());
@@ -206,20 +193,6 @@ public:
   }
 
   void wait() { synchronize(); }
-
-  Work_counter& counter() { return counter_; }
-
-  // Loops, and what this thread has asked of its devices so far: a difference is of this back end if the thread uses no
-  // other one meanwhile.
-  Work_counts work() const
-  {
-    const Device_work& device = Device_work::of_thread();
-    Work_counts counts = counter_.counts();
-    counts.launches = device.launches;
-    counts.waits = device.waits;
-    counts.bytes_copied = device.bytes_copied;
-    return counts;
-  }
 
   template <class T>
   void to_host(const T* source, std::size_t n, T* target)
@@ -267,7 +240,6 @@ public:
 
 private:
   Parallel_host host_;
-  Work_counter counter_;
   Buffer<std::uint32_t> order_; // cells by falling size: see expect_cells()
 
   // What a block has on all devices without a further setting, less the shared variables of Cuda_block.

@@ -50,8 +50,12 @@ std::unique_ptr<Detection_engine> make_cuda_engine(Import& in, const Parameters&
 bool is_cuda_available();
 // One line: the device, or why there is none.
 std::string cuda_device_report();
-// Frees memory of host and devices that calls have kept; memory in use stays.
+// Frees memory of host and devices that calls have kept; memory in use stays. For tests, which measure the rest.
 void release_cuda_memory();
+
+// What this thread has asked of its devices so far, for tests: cuda/runtime/Device_work.cuh.
+struct Device_work;
+Device_work cuda_work_of_thread();
 
 // The number of points for which the current device has memory now.
 std::size_t cuda_capacity(const Parameters& parameters, bool has_normals);

@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  // The pool keeps all freed memory for later calls; release_memory() returns it.
+  // The pool keeps all freed memory for later calls; release_cuda_memory() returns it.
   static cudaMemPool_t make(int device)
   {
     cudaMemPoolProps properties = {};

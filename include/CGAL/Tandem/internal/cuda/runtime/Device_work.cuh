@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a thread of the host has asked of its devices, for the statistics. No result depends on it.
+// What a thread of the host has asked of its devices, for tests. No result depends on it.
 
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_WORK_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_RUNTIME_DEVICE_WORK_CUH

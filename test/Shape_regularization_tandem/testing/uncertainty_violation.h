@@ -4,9 +4,10 @@
 // Checks of the uncertainty of planes: from the caller's coordinates in double, where the detection has integers of the
 // grid. Margins bound what its rounding changes. Each function returns the first violation, or an empty text.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_UNCERTAINTY_VIOLATION_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_UNCERTAINTY_VIOLATION_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_UNCERTAINTY_VIOLATION_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_UNCERTAINTY_VIOLATION_H
 
+#include <CGAL/Shape_regularization_tandem/internal/relation_violation.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
 #include <CGAL/Tandem/internal/finish/measure_planes.h>
 
@@ -38,16 +39,6 @@ struct Plane_sums {
     }
   }
 
-  void add(const Plane_sums& s)
-  {
-    count += s.count;
-    squares += s.squares;
-    for(int i = 0; i < 3; ++i)
-      sum[i] += s.sum[i];
-    for(int i = 0; i < 6; ++i)
-      product[i] += s.product[i];
-  }
-
   // About the centroid of the points.
   Symmetric_matrix scatter() const
   {
@@ -55,17 +46,6 @@ struct Plane_sums {
     return {about(0, 0, 0), about(1, 0, 1), about(2, 0, 2), about(3, 1, 1), about(4, 1, 2), about(5, 2, 2)};
   }
 };
-
-// The sums of all ranks. Their order does not matter: there are margins.
-template <class Ranks>
-std::vector<Plane_sums> sums_of_all(const Ranks& ranks, const std::vector<Plane_sums>& own)
-{
-  std::vector<Plane_sums> total(own.size());
-  const std::vector<Plane_sums> all = ranks.gather(own);
-  for(std::size_t i = 0; i < all.size(); ++i)
-    total[i % own.size()].add(all[i]);
-  return total;
-}
 
 // A symmetric matrix of two axes of the plane; its eigenvectors are (cosine, sine) and (-sine, cosine).
 struct Matrix_in_plane {
@@ -152,7 +132,6 @@ private:
   }
 };
 
-// sums: of the points of all ranks.
 inline std::string uncertainty_violation(const Shapes_data& data, const Grid& grid, const std::vector<Plane_sums>& sums)
 {
   for(std::size_t s = 0; s < sums.size(); ++s) {
@@ -169,4 +148,4 @@ inline std::string uncertainty_violation(const Shapes_data& data, const Grid& gr
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_UNCERTAINTY_VIOLATION_H
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_UNCERTAINTY_VIOLATION_H

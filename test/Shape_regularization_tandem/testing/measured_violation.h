@@ -1,13 +1,17 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks of the statistics of a result: what follows from points, labels and relations is computed again, the rest has
-// to be possible. Each function returns the first violation, or an empty text.
+// What is_valid_result() does not look at: whether statistics and uncertainties are those of the points, the labels and
+// the relations. They are computed again, or have to be possible.
 
-#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H
-#define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MEASURED_VIOLATION_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MEASURED_VIOLATION_H
 
-#include <CGAL/Tandem/internal/engine/first_unconnected.h>
+#include "count_links.h"
+#include "uncertainty_violation.h"
+
+#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
+#include <CGAL/Tandem/internal/finish/explain_free_points.h>
 #include <CGAL/Tandem/internal/finish/measure_relations.h>
 #include <CGAL/Tandem/internal/finish/measure_shapes.h>
 
@@ -15,29 +19,11 @@
 #include <cmath>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
-
-// Sums over the points of all ranks, of which no order changes a bit.
-struct Point_sums {
-  std::uint64_t assigned = 0, distance = 0, fit = 0; // the latter two in units of Score_item and Score
-  std::uint64_t fit_error = 0; // what rounding of distances may change of the latter, in 2^-20 points
-  std::uint64_t peak_bytes = 0;
-};
-
-// The distance of a point to its plane, and what it may be.
-struct Measured_distance {
-  double value, tolerance;
-
-  // In units of the score.
-  std::uint64_t share_of(double length) const
-  {
-    const double share = value < length ? value / length : 1;
-    return std::uint64_t((value > 0 ? share : 0) * double(Score_item::tolerance_units) + .5);
-  }
-};
 
 // A number of the statistics, and what it should be.
 struct Statistic {
@@ -73,6 +59,36 @@ inline double rounding_of_distances(const Shapes_data& data, const Import& in)
   return (std::min)(distance_margin(in.grid) * in.grid.step + 2 * epsilon / double(Score_item::tolerance_units),
                     epsilon);
 }
+
+// Sums over the points of shapes.
+struct Point_sums {
+  std::uint64_t assigned = 0, distance = 0, fit = 0; // the latter two in units of Score_item and Score
+  double fit_error = 0;                              // what rounding of distances may change of the latter, in points
+  std::vector<Plane_sums> planes;
+
+  Point_sums(const Shapes_data& data, const Import& in) : planes(data.coefficients.size())
+  {
+    const double epsilon = data.parameters.maximum_distance, rounding = 2 * rounding_of_distances(data, in);
+    const auto share_of = [](double distance, double length) {
+      return std::uint64_t((std::min)(distance / length, 1.) * double(Score_item::tolerance_units) + .5);
+    };
+    for(std::size_t i = 0; i < in.size(); ++i) {
+      const std::int32_t s = data.shape_of[in.item_of(i)];
+      if(s < 0)
+        continue;
+      const Coefficients& c = data.coefficients[std::size_t(s)];
+      const Vector p = in.position(i);
+      const double found = std::fabs(c[0] * p.x + c[1] * p.y + c[2] * p.z + c[3]);
+      const double tolerance =
+        in.has_tolerances ? epsilon * level_factor(level_of((std::min)(in.tolerances[i], epsilon), epsilon)) : epsilon;
+      ++assigned;
+      distance += share_of(found, epsilon);
+      fit += std::uint64_t(Score::weight_at({1, 0}, share_of(found, tolerance)));
+      fit_error += (std::min)(rounding / tolerance, 1.) + 1e-6;
+      planes[std::size_t(s)].add(p, data.uncertainty[std::size_t(s)], found, in.grid.step);
+    }
+  }
+};
 
 // The notes that follow from the parameters.
 inline std::string note_violation(const Shapes_data& data)
@@ -123,12 +139,61 @@ inline std::string count_violation(const Shapes_data& data, const Import& in, co
     return wrong_count;
   return first_violation({
     {"mean_distance", t.mean_distance, mean, rounding},
-    {"score.fit", t.score.fit, r.score.fit, std::ldexp(double(sums.fit_error), -20) + assigned / double(Score::unit)},
+    {"score.fit", t.score.fit, r.score.fit, sums.fit_error + assigned / double(Score::unit)},
     {"score.size", t.score.size, r.score.size, 0},
     {"score.price", t.score.price, r.score.price, 0},
     {"score.freedom", t.score.freedom, r.score.freedom, 0},
   });
 }
+
+// Surfels and points get the estimated normals of a result. In a result, all points of a surfel have one.
+template <class Backend>
+void take_normals(const Ranks<Backend>& ranks, const std::vector<std::uint32_t>& normal, Sorted_cloud<Backend>& cloud)
+{
+  const Surfels_view surfels = cloud.surfels();
+  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p) {
+    const std::uint32_t n = normal[cloud.order.data()[p]];
+    cloud.point.data()[surfels.of_point(p)].normal = n;
+    if(cloud.has_surfels())
+      cloud.all_points.data()[p].normal = n;
+  }
+  ranks.refresh(cloud.point.data(), Rings::inner);
+}
+
+// The reasons why points have no shape. label: by surfel, with ghosts.
+template <class Backend>
+Free_points count_free_points(Labeled_cloud<Backend>& points, const Import& in, const Labeled_points& result,
+                              const std::vector<std::uint32_t>& label)
+{
+  Sorted_cloud<Backend>& cloud = points.cloud;
+  if(!in.has_normals) // on all ranks, also where one has no points
+    take_normals(points.ranks, result.normal, cloud);
+  std::vector<std::uint32_t> point_label;
+  for(std::uint32_t p = 0; p < cloud.number_of_points(); ++p)
+    point_label.push_back(std::uint32_t(result.shape[cloud.order.data()[p]])); // -1 becomes free_label
+  static_assert(free_label == no_index && free_label == std::uint32_t(-1), "a free surfel has no shape");
+  const Final_shapes shapes = {{cloud.surfels(), label.data(), point_label.data()}, label.data()};
+  return explain_free_points(points, shapes, result.planes, in.grid,
+                             make_options(in, result.parameters).growth.tolerance);
+}
+
+// What is counted in the neighbor graph.
+struct Graph_counts {
+  Score_counts score; // links only
+  Free_points free_points;
+
+  template <class Backend>
+  Graph_counts(Backend& backend, Import& in, const Labeled_points& result)
+  {
+    std::size_t mixed = result.shapes();
+    Labeled_cloud<Backend> points(backend);
+    const std::vector<std::uint32_t> label = label_graph(points, in, result, mixed);
+    const Cloud_view view = points.cloud.view();
+    for(std::uint32_t i = 0; i < view.size; ++i)
+      count_links(view, i, label.data(), score);
+    free_points = count_free_points(points, in, result, label);
+  }
+};
 
 // The links, and the reasons of points without a shape, are counted again in the neighbor graph, unless shapes were
 // left out. A detection that was cancelled before it had shapes may have had no graph, and no reasons.
@@ -157,22 +222,8 @@ inline std::string graph_violation(const Shapes_data& data, const Graph_counts& 
   });
 }
 
-// Work cannot be counted again; only impossible numbers are refused.
-inline std::string work_violation(const Stage_work& stages)
-{
-  const auto& [prepare, rounds, finish] = stages;
-  for(const Work* w : {&prepare, &rounds, &finish}) {
-    const auto& [over_points, over_lists, over_shapes, launches, waits, bytes] = *w;
-    for(const double number :
-        {over_points, over_lists, double(over_shapes), double(launches), double(waits), double(bytes)})
-      if(!(number >= 0 && number < 1e18))
-        return "the work of a stage is " + to_text(number);
-  }
-  return {};
-}
-
 // Seconds, rounds and bytes cannot be measured again.
-inline std::string cost_violation(const Statistics& t, const Import& in, const Point_sums& sums)
+inline std::string cost_violation(const Statistics& t, const Import& in)
 {
   const auto& [normals, sort, neighbors, growth, regularity, finish, total] = t.times;
   double stages = 0;
@@ -183,22 +234,57 @@ inline std::string cost_violation(const Statistics& t, const Import& in, const P
   }
   if(!(std::fabs(total - stages) <= 1e-9 * stages))
     return "the stages take " + to_text(stages) + " seconds, but all of it " + to_text(total);
-  const std::size_t least_rounds = t.number_of_shapes > 0 ? 1 : 0;
-  if(t.number_of_rounds < least_rounds || t.number_of_rounds > std::size_t(tuning::loop::maximum_rounds))
+  const bool has_shapes = t.number_of_shapes > 0;
+  if(t.number_of_rounds < std::size_t(has_shapes) || t.number_of_rounds > std::size_t(tuning::loop::maximum_rounds))
     return "there are " + to_text(t.number_of_rounds) + " rounds";
-  constexpr std::uint64_t least_bytes = sizeof(Grid_point), most_bytes = 1024; // of a point
-  constexpr std::uint64_t other_bytes = std::uint64_t(1) << 20;                // tables that every rank has
-  if(sums.peak_bytes > most_bytes * in.total.points + other_bytes ||
-     (t.number_of_shapes > 0 && sums.peak_bytes < least_bytes * in.total.points))
-    return "the tables of " + to_text(in.total.points) + " points had " + to_text(sums.peak_bytes) + " bytes";
-  const std::string wrong_work = work_violation(t.work);
-  if(!wrong_work.empty())
-    return wrong_work;
+  const std::size_t points = std::size_t(in.total.points), other_bytes = std::size_t(1) << 20;
+  if(t.peak_bytes > 1024 * points + other_bytes || (has_shapes && t.peak_bytes < sizeof(Grid_point) * points))
+    return "the tables of " + to_text(points) + " points had " + to_text(t.peak_bytes) + " bytes";
   return t.backend.empty() ? "there is no back end" : "";
+}
+
+// Of a result that is_valid_result() accepts. Empty if there is none.
+template <class PointRange, class GeomTraits, class NP>
+std::string measured_violation(const PointRange& points, const Planar_shapes_3<GeomTraits>& shapes, const NP& np)
+{
+  const Round_to_nearest rounding;
+  const Shapes_data& data = shapes.data();
+  return with_traits<CGAL::Parallel_if_available_tag>(points, np, [&](const auto& traits) {
+    auto backend = traits.backend();
+    using Backend = decltype(backend);
+    Import in = read_range(backend, points, np, traits);
+    drop_far_points(Ranks<Backend>(backend), in, data.parameters.maximum_distance);
+    choose_grid(in, data.parameters);
+    const Point_sums sums(data, in);
+    for(const std::string& violation :
+        {count_violation(data, in, sums), note_violation(data), cost_violation(data.statistics, in),
+         uncertainty_violation(data, in.grid, sums.planes)})
+      if(!violation.empty())
+        return violation;
+    if(in.total.points == 0)
+      return std::string();
+    Labeled_points labeled = {data.parameters, data.coefficients, {}, {}};
+    for(std::size_t i = 0; i < in.size(); ++i) {
+      labeled.shape.push_back(data.shape_of[in.item_of(i)]);
+      if(!in.has_normals)
+        labeled.normal.push_back(data.normal[in.item_of(i)]);
+    }
+    return graph_violation(data, Graph_counts(backend, in, labeled));
+  });
 }
 
 } // namespace internal
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_STATISTICS_VIOLATION_H
+// What is wrong with a result, or nothing.
+template <class PointRange, class GeomTraits, class NP>
+std::string violation_of(const PointRange& points, const CGAL::Tandem::Planar_shapes_3<GeomTraits>& shapes,
+                         const NP& np)
+{
+  std::string why;
+  const bool is_valid = CGAL::Tandem::is_valid_result(points, shapes, np, &why);
+  return is_valid ? CGAL::Tandem::internal::measured_violation(points, shapes, np) : why;
+}
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_MEASURED_VIOLATION_H
