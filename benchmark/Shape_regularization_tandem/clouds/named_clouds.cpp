@@ -3,7 +3,7 @@
 
 #include "named_clouds.h"
 #include "label_files.h"
-#include "scene_normals.h"
+#include "scenes/scene_normals.h"
 #include "scenes/scene_twins.h"
 
 #include <cstdio>

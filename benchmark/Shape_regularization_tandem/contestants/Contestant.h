@@ -9,6 +9,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTESTANT_H
 
 #include "testing/evaluate.h"
+#include "testing/measure.h"
 #include "clouds/ply_cloud.h"
 
 #include <CGAL/Tandem/Parameters.h>
@@ -67,12 +68,12 @@ struct Contestant {
   std::function<Run(const Ply_cloud&, const Task&, const Run&)> step;
 };
 
-// All that are compiled in, each after its base (contestants.h). Throws std::invalid_argument for an unknown name.
+// All that are compiled in, each after its base. Throws std::invalid_argument for an unknown name.
 std::vector<Contestant> contestants();
 Contestant contestant(const std::string& name);
 
 // The result without the points that violate the tolerances, and then without the shapes that have become too small:
-// what a detector has under the tolerances it was given (contestants.h). `normals` are those that the run used.
+// what a detector has under the tolerances it was given. `normals` are those that the run used.
 Detection cleaned(const Ply_cloud& cloud, const std::vector<Vec>& normals, const Task& task, Detection detection);
 
 // Of the step, after the base that is given; what it throws is the error of a run that did not finish.
@@ -80,6 +81,30 @@ Run run_after(const Contestant& contestant, const Ply_cloud& cloud, const Task& 
 
 // The same after its own base, if it has one.
 Run run(const Contestant& contestant, const Ply_cloud& cloud, const Task& task);
+
+// What the families of contestants share. Each family is compiled on its own, since each has heavy headers.
+std::vector<Contestant> tandem_contestants();
+std::vector<Contestant> cgal_contestants();
+std::vector<Contestant> pcl_contestants(); // none where PCL was not found
+
+inline bool estimates_normals(const Ply_cloud& cloud, const Task& task)
+{
+  return task.estimates_normals || !cloud.has_normals();
+}
+
+// FNV-1a of the labels and of the bits of the planes, as 16 digits.
+std::string hash_of(const Detection& detection);
+
+// The last lines of each step.
+inline Run finished(Run run, const Meter& meter)
+{
+  run.user += meter.processor();
+  run.peak_bytes = (std::max)(run.peak_bytes, meter.peak_bytes());
+  if(run.hash.empty())
+    run.hash = hash_of(run.detection);
+  run.finished = true;
+  return run;
+}
 
 } // namespace CGAL::Tandem::benchmark
 

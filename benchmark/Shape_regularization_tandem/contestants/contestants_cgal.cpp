@@ -3,9 +3,9 @@
 //
 // CGAL's detectors of planes, and its regularization of their results.
 
-#include "contestants.h"
+#include "Contestant.h"
 #include "testing/fit_plane.h"
-#include "clouds/scene_normals.h"
+#include "scenes/scene_normals.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>

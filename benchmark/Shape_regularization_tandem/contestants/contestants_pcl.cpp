@@ -4,7 +4,7 @@
 // PCL's region growing, with a plane fitted to each of its clusters: the fastest
 // peer that runs on processors.
 
-#include "contestants.h"
+#include "Contestant.h"
 
 #ifdef TANDEM_HAS_PCL
 #include "testing/fit_plane.h"

@@ -3,7 +3,7 @@
 //
 // Tandem on each of its back ends, through its public interface.
 
-#include "contestants.h"
+#include "Contestant.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Simple_cartesian.h>

@@ -19,8 +19,6 @@ struct Segmentation {
   double mean_iou = 0;        // of the shapes that match
   double over_segmented = 0;  // share of the faces that several shapes match partly
   double under_segmented = 0; // share of the shapes that match several faces partly
-  double missed = 0;          // share of the faces that are neither matched nor part of the two above
-  double noise = 0;           // share of the shapes, likewise
 };
 
 class Segmentation_judge {
@@ -49,12 +47,9 @@ private:
   void match()
   {
     std::size_t found = 0, right = 0;
-    shape_matches_.assign(o_.shapes, false);
-    face_matches_.assign(o_.faces, false);
     for(std::size_t s = 0; s < o_.shapes; ++s)
       for(std::size_t f = 0; f < o_.faces; ++f)
         if(iou(s, f) >= full) {
-          shape_matches_[s] = face_matches_[f] = true;
           ++right;
           found += counts_[f];
           result_.mean_iou += iou(s, f);
@@ -67,33 +62,23 @@ private:
 
   void match_partly()
   {
-    std::vector<std::vector<std::size_t>> faces(o_.shapes), shapes(o_.faces);
+    std::vector<std::size_t> faces(o_.shapes, 0), shapes(o_.faces, 0); // their partners
     for(std::size_t s = 0; s < o_.shapes; ++s)
       for(std::size_t f = 0; f < o_.faces; ++f)
         if(iou(s, f) >= part) {
-          faces[s].push_back(f);
-          shapes[f].push_back(s);
+          ++faces[s];
+          ++shapes[f];
         }
-    // Alone: it has no partner, or one that it does not match and that has no other.
-    const auto is_alone = [](const auto& partners, const auto& of_partners, bool matches) {
-      return partners.empty() || (partners.size() == 1 && !matches && of_partners[partners[0]].size() == 1);
-    };
-    for(std::size_t s = 0; s < o_.shapes; ++s) {
-      result_.under_segmented += faces[s].size() > 1;
-      result_.noise += is_alone(faces[s], shapes, shape_matches_[s]);
-    }
-    for(std::size_t f = 0; f < o_.faces; ++f) {
-      result_.over_segmented += counts_[f] && shapes[f].size() > 1;
-      result_.missed += counts_[f] && is_alone(shapes[f], faces, face_matches_[f]);
-    }
+    for(std::size_t s = 0; s < o_.shapes; ++s)
+      result_.under_segmented += faces[s] > 1;
+    for(std::size_t f = 0; f < o_.faces; ++f)
+      result_.over_segmented += counts_[f] && shapes[f] > 1;
     result_.under_segmented = ratio(result_.under_segmented, double(o_.shapes));
-    result_.noise = ratio(result_.noise, double(o_.shapes));
     result_.over_segmented = ratio(result_.over_segmented, double(result_.faces));
-    result_.missed = ratio(result_.missed, double(result_.faces));
   }
 
   const Overlap& o_;
-  std::vector<bool> counts_, shape_matches_, face_matches_;
+  std::vector<bool> counts_; // by face
   Segmentation result_;
 };
 
@@ -112,8 +97,6 @@ inline void append_segmentation(Row& row, bool is_known, const Segmentation& s)
   append_cell_if(row, is_known, "mean_iou", s.mean_iou);
   append_cell_if(row, is_known, "over_segmented", s.over_segmented);
   append_cell_if(row, is_known, "under_segmented", s.under_segmented);
-  append_cell_if(row, is_known, "missed", s.missed);
-  append_cell_if(row, is_known, "noise", s.noise);
 }
 
 } // namespace CGAL::Tandem::benchmark

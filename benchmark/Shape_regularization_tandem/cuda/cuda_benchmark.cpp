@@ -122,54 +122,34 @@ cuda_benchmark cuda|parallel|sequential RUNS CLOUD.ply EPSILON MINIMUM [own]
   std::exit(2);
 }
 
-double number(const std::string& text, double smallest, double largest)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if(text.empty() || *end != '\0' || !(value >= smallest && value <= largest))
-    exit_with_usage("'" + text + "' is no number that is allowed there");
-  return value;
-}
-
 int main(int argc, char** argv)
-{
-  constexpr double maximum_points = 2147483648.0;
-  std::vector<std::string> arguments(argv + 1, argv + argc);
+try {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::string backend = !arguments.empty() ? arguments[0] : "cuda";
   if(backend != "cuda" && backend != "parallel" && backend != "sequential")
     exit_with_usage("unknown back end '" + backend + "'");
-  const int runs = arguments.size() > 1 ? int(number(arguments[1], 1, 1e6)) : 3;
-  const bool is_file = arguments.size() > 2 && arguments[2].find(".ply") != std::string::npos;
-  std::vector<std::size_t> sizes;
-  double maximum_distance = 0;
-  std::size_t minimum_region_size = 0;
-  if(is_file) {
-    const bool is_own = arguments.size() == 6 && arguments[5] == "own";
-    if(arguments.size() != 5 && !is_own)
-      exit_with_usage("a cloud needs EPSILON and MINIMUM");
-    maximum_distance = number(arguments[3], 1e-30, 1e30);
-    minimum_region_size = std::size_t(number(arguments[4], 3, maximum_points));
-  } else {
-    for(std::size_t i = 2; i < arguments.size(); ++i)
-      sizes.push_back(std::size_t(number(arguments[i], 1, maximum_points)));
-    if(sizes.empty())
-      sizes = {1000000, 5200000};
-  }
-  if(backend == "cuda" && !CGAL::Tandem::cuda_available()) {
-    std::cerr << "cuda_benchmark: " << CGAL::Tandem::cuda_device_report() << std::endl;
-    return EXIT_FAILURE;
-  }
+  if(backend == "cuda" && !CGAL::Tandem::cuda_available())
+    throw std::runtime_error(CGAL::Tandem::cuda_device_report());
+  const int runs = arguments.size() > 1 ? std::stoi(arguments[1]) : 3;
   std::cout << "# " << CGAL::Tandem::cuda_device_report() << '\n'
             << "backend,points,run,wall "
                "ms,sort,neighbors,normals,growth,regularity,final,rounds,shapes,coverage,bytes a "
                "point,hash\n";
-  try {
-    if(is_file)
-      run(backend, job_of_file(arguments[2], maximum_distance, minimum_region_size, arguments.size() == 5), runs);
-    for(std::size_t size : sizes)
-      run(backend, job_of_scan(size), runs);
-  } catch(const std::exception& e) {
-    std::cerr << "cuda_benchmark: " << e.what() << std::endl;
-    return EXIT_FAILURE;
+  if(arguments.size() > 2 && arguments[2].find(".ply") != std::string::npos) {
+    const bool is_own = arguments.size() == 6 && arguments[5] == "own";
+    if(arguments.size() != 5 && !is_own)
+      exit_with_usage("a cloud needs EPSILON and MINIMUM");
+    run(backend, job_of_file(arguments[2], std::stod(arguments[3]), std::stoul(arguments[4]), !is_own), runs);
+    return EXIT_SUCCESS;
   }
+  std::vector<double> sizes = {1e6, 5.2e6}; // are read as such numbers, too
+  if(arguments.size() > 2)
+    sizes.clear();
+  for(std::size_t i = 2; i < arguments.size(); ++i)
+    sizes.push_back(std::stod(arguments[i]));
+  for(double size : sizes)
+    run(backend, job_of_scan(std::size_t(size)), runs);
+} catch(const std::exception& e) {
+  std::cerr << "cuda_benchmark: " << e.what() << std::endl;
+  return EXIT_FAILURE;
 }

@@ -37,8 +37,7 @@ Trials::Trials(const Experiment_options& options, const std::string& name) : opt
 const Row& Trials::add(const Named_cloud& c, const Task& task, const Trial& trial)
 {
   const Contestant who = contestant(trial.contestant);
-  const Run run = trial.base && trial.base->finished ? run_after(who, c.cloud, task, *trial.base)
-                                                     : benchmark::run(who, c.cloud, task);
+  const Run run = benchmark::run(who, c.cloud, task);
   Row row = trial.columns;
   append_cell(row, "contestant", who.name);
   append_cell(row, "method", trial.method.empty() ? who.description : trial.method);
@@ -49,12 +48,6 @@ const Row& Trials::add(const Named_cloud& c, const Task& task, const Trial& tria
   rows_.push_back(row);
   print(row, trial.columns);
   return rows_.back();
-}
-
-Run Trials::run_base(const Named_cloud& c, const std::string& contestant_name, const Task& task) const
-{
-  const std::string base = contestant(contestant_name).base;
-  return base.empty() ? Run() : run(contestant(base), c.cloud, task);
 }
 
 void Trials::write() const { write_csv(path(".csv"), rows_); }

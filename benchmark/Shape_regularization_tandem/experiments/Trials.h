@@ -13,9 +13,8 @@ namespace CGAL::Tandem::benchmark {
 
 struct Trial {
   std::string contestant;
-  Row columns;               // the step of the experiment
-  std::string method = "";   // its name in the table; by default as the contestant describes itself
-  const Run* base = nullptr; // continued by this one
+  Row columns;             // the step of the experiment
+  std::string method = ""; // its name in the table; by default as the contestant describes itself
 };
 
 // The runs of an experiment, printed as they are done and kept as rows.
@@ -25,9 +24,6 @@ public:
 
   // One run. The row that was added; the run may have failed.
   const Row& add(const Named_cloud& c, const Task& task, const Trial& trial);
-
-  // The run of the contestant's base, to be continued by add(); not finished if there is no base.
-  Run run_base(const Named_cloud& c, const std::string& contestant_name, const Task& task) const;
 
   const std::vector<Row>& rows() const { return rows_; }
 

@@ -16,38 +16,25 @@ std::vector<std::string> regularized_methods(const Experiment_options& options)
 
 // The paper's figure 7: a house under more and more noise, and more and more outliers, beside the peers with a
 // regularization afterwards.
-enum class Varied { noise, outliers };
-enum class Use_normals { given, own };
-
-struct Sweep {
-  const char* name;
-  Varied varied;
-  Use_normals normals;
-};
-
-const Sweep sweeps[] = {{"noise", Varied::noise, Use_normals::given},
-                        {"own-normals", Varied::noise, Use_normals::own},
-                        {"outliers", Varied::outliers, Use_normals::given}};
-
 void run_robustness(const Experiment_options& options)
 {
   Trials trials(options, "robustness");
   const std::size_t points = options.is_quick ? 30000 : 100000;
-  for(const Sweep& sweep : sweeps) {
+  for(const std::string sweep : {"noise", "own-normals", "outliers"}) {
     std::vector<double> percents = {0, 0.05, 0.1, 0.2, 0.3, 0.5};
-    if(sweep.varied == Varied::outliers)
+    if(sweep == "outliers")
       percents = {0, 10, 20, 40, 60, 80};
     if(options.is_quick)
       percents = {percents[0], percents[3]};
     for(double percent : percents)
       for(std::uint64_t seed = 1; seed <= (options.is_quick ? 1u : 3u); ++seed) {
         House house{points, percent / 100, 0.05, seed};
-        if(sweep.varied == Varied::outliers)
+        if(sweep == "outliers")
           house = {points, 0.001, percent / 100, seed};
         Named_cloud c = noisy_house(house);
-        c.task.estimates_normals = sweep.normals == Use_normals::own;
+        c.task.estimates_normals = sweep == "own-normals";
         Row columns;
-        append_cell(columns, "sweep", sweep.name);
+        append_cell(columns, "sweep", sweep);
         append_cell(columns, "percent", percent);
         append_cell(columns, "scene_seed", seed);
         for(const std::string& method : regularized_methods(options))
@@ -75,16 +62,14 @@ void run_regularity(const Experiment_options& options)
   if(options.is_quick)
     betas = {0, 8, 24};
   for(const Named_cloud& c : cases)
-    for(const std::string& method : regularized_methods(options)) {
-      const Run base = trials.run_base(c, method, c.task); // does not depend on beta
+    for(const std::string& method : regularized_methods(options))
       for(double beta : betas) {
         Task task = c.task;
         task.angle_tolerance_deg = beta;
         Row columns;
         append_cell(columns, "beta", beta);
-        trials.add(c, task, {method, columns, "", &base});
+        trials.add(c, task, {method, columns});
       }
-    }
   trials.write();
 }
 

@@ -5,7 +5,7 @@
 // detectors read the same normals; optionally of a fixed random subset.
 
 #include "clouds/read_ply.h"
-#include "clouds/scene_normals.h"
+#include "scenes/scene_normals.h"
 
 #include <iostream>
 

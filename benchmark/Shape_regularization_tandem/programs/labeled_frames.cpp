@@ -14,7 +14,7 @@
 // layers: the share of a face that its main shape has, of the worst face and on average.
 
 #include "clouds/named_clouds.h"
-#include "contestants/contestants.h"
+#include "contestants/Contestant.h"
 #include "criteria/judgement.h"
 
 #include <cstdio>
@@ -31,7 +31,7 @@ const std::vector<std::string> columns = {
 // Of the file.
 const char* const written_columns =
   "group cloud normals points shapes coverage mean_distance_in_epsilons degrees_of_freedom_relaxed planes_relaxed "
-  "segmentation_f mean_iou segmentation_precision segmentation_recall over_segmented under_segmented missed noise "
+  "segmentation_f mean_iou segmentation_precision segmentation_recall over_segmented under_segmented "
   "true_faces face_f1_50 point_precision angle_error_deg parallel_false_relaxed score_fit score_links score_size "
   "score_price score_freedom score_of_point";
 const char* const titles = "   F.75    mIoU    prec     rec    over   under  shapes    F1.5   pprec       S";
@@ -168,20 +168,10 @@ private:
       for(const std::string& group : groups) {
         const Values mean = sums[own][group].mean();
         print(group, kinds[own], mean);
-        add_mean(group, kinds[own], mean);
         all.add(mean);
       }
       print("MEAN OF GROUPS", kinds[own], all.mean());
-      add_mean(title + ", mean of groups", kinds[own], all.mean());
     }
-  }
-
-  void add_mean(const std::string& group, const std::string& normals, const Values& mean)
-  {
-    Row row = {{"group", group}, {"cloud", "mean"}, {"normals", normals}};
-    for(std::size_t i = 0; i < mean.size(); ++i)
-      append_cell(row, columns[i], mean[i]);
-    rows_.push_back(row);
   }
 
   // Of the faces: the least share, and that of all points.

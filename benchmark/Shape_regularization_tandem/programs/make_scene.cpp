@@ -1,16 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes a generated cloud with ground truth: a binary PLY with the true face of
-// each point as `label`, and beside it NAME.truth with the plane of each face.
+// Writes a generated cloud with ground truth: a binary PLY with the true face of each point as `label`.
 
 #include "clouds/ply_cloud.h"
-#include "clouds/scene_normals.h"
-#include "scenes/scene_twins.h"
+#include "scenes/scene_normals.h"
+#include "scenes/scenes.h"
 
 #include <boost/program_options.hpp>
 
-#include <iomanip>
 #include <iostream>
 
 namespace scenes = CGAL::Tandem::scenes;
@@ -51,9 +49,6 @@ Request parse(int argc, char** argv)
     std::cout << visible << "\nScenes:";
     for(const std::string& name : scenes::scene_names())
       std::cout << " " << name;
-    std::cout << "\nTwins of real clouds, whose noise, outliers and density are those of a sensor:";
-    for(const scenes::Twin& twin : scenes::twins())
-      std::cout << " " << twin.name;
     std::cout << "\n";
     std::exit(0);
   }
@@ -61,19 +56,12 @@ Request parse(int argc, char** argv)
   return r;
 }
 
-bool is_twin(const std::string& name)
-{
-  return std::any_of(scenes::twins().begin(), scenes::twins().end(),
-                     [&](const scenes::Twin& t) { return t.name == name; });
-}
-
 scenes::Scene generate(Request r)
 {
   r.options.normals = r.normals == "exact"       ? scenes::Normals::exact
                       : r.normals == "perturbed" ? scenes::Normals::perturbed
                                                  : scenes::Normals::none;
-  scenes::Scene scene = is_twin(r.scene) ? scenes::make_twin(scenes::twin(r.scene), r.options.points, r.options.seed)
-                                         : scenes::make_scene(r.scene, r.options);
+  scenes::Scene scene = scenes::make_scene(r.scene, r.options);
   if(r.normals == "blended")
     scenes::set_blended_normals(scene, r.options.normal_noise_deg, r.options.seed);
   else if(r.normals == "pca")
@@ -83,17 +71,6 @@ scenes::Scene generate(Request r)
   return scene;
 }
 
-void write_truth(const std::string& path, const scenes::Scene& scene)
-{
-  std::ofstream out(path);
-  out << std::setprecision(17);
-  for(const scenes::Truth_face& f : scene.faces)
-    out << f.normal.x << " " << f.normal.y << " " << f.normal.z << " " << f.offset << "\n";
-  out.close();
-  if(!out)
-    throw std::runtime_error(path + ": cannot be written");
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -101,7 +78,6 @@ try {
   Request request = parse(argc, argv);
   scenes::Scene scene = generate(request);
   CGAL::Tandem::benchmark::write_ply(request.output, {scene.points, scene.normals, scene.label});
-  write_truth(request.output + ".truth", scene);
   std::cout << request.scene << ": " << scene.points.size() << " points, " << scene.faces.size() << " faces, diagonal "
             << scene.diagonal << "\n";
   return 0;

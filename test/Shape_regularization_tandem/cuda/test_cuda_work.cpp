@@ -10,8 +10,6 @@
 
 BOOST_AUTO_TEST_SUITE(test_cuda_work)
 
-using CGAL::Tandem::Cuda_tag;
-
 // About 5 % above the present numbers.
 constexpr std::uint64_t most_launches = 540, most_waits = 130;
 

@@ -4,8 +4,7 @@
 // Point clouds with ground truth, sampled from the models of scene_buildings.h,
 // scene_analytic.h and scene_bent.h: with noise, outliers, the density of a scanner, and
 // normals that are exact, perturbed, or absent. The same options give the same
-// bits on every machine. (Normals as a neighborhood fit blends them at edges:
-// clouds/scene_normals.h of the benchmark.)
+// bits on every machine. (Normals as a neighborhood fit blends them at edges: scene_normals.h.)
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENES_H

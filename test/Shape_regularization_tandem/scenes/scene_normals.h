@@ -1,7 +1,13 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Normals as most programs make them: the smallest eigenvector of the k nearest
+// points. At edges they are blended, which is what costs detectors thin faces.
 
-#include "scene_normals.h"
+#ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_NORMALS_H
+#define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_NORMALS_H
+
+#include "scenes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/pca_estimate_normals.h>
@@ -11,7 +17,7 @@
 
 namespace CGAL::Tandem::scenes {
 
-std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k)
+inline std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k = 20)
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
@@ -32,12 +38,16 @@ std::vector<Vec> pca_normals(const std::vector<Vec>& points, unsigned k)
   return normals;
 }
 
-void set_blended_normals(Scene& scene, double normal_noise_deg, std::uint64_t seed, unsigned k)
+// A scanner that knows its own noise: fitted on the ideal points (so blended at
+// edges and arbitrary at outliers), then perturbed.
+inline void set_blended_normals(Scene& scene, double normal_noise_deg, std::uint64_t seed)
 {
   Random random(seed ^ 0x6e6f726d616c73u);
-  scene.normals = pca_normals(scene.ideal, k);
+  scene.normals = pca_normals(scene.ideal);
   for(Vec& n : scene.normals)
     n = perturbed(n, normal_noise_deg, random);
 }
 
 } // namespace CGAL::Tandem::scenes
+
+#endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_NORMALS_H
