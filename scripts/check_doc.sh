@@ -18,8 +18,7 @@ html=${TANDEM_DOC_DIR:-build/doc}/html
 manual=doc/Shape_regularization_tandem
 expected=examples/Shape_regularization_tandem/expected
 
-for program in examples/Shape_regularization_tandem/*.cpp examples/detect_planes/detect_planes.cpp examples/python/*.py; do
-  name=${program#examples/}
+for name in $(cd examples && ls Shape_regularization_tandem/*.cpp detect_planes/detect_planes.cpp python/*.py); do
   for command in "^\\\\example $name\$" "\\\\ref $name \"[^\"]*\" | ."; do
     grep -q "$command" $manual/examples.txt || fail "examples.txt does not list $name"
   done
