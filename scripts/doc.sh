@@ -3,9 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Builds the manual as HTML, after installing Doxygen if it is missing. Fails on any warning. Numbers of the method are
-# those of the headers of tuning constants, by scripts/tuning.py.
-#   doc.sh            the manual, with the pictures and tables of the repository
-#   doc.sh --figures  draws these again first, by scripts/doc_figures.sh
+# those of the headers of tuning constants, by tuning.py beside its pages.
 #   TANDEM_DOC_DIR    where to (default: build/doc of this repository)
 #   TANDEM_CGAL_TAGS  folder of the tag files of CGAL's manual (NAME.tag), with which names of CGAL are links to
 #                     https://doc.cgal.org (default: where CGAL's documentation is installed, if it is; empty: no links)
@@ -44,15 +42,10 @@ tag_settings()
     echo 'ALIASES += "cgalRegularize=`CGAL::Shape_regularization::Planes::regularize_planes()`"'
 }
 
-case ${1:-} in
-  '') ;;
-  --figures) "$root/scripts/doc_figures.sh" || exit 1 ;;
-  *) fail "unknown argument $1; usage: doc.sh [--figures]" ;;
-esac
 [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" doxygen python3
 mkdir -p "$TANDEM_DOC_DIR/numbers"
-python3 "$root/scripts/tuning.py" page > "$TANDEM_DOC_DIR/numbers/Numbers.txt"
-settings=$(python3 "$root/scripts/tuning.py" aliases)
+python3 "$doc/tuning.py" page > "$TANDEM_DOC_DIR/numbers/Numbers.txt"
+settings=$(python3 "$doc/tuning.py" aliases)
 folder=$(tag_folder) || fail "TANDEM_CGAL_TAGS is no folder"
 if [ -n "$folder" ]; then
   links=$(tag_settings "$folder")

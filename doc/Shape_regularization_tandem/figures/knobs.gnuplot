@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Curves of one parameter, of the table that scripts/doc_knobs.sh writes.
+# Curves of one parameter, of the table that draw.py writes.
 #   gnuplot -c knobs.gnuplot TABLE.csv PARAMETER PICTURE.png
 
 data = ARG1; parameter = ARG2

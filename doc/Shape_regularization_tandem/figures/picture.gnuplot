@@ -1,22 +1,22 @@
 # Copyright (c) 2026 The Tandem authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Draws the points of a PLY file in the colors of their shapes; called by scripts/render.sh, which explains the options.
+# Draws the points of a PLY file in the colors of their shapes; called by draw.py.
 # The projection is parallel, near points hide far ones, and the normals shade them. Arguments: the file, the picture,
-# the layout of the file (number of points, bytes of the header, types of the columns), and options as assignments.
+# the layout of the file (number of points, bytes of the header, types of the columns), and options as assignments: where
+# the viewer stands (azimuth 0: in the direction of x, 90: of y), how high (elevation), pixels of one view (width, height),
+# and whether only the shapes are drawn (alone), not the cloud in grey beside them.
 
-azimuth = 30; elevation = 35; width = 600; height = 450; top = 1; up = "z"; alone = 0
+azimuth = 30; elevation = 35; width = 600; height = 450; alone = 0
 eval ARG3
 eval ARG4
 
 # Of the vector in the columns c, c + 1 and c + 2.
 set angles degrees
-north(c) = up eq "z" ? column(c + 1) : up eq "y" ? -column(c + 2) : column(c + 2)
-above(c) = up eq "z" ? column(c + 2) : up eq "y" ? column(c + 1) : -column(c + 1)
-away(c) = cos(azimuth) * column(c) + sin(azimuth) * north(c)
-picture_x(c) = cos(azimuth) * north(c) - sin(azimuth) * column(c)
-picture_y(c) = cos(elevation) * above(c) - sin(elevation) * away(c)
-nearness(c) = cos(elevation) * away(c) + sin(elevation) * above(c)
+away(c) = cos(azimuth) * column(c) + sin(azimuth) * column(c + 1)
+picture_x(c) = cos(azimuth) * column(c + 1) - sin(azimuth) * column(c)
+picture_y(c) = cos(elevation) * column(c + 2) - sin(elevation) * away(c)
+nearness(c) = cos(elevation) * away(c) + sin(elevation) * column(c + 2)
 
 # Columns of the file. Light comes from the upper left, in steps: few colors make small files.
 point = 1; normal = 4; red = 7; green = 8; blue = 9; shape = 10
@@ -29,16 +29,9 @@ color(l) = column(shape) < 0 ? rgb(205, 205, 205) : shaded(l, column(red), colum
 
 file = ARG1
 layout = sprintf("binary record=%d skip=%d format='%s' endian=little", points, bytes, types)
-highest = 1e300
-if (top < 1) {
-  stats file @layout using (above(point)) nooutput
-  highest = STATS_min + top * (STATS_max - STATS_min)
-}
-shown_x(c) = above(c) <= highest ? picture_x(c) : NaN
 
 # A few points far off do not make the picture small.
-set datafile missing NaN
-stats file @layout using (shown_x(point)):(picture_y(point)) nooutput
+stats file @layout using (picture_x(point)):(picture_y(point)) nooutput
 lower(least, mean, deviation) = least < mean - 4 * deviation ? mean - 4 * deviation : least
 set xrange [lower(STATS_min_x, STATS_mean_x, STATS_stddev_x):-lower(-STATS_max_x, -STATS_mean_x, STATS_stddev_x)]
 set yrange [lower(STATS_min_y, STATS_mean_y, STATS_stddev_y):-lower(-STATS_max_y, -STATS_mean_y, STATS_stddev_y)]
@@ -50,7 +43,7 @@ set output ARG2
 unset key; unset border; unset tics
 set size ratio -1
 set margins 1, 1, 1, 1
-place = "(shown_x(point)):(picture_y(point)):(nearness(point))"
+place = "(picture_x(point)):(picture_y(point)):(nearness(point))"
 style = "smooth zsort with points pointtype 5 pointsize variable linecolor rgb variable"
 if (!alone) {
   set multiplot layout 1,2

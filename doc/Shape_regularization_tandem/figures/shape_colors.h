@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Colors of shapes: distinct, the same in every run, and the same for the shapes of two results that have most points
-// in common. Colored clouds are written as PLY files, which viewers show and scripts/render.sh draws.
+// in common. Colored clouds are written as PLY files, which viewers show and the figures of the manual draw.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_FIGURES_SHAPE_COLORS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_FIGURES_SHAPE_COLORS_H

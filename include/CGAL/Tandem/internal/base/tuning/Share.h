@@ -5,7 +5,7 @@
 // "Paper" is Oesau, Lafarge and Alliez 2016. "Measured" means: chosen on scans of buildings, rooms and streets and on
 // generated scenes with known faces, by coverage, number of directions and planes, and faces found. Entries that only
 // bound the work, such as numbers of passes, were chosen so that more of them change next to nothing. With other values
-// the result is another one, on all back ends alike. Numbers of the manual are made of these, by scripts/tuning.py.
+// the result is another one, on all back ends alike. Numbers of the manual are made of these, by the manual's tuning.py.
 
 #ifndef CGAL_TANDEM_INTERNAL_BASE_TUNING_SHARE_H
 #define CGAL_TANDEM_INTERNAL_BASE_TUNING_SHARE_H
