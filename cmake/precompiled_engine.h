@@ -13,7 +13,7 @@
 
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
-#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 namespace CGAL {
 namespace Tandem {

@@ -6,7 +6,7 @@
 
 #include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/finish/group_points.h>
+#include <CGAL/Tandem/internal/result/group_points.h>
 
 #include <cstring>
 #include <utility>

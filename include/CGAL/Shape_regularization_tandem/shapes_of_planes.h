@@ -7,7 +7,7 @@
 #include <CGAL/Shape_regularization_tandem/internal/measured_uncertainty.h>
 #include <CGAL/Shape_regularization_tandem/label_points.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
-#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 #include <CGAL/Real_timer.h>
 

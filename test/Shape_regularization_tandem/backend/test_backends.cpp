@@ -7,7 +7,7 @@
 #include "testing/block_searches.h"
 #include "testing/host_backends.h"
 
-#include <CGAL/Tandem/internal/finish/extract_shapes.h>
+#include <CGAL/Tandem/internal/result/extract_shapes.h>
 
 BOOST_AUTO_TEST_SUITE(test_backends)
 

@@ -4,7 +4,7 @@
 // The Hilbert curve: a bijection, octants are contiguous ranges at every level,
 // and consecutive codes belong to positions that share a face.
 
-#include <CGAL/Tandem/internal/cloud/curve.h>
+#include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 
 #include <cstdio>
 #include <cstdlib>

@@ -5,7 +5,7 @@
 
 #include "testing/test_support.h"
 
-#include <CGAL/Tandem/internal/cloud/inspect_points.h>
+#include <CGAL/Tandem/internal/cloud/import_cloud.h>
 
 #include <algorithm>
 #include <limits>

@@ -7,7 +7,7 @@
 
 #include "testing/cuda_support.h"
 
-#include <CGAL/Tandem/internal/cuda/runtime/Device_guard.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Loop_queue.cuh>
 
 #include <cuda_runtime_api.h>
 

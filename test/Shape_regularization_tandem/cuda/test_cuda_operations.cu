@@ -12,8 +12,8 @@
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/cuda/execution/Cuda_backend.cuh>
-#include <CGAL/Tandem/internal/cuda/stages/Cuda_tables.cuh>
-#include <CGAL/Tandem/internal/finish/group_points.h>
+#include <CGAL/Tandem/internal/cuda/stages/Cuda_stages.cuh>
+#include <CGAL/Tandem/internal/result/group_points.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -6,7 +6,7 @@
 
 #include "testing/surfels_of_three.h"
 
-#include <CGAL/Tandem/internal/finish/explain_free_points.h>
+#include <CGAL/Tandem/internal/result/explain_free_points.h>
 
 #include <array>
 #include <cmath>

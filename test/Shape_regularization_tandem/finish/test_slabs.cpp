@@ -6,7 +6,7 @@
 
 #include "testing/body_fixture.h"
 
-#include <CGAL/Tandem/internal/finish/slabs.h>
+#include <CGAL/Tandem/internal/result/explain_free_points.h>
 
 #include <algorithm>
 #include <string>

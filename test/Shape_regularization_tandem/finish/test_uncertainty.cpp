@@ -6,7 +6,7 @@
 
 #include "testing/surfels_of_three.h"
 
-#include <CGAL/Tandem/internal/finish/measure_planes.h>
+#include <CGAL/Tandem/internal/result/measure_planes.h>
 
 #include <cmath>
 #include <string>

@@ -6,7 +6,7 @@
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
-#include <CGAL/Tandem/internal/rounds/Assignment_passes.h>
+#include <CGAL/Tandem/internal/rounds/assign.h>
 
 #include <cstdint>
 #include <string>

@@ -7,7 +7,7 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_CHANGE_TABLE_H
 
 #include <CGAL/Tandem/Shared_table.h>
-#include <CGAL/Tandem/internal/finish/measure_relations.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 #include <utility>
 #include <vector>

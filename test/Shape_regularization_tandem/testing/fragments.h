@@ -11,7 +11,7 @@
 #include "same_bits.h"
 
 #include <CGAL/Tandem/internal/rounds/Shape_samples.h>
-#include <CGAL/Tandem/internal/rounds/unite_shapes.h>
+#include <CGAL/Tandem/internal/rounds/merge_shapes.h>
 
 #include <algorithm>
 #include <functional>

@@ -11,9 +11,9 @@
 #include "uncertainty_violation.h"
 
 #include <CGAL/Shape_regularization_tandem/is_valid_result.h>
-#include <CGAL/Tandem/internal/finish/explain_free_points.h>
-#include <CGAL/Tandem/internal/finish/measure_relations.h>
-#include <CGAL/Tandem/internal/finish/measure_shapes.h>
+#include <CGAL/Tandem/internal/result/explain_free_points.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
+#include <CGAL/Tandem/internal/result/measure_shapes.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_NEIGHBOR_CLOUDS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_NEIGHBOR_CLOUDS_H
 
-#include <CGAL/Tandem/internal/cloud/curve.h>
+#include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 #include "scenes.h"
 
-#include <CGAL/Tandem/internal/cloud/curve.h>
+#include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 #include <CGAL/Tandem/internal/base/types.h>
 
 #include <algorithm>

@@ -7,9 +7,9 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_UNCERTAINTY_VIOLATION_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_UNCERTAINTY_VIOLATION_H
 
-#include <CGAL/Shape_regularization_tandem/internal/relation_violation.h>
+#include <CGAL/Shape_regularization_tandem/internal/Result_checker.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
-#include <CGAL/Tandem/internal/finish/measure_planes.h>
+#include <CGAL/Tandem/internal/result/measure_planes.h>
 
 #include <algorithm>
 #include <array>

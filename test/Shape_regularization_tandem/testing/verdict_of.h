@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_VERDICT_OF_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_VERDICT_OF_H
 
-#include <CGAL/Tandem/internal/rounds/Union_gain.h>
+#include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
 
 #include <cstdint>
 

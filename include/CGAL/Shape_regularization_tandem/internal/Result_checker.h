@@ -8,21 +8,180 @@
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RESULT_CHECKER_H
 
 #include <CGAL/Shape_regularization_tandem/Planar_shapes_3.h>
-#include <CGAL/Shape_regularization_tandem/internal/common_hash.h>
-#include <CGAL/Shape_regularization_tandem/internal/relation_violation.h>
+#include <CGAL/Tandem/Shapes_data.h>
+#include <CGAL/Tandem/check_parameters.h>
+#include <CGAL/Tandem/internal/base/listed_parameters.h>
 #include <CGAL/Tandem/internal/cloud/choose_grid.h>
 #include <CGAL/Tandem/internal/cloud/far_points.h>
 #include <CGAL/Tandem/internal/engine/first_unconnected.h>
+#include <CGAL/Tandem/internal/regularity/given_directions.h>
+#include <CGAL/Tandem/internal/regularity/orthogonal_pairs.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- Checks of planes, groups and their relations, from the tables of the shapes alone. Each function returns the first
+// violation, or an empty text. Later ones rely on earlier ones.
+
+// A name with its index, for messages.
+inline std::string numbered(const char* what, std::size_t index) { return std::string(what) + " " + to_text(index); }
+
+inline std::string text_of(const std::pair<int, int>& groups)
+{
+  return to_text(groups.first) + " and " + to_text(groups.second);
+}
+
+// Unit normals up to rounding, and finite offsets.
+inline std::string plane_violation(const Shapes_data& data)
+{
+  for(std::size_t s = 0; s < data.coefficients.size(); ++s) {
+    const Coefficients& c = data.coefficients[s];
+    const double length = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
+    if(!(std::fabs(length - 1) <= 1e-15) || !std::isfinite(c[3]))
+      return numbered("no unit normal in shape", s) + ": length - 1 is " + to_text(length - 1);
+  }
+  return {};
+}
+
+// Compares bits, not values: 0 and -0 differ.
+inline bool have_same_bits(const Coefficients& a, const Coefficients& b, std::size_t coefficients)
+{
+  return std::memcmp(a.data(), b.data(), coefficients * sizeof(double)) == 0;
+}
+
+// Exact relations: the planes of a group have the same bits, as doubles and in the kernel. Groups are numbered without
+// gaps, in the order in which the shapes have them first.
+template <class Shapes>
+std::string group_violation(const Shapes& shapes)
+{
+  const Shapes_data& data = shapes.data();
+  const std::vector<int> direction = representatives(data.parallel_group);
+  const std::vector<int> plane = representatives(data.coplanar_group);
+  for(const std::vector<int>* first : {&direction, &plane})
+    for(std::size_t g = 0; g < first->size(); ++g)
+      if((*first)[g] < 0)
+        return numbered("no shape in group", g);
+  for(std::size_t s = 0; s < data.coefficients.size(); ++s) {
+    const std::size_t r = std::size_t(direction[data.parallel_group[s]]);
+    const std::size_t p = std::size_t(plane[data.coplanar_group[s]]);
+    if(!have_same_bits(data.coefficients[s], data.coefficients[r], 3) ||
+       shapes.plane(s).orthogonal_vector() != shapes.plane(r).orthogonal_vector())
+      return numbered("not exactly parallel are shape", s) + numbered(" and", r);
+    if(!have_same_bits(data.coefficients[s], data.coefficients[p], 4) || shapes.plane(s) != shapes.plane(p) ||
+       data.parallel_group[s] != data.parallel_group[p])
+      return numbered("not exactly coplanar are shape", s) + numbered(" and", p);
+  }
+  if(!std::is_sorted(direction.begin(), direction.end()) || !std::is_sorted(plane.begin(), plane.end()))
+    return "the groups are not numbered in the order of their shapes";
+  return {};
+}
+
+// Exact relations: the dot product of each orthogonal pair of groups, in plain double arithmetic. Pairs are sorted, and
+// name groups that exist.
+inline std::string orthogonality_violation(const Shapes_data& data)
+{
+  const std::vector<int> first = representatives(data.parallel_group);
+  const auto& pairs = data.orthogonal_groups;
+  for(std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::pair<int, int>& pair = pairs[i];
+    if(pair.first < 0 || pair.first >= pair.second || std::size_t(pair.second) >= first.size())
+      return "no such pair of orthogonal groups: " + text_of(pair);
+    if(i > 0 && !(pairs[i - 1] < pair))
+      return "listed twice, or not sorted, are the orthogonal groups " + text_of(pair);
+    const Coefficients &a = data.coefficients[first[pair.first]], &b = data.coefficients[first[pair.second]];
+    const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    if(!(std::fabs(product) <= 1e-15))
+      return "not orthogonal are groups " + text_of(pair) + ": the dot product is " + to_text(product);
+  }
+  return {};
+}
+
+// Exact relations to what was given: the bits of a fixed direction, the cosine of the angle to the axis.
+inline std::string given_direction_violation(const Shapes_data& data, const std::vector<Vector>& directions)
+{
+  const std::vector<int> fixed = fixed_directions_of(directions, data.parameters);
+  const std::vector<int> symmetry = symmetry_groups(directions, data.parameters);
+  if(data.fixed_direction.size() != fixed.size() || data.symmetry_group.size() != symmetry.size())
+    return "the tables of the parallel groups differ in size";
+  for(std::size_t g = 0; g < directions.size(); ++g) {
+    if(data.fixed_direction[g] != fixed[g])
+      return numbered("not exactly a fixed direction has group", g) + ": it is said to have " +
+             to_text(data.fixed_direction[g]) + ", and has " + to_text(fixed[g]);
+    if(data.symmetry_group[g] != symmetry[g])
+      return numbered("not symmetric is group", g) + ": it is said to be in symmetry group " +
+             to_text(data.symmetry_group[g]) + ", and is in " + to_text(symmetry[g]);
+  }
+  return {};
+}
+
+// All relations that the planes have, and no others, are in the result.
+inline std::string listing_violation(const Shapes_data& data)
+{
+  const std::vector<Vector> directions = group_directions(data.parallel_group, data.coefficients);
+  const auto& listed = data.orthogonal_groups;
+  std::vector<std::pair<int, int>> difference;
+  const auto found = orthogonal_pairs(directions, listed.size());
+  std::set_difference(found.begin(), found.end(), listed.begin(), listed.end(), std::back_inserter(difference));
+  if(!difference.empty())
+    return "not listed are the orthogonal groups " + text_of(difference[0]);
+  std::set_difference(listed.begin(), listed.end(), found.begin(), found.end(), std::back_inserter(difference));
+  if(!difference.empty())
+    return "not orthogonal are groups " + text_of(difference[0]);
+  return given_direction_violation(data, directions);
+}
+
+// ---
+
+// --- What all processes have of a result, as one number.
+
+// Of all but what is said of single points. Shapes: a Planar_shapes_3.
+template <class Shapes>
+std::uint64_t common_hash(const Shapes_data& data)
+{
+  std::uint64_t h = 0;
+  const auto add = [&](const auto& list) {
+    Shapes::add_to_hash(h, list.size());
+    for(const auto& x : list)
+      Shapes::add_to_hash(h, std::uint64_t(x));
+  };
+  const auto add_number = [&](double x) { Shapes::add_to_hash(h, {{x, 0, 0, 0}}); };
+  Shapes::add_to_hash(h, data.coefficients);
+  add(data.size);
+  add(data.parallel_group);
+  add(data.coplanar_group);
+  add(data.is_flipped);
+  for(const Plane_uncertainty& u : data.uncertainty) {
+    Shapes::add_to_hash(h, {{u.centroid[0], u.centroid[1], u.centroid[2], u.noise}});
+    add_number(u.offset_deviation);
+    add_number(u.angle_deg);
+    for(const double x : u.normal_covariance)
+      add_number(x);
+  }
+  add(data.fixed_direction);
+  add(data.symmetry_group);
+  for(const auto& pair : data.orthogonal_groups)
+    add(std::vector<int>{pair.first, pair.second});
+  for(const auto& parameter : listed(data.parameters))
+    add_number(parameter.second);
+  add(std::vector<std::size_t>{data.statistics.number_of_rounds, data.statistics.is_cancelled});
+  const Result_score& score = data.statistics.score;
+  for(const double x : {score.fit, score.links, score.size, score.price, score.freedom})
+    add_number(x);
+  return h;
+}
+
+// ---
 
 // Memory and time are those of a neighbor search, and of a few passes over the points.
 template <class GeomTraits>

@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_MEASURED_UNCERTAINTY_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_MEASURED_UNCERTAINTY_H
 
-#include <CGAL/Tandem/internal/finish/measure_planes.h>
+#include <CGAL/Tandem/internal/result/measure_planes.h>
 
 #include <array>
 #include <cstddef>

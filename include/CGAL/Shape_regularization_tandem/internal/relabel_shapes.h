@@ -6,7 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RELABEL_SHAPES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_INTERNAL_RELABEL_SHAPES_H
 
-#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 #include <algorithm>
 #include <cstddef>

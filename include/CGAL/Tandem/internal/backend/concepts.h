@@ -16,17 +16,99 @@
 
 #include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/Ranks.h>
-#include <CGAL/Tandem/internal/backend/concept_arguments.h>
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
+#include <CGAL/Tandem/internal/base/types.h>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- Arguments of the operations that concepts.h lists, for its detectors: the least that a functor has.
+
+namespace archetypes {
+
+struct Item_functor {
+  void operator()(std::size_t) const {}
+};
+
+struct Piece_functor {
+  void operator()(std::size_t, std::size_t) const {}
+};
+
+struct Scratch {};
+
+struct Cell_body {
+  template <class Block>
+  void operator()(Block&, Scratch&, std::uint32_t) const
+  {}
+};
+
+struct Predicate {
+  bool operator()(std::uint32_t) const { return false; }
+};
+
+struct Taker {
+  bool has(std::uint32_t) const { return false; }
+  std::int64_t take(std::uint32_t) const { return 0; }
+};
+
+struct Found {
+  void operator()(std::uint32_t, std::uint32_t) const {}
+};
+
+struct Value {
+  std::uint32_t operator()(std::uint32_t) const { return 0; }
+};
+
+struct Summand {
+  void operator()(std::uint32_t, int&) const {}
+};
+
+struct Sum {
+  void operator()(int&) const {}
+};
+
+struct Summed {
+  void operator()(std::size_t, std::int64_t*) const {}
+};
+
+struct Maker {
+  int operator()(std::size_t) const { return 0; }
+};
+
+struct Rounds {
+  static constexpr int steps = 1;
+  static constexpr std::size_t few(int) { return 1; }
+  void run(int, std::size_t, std::size_t, std::size_t) const {}
+  bool is_last(std::size_t) const { return true; }
+};
+
+struct Neighbor_functor {
+  void operator()(std::uint32_t, std::uint32_t) const {}
+};
+
+struct Row {
+  const std::uint32_t* operator()(std::uint32_t) const { return nullptr; }
+};
+
+struct Result {
+  int operator()() const { return 0; }
+};
+
+struct Sent {
+  std::uint64_t index;
+};
+
+} // namespace archetypes
+
+// ---
 
 // Block, for lanes that share the scratch of a cell:
 //   lookahead                              items worth trying before it is known whether they are needed, at most 32

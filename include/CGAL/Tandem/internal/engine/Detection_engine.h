@@ -9,7 +9,7 @@
 #include <CGAL/Tandem/internal/base/Progress.h>
 #include <CGAL/Tandem/internal/base/tuning/growth.h>
 #include <CGAL/Tandem/internal/cloud/Import.h>
-#include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/internal/result/Engine_result.h>
 
 #include <memory>
 

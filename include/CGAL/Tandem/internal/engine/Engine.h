@@ -10,7 +10,7 @@
 
 #include <CGAL/Tandem/internal/backend/concepts.h>
 #include <CGAL/Tandem/internal/finish/end_game.h>
-#include <CGAL/Tandem/internal/finish/extract_shapes.h>
+#include <CGAL/Tandem/internal/result/extract_shapes.h>
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/engine/Detection_engine.h>
 #include <CGAL/Tandem/internal/engine/prepare.h>

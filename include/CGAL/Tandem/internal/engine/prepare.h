@@ -9,19 +9,70 @@
 
 #include <CGAL/Tandem/Statistics.h>
 #include <CGAL/Tandem/internal/base/Progress.h>
-#include <CGAL/Tandem/internal/engine/Stage_timer.h>
-#include <CGAL/Tandem/internal/engine/Tandem_state.h>
 #include <CGAL/Tandem/internal/engine/connect_cloud.h>
 #include <CGAL/Tandem/internal/engine/make_options.h>
 #include <CGAL/Tandem/internal/engine/memory_use.h>
 #include <CGAL/Tandem/internal/engine/sort_points.h>
 #include <CGAL/Tandem/internal/growth/find_border.h>
 #include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
+#include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
+#include <CGAL/Tandem/internal/shapes/Options.h>
+#include <CGAL/Tandem/internal/shapes/Seeds.h>
+#include <CGAL/Tandem/internal/shapes/Shape_table.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
+
+#include <chrono>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- What the rounds change. Only prepare() takes all of it; the other stages take the parts that they read and write, so
+// that their signatures show what they may change.
+
+// Options are constant after prepare(), but for the seeds in flight. Between rounds, labels are ids of live shapes, or
+// the point is free. Moments are those of the points with that label.
+template <class Backend>
+struct Tandem_state {
+  explicit Tandem_state(Backend& backend) : points(backend) {}
+
+  Options options;
+  Labeled_cloud<Backend> points;
+  Seeds<Backend> seeds;
+  Shape_table<Backend> shapes;
+  int round = 0;              // rounds that are complete
+  std::size_t peak_bytes = 0; // of the tables of the size of the cloud
+};
+
+// ---
+
+// --- Times of the stages, for the statistics. No result depends on them.
+
+// Adds the seconds from its construction to stop() or its end to a stage. The caller waits for a device before, or its
+// work counts for the next stage.
+class Stage_timer {
+public:
+  explicit Stage_timer(double& stage) : stage_(stage) {}
+  Stage_timer(const Stage_timer&) = delete;
+  Stage_timer& operator=(const Stage_timer&) = delete;
+  ~Stage_timer() { stop(); }
+
+  // Adds the seconds so far to the stage. A second call has no effect.
+  void stop()
+  {
+    if(is_running_)
+      stage_ += std::chrono::duration<double>(Clock::now() - start_).count();
+    is_running_ = false;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  double& stage_;
+  Clock::time_point start_ = Clock::now();
+  bool is_running_ = true;
+};
+
+// ---
 
 // Makes points free, and clears their states.
 struct Free_all {

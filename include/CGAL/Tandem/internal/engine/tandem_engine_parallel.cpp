@@ -4,7 +4,7 @@
 #include <CGAL/Tandem/internal/backend/Tbb_backend.h>
 #include <CGAL/Tandem/internal/engine/Engine.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
-#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 
 namespace CGAL {
 namespace Tandem {

@@ -3,7 +3,7 @@
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/engine/complete_parameters.h>
-#include <CGAL/Tandem/internal/finish/export_shapes.h>
+#include <CGAL/Tandem/internal/result/export_shapes.h>
 #include <CGAL/Tandem/internal/mpi/Mpi_engine.h>
 
 namespace CGAL {

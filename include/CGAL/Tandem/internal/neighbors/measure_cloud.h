@@ -7,17 +7,191 @@
 #ifndef CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
 #define CGAL_TANDEM_INTERNAL_NEIGHBORS_MEASURE_CLOUD_H
 
+#include <CGAL/Tandem/internal/base/linear_algebra.h>
 #include <CGAL/Tandem/internal/neighbors/Patch_curve.h>
-#include <CGAL/Tandem/internal/neighbors/noise_field.h>
 #include <CGAL/Tandem/internal/neighbors/sample_cells.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- The noise as a field over the surfaces: smoothed, and whether it varies for certain, as that of a depth camera does with
+// the range. Then neighboring patches agree, and distant ones do not; vegetation and clutter differ between neighbors, too.
+
+// --- The nearest patches of any position, by a k-d tree. It does not depend on the order of the patches but for those at one
+// position.
+
+// --- What measure_cloud.h finds.
+
+// The noise about a place of a surface.
+struct Patch_noise {
+  Vector position;
+  double noise;
+};
+
+// Noise and spacing of a cloud, in units of the coordinates; zeros where there is no surface.
+struct Cloud_measure {
+  double extent = 0;        // of the points, without those far from all others
+  double spacing = 0;       // median
+  double places = 0;        // number of points, without copies
+  double noise = 0;         // the quantile that counts
+  double largest_noise = 0; // the noise of the noisiest tenth
+  double low_noise = 0;     // from there
+  double high_noise = 0;    // to there: over neighboring patches with the same residual over several radii
+  bool varies = false;      // whether that is much, and neighboring ones have the same
+  double exact = 0;         // share of the smallest neighborhoods that lie on a plane, while larger ones do not
+  double sheets = 0;        // shares of the patches: with another surface next to them, and
+  double bends = 0;         // of surfaces that bend
+  std::vector<Patch_noise> patch;
+};
+
+// ---
+
+// A balanced tree in the order of the table: the node of [first, last) is its middle.
+class Patch_tree {
+public:
+  static constexpr int maximum_found = 16;
+
+  // The nearest ones, ascending by squared distance, then by place in the table.
+  struct Found {
+    std::array<std::pair<double, std::uint32_t>, std::size_t(maximum_found)> item;
+    int count = 0, wanted;
+
+    explicit Found(int k) : item(), wanted(k) {}
+
+    double limit() const { return count < wanted ? HUGE_VAL : item[std::size_t(count - 1)].first; }
+
+    void add(const std::pair<double, std::uint32_t>& candidate)
+    {
+      if(count == wanted && !(candidate < item[std::size_t(count - 1)]))
+        return;
+      int i = count < wanted ? count++ : count - 1;
+      for(; i > 0 && candidate < item[std::size_t(i - 1)]; --i)
+        item[std::size_t(i)] = item[std::size_t(i - 1)];
+      item[std::size_t(i)] = candidate;
+    }
+  };
+
+  explicit Patch_tree(std::vector<Patch_noise> patch) : patch_(std::move(patch)), axis_(patch_.size())
+  {
+    build(0, patch_.size());
+  }
+
+  const std::vector<Patch_noise>& patches() const { return patch_; }
+
+  // The k nearest patches, or all of fewer.
+  Found nearest(const Vector& p, int k) const
+  {
+    Found found((std::min)(k, maximum_found));
+    search(p, 0, patch_.size(), found);
+    return found;
+  }
+
+private:
+  static double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+  void build(std::size_t first, std::size_t last)
+  {
+    if(last - first < 2)
+      return;
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for(std::size_t i = first; i < last; ++i)
+      for(int c = 0; c < 3; ++c) {
+        low[c] = (std::min)(low[c], component(patch_[i].position, c));
+        high[c] = (std::max)(high[c], component(patch_[i].position, c));
+      }
+    int axis = 0;
+    for(int c = 1; c < 3; ++c)
+      if(high[c] - low[c] > high[axis] - low[axis])
+        axis = c;
+    const std::size_t middle = first + (last - first) / 2;
+    const auto at = [&](std::size_t i) { return patch_.begin() + std::ptrdiff_t(i); };
+    std::nth_element(at(first), at(middle), at(last), [&](const Patch_noise& a, const Patch_noise& b) {
+      const double u = component(a.position, axis), v = component(b.position, axis);
+      return u < v || (u == v && key(a) < key(b));
+    });
+    axis_[middle] = std::uint8_t(axis);
+    build(first, middle);
+    build(middle + 1, last);
+  }
+
+  static std::array<double, 4> key(const Patch_noise& p) { return {p.position.x, p.position.y, p.position.z, p.noise}; }
+
+  void search(const Vector& p, std::size_t first, std::size_t last, Found& found) const
+  {
+    if(first == last)
+      return;
+    const std::size_t middle = first + (last - first) / 2;
+    const Vector d = p - patch_[middle].position;
+    found.add({dot(d, d), std::uint32_t(middle)});
+    const double side = component(d, axis_[middle]);
+    const bool is_low = side < 0;
+    search(p, is_low ? first : middle + 1, is_low ? middle : last, found);
+    if(side * side <= found.limit())
+      search(p, is_low ? middle + 1 : first, is_low ? last : middle, found);
+  }
+
+  std::vector<Patch_noise> patch_;
+  std::vector<std::uint8_t> axis_;
+};
+
+// ---
+
+// The noise of each patch becomes the median of the nearest ones.
+template <class Backend>
+std::vector<Patch_noise> smoothed(Backend& backend, const Patch_tree& tree)
+{
+  std::vector<Patch_noise> patch = tree.patches();
+  backend.for_each_on_host(patch.size(), [&](std::size_t i) {
+    const Patch_tree::Found found = tree.nearest(patch[i].position, tuning::estimation::smoothed_patches);
+    std::vector<double> noise;
+    noise.reserve(std::size_t(found.count));
+    for(int j = 0; j < found.count; ++j)
+      noise.push_back(tree.patches()[found.item[std::size_t(j)].second].noise);
+    patch[i].noise = quantile(noise, .5);
+  });
+  return patch;
+}
+
+// Whether two values of the noise are the same but for chance.
+inline bool is_same_noise(double a, double b)
+{
+  constexpr double factor = tuning::estimation::same_noise;
+  return a <= factor * b && b <= factor * a;
+}
+
+// Sets the range of the smoothed noise of patches, and whether it varies: far more of them differ from the median of all
+// than from that of their neighbors.
+template <class Backend>
+void measure_variation(Backend& backend, std::vector<Patch_noise> patches, Cloud_measure& m)
+{
+  using namespace tuning::estimation;
+  const Patch_tree tree(std::move(patches));
+  std::vector<double> noise, smooth;
+  std::int64_t differ = 0, differ_nearby = 0;
+  for(const Patch_noise& p : tree.patches())
+    noise.push_back(p.noise);
+  const double median = quantile(noise, .5);
+  for(const Patch_noise& s : smoothed(backend, tree)) {
+    const double own = tree.patches()[smooth.size()].noise;
+    differ += !is_same_noise(own, median);
+    differ_nearby += !is_same_noise(own, s.noise);
+    smooth.push_back(s.noise);
+  }
+  m.low_noise = quantile(smooth, low_noise_quantile);
+  m.high_noise = quantile(smooth, 1 - low_noise_quantile);
+  m.varies = m.high_noise > varied_noise * m.low_noise && !differ_in_place.is_exceeded(differ_nearby, differ);
+}
+
+// ---
 
 // What is found of one patch.
 struct Patch_measure {

@@ -9,16 +9,209 @@
 #ifndef CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H
 #define CGAL_TANDEM_INTERNAL_REGULARITY_REGULARIZE_H
 
+#include <CGAL/Tandem/internal/base/angles.h>
 #include <CGAL/Tandem/internal/regularity/Axis_symmetry.h>
-#include <CGAL/Tandem/internal/regularity/Coplanar_groups.h>
+#include <CGAL/Tandem/internal/regularity/Fixed_directions.h>
 #include <CGAL/Tandem/internal/regularity/Frames.h>
-#include <CGAL/Tandem/internal/regularity/Parallel_groups.h>
+#include <CGAL/Tandem/internal/regularity/relations.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- Decides which parallel shapes share a plane (section 4.3 of the paper): those where the degree of freedom that this
+// saves is worth more than what their points lose. Directions stay. See the manual, "Relations by Price".
+
+class Coplanar_groups {
+public:
+  // direction: by shape, the number of the direction that it shares; -1 if none.
+  Coplanar_groups(const Shape_fits& shapes, const std::vector<int>& direction, const Regularity_options& options)
+    : shapes_(shapes), direction_(direction), options_(options)
+  {}
+
+  // plane: by shape, that through its centroid; it gets the offset of its group. group_of: by shape; set for members of
+  // groups of two or more.
+  void fit(Regular_planes& plane, std::vector<int>& group_of) const
+  {
+    std::vector<Group> groups = single_shapes(plane);
+    while(unite(groups))
+      ;
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<int> members = groups[g].members;
+      const auto is_far = [&](int i) { return !can_move(i, groups[g].offset - plane[std::size_t(i)].offset); };
+      members.erase(std::remove_if(members.begin(), members.end(), is_far), members.end());
+      if(members.size() > 1)
+        for(int i : members) {
+          group_of[std::size_t(i)] = int(g);
+          plane[std::size_t(i)].offset = groups[g].offset;
+        }
+    }
+  }
+
+private:
+  struct Group {
+    std::vector<int> members;
+    int direction;
+    double offset, weight, largest; // the mean offset of the members, their weight, and the points of the largest one
+  };
+
+  // Groups of one shape each, by direction, then by offset.
+  std::vector<Group> single_shapes(const Regular_planes& plane) const
+  {
+    std::vector<std::tuple<int, double, int>> order;
+    for(std::size_t i = 0; i < direction_.size(); ++i)
+      if(direction_[i] >= 0)
+        order.push_back({direction_[i], plane[i].offset, int(i)});
+    std::sort(order.begin(), order.end());
+    std::vector<Group> groups;
+    groups.reserve(order.size());
+    for(const auto& [direction, offset, i] : order)
+      groups.push_back(
+        {{i}, direction, offset, shapes_[std::size_t(i)].scatter.weight(), shapes_[std::size_t(i)].scatter.count});
+    return groups;
+  }
+
+  // Unions of unions may move a shape by more than sigma, or at more than its plane is worth. It leaves its group then.
+  bool can_move(int shape, double distance) const
+  {
+    const Scatter& s = shapes_[std::size_t(shape)].scatter;
+    return std::fabs(distance) <= options_.maximum_offset &&
+           s.weight() * (distance * distance) <= options_.price(s.count);
+  }
+
+  // What two neighbors gain as one: negative beyond sigma, 0 for equal planes where a degree of freedom is worth nothing.
+  double gain(const Group& a, const Group& b) const
+  {
+    const double d = b.offset - a.offset;
+    if(a.direction != b.direction || !(d <= options_.maximum_offset))
+      return -1;
+    const double weight = a.weight * b.weight / (a.weight + b.weight);
+    return std::fma(-weight, d * d, options_.price((std::min)(a.largest, b.largest)));
+  }
+
+  // Unites the neighbors that gain more as one than either does with its other neighbor; of equal ones the first.
+  bool unite(std::vector<Group>& groups) const
+  {
+    std::vector<double> gains(groups.size() + 1, -1); // of each group with the one before
+    for(std::size_t g = 1; g < groups.size(); ++g)
+      gains[g] = gain(groups[g - 1], groups[g]);
+    std::vector<Group> united;
+    for(std::size_t g = 0; g < groups.size(); ++g) {
+      const bool is_best = gains[g] >= 0 && gains[g] > gains[g - 1] && gains[g] >= gains[g + 1];
+      if(!is_best) {
+        united.push_back(std::move(groups[g]));
+        continue;
+      }
+      Group& a = united.back();
+      a.offset = std::fma(groups[g].offset - a.offset, groups[g].weight / (a.weight + groups[g].weight), a.offset);
+      a.weight += groups[g].weight;
+      a.largest = (std::max)(a.largest, groups[g].largest);
+      a.members.insert(a.members.end(), groups[g].members.begin(), groups[g].members.end());
+    }
+    const bool is_any = united.size() < groups.size();
+    groups.swap(united);
+    return is_any;
+  }
+
+  const Shape_fits& shapes_;
+  const std::vector<int>& direction_;
+  const Regularity_options& options_;
+};
+
+// ---
+
+// --- Decides which shapes are parallel: a shape joins the direction of a larger one where the two degrees of freedom that
+// this saves are worth more than what its points lose. Shapes are only read. See the manual, "Relations by Price".
+
+// The groups are united in steps. In each, groups are visited by falling number of points. A group joins the one before
+// it at which it gains most, unless that has joined another one itself. Then groups are fitted again, until none joins.
+class Parallel_groups {
+public:
+  Parallel_groups(const Shape_fits& shapes, const Regularity_options& options)
+    : shapes_(shapes), options_(options), sine_(sine_deg(options.angle_tolerance_deg))
+  {}
+
+  // Groups of these shapes, also of one shape, all fitted; those of given directions come first and may be empty.
+  std::vector<Direction_group> operator()(const std::vector<int>& active) const
+  {
+    std::vector<Direction_group> groups;
+    for(const Vector& d : options_.fixed_directions)
+      groups.push_back(given_direction_group(d, sine_));
+    for(int i : active)
+      groups.push_back(direction_group({i}, sine_));
+    for(Direction_group& g : groups)
+      g.fit(shapes_);
+    while(options_.parallelism && sine_ > tuning::directions::minimum_sine && unite(groups))
+      ;
+    return groups;
+  }
+
+private:
+  bool unite(std::vector<Direction_group>& groups) const
+  {
+    Great_circle_index index; // of the groups that others may join
+    std::vector<int> leader;  // by number in the index
+    std::vector<int> target(groups.size(), -1);
+    for(int g : by_weight(groups)) {
+      if(!groups[std::size_t(g)].is_given)
+        target[std::size_t(g)] = best_leader(groups, std::size_t(g), index, leader);
+      if(target[std::size_t(g)] >= 0)
+        continue;
+      index.add(groups[std::size_t(g)].fitted, 0);
+      leader.push_back(g);
+    }
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      if(target[g] >= 0) {
+        std::vector<int>& members = groups[std::size_t(target[g])].members;
+        members.insert(members.end(), groups[g].members.begin(), groups[g].members.end());
+        groups[g].members.clear();
+        groups[std::size_t(target[g])].has_changed = true;
+      }
+    const std::size_t before = groups.size();
+    drop_empty(groups);
+    for(Direction_group& g : groups)
+      if(g.has_changed) {
+        std::sort(g.members.begin(), g.members.end());
+        g.fit(shapes_);
+      }
+    return groups.size() < before;
+  }
+
+  // The leader at which a group gains most; the heaviest of equal ones. -1 if it gains nowhere.
+  int best_leader(const std::vector<Direction_group>& groups, std::size_t g, const Great_circle_index& index,
+                  const std::vector<int>& leader) const
+  {
+    const double largest = groups[g].largest, most = options_.direction_price(largest);
+    const double reach = (std::min)(sine_ + tuning::exactness::dot_margin, groups[g].bearable_sine(most));
+    std::pair<double, int> best(0, 1); // the gain, then -number in the index
+    index.search(Near_direction_region(groups[g].fitted, reach), [&](int k) {
+      const Direction_group& other = groups[std::size_t(leader[std::size_t(k)])];
+      if(squared_sine(other.fitted, groups[g].fitted) <= sine_ * sine_)
+        best = (std::max)(best, {saved(largest, other) - groups[g].cost(other.fitted), -k});
+    });
+    return best.second > 0 ? -1 : leader[std::size_t(-best.second)];
+  }
+
+  // What it is worth to have the direction of another group. That of a given one is there anyway.
+  double saved(double largest, const Direction_group& other) const
+  {
+    return options_.direction_price(other.is_given ? largest : (std::min)(largest, other.largest));
+  }
+
+  const Shape_fits& shapes_;
+  const Regularity_options& options_;
+  double sine_; // of the angle within which shapes may be parallel
+};
+
+// ---
 
 // By shape, the number of its direction; -1 for shapes without a group. Groups whose directions have the same bits get
 // the same number, since frames can make them equal.

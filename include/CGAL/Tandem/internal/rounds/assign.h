@@ -7,7 +7,11 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_ASSIGN_H
 
-#include <CGAL/Tandem/internal/rounds/Assignment_passes.h>
+#include <CGAL/Tandem/internal/base/pairs.h>
+#include <CGAL/Tandem/internal/base/tuning/score.h>
+#include <CGAL/Tandem/internal/cloud/Block_rows.h>
+#include <CGAL/Tandem/internal/score/Score.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
@@ -16,6 +20,243 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- Which label each point chooses in the passes of an assignment, and which points a pass has to look at. Changes tables
+// of the assignment only. See the manual, "Assignment".
+
+// What an assignment reads of a shape.
+struct Assigned_shape {
+  Plane plane;
+  std::int64_t bonus;        // of one more point
+  std::int64_t plane_number; // of the relations, -1: none
+};
+
+// Some points, a bit each, by block.
+using Block_points = std::uint64_t;
+static_assert(Block_row::points == 64, "a block has a bit for each point");
+
+CGAL_TANDEM_HD inline Block_points bit_of(std::uint32_t i) { return Block_points(1) << (i % Block_row::points); }
+
+// The points that have changed their label in a pass, by block: two tables, as each pass considers one half of the
+// points. The first pass follows the last one of the assignment before.
+struct Label_changes {
+  static_assert(tuning::moves::assignment_passes % 2 == 0, "the tables would be exchanged");
+
+  Block_points* of_pass[2]; // even and odd ones
+
+  CGAL_TANDEM_HD Block_points operator[](std::size_t b) const { return of_pass[0][b] | of_pass[1][b]; }
+};
+
+// The passes of an assignment, as rounds. They may end when two have changed nothing. In each a point gets the label
+// that is worth most, of its own and those of its neighbors that it fits. A free point joins any shape that it fits. Of
+// the other points each pass considers one half, so that neighbors do not swap their shapes for ever. Shapes of one
+// plane exchange no points, since the plane does not tell them apart. Labels are only read, so the order of points does
+// not matter.
+//
+// The choice is that of before where no label around has changed in the last two passes, and either no plane has changed
+// since the point was considered, or its neighbors were of no other shape. So a pass visits few blocks. One that is not
+// visited has the same labels in both tables.
+template <class Backend>
+struct Assignment_passes {
+  enum Step { begin, visit, steps };
+
+  Cloud_view cloud;
+  const Assigned_shape* shape;
+  std::size_t blocks;
+  const Block_row* row;         // by block
+  const Block_entries* entries; // by point
+  const Block_points* outside;  // changed before the first pass, by block
+  Block_points* recent;         // changed lately, by block
+  Label_changes changes;
+  Block_points* border;       // by block: points that had a neighbor in another shape
+  std::uint32_t* has_changes; // by pass
+  std::uint32_t* label[2];    // by point: pass p reads table p % 2 and writes the other one
+  Score score;
+  Tolerance tolerance;
+
+  static constexpr std::size_t few(int step) { return step == begin ? 1 << 14 : 64; }
+  CGAL_TANDEM_HD bool is_last(std::size_t pass) const
+  {
+    return pass >= 2 && has_changes[pass - 1] == 0 && has_changes[pass - 2] == 0;
+  }
+
+  CGAL_TANDEM_HD void run(int step, std::size_t pass, std::size_t lane, std::size_t lanes) const
+  {
+    if(step == begin)
+      return for_items_of_lane(lane, lanes, blocks, [&](std::size_t b) { begin_pass(pass, b); });
+    for_items_of_group(
+      lane, lanes, blocks, [](std::size_t) { return true; },
+      [&](std::size_t b) { visit_block(std::uint32_t(b), std::uint32_t(pass)); });
+  }
+
+  // After the passes, sets the interior bits of the points of a block: of those without a neighbor in another shape when
+  // they were last considered, unless one may have changed since. So links are searched at the others only.
+  CGAL_TANDEM_HD void set_interior(std::uint32_t b, std::uint8_t* state) const
+  {
+    const Block_entries changed = changed_entries(b, changes);
+    for_each_point(b, [&](std::uint32_t i) {
+      const bool is_interior = (border[b] & bit_of(i)) == 0 && (changed & entries[i]) == 0;
+      state[i] = std::uint8_t((state[i] & ~interior_bit) | (is_interior ? interior_bit : 0));
+    });
+  }
+
+private:
+  // Whether points may not have been considered with the present planes.
+  CGAL_TANDEM_HD static bool has_new_planes(std::size_t pass) { return pass < 2; }
+
+  CGAL_TANDEM_HD void begin_pass(std::size_t pass, std::size_t b) const
+  {
+    recent[b] = changes[b] | (has_new_planes(pass) ? outside[b] : 0);
+    changes.of_pass[pass % 2][b] = 0;
+  }
+
+  // The entries of the row of a block with a change.
+  template <class Changes>
+  CGAL_TANDEM_HD Block_entries changed_entries(std::uint32_t b, const Changes& changed) const
+  {
+    const std::uint32_t size = row[b].size;
+    unsigned result = size > Block_row::capacity ? Block_row::all : 0u;
+    for(std::uint32_t i = 0; result != Block_row::all && i < size; ++i)
+      result |= unsigned(changed[row[b].block[i]] != 0) << i;
+    return Block_entries(result);
+  }
+
+  CGAL_TANDEM_HD void visit_block(std::uint32_t b, std::uint32_t pass) const
+  {
+    const Block_entries changed = changed_entries(b, recent);
+    const bool has_border = has_new_planes(pass) && Backend::atomic_load(border[b]) != 0;
+    if(changed == 0 && !has_border)
+      return;
+    for_each_point(b, [&](std::uint32_t i) { choose(i, pass, changed); });
+  }
+
+  // The lanes of a group share the points of a block.
+  template <class F>
+  CGAL_TANDEM_HD void for_each_point(std::uint32_t b, F f) const
+  {
+    const Range points = points_of_block(b, cloud.size);
+    for(std::uint32_t i = points.first + Lane_group::rank(); i < points.last; i += Lane_group::size())
+      f(i);
+  }
+
+  CGAL_TANDEM_HD void choose(std::uint32_t i, std::uint32_t pass, Block_entries changed) const
+  {
+    const std::uint32_t s = label[pass % 2][i];
+    const bool is_chosen = (s >= first_mark || is_considered(i, pass)) && is_concerned(i, pass, changed);
+    const std::uint32_t t = is_chosen ? best_of(i, label[pass % 2]) : s;
+    label[(pass + 1) % 2][i] = t;
+    if(t == s)
+      return;
+    Backend::atomic_add(changes.of_pass[pass % 2][i / Block_row::points], bit_of(i));
+    if(Backend::atomic_load(has_changes[pass]) == 0)
+      Backend::atomic_exchange_if(has_changes[pass], 0u, 1u);
+  }
+
+  // One half of the points in even passes, the other one in odd passes.
+  CGAL_TANDEM_HD bool is_considered(std::uint32_t i, std::uint32_t pass) const
+  {
+    return (hash_of_pair(i + cloud.first) >> 63) == (pass & 1u);
+  }
+
+  CGAL_TANDEM_HD bool is_at_border(std::uint32_t i) const
+  {
+    return (Backend::atomic_load(border[i / Block_row::points]) & bit_of(i)) != 0;
+  }
+
+  CGAL_TANDEM_HD void set_at_border(std::uint32_t i, bool value) const
+  {
+    if(is_at_border(i) != value)
+      Backend::atomic_add(border[i / Block_row::points], value ? bit_of(i) : Block_points(0) - bit_of(i));
+  }
+
+  CGAL_TANDEM_HD bool has_changed(std::uint32_t i) const { return (recent[i / Block_row::points] & bit_of(i)) != 0; }
+
+  // Whether it or a neighbor has changed its label lately, as ghosts may have; or it may prefer another shape by planes.
+  CGAL_TANDEM_HD bool is_concerned(std::uint32_t i, std::uint32_t pass, Block_entries changed) const
+  {
+    if(has_new_planes(pass) && is_at_border(i))
+      return true;
+    if((changed & entries[i]) == 0)
+      return false;
+    const std::uint32_t* neighbor = cloud.row(i);
+    bool result = has_changed(i);
+    for(int j = 0; j < cloud.k && neighbor[j] != no_index; ++j) {
+      if(neighbor[j] >= cloud.size)
+        return true;
+      result |= has_changed(neighbor[j]); // no branch, which could not be predicted
+    }
+    return result;
+  }
+
+  // Of the own label and those of neighbors. Ties go to the smaller one.
+  CGAL_TANDEM_HD std::uint32_t best_of(std::uint32_t i, const std::uint32_t* labels) const
+  {
+    std::uint32_t other[64]; // labels of neighbors in other shapes: k is at most 64
+    std::int64_t links = 0;  // to the own one
+    int n = 0;
+    const std::uint32_t own = labels[i];
+    const std::uint32_t* neighbor = cloud.row(i);
+    for(int j = 0; j < cloud.k && neighbor[j] != no_index; ++j) {
+      const std::uint32_t t = labels[neighbor[j]];
+      links += t == own;
+      other[n] = t; // kept if it is another shape; no branches, which could not be predicted
+      n += int(t < first_mark) & int(t != own);
+    }
+    set_at_border(i, n > 0);
+    std::uint32_t best = own;
+    if(n == 0)
+      return own;
+    const Grid_point& point = cloud.point[i];
+    const Tolerance fit = cloud.tolerance_of(i, tolerance);
+    std::int64_t most = 0;
+    if(own < first_mark)
+      most = worth(own, {1, fit.distance}, signed_distance(shape[own].plane, point), links);
+    while(n > 0) {
+      const std::uint32_t t = other[n - 1];
+      const int count = n;
+      n = 0;
+      for(int j = 0; j < count; ++j) { // those that are left
+        const std::uint32_t next = other[j];
+        other[n] = next;
+        n += next != t;
+      }
+      if(are_of_one_plane(own, t))
+        continue;
+      const std::int64_t distance = signed_distance(shape[t].plane, point);
+      if(distance > fit.distance || -distance > fit.distance)
+        continue;
+      const std::int64_t w = worth(t, {1, fit.distance}, distance, count - n);
+      if((best >= first_mark || w > most || (w == most && t < best)) &&
+         is_aligned(shape[t].plane, point, fit.squared_cosine)) {
+        most = w;
+        best = t;
+      }
+    }
+    return best;
+  }
+
+  CGAL_TANDEM_HD bool are_of_one_plane(std::uint32_t s, std::uint32_t t) const
+  {
+    return s < first_mark && shape[s].plane_number >= 0 && shape[s].plane_number == shape[t].plane_number;
+  }
+
+  // Of a point in shape s, at a distance of its plane and with so many links to it.
+  CGAL_TANDEM_HD std::int64_t worth(std::uint32_t s, const Score_item& item, std::int64_t distance,
+                                    std::int64_t links) const
+  {
+    return Score::weight(item, distance) - score.links(links) + shape[s].bonus;
+  }
+};
+
+template <class Backend>
+struct Set_interior {
+  Assignment_passes<Backend> passes;
+  std::uint8_t* state; // by point
+
+  CGAL_TANDEM_HD void operator()(std::size_t b) const { passes.set_interior(std::uint32_t(b), state); }
+};
+
+// ---
 
 struct Set_assigned {
   const Shape* shape;

@@ -8,14 +8,160 @@
 #ifndef CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
 #define CGAL_TANDEM_INTERNAL_ROUNDS_MERGE_SHAPES_H
 
+#include <CGAL/Tandem/internal/rounds/Mutual_unions.h>
 #include <CGAL/Tandem/internal/rounds/Shape_samples.h>
 #include <CGAL/Tandem/internal/rounds/join_members.h>
-#include <CGAL/Tandem/internal/rounds/unite_shapes.h>
+#include <CGAL/Tandem/internal/shapes/links.h>
+#include <CGAL/Tandem/internal/shapes/make_fits.h>
 #include <CGAL/Tandem/internal/shapes/update_shapes.h>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- The unions of touching shapes, by all ranks. Changes nothing but tables of its own, where the functors run.
+
+// Whether a shape is in a union with others.
+struct Is_member {
+  const Union_root* root;
+  const std::uint32_t* target;
+
+  CGAL_TANDEM_HD bool operator()(std::uint32_t s) const { return target[s] != s || root[s].changed > 0; }
+};
+
+struct Start_root {
+  Union_root* root;
+  std::uint32_t* target;
+
+  CGAL_TANDEM_HD void operator()(std::size_t s) const
+  {
+    root[s] = Union_root();
+    target[s] = std::uint32_t(s);
+  }
+};
+
+struct Start_pair {
+  const Link* link;
+  Union_pair* pair;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    pair[i] = {link[i].first(), link[i].second(), Union_key(), 0, 0, link[i].count};
+  }
+};
+
+// The unions that have changed in a round.
+template <class Backend>
+struct Union_fits {
+  Union_rounds<Backend> rounds;
+  std::int32_t round;
+
+  CGAL_TANDEM_HD bool has(std::size_t s) const { return rounds.root[s].changed == round; }
+  CGAL_TANDEM_HD Fitted_moments& operator[](std::size_t s) const { return rounds.whole[rounds.root[s].place]; }
+  CGAL_TANDEM_HD void set_made(std::size_t) const {}
+};
+
+// What the tests of a round say. A pair that is not among these has been rejected.
+struct Accepted_pair {
+  std::uint32_t pair;
+  std::int32_t is_taken;
+  std::uint64_t cost;
+};
+
+template <class Backend>
+struct Take_accepted {
+  Union_rounds<Backend> rounds;
+  std::int32_t round;
+
+  CGAL_TANDEM_HD bool has(std::uint32_t i) const
+  {
+    return rounds.own.has(i) && rounds.pair[i].tested == round && rounds.pair[i].is_accepted();
+  }
+  CGAL_TANDEM_HD Accepted_pair take(std::uint32_t i) const
+  {
+    return {i, rounds.pair[i].is_taken, rounds.pair[i].key.cost};
+  }
+};
+
+struct Put_accepted {
+  Union_pair* pair;
+  const Accepted_pair* accepted;
+
+  CGAL_TANDEM_HD void operator()(std::size_t i) const
+  {
+    pair[accepted[i].pair].is_taken = accepted[i].is_taken;
+    pair[accepted[i].pair].key.cost = accepted[i].cost;
+  }
+};
+
+template <class Backend>
+void run_unions(Backend& backend, const Ranks<Backend>& ranks, std::size_t n, const Union_rounds<Backend>& rounds)
+{
+  if constexpr(!Ranks<Backend>::are_many)
+    return backend.run_rounds(rounds.shapes, n, rounds);
+  else
+    run_joint_rounds(backend, rounds.shapes, n, rounds, [&](int step, std::size_t round) {
+      const std::int32_t mark = std::int32_t(round + 1);
+      if(step == Union_rounds<Backend>::test) {
+        const auto all =
+          collect_of_all<Accepted_pair>(backend, ranks, rounds.pairs, Take_accepted<Backend>{rounds, mark});
+        backend.for_each(all.size(), Put_accepted{rounds.pair, all.data()});
+      } else if(step == Union_rounds<Backend>::fit)
+        spread_fits(backend, ranks, rounds.shapes, Union_fits<Backend>{rounds, mark});
+      return step == Union_rounds<Backend>::join && to_vector(backend, rounds.joins + round % 2, 1).front() == 0;
+    });
+}
+
+// The unions along the links. `member`: the shapes that are in a union with others, ascending. By id: what a shape has
+// joined, in one or more steps up to the root of its union, and the root, with the place of the union in `whole`.
+// `total`: the number of rounds, and that of the unions.
+template <class Backend>
+struct Shape_unions {
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+  Buffer<std::uint32_t> member;
+  Buffer<std::uint32_t> target;
+  Buffer<Union_root> root;
+  Buffer<Fitted_moments> whole;
+  Buffer<std::uint32_t> total;
+};
+
+// How unions are judged. samples: of all live shapes; those of unions change.
+template <class Backend>
+struct Union_judge {
+  Union_gain gain;
+  Shape_samples<Backend>& samples;
+};
+
+// All live shapes have to be fitted. A pair may have several links. The sums of the shapes are zero before and
+// afterwards.
+template <class Backend>
+Shape_unions<Backend> unite_shapes(Backend& backend, const Ranks<Backend>& ranks, Shape_table<Backend>& shapes,
+                                   const Union_judge<Backend>& judge,
+                                   const typename Backend::template Buffer<Link>& links)
+{
+  Shape_unions<Backend> unions;
+  if(links.size() == 0)
+    return unions;
+  const std::size_t n = shapes.size;
+  unions.target.reset(n);
+  unions.root.reset(n);
+  unions.whole.reset((std::min)(n, links.size())); // a union needs a link of its own
+  typename Backend::template Buffer<Union_pair> pair(links.size());
+  auto joins = filled_buffer(backend, 2, std::uint32_t(0));
+  unions.total = filled_buffer(backend, 2, std::uint32_t(0));
+  backend.for_each(n, Start_root{unions.root.data(), unions.target.data()});
+  backend.for_each(links.size(), Start_pair{links.data(), pair.data()});
+  run_unions(backend, ranks, (std::max)(n, links.size()),
+             Union_rounds<Backend>{judge.gain, pair.data(), links.size(), n, shapes.fitted(), judge.samples.data(),
+                                   unions.root.data(), unions.target.data(), start_deltas(backend, shapes, n),
+                                   unions.whole.data(), joins.data(), unions.total.data(), ranks.share()});
+  unions.member = backend.compact(n, Is_member{unions.root.data(), unions.target.data()});
+  return unions;
+}
+
+// ---
 
 // All members of unions: see join_members().
 struct Members_of_unions {

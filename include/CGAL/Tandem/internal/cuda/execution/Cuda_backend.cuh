@@ -8,14 +8,19 @@
 #ifndef CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
 #define CGAL_TANDEM_INTERNAL_CUDA_EXECUTION_CUDA_BACKEND_CUH
 
-#include <CGAL/Tandem/internal/cuda/runtime/copy.cuh>
-#include <CGAL/Tandem/internal/cuda/execution/Device_sort_table.cuh>
 #include <CGAL/Tandem/internal/backend/Parallel_host.h>
+#include <CGAL/Tandem/internal/cuda/execution/Device_sort_table.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/cub_calls.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/kernels.cuh>
 #include <CGAL/Tandem/internal/cuda/execution/loops.cuh>
-#include <CGAL/Tandem/internal/cuda/execution/range_sort.cuh>
-#include <CGAL/Tandem/internal/cuda/execution/rounds.cuh>
-#include <CGAL/Tandem/internal/cuda/execution/selection.cuh>
+#include <CGAL/Tandem/internal/cuda/execution/warp.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/Device_buffer.cuh>
+#include <CGAL/Tandem/internal/cuda/runtime/copy.cuh>
+
+#include <cooperative_groups.h>
+#include <cub/block/block_merge_sort.cuh>
+#include <cub/device/device_select.cuh>
+#include <thrust/iterator/counting_iterator.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +29,148 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- Sorts many short ranges of keys, such as the seeds of each cell. Runs of a fixed size are sorted in shared memory,
+// then merged by pairs. An own sort, because the segmented sort of CUB waits for the device. Moves keys within their
+// ranges only.
+
+// A run has four keys a lane. More lanes than in other kernels, since fewer are slower.
+constexpr unsigned run_lanes = 1024;
+constexpr unsigned keys_of_lane = 4;
+constexpr std::uint32_t keys_of_run = run_lanes * keys_of_lane;
+
+struct Less_key {
+  __device__ bool operator()(std::uint64_t a, std::uint64_t b) const { return a < b; }
+};
+
+// Sorts one run: blockIdx.x is the range, blockIdx.y the run in it. Blocks beyond the end of a short range have no
+// work. Places without a key are filled with the largest number, which sorts to the end. Real keys of that value are
+// not lost, since equal keys are the same.
+static __global__ void __launch_bounds__(run_lanes)
+  sort_runs(const Range* range, const std::uint64_t* from, std::uint64_t* to)
+{
+  using Sort = cub::BlockMergeSort<std::uint64_t, run_lanes, keys_of_lane>;
+  __shared__ typename Sort::TempStorage storage;
+  const Range r = range[blockIdx.x];
+  const std::uint32_t first = blockIdx.y * keys_of_run;
+  if(first >= r.size())
+    return;
+  const std::uint32_t size = r.size() - first < keys_of_run ? r.size() - first : keys_of_run;
+  from += r.first + first;
+  to += r.first + first;
+  // Neighboring lanes read neighboring keys, for wide loads; the order does not matter before the sort. After the sort,
+  // lane t has the keys 4t to 4t + 3 of the run.
+  std::uint64_t key[keys_of_lane];
+  for(unsigned i = 0; i < keys_of_lane; ++i) {
+    const std::uint32_t at = i * run_lanes + threadIdx.x;
+    key[i] = at < size ? from[at] : ~std::uint64_t(0);
+  }
+  Sort(storage).Sort(key, Less_key());
+  for(unsigned i = 0; i < keys_of_lane; ++i) {
+    const std::uint32_t at = threadIdx.x * keys_of_lane + i;
+    if(at < size)
+      to[at] = key[i];
+  }
+}
+
+// A body for each range: merges runs of `width` keys to runs of twice as many. Each key finds its place alone, by a
+// binary search in the other run. Places are distinct: equal keys of the first run come before those of the second.
+// Takes O(n log n) steps for n keys, without an exchange between lanes.
+struct Merge_runs {
+  const Range* range; // by body
+  // Keys of all ranges, before and after: two different buffers.
+  const std::uint64_t* from;
+  std::uint64_t* to;
+  std::uint32_t width; // of a run, but for the last one of a range
+
+  template <class Block>
+  __device__ void operator()(Block& block, unsigned char&, std::uint32_t c) const
+  {
+    const std::uint64_t* const keys = from + range[c].first;
+    std::uint64_t* const merged = to + range[c].first;
+    const std::uint32_t size = range[c].size();
+    block.for_each(size, [&](std::uint32_t at) {
+      const std::uint64_t key = keys[at];
+      const std::uint32_t first = at / (2 * width) * (2 * width);
+      const std::uint32_t middle = size - first < width ? size : first + width;
+      const std::uint32_t last = size - middle < width ? size : middle + width;
+      // A run without a second one stays where it is: then the other range is empty.
+      const std::uint32_t place =
+        at < middle ? partition_point(middle, last, [&](std::uint32_t i) { return keys[i] < key; }) - middle + at
+                    : partition_point(first, middle, [&](std::uint32_t i) { return keys[i] <= key; }) - middle + at;
+      merged[place] = key;
+    });
+  }
+};
+
+// ---
+
+// --- Which items are kept, of few by two loops of the queue, of many by CUB.
+
+// The i in [0, n) with is_kept(i), ascending; waits for their number, which the device writes to pinned memory.
+template <class F>
+std::size_t select_items(std::size_t n, F is_kept, std::uint32_t* kept)
+{
+  constexpr std::size_t items_of_queue = 65536;
+  if(n == 0)
+    return 0;
+  auto* const size = reinterpret_cast<std::int64_t*>(Staging::of_thread().take(sizeof(std::int64_t)));
+  if(n <= items_of_queue) {
+    Device_buffer<std::uint32_t> bits((n + warp_size - 1) / warp_size);
+    queue_loop(n, n, Test_loop<F>{is_kept, bits.data()});
+    queue_loop(n, n, List_loop{bits.data(), kept, size});
+  } else {
+    const thrust::counting_iterator<std::uint32_t> all(0);
+    with_cub_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceSelect::If(memory, bytes, all, kept, size, std::int64_t(n), is_kept, stream_of_thread());
+    });
+  }
+  synchronize();
+  return std::size_t(*size);
+}
+
+// ---
+
+// --- Rounds of steps in one kernel: launches and waits between the steps would take longer.
+
+// A cooperative launch: all blocks run at the same time, and wait for each other after each step. A barrier also makes
+// the writes of a step visible to all blocks. All lanes leave in the same round, since they read the same numbers.
+template <class Rounds>
+__global__ void __launch_bounds__(item_lanes) run_steps(std::size_t maximum_rounds, const Rounds rounds)
+{
+  const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
+  const std::size_t lanes = std::size_t(gridDim.x) * item_lanes;
+  const std::size_t lane = std::size_t(blockIdx.x) * item_lanes + threadIdx.x;
+  for(std::size_t round = 0; round < maximum_rounds; ++round)
+    for(int step = 0; step < Rounds::steps; ++step) {
+      if(step + 1 == Rounds::steps && rounds.is_last(round))
+        return;
+      rounds.run(step, round, lane, lanes);
+      if(gridDim.x == 1)
+        __syncthreads(); // takes less time
+      else
+        grid.sync();
+    }
+}
+
+// A warp for each item, since some take long; but not more blocks than run at the same time, else the barrier would
+// never be passed. It takes hardly longer with more blocks.
+template <class Rounds>
+void launch_rounds(std::size_t maximum_rounds, std::size_t items, Rounds rounds)
+{
+  const auto kernel = run_steps<Rounds>;
+  int multiprocessors = 0, blocks = 0; // on each of them at the same time
+  CGAL_TANDEM_CUDA(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, current_device()));
+  CGAL_TANDEM_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, int(item_lanes), 0));
+  const std::size_t maximum = std::size_t(multiprocessors) * std::size_t(blocks);
+  const std::size_t useful = items / (item_lanes / warp_size) + 1;
+  void* arguments[] = {&maximum_rounds, &rounds};
+  ++Device_work::of_thread().launches;
+  CGAL_TANDEM_CUDA(cudaLaunchCooperativeKernel(kernel, dim3(unsigned((std::min)(maximum, useful))), dim3(item_lanes),
+                                               arguments, 0, stream_of_thread()));
+}
+
+// ---
 
 // Used by one thread at a time. Functors are copied to the device with a launch, so they hold pointers to its memory
 // only. Memory is released in the order of the stream: buffers may end while kernels that use them still run.

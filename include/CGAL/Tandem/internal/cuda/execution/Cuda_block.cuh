@@ -8,11 +8,25 @@
 
 #include <CGAL/Tandem/internal/base/Box.h>
 #include <CGAL/Tandem/internal/base/Moments.h>
-#include <CGAL/Tandem/internal/cuda/execution/device_atomics.cuh>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- CUDA's atomic functions, not cuda::atomic_ref: that one takes generic addresses
+// where the memory is shared, and kernels with it spill more registers.
+
+// The address as those functions take it: of 64 bits, they know only one type.
+template <class T>
+__device__ auto* atomic_address(T& target)
+{
+  if constexpr(sizeof(T) == sizeof(unsigned long long))
+    return reinterpret_cast<unsigned long long*>(&target);
+  else
+    return &target;
+}
+
+// ---
 
 // Each operation begins and ends with a barrier: what lanes have read between two
 // operations is not overwritten before all have read it.

@@ -10,17 +10,18 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H
 #define CGAL_TANDEM_INTERNAL_MPI_MESSAGES_COMMUNICATOR_H
 
-#include <CGAL/Tandem/internal/mpi/messages/Failure.h>
-#include <CGAL/Tandem/internal/mpi/messages/mpi_types.h>
-
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
+#include <mpi.h>
 
 #include <algorithm>
 #include <climits>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <new>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -28,6 +29,115 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- How tables of items become messages of MPI.
+
+// Sizes and places of the items of each rank, as MPI counts them.
+struct Gathered_layout {
+  explicit Gathered_layout(const std::vector<std::uint64_t>& sizes)
+  {
+    for(const std::uint64_t n : sizes) {
+      first.push_back(int(total));
+      size.push_back(int(n));
+      total += n;
+    }
+    if(total > std::uint64_t(INT_MAX))
+      throw std::length_error("the ranks share more than 2^31 items of one table");
+  }
+
+  std::vector<int> size, first;
+  std::uint64_t total = 0;
+};
+
+// Items of so many bytes, so that counts of MPI are those of items.
+class Item_type {
+public:
+  explicit Item_type(std::size_t bytes)
+  {
+    MPI_Type_contiguous(int(bytes), MPI_BYTE, &type_);
+    MPI_Type_commit(&type_);
+  }
+  Item_type(const Item_type&) = delete;
+  Item_type& operator=(const Item_type&) = delete;
+  ~Item_type() { MPI_Type_free(&type_); }
+  operator MPI_Datatype() const { return type_; }
+
+private:
+  MPI_Datatype type_;
+};
+
+// By width: some versions of Open MPI compare MPI_UNSIGNED_LONG as if it had a sign.
+inline MPI_Datatype mpi_type_of(const std::int32_t*) { return MPI_INT32_T; }
+inline MPI_Datatype mpi_type_of(const std::uint32_t*) { return MPI_UINT32_T; }
+inline MPI_Datatype mpi_type_of(const std::int64_t*) { return MPI_INT64_T; }
+inline MPI_Datatype mpi_type_of(const std::uint64_t*) { return MPI_UINT64_T; }
+
+// In pieces, as MPI counts with int.
+template <class F>
+void for_each_message(std::size_t n, F f)
+{
+  constexpr std::size_t largest = std::size_t(1) << 24;
+  for(std::size_t first = 0; first < n; first += largest)
+    f(first, int((std::min)(largest, n - first)));
+}
+
+// ---
+
+// --- Exceptions as text, so that the one of one rank can be thrown by all. Types of the standard library are kept; others
+// become std::runtime_error.
+
+// The first letter is the type, the rest is the message.
+inline std::string encoded_failure(std::exception_ptr failure)
+{
+  try {
+    std::rethrow_exception(failure);
+  } catch(const std::invalid_argument& e) {
+    return std::string("i") + e.what();
+  } catch(const std::length_error& e) {
+    return std::string("l") + e.what();
+  } catch(const std::logic_error& e) {
+    return std::string("L") + e.what();
+  } catch(const std::range_error& e) {
+    return std::string("r") + e.what();
+  } catch(const std::bad_alloc&) {
+    return "b";
+  } catch(const std::exception& e) {
+    return std::string("e") + e.what();
+  } catch(...) {
+    return "eanother rank has failed";
+  }
+}
+
+[[noreturn]] inline void throw_failure(const std::string& encoded)
+{
+  const std::string message = encoded.substr(1);
+  switch(encoded.at(0)) {
+  case 'i':
+    throw std::invalid_argument(message);
+  case 'l':
+    throw std::length_error(message);
+  case 'L':
+    throw std::logic_error(message);
+  case 'r':
+    throw std::range_error(message);
+  case 'b':
+    throw std::bad_alloc();
+  default:
+    throw std::runtime_error(message);
+  }
+}
+
+// The failure of another rank, on which all ranks have agreed.
+class Agreed_failure {
+public:
+  explicit Agreed_failure(const std::string& encoded) : encoded_(encoded) {}
+  [[noreturn]] void rethrow() const { throw_failure(encoded_); }
+
+private:
+  std::string encoded_;
+};
+
+// ---
 
 class Communicator {
 public:

@@ -9,17 +9,222 @@
 #ifndef CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BORDER_SEARCH_H
 #define CGAL_TANDEM_INTERNAL_MPI_NEIGHBORS_BORDER_SEARCH_H
 
-#include <CGAL/Tandem/internal/mpi/neighbors/Ball_search.h>
-#include <CGAL/Tandem/internal/mpi/neighbors/Rank_boxes.h>
+#include <CGAL/Tandem/internal/mpi/messages/Communicator.h>
+#include <CGAL/Tandem/internal/neighbors/Box_tree.h>
 
 #include <algorithm>
 #include <iterator>
+#include <queue>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// --- Where the points of each rank are: some boxes of each, which all ranks know, with a tree over all of them.
+
+inline Node_box box_of(const Grid_point& p) { return {{p.x, p.y, p.z}, {p.x, p.y, p.z}}; }
+
+// n > 0.
+inline Node_box box_around(const Grid_point* point, std::size_t n)
+{
+  Node_box box = box_of(point[0]);
+  for(std::size_t i = 1; i < n; ++i)
+    box = joined(box, box_of(point[i]));
+  return box;
+}
+
+// At most so many boxes around sorted points. The largest box is halved again and again, so that gaps between
+// consecutive points are in no box.
+inline std::vector<Node_box> cover(const Grid_point* point, std::size_t n, std::size_t maximum)
+{
+  constexpr std::size_t grain = 32;
+  std::vector<Node_box> part; // of so many points each
+  for(std::size_t i = 0; i < n; i += grain)
+    part.push_back(box_around(point + i, (std::min)(grain, n - i)));
+  struct Run {
+    std::uint64_t squared_size;
+    std::size_t first, last; // points; multiples of the grain, or within one part
+    Node_box box;
+
+    bool operator<(const Run& r) const { return squared_size < r.squared_size; }
+  };
+  const auto run_of = [&](std::size_t first, std::size_t last) {
+    Node_box box = last - first > grain ? part[first / grain] : box_around(point + first, last - first);
+    for(std::size_t i = first + grain; i < last; i += grain)
+      box = joined(box, part[i / grain]);
+    return Run{squared_diagonal(box), first, last, box};
+  };
+  std::priority_queue<Run> runs;
+  if(n > 0)
+    runs.push(run_of(0, n));
+  while(!runs.empty() && runs.size() < maximum && runs.top().squared_size > 0) { // hence at least two points
+    const Run r = runs.top();
+    runs.pop();
+    std::size_t middle = (r.first + r.last) / 2;
+    if(r.last - r.first > grain)
+      middle = (std::max)(middle / grain * grain, r.first + grain);
+    runs.push(run_of(r.first, middle));
+    runs.push(run_of(middle, r.last));
+  }
+  std::vector<Run> ordered; // as the points, so that boxes beside each other are near each other
+  for(; !runs.empty(); runs.pop())
+    ordered.push_back(runs.top());
+  std::sort(ordered.begin(), ordered.end(), [](const Run& a, const Run& b) { return a.first < b.first; });
+  std::vector<Node_box> boxes;
+  for(const Run& r : ordered)
+    boxes.push_back(r.box);
+  return boxes;
+}
+
+class Rank_boxes {
+public:
+  // The boxes of this rank, which all others get.
+  Rank_boxes(Communicator& communicator, const std::vector<Node_box>& own)
+  {
+    std::vector<std::size_t> first;
+    level_.push_back(communicator.gather(own, &first));
+    for(std::uint32_t r = 0; r + 1 < first.size(); ++r)
+      rank_.insert(rank_.end(), first[r + 1] - first[r], r);
+    while(level_.back().size() > 1) {
+      const std::vector<Node_box>& below = level_.back();
+      std::vector<Node_box> level;
+      for(std::size_t i = 0; i < below.size(); ++i)
+        if(i % children == 0)
+          level.push_back(below[i]);
+        else
+          level.back() = joined(level.back(), below[i]);
+      level_.push_back(std::move(level));
+    }
+  }
+
+  std::uint32_t rank(std::size_t i) const { return rank_[i]; }
+  const Node_box& operator[](std::size_t i) const { return level_[0][i]; }
+
+  // f(i) for the boxes within a squared distance, in their order, hence rank by rank.
+  template <class F>
+  void for_each_near(const Node_box& box, std::uint64_t squared, F f) const
+  {
+    if(!level_[0].empty())
+      visit(level_.size() - 1, 0, box, squared, f);
+  }
+
+private:
+  static constexpr std::size_t children = 8;
+
+  template <class F>
+  void visit(std::size_t level, std::size_t i, const Node_box& box, std::uint64_t squared, F& f) const
+  {
+    if(squared_distance(level_[level][i], box) > squared)
+      return;
+    if(level == 0)
+      return f(i);
+    for(std::size_t child = children * i; child < (std::min)(children * (i + 1), level_[level - 1].size()); ++child)
+      visit(level - 1, child, box, squared, f);
+  }
+
+  std::vector<std::vector<Node_box>> level_; // from the boxes up to one around all
+  std::vector<std::uint32_t> rank_;          // by box
+};
+
+// ---
+
+// --- The nearest points of this rank within balls around points of other ranks.
+
+// A point for another rank, with the squared radius of its ball.
+struct Ball {
+  std::int32_t x, y, z;
+  std::uint32_t gap; // so that all bytes are defined
+  std::uint64_t squared;
+};
+
+// One of the points of a rank within a ball.
+struct Point_in_ball {
+  std::uint64_t squared;
+  std::uint64_t index; // wide, so that all bytes are defined
+
+  bool operator<(const Point_in_ball& p) const
+  {
+    return squared < p.squared || (squared == p.squared && index < p.index);
+  }
+};
+
+// The nearest points within a ball, in a box tree. All distances are exact.
+template <class Tree>
+class Ball_search {
+public:
+  Ball_search(const Tree& tree, int k) : tree_(tree), k_(std::size_t(k)) {}
+
+  // At most k points, ascending.
+  std::vector<Point_in_ball> operator()(const Ball& ball) const
+  {
+    const Node_box center = {{ball.x, ball.y, ball.z}, {ball.x, ball.y, ball.z}};
+    std::vector<Point_in_ball> found; // a heap, the worst one on top
+    std::vector<Node> stack;
+    visit({0, 0, tree_.levels() - 1}, center, ball.squared, found, stack);
+    while(!stack.empty()) {
+      const Node node = stack.back();
+      stack.pop_back();
+      if(node.squared <= reach(found, ball.squared))
+        visit(node, center, ball.squared, found, stack);
+    }
+    std::sort_heap(found.begin(), found.end());
+    return found;
+  }
+
+private:
+  struct Node {
+    std::uint64_t squared;
+    std::uint32_t index;
+    int level;
+  };
+
+  std::uint64_t reach(const std::vector<Point_in_ball>& found, std::uint64_t limit) const
+  {
+    return found.size() < k_ ? limit : found.front().squared;
+  }
+
+  void visit(const Node& node, const Node_box& center, std::uint64_t limit, std::vector<Point_in_ball>& found,
+             std::vector<Node>& stack) const
+  {
+    if(node.level == 0)
+      return scan(node.index, center, limit, found);
+    const std::uint32_t first = node.index * branching;
+    const std::uint32_t last = (std::min)(first + branching, tree_.count(node.level - 1));
+    const std::size_t base = stack.size();
+    for(std::uint32_t child = first; child < last; ++child) {
+      const std::uint64_t squared = squared_distance(center, tree_.box(node.level - 1, child));
+      if(squared <= reach(found, limit))
+        stack.push_back({squared, child, node.level - 1});
+    }
+    // The nearest child is searched first.
+    std::sort(stack.begin() + std::ptrdiff_t(base), stack.end(),
+              [](const Node& a, const Node& b) { return a.squared > b.squared; });
+  }
+
+  void scan(std::uint32_t bucket, const Node_box& center, std::uint64_t limit, std::vector<Point_in_ball>& found) const
+  {
+    const Point_bucket& b = tree_.buckets()[bucket];
+    for(std::uint32_t i = 0; i < tree_.points_in_bucket(bucket); ++i) {
+      const Point_in_ball p = {squared_distance(center, {{b.x[i], b.y[i], b.z[i]}, {b.x[i], b.y[i], b.z[i]}}),
+                               bucket * bucket_size + i};
+      if(p.squared > limit || (found.size() == k_ && !(p < found.front())))
+        continue;
+      if(found.size() == k_) {
+        std::pop_heap(found.begin(), found.end());
+        found.pop_back();
+      }
+      found.push_back(p);
+      std::push_heap(found.begin(), found.end());
+    }
+  }
+
+  const Tree& tree_;
+  std::size_t k_;
+};
+
+// ---
 
 // A point of any rank: its position there.
 struct Rank_point {

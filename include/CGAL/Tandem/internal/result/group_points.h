@@ -4,12 +4,12 @@
 // The list of points of each shape, from the shape of each point. A back end may replace the sort: the lists are
 // defined by their contents.
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
-#define CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_GROUP_POINTS_H
+#define CGAL_TANDEM_INTERNAL_RESULT_GROUP_POINTS_H
 
 #include <CGAL/Tandem/internal/backend/Host_memory.h>
 #include <CGAL/Tandem/internal/backend/Stage_overrides.h>
-#include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/internal/result/Engine_result.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -74,4 +74,4 @@ void take_points(Backend& backend, typename Backend::template Buffer<std::int32_
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_GROUP_POINTS_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_GROUP_POINTS_H

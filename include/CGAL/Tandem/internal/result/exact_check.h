@@ -6,8 +6,8 @@
 // bound. Changes labels, nothing else. In the loop, apply_planes() of shapes/update_shapes.h has detached most points
 // that do not fit. See the manual, "Exact Check".
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H
-#define CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_EXACT_CHECK_H
+#define CGAL_TANDEM_INTERNAL_RESULT_EXACT_CHECK_H
 
 #include <CGAL/Tandem/internal/cloud/Import.h>
 #include <CGAL/Tandem/internal/shapes/Options.h>
@@ -114,4 +114,4 @@ void check_exactly(Backend& backend, const Points_to_check& points, const Plane*
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_EXACT_CHECK_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_EXACT_CHECK_H

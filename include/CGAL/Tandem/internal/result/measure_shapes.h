@@ -5,8 +5,8 @@
 // many normals are opposite to their planes. Computed on the grid by integer sums, so they are the same for every order
 // of the points. Changes nothing else.
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
-#define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H
 
 #include <CGAL/Tandem/internal/finish/Labels_of_points.h>
 #include <CGAL/Tandem/internal/score/Score.h>
@@ -102,4 +102,4 @@ private:
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_MEASURE_SHAPES_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_MEASURE_SHAPES_H

@@ -4,8 +4,8 @@
 // What an engine returns: shapes, labels of the points, points of the shapes, and times. Plain data without a type of a
 // back end, so that both compilers accept it. Nothing is computed here.
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_ENGINE_RESULT_H
-#define CGAL_TANDEM_INTERNAL_FINISH_ENGINE_RESULT_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_ENGINE_RESULT_H
+#define CGAL_TANDEM_INTERNAL_RESULT_ENGINE_RESULT_H
 
 #include <CGAL/Tandem/Shapes_data.h>
 #include <CGAL/Tandem/internal/score/Score.h>
@@ -57,4 +57,4 @@ inline std::vector<Coefficients> planes_of(const Engine_result& result)
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_ENGINE_RESULT_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_ENGINE_RESULT_H

@@ -4,11 +4,11 @@
 // The uncertainty of each plane of a result, from the moments of the points that its shape has in the end. The moments
 // are sums of integers; what follows from them is computed on the host. See the manual, "Uncertainty of Planes".
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_MEASURE_PLANES_H
-#define CGAL_TANDEM_INTERNAL_FINISH_MEASURE_PLANES_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_MEASURE_PLANES_H
+#define CGAL_TANDEM_INTERNAL_RESULT_MEASURE_PLANES_H
 
 #include <CGAL/Tandem/internal/base/tuning/exactness.h>
-#include <CGAL/Tandem/internal/finish/Engine_result.h>
+#include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/finish/Labels_of_points.h>
 #include <CGAL/Tandem/internal/shapes/require.h>
 
@@ -122,4 +122,4 @@ void measure_planes(Labeled_cloud<Backend>& points, const Final_shapes& shapes, 
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_MEASURE_PLANES_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_MEASURE_PLANES_H

@@ -5,19 +5,18 @@
 // the shapes. Works on labels of its own, so it may run between two rounds: labels, states and shapes of the loop stay.
 // Labels are entries of the relations here: entry i is the shape relations.id[i].
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_EXTRACT_SHAPES_H
-#define CGAL_TANDEM_INTERNAL_FINISH_EXTRACT_SHAPES_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_EXTRACT_SHAPES_H
+#define CGAL_TANDEM_INTERNAL_RESULT_EXTRACT_SHAPES_H
 
-#include <CGAL/Tandem/internal/finish/Engine_result.h>
-#include <CGAL/Tandem/internal/finish/slabs.h>
+#include <CGAL/Tandem/internal/result/Engine_result.h>
 #include <CGAL/Tandem/internal/finish/components.h>
-#include <CGAL/Tandem/internal/finish/exact_check.h>
-#include <CGAL/Tandem/internal/finish/explain_free_points.h>
-#include <CGAL/Tandem/internal/finish/group_points.h>
+#include <CGAL/Tandem/internal/result/exact_check.h>
+#include <CGAL/Tandem/internal/result/explain_free_points.h>
+#include <CGAL/Tandem/internal/result/group_points.h>
 #include <CGAL/Tandem/internal/finish/large_components.h>
-#include <CGAL/Tandem/internal/finish/measure_planes.h>
-#include <CGAL/Tandem/internal/finish/measure_shapes.h>
-#include <CGAL/Tandem/internal/finish/surfel_labels.h>
+#include <CGAL/Tandem/internal/result/measure_planes.h>
+#include <CGAL/Tandem/internal/result/measure_shapes.h>
+#include <CGAL/Tandem/internal/result/surfel_labels.h>
 #include <CGAL/Tandem/internal/rounds/Shape_relations.h>
 #include <CGAL/Tandem/internal/shapes/Shape_table.h>
 
@@ -294,4 +293,4 @@ Engine_result extract_shapes(Labeled_cloud<Backend>& points, const Shape_table<B
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_EXTRACT_SHAPES_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_EXTRACT_SHAPES_H

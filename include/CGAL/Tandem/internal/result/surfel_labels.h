@@ -4,8 +4,8 @@
 // From the labels of surfels to those of their points: each point has the label of its surfel, or none, as it is checked
 // by itself. And what the result has of points. See the manual, "Exact Check".
 
-#ifndef CGAL_TANDEM_INTERNAL_FINISH_SURFEL_LABELS_H
-#define CGAL_TANDEM_INTERNAL_FINISH_SURFEL_LABELS_H
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_SURFEL_LABELS_H
+#define CGAL_TANDEM_INTERNAL_RESULT_SURFEL_LABELS_H
 
 #include <CGAL/Tandem/internal/finish/Labels_of_points.h>
 #include <CGAL/Tandem/internal/shapes/Labeled_cloud.h>
@@ -160,4 +160,4 @@ struct Write_normals {
 } // namespace Tandem
 } // namespace CGAL
 
-#endif // CGAL_TANDEM_INTERNAL_FINISH_SURFEL_LABELS_H
+#endif // CGAL_TANDEM_INTERNAL_RESULT_SURFEL_LABELS_H

@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Tandem authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Why points have no shape. It is read off the result: neighbor graph, shapes and planes, not the way that led there. So
+// the check of a result counts the same. Sums of integers over the points, in any order. See the manual, "Free Points".
+
+#ifndef CGAL_TANDEM_INTERNAL_RESULT_EXPLAIN_FREE_POINTS_H
+#define CGAL_TANDEM_INTERNAL_RESULT_EXPLAIN_FREE_POINTS_H
+
+#include <CGAL/Tandem/Statistics.h>
+#include <CGAL/Tandem/internal/base/tuning/score.h>
+#include <CGAL/Tandem/internal/cloud/Cloud.h>
+#include <CGAL/Tandem/internal/finish/Labels_of_points.h>
+#include <CGAL/Tandem/internal/shapes/Labels.h>
+#include <CGAL/Tandem/internal/shapes/Seeds.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Tandem {
+namespace internal {
+
+// --- Which shapes are slabs of clutter: few neighbors of their points are near their plane, whatever their shape. The price
+// of links cannot remove them, since slabs hold each other. Counts and decides only; extract_shapes.h frees the points.
+// See the manual, "Slabs of Clutter".
+
+// Neighbors of the points of one shape, without those in other crisp shapes: those in the shape or within epsilon of its
+// plane, and all of them. Each point has up to 64, those of its surfel, so the sums need 64 bits.
+namespace neighbor_counts {
+enum Count { near, all, size };
+} // namespace neighbor_counts
+
+// The counts of one cell, by id of the shape modulo `slots`. The first shape that claims a slot keeps it for this cell.
+// 32 bits suffice for surfels of less than 2^10 points, as a cell has at most 2^16 of them with 64 neighbors.
+struct Neighbor_scratch {
+  static constexpr std::uint32_t slots = 64;
+  std::uint32_t shape[slots];
+  std::uint32_t near[slots], all[slots];
+};
+
+// For each cell, counts the neighbors of its labeled points by the shape of the point. Reads labels and planes, and
+// writes only `counts`. These are integer sums, so the order of cells and points does not matter.
+template <class Backend>
+struct Count_neighbors {
+  Cloud_view cloud;
+  const Range* cells;
+  const std::uint32_t* label;
+  const Plane* plane;           // by shape, as are these
+  const std::uint8_t* is_crisp; // its points are close to its plane, unlike those of slabs
+  std::uint64_t* counts;        // neighbor_counts::size each
+  Tolerance tolerance;
+
+  template <class Block>
+  CGAL_TANDEM_HD void operator()(Block& block, Neighbor_scratch& scratch, std::uint32_t c) const
+  {
+    const Range cell = cells[c];
+    block.for_each(Neighbor_scratch::slots, [&](std::uint32_t i) {
+      scratch.shape[i] = no_index;
+      scratch.near[i] = scratch.all[i] = 0;
+    });
+    block.for_each(cell.size(), [&](std::uint32_t at) { visit(block, scratch, cell.first + at); });
+    block.for_each(Neighbor_scratch::slots, [&](std::uint32_t i) {
+      if(scratch.shape[i] != no_index)
+        add(scratch.shape[i], scratch.near[i], scratch.all[i]);
+    });
+  }
+
+private:
+  // Directly to the sums of all cells: at the end of a cell, and for a shape whose slot another shape has.
+  CGAL_TANDEM_HD void add(std::uint32_t s, std::uint64_t near, std::uint64_t all) const
+  {
+    std::uint64_t* const c = counts + std::size_t(s) * neighbor_counts::size;
+    Backend::atomic_add(c[neighbor_counts::near], near);
+    Backend::atomic_add(c[neighbor_counts::all], all);
+  }
+
+  template <class Block>
+  CGAL_TANDEM_HD void visit(Block& block, Neighbor_scratch& scratch, std::uint32_t i) const
+  {
+    const std::uint32_t s = label[i];
+    if(s >= first_mark)
+      return;
+    const std::uint32_t* row = cloud.row(i);
+    std::uint32_t near = 0, all = 0;
+    const std::int64_t distance = cloud.tolerance_of(i, tolerance).distance;
+    for(int j = 0; j < cloud.k && row[j] != no_index; ++j) {
+      const std::uint32_t other = label[row[j]];
+      // A neighbor in another crisp shape is not counted: it may lie on the other side of a thin plate.
+      const bool is_counted = other == s || other >= first_mark || !is_crisp[other];
+      all += is_counted;
+      near += is_counted && (other == s || is_near(plane[s], cloud.point[row[j]], distance));
+    }
+    const std::uint32_t points = cloud.surfels.points(i).size();
+    if(points >= 1u << 10)
+      return add(s, std::uint64_t(near) * points, std::uint64_t(all) * points);
+    near *= points;
+    all *= points;
+    const std::uint32_t slot = s % Neighbor_scratch::slots;
+    const std::uint32_t owner = block.exchange_if(scratch.shape[slot], no_index, s);
+    if(owner != no_index && owner != s)
+      return add(s, near, all);
+    block.add(scratch.near[slot], near);
+    block.add(scratch.all[slot], all);
+  }
+};
+
+// Of a shape with these counts.
+inline bool is_slab(const std::uint64_t* counts)
+{
+  constexpr tuning::Share least = tuning::moves::near_neighbors;
+  return !least.is_reached(std::int64_t(counts[neighbor_counts::near]), std::int64_t(counts[neighbor_counts::all]));
+}
+
+// ---
+
+// In the order in which they are tried: each point has the first one that holds.
+namespace free_reason {
+enum Reason : std::size_t { without_normal, misfit, without_neighbors, in_small_regions, clutter, size };
+} // namespace free_reason
+
+// Both bounds twice as large; an angle of 45 degrees or more becomes a right one.
+CGAL_TANDEM_HD inline Tolerance doubled(const Tolerance& t)
+{
+  const std::int64_t half = t.squared_cosine - (std::int64_t(1) << 31); // 2^31 cos(2 alpha): cos(2 a) = 2 cos^2(a) - 1
+  return {2 * t.distance, half > 0 ? half * half >> 30 : 0};
+}
+
+// Counts the reason of each point without a shape.
+struct Explain_free_points {
+  Cloud_view cloud;
+  Final_shapes shapes;
+  const Plane* plane; // by shape
+  Tolerance tolerance;
+
+  CGAL_TANDEM_HD void operator()(std::size_t at, std::int64_t* sum) const
+  {
+    const std::uint32_t p = std::uint32_t(at), i = cloud.surfels.of_point(p);
+    if(shapes.shape[i] == no_index || !shapes.labels.has(i, p))
+      ++sum[reason_of(i, cloud.surfels.point[p], cloud.surfels.tolerance_of_point(p, tolerance))];
+  }
+
+private:
+  // Of point p, of surfel i, by its tolerance.
+  CGAL_TANDEM_HD free_reason::Reason reason_of(std::uint32_t i, const Grid_point& p,
+                                               const Tolerance& own_tolerance) const
+  {
+    if(p.normal == no_normal)
+      return free_reason::without_normal;
+    if(is_misfit(i, p, doubled(own_tolerance)))
+      return free_reason::misfit;
+    const Plane own = own_plane(p);
+    const std::uint32_t* row = cloud.row(i);
+    int all = 0, fitting = 0;
+    for(; all < cloud.k && row[all] != no_index; ++all)
+      fitting += fits(own, cloud.point[row[all]], own_tolerance);
+    return fitting == 0        ? free_reason::without_neighbors
+           : 2 * fitting > all ? free_reason::in_small_regions
+                               : free_reason::clutter;
+  }
+
+  // Whether the point nearly fits the plane of a shape that it is next to: with twice the tolerances, `wide`, it would.
+  CGAL_TANDEM_HD bool is_misfit(std::uint32_t i, const Grid_point& p, const Tolerance& wide) const
+  {
+    std::uint32_t last = shapes.shape[i]; // neighbors of one shape often follow each other
+    bool is_near = last != no_index && fits(plane[last], p, wide);
+    const std::uint32_t* row = cloud.row(i);
+    for(int j = 0; j < cloud.k && row[j] != no_index && !is_near; ++j) {
+      const std::uint32_t s = shapes.shape[row[j]];
+      if(s == no_index || s == last)
+        continue;
+      last = s;
+      is_near = fits(plane[s], p, wide);
+    }
+    return is_near;
+  }
+};
+
+// The reasons of the points of all ranks; planes: of the shapes, in the caller's coordinates.
+template <class Backend>
+Free_points explain_free_points(Labeled_cloud<Backend>& points, const Final_shapes& shapes,
+                                const std::vector<Coefficients>& planes, const Grid& grid, const Tolerance& tolerance)
+{
+  const auto plane = points.backend.template make_buffer<Plane>(
+    planes.size(), [&](std::size_t s) { return rounded(to_grid(planes[s], grid)); });
+  const auto own = points.backend.template sum<free_reason::size>(
+    points.cloud.number_of_points(), Explain_free_points{points.cloud.view(), shapes, plane.data(), tolerance});
+  const auto total = [&](free_reason::Reason r) { return points.ranks.total(std::size_t(own[r])); };
+  Free_points counts;
+  counts.without_normal = total(free_reason::without_normal);
+  counts.misfit = total(free_reason::misfit);
+  counts.without_neighbors = total(free_reason::without_neighbors);
+  counts.in_small_regions = total(free_reason::in_small_regions);
+  counts.clutter = total(free_reason::clutter);
+  return counts;
+}
+
+} // namespace internal
+} // namespace Tandem
+} // namespace CGAL
+
+#endif // CGAL_TANDEM_INTERNAL_RESULT_EXPLAIN_FREE_POINTS_H
