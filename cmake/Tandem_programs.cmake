@@ -141,9 +141,14 @@ function(tandem_find_models result source)
   set(${result} "${lines}" PARENT_SCOPE)
 endfunction()
 
-# For programs without flags of their own: they share a precompiled header.
+# For programs without flags of their own: they share a precompiled header. Not with ccache, which does not keep what is
+# compiled with one: there its declarations, which spare instances of the engine, are included.
 function(tandem_share_engine target)
   tandem_link_engine(${target})
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+    target_compile_options(${target} PRIVATE "SHELL:-include \"${tandem_programs_dir}/precompiled.h\"")
+    return()
+  endif()
   tandem_find_suffix(${target} suffix)
   set(shared tandem_precompiled${suffix})
   if(NOT TARGET ${shared})
@@ -152,23 +157,7 @@ function(tandem_share_engine target)
       tandem_link_cuda(${shared})
     endif()
     tandem_link_engine(${shared})
-    tandem_precompile(${shared} precompiled.h)
+    target_precompile_headers(${shared} PRIVATE "${tandem_programs_dir}/precompiled.h")
   endif()
-  tandem_precompile(${target} precompiled.h ${shared})
-endfunction()
-
-# tandem_precompile(library header): makes a precompiled header of what is shared; tandem_precompile(target header
-# library): uses it. Not with ccache, which does not keep what is compiled with one; nor that of the tests for a few of
-# them with GCC, which takes as long to make one as to compile three files.
-function(tandem_precompile target header)
-  if(CMAKE_DISABLE_PRECOMPILE_HEADERS OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache" OR
-     (TANDEM_TESTS AND header MATCHES "engine" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
-    if(header MATCHES "engine") # its declarations save instances
-      target_compile_options(${target} PRIVATE "SHELL:-include \"${tandem_programs_dir}/${header}\"")
-    endif()
-  elseif(ARGN)
-    target_precompile_headers(${target} REUSE_FROM ${ARGN})
-  else()
-    target_precompile_headers(${target} PRIVATE "${tandem_programs_dir}/${header}")
-  endif()
+  target_precompile_headers(${target} REUSE_FROM ${shared})
 endfunction()
