@@ -6,9 +6,8 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TOLERANCES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_TOLERANCES_H
 
+#include "testing/measured_violation.h"
 #include "testing/test_support.h"
-
-#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +49,7 @@ template <class Map>
 std::string violation_with_tolerances(const Cloud& cloud, const Shapes& shapes, const Map& map,
                                       Given given = Given::normals)
 {
-  std::string why;
-  with_tolerances(Parameters(), map, given,
-                  [&](const auto& list) { return CGAL::Tandem::is_valid_result(cloud, shapes, list, &why); });
-  return why;
+  return with_tolerances(Parameters(), map, given, [&](const auto& list) { return violation_of(cloud, shapes, list); });
 }
 
 // A corridor with an end wall, and what a depth camera at its entry sees of it: noise of .0028 z^2 along the rays. Of
