@@ -1,19 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters simplicity and regularity: what they change, at which values, and that the score has them.
+// The parameters simplicity, regularity and regularity_period: what they change, at which values, and that the score has
+// them.
 
 #include "testing/test_support.h"
 
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(test_knobs)
-
-namespace {
 
 namespace np = CGAL::Tandem::parameters;
 
@@ -152,6 +147,51 @@ BOOST_AUTO_TEST_CASE(test_given_planes)
   check_equal(directions(.3), 2u, "directions of given planes");
 }
 
-} // namespace
+// Whatever the period of the alternation is, the result is valid and regularized; 1 is the method.
+Cloud make_noisy_house()
+{
+  scenes::Options options = scene_options(20000, 0.002, 0.2);
+  options.normals = scenes::Normals::perturbed;
+  options.normal_noise_deg = 8;
+  return to_cloud(scenes::make_scene("house", options));
+}
+
+Parameters with_period(std::size_t period)
+{
+  Parameters p = make_parameters(0.2, 60);
+  p.maximum_angle = 36.87;
+  p.regularity_period = period;
+  return p;
+}
+
+BOOST_AUTO_TEST_CASE(test_periods)
+{
+  check_equal(Parameters().regularity_period, 1u, "period");
+  const Cloud cloud = make_noisy_house();
+  const Shapes tandem = detect_valid("period 1", cloud, with_period(1));
+  for(std::size_t period : {2, 7, 100000}) {
+    const std::string name = "period " + std::to_string(period);
+    const Shapes shapes = detect_valid(name, cloud, with_period(period));
+    CHECK_AT(shapes.hash() != tandem.hash(), name + ": has no effect");
+    CHECK_AT(2 * shapes.number_of_parallel_groups() < shapes.number_of_shapes(), name + ": is not regularized");
+    check_same(detect<CGAL::Parallel_if_available_tag>(cloud, with_period(period)), shapes, name);
+  }
+  check_throws<std::invalid_argument>([&] { detect(cloud, with_period(0)); }, {"regularity_period"}, __LINE__);
+}
+
+// Between two regularity steps no shapes are tied: seen from outside, round by round.
+BOOST_AUTO_TEST_CASE(test_rounds)
+{
+  const Cloud cloud = make_noisy_house();
+  const auto list = np::settings(with_period(3)).point_map(First<Kernel>());
+  using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, CGAL::Sequential_tag>;
+  CGAL::Tandem::Planar_shape_detection_3<Traits> detection(cloud, list.normal_map(Second<Kernel>()));
+  for(int round = 1; round <= 6 && detection.iterate(); ++round) {
+    const Shapes shapes = detection.shapes();
+    // Parts of one shape share their plane; shapes that are tied share directions between planes.
+    const bool is_tied = shapes.number_of_parallel_groups() < shapes.number_of_coplanar_groups();
+    CHECK_AT(is_tied == (round % 3 == 0), "round " + std::to_string(round));
+  }
+}
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -10,10 +10,7 @@
 #include <CGAL/Shape_regularization_tandem/adapters.h>
 #include <CGAL/Shape_regularization_tandem/regularize_planes.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_limits)
 
@@ -27,7 +24,7 @@ BOOST_AUTO_TEST_CASE(test_many_faces)
 {
   Random random(5);
   Cloud cloud;
-  const int faces = 2500, side = 14, points = 40;
+  const int faces = 1200, side = 11, points = 40;
   for(int f = 0; f < faces; ++f) {
     const Vec n = random.direction();
     const Vec u = unit(cross(n, Vec{.3, .5, -.7})), v = cross(n, u);
@@ -47,7 +44,7 @@ BOOST_AUTO_TEST_CASE(test_grid_twins)
 {
   Random random(3);
   Cloud cloud;
-  for(int i = 0; i < 30000; ++i) {
+  for(int i = 0; i < 20000; ++i) {
     double p[3] = {random.uniform(), random.uniform(), random.uniform()}, n[3] = {0, 0, 0};
     const int face = int(4 * random.uniform());
     if(face < 3)
@@ -62,7 +59,7 @@ BOOST_AUTO_TEST_CASE(test_grid_twins)
     CHECK(first.statistics().is_grid_coarse);
     const auto expected = labeled_points(cloud, first);
     Cloud other = cloud;
-    for(std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for(std::uint64_t seed = 1; seed <= 2; ++seed) {
       shuffle(other, seed);
       const Shapes shapes = detect(other, parameters, given);
       check_same_planes(first, shapes, "grid twins");
@@ -146,7 +143,8 @@ BOOST_AUTO_TEST_CASE(test_late_faces)
 
 // Patches too small for a shape have the best seeds of all cells: the loop does not end before the faces begin, and
 // gets there in few rounds.
-void test_faces_behind_patches(const Squares& faces, const Squares& patches, std::size_t minimum, std::size_t cell_size)
+void check_faces_behind_patches(const Squares& faces, const Squares& patches, std::size_t minimum,
+                                std::size_t cell_size)
 {
   const std::string name = "faces behind " + std::to_string(patches.count) + " patches, minimum " +
                            std::to_string(minimum) + ", cells of " + std::to_string(cell_size);
@@ -168,11 +166,9 @@ void test_faces_behind_patches(const Squares& faces, const Squares& patches, std
 
 BOOST_AUTO_TEST_CASE(test_faces_of_late_seeds)
 {
-  test_faces_behind_patches(make_rough_faces(.02), make_patches(500), 100, 8192);
-  test_faces_behind_patches(make_rough_faces(.02), make_patches(500), 100, 65535);
-  test_faces_behind_patches(make_rough_faces(.01), make_patches(1000), 100, 8192);
-  test_faces_behind_patches(make_rough_faces(.02), make_patches(1000), 100, 8192);
-  test_faces_behind_patches(make_rough_faces(.02), make_patches(1000), points_of_patch + 1, 8192);
+  check_faces_behind_patches(make_rough_faces(.02), make_patches(300), 100, 65535);
+  check_faces_behind_patches(make_rough_faces(.02), make_patches(1000), 100, 8192);
+  check_faces_behind_patches(make_rough_faces(.02), make_patches(1000), points_of_patch + 1, 8192);
   // No cell has as many points of a face as the smallest shape.
   Squares faces = make_rough_faces(.02), patches = make_patches(30000);
   faces.count = 3;
@@ -182,7 +178,7 @@ BOOST_AUTO_TEST_CASE(test_faces_of_late_seeds)
   patches.points = 13;
   patches.side = .03;
   patches.high = 3;
-  test_faces_behind_patches(faces, patches, 5000, 8192);
+  check_faces_behind_patches(faces, patches, 5000, 8192);
 }
 
 // Of at most as many points as a point has neighbors.
@@ -196,6 +192,30 @@ BOOST_AUTO_TEST_CASE(test_small_cells)
   const Shapes shapes = detect_valid("small cells", cloud, parameters);
   check_counts("small cells", shapes, 1, 1, 1);
   CHECK_AT(shapes.statistics().coverage > .99, std::to_string(shapes.statistics().coverage));
+}
+
+// Few points on a tilted plane are a shape if as few are asked for, whatever the number of neighbors is.
+BOOST_AUTO_TEST_CASE(test_few_points)
+{
+  const double length = std::sqrt(1 + .3 * .3);
+  for(std::size_t k : {6u, 12u})
+    for(std::size_t n : {3, 4, 5, 6, 7, 8, 12, 20})
+      for(std::uint64_t seed = 1; seed <= 10; ++seed) {
+        Random random(seed);
+        Cloud cloud;
+        for(std::size_t i = 0; i < n; ++i) {
+          const double x = random.uniform(), y = random.uniform();
+          add(cloud, {x, y, .3 * x}, {-.3 / length, 0, 1 / length});
+        }
+        Parameters parameters = make_parameters(.05, 3);
+        parameters.k_neighbors = k;
+        const std::string name = std::to_string(n) + " points, seed " + std::to_string(seed);
+        for(Given given : {Given::normals, Given::nothing}) {
+          const Shapes shapes = detect_valid(name, cloud, parameters, given);
+          check_counts(name, shapes, 1, 1, 1);
+          check_equal(shapes.statistics().number_of_assigned_points, n, name + ": points of the shape");
+        }
+      }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

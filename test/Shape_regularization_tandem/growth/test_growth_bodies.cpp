@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The bodies of growth, over the points, against naive versions of them, on several back ends: proposals, and growth in
-// the cells.
+// the cells. And what a pass of growth makes of the table of shapes: shapes that grow, start, or go out of use.
 
 #include "testing/body_fixture.h"
 
 #include <CGAL/Tandem/internal/growth/grow_shapes.h>
 #include <CGAL/Tandem/internal/shapes/Seeds.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -19,134 +20,230 @@ BOOST_AUTO_TEST_SUITE(test_growth_bodies)
 
 using namespace CGAL::Tandem::internal;
 
-template <class Backend>
-class Growth_bodies {
-public:
-  Growth_bodies(Backend& backend, const std::string& name, const Fixture& f) : backend_(backend), name_(name), f_(f) {}
-
-  void run()
-  {
-    test_planarity();
-    test_propose();
-    test_growth();
-  }
-
-private:
-  // How planar the surface is within the own tolerance of each point, and the same within tighter bounds.
-  void test_planarity()
-  {
-    const Tolerance tight = {f_.tolerance.distance / 3, (f_.tolerance.squared_cosine + (std::int64_t(1) << 32)) / 2};
+// How planar the surface is within the own tolerance of each point, and the same within tighter bounds.
+BOOST_AUTO_TEST_CASE(planarity_of_points)
+{
+  for(const Fixture& f : fixtures()) {
+    const Tolerance tight = {f.tolerance.distance / 3, (f.tolerance.squared_cosine + (std::int64_t(1) << 32)) / 2};
     std::size_t differing = 0;
-    for(std::uint32_t i = 0; i < f_.cloud.size; ++i) {
-      const Plane own = own_plane(f_.point[i]);
-      const Tolerance at = f_.tolerance_of(i), tight_at = f_.level.empty() ? tight : tight.at(f_.level[i]);
+    for(std::uint32_t i = 0; i < f.cloud.size; ++i) {
+      const Plane own = own_plane(f.point[i]);
+      const Tolerance at = f.tolerance_of(i), tight_at = f.level.empty() ? tight : tight.at(f.level[i]);
       int all = 0, fitting = 0, close = 0, within_epsilon = 0;
-      f_.for_each_neighbor(i, [&](std::uint32_t q) {
+      f.for_each_neighbor(i, [&](std::uint32_t q) {
         ++all;
-        fitting += fits(own, f_.point[q], at);
-        close += fits(own, f_.point[q], tight_at);
-        within_epsilon += fits(own, f_.point[q], f_.tolerance);
+        fitting += fits(own, f.point[q], at);
+        close += fits(own, f.point[q], tight_at);
+        within_epsilon += fits(own, f.point[q], f.tolerance);
       });
-      const Planarity p = planarity(f_.cloud, i, f_.tolerance, tight);
-      CHECK_AT(p.all == all && p.fitting == fitting && p.close == close, name_ + ": planarity");
+      const Planarity p = planarity(f.cloud, i, f.tolerance, tight);
+      CHECK_AT(p.all == all && p.fitting == fitting && p.close == close, f.name + ": planarity");
       differing += fitting != within_epsilon;
     }
-    CHECK_AT(f_.cloud.size < 1000 || (differing > 50) == !f_.level.empty(),
-             name_ + ": own tolerances matter at " + std::to_string(differing));
+    CHECK_AT(f.cloud.size < 1000 || (differing > 50) == !f.level.empty(), f.name + ": own tolerances matter");
   }
+}
 
-  void test_propose()
-  {
-    std::vector<std::uint32_t> border, proposal, expected;
-    for(std::uint32_t i = 0; i < f_.cloud.size; i += 2)
+BOOST_AUTO_TEST_CASE(proposals)
+{
+  on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
+    std::vector<std::uint32_t> border, expected;
+    for(std::uint32_t i = 0; i < f.cloud.size; i += 2) {
       border.push_back(i);
-    for(std::uint32_t i : border) {
-      std::set<std::pair<std::uint64_t, std::uint32_t>> proposals;
-      f_.for_each_neighbor(i, [&](std::uint32_t q) {
-        if(f_.label[i] == free_label && f_.label[q] < first_mark && f_.fits(f_.label[q], i))
-          proposals.emplace(f_.distance(f_.label[q], i), f_.label[q]);
+      std::set<std::pair<std::uint64_t, std::uint32_t>> proposed;
+      f.for_each_neighbor(i, [&](std::uint32_t q) {
+        if(f.label[i] == free_label && f.label[q] < first_mark && f.fits(f.label[q], i))
+          proposed.emplace(f.distance(f.label[q], i), f.label[q]);
       });
-      expected.push_back(proposals.empty() ? no_index : proposals.begin()->second);
+      expected.push_back(proposed.empty() ? no_index : proposed.begin()->second);
     }
-    proposal.resize(border.size());
-    backend_.for_each(
-      border.size(), Propose{f_.cloud, f_.label.data(), f_.plane.data(), border.data(), proposal.data(), f_.tolerance});
-    check_lists(proposal, expected, name_ + ": Propose");
-  }
+    std::vector<std::uint32_t> proposal(border.size());
+    backend.for_each(border.size(),
+                     Propose{f.cloud, f.label.data(), f.plane.data(), border.data(), proposal.data(), f.tolerance});
+    check_lists(proposal, expected, name);
+  });
+}
 
-  // Round by round, in each cell alone; ties go to the smallest shape.
-  std::vector<std::uint32_t> flood_fill(std::vector<std::uint32_t> label, const std::vector<std::uint8_t>& state,
-                                        const std::vector<std::uint16_t>& rounds) const
-  {
-    for(const Range& cell : f_.cells) {
-      std::vector<std::uint32_t> frontier;
-      for(std::uint32_t i = cell.first; i < cell.last; ++i)
-        if(label[i] < first_mark && (state[i] & frontier_bit))
-          frontier.push_back(i);
-      for(int round = 0; !frontier.empty(); ++round) {
-        std::map<std::uint32_t, std::uint32_t> claims;
-        for(std::uint32_t i : frontier)
-          f_.for_each_neighbor(i, [&](std::uint32_t q) {
-            if(round < rounds[label[i]] && q >= cell.first && q < cell.last && label[q] == free_label &&
-               f_.fits(label[i] % std::uint32_t(f_.plane.size()), q))
-              claims[q] = claims.count(q) ? (std::min)(claims[q], label[i]) : label[i];
-          });
-        frontier.clear();
-        for(const auto& claim : claims) {
-          label[claim.first] = claim.second;
-          frontier.push_back(claim.first);
-        }
+// Round by round, in each cell alone; ties go to the smallest shape.
+std::vector<std::uint32_t> flood_fill(const Fixture& f, std::vector<std::uint32_t> label,
+                                      const std::vector<std::uint8_t>& state, const std::vector<std::uint16_t>& rounds)
+{
+  for(const Range& cell : f.cells) {
+    std::vector<std::uint32_t> frontier;
+    for(std::uint32_t i = cell.first; i < cell.last; ++i)
+      if(label[i] < first_mark && (state[i] & frontier_bit))
+        frontier.push_back(i);
+    for(int round = 0; !frontier.empty(); ++round) {
+      std::map<std::uint32_t, std::uint32_t> claims;
+      for(std::uint32_t i : frontier)
+        f.for_each_neighbor(i, [&](std::uint32_t q) {
+          if(round < rounds[label[i]] && q >= cell.first && q < cell.last && label[q] == free_label &&
+             f.fits(label[i] % std::uint32_t(f.plane.size()), q))
+            claims[q] = claims.count(q) ? (std::min)(claims[q], label[i]) : label[i];
+        });
+      frontier.clear();
+      for(const auto& claim : claims) {
+        label[claim.first] = claim.second;
+        frontier.push_back(claim.first);
       }
     }
-    return label;
   }
+  return label;
+}
 
-  void test_growth()
-  {
+BOOST_AUTO_TEST_CASE(growth_in_cells)
+{
+  on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
     // Three shapes of each plane, which race for its points.
-    std::vector<std::uint32_t> label = f_.label, cursor(f_.cells.size(), 0);
-    std::vector<std::uint8_t> state = f_.state;
-    const std::uint32_t faces = std::uint32_t(f_.plane.size());
+    std::vector<std::uint32_t> label = f.label, cursor(f.cells.size(), 0);
+    std::vector<std::uint8_t> state = f.state;
+    const std::uint32_t faces = std::uint32_t(f.plane.size());
     for(std::size_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark)
         label[i] = i % 7 == 0 ? label[i] + faces * std::uint32_t(i % 3) : free_label;
     std::vector<Plane> plane;
     for(int copy = 0; copy < 3; ++copy)
-      plane.insert(plane.end(), f_.plane.begin(), f_.plane.end());
+      plane.insert(plane.end(), f.plane.begin(), f.plane.end());
     std::vector<std::uint16_t> rounds;
     for(std::size_t s = 0; s < plane.size(); ++s)
       rounds.push_back(std::uint16_t(s % 3 == 0 ? tuning::growth::maximum_steps : int(s % 5)));
-    const std::vector<std::uint32_t> expected = flood_fill(label, state, rounds);
+    const std::vector<std::uint32_t> expected = flood_fill(f, label, state, rounds);
     std::vector<std::uint8_t> is_restarted(plane.size(), 0);
     std::vector<Shared_moments> delta(plane.size()), expected_delta(plane.size());
     for(std::size_t i = 0; i < label.size(); ++i)
       if(label[i] != expected[i])
-        add_point(expected_delta[expected[i]], f_.point[i], 1, f_.level_of(i));
+        add_point(expected_delta[expected[i]], f.point[i], 1, f.level_of(i));
     // No points of the border, no seeds.
-    const std::vector<Range> border(f_.cells.size(), Range{0, 0});
-    const std::vector<std::uint32_t> none(f_.cells.size(), 0);
-    const std::vector<Cell_shapes> lists = f_.list_shapes(label);
-    const Cells_view cells = {f_.cells.data(), lists.data()};
+    const std::vector<Range> border(f.cells.size(), Range{0, 0});
+    const std::vector<std::uint32_t> none(f.cells.size(), 0);
+    const std::vector<Cell_shapes> lists = f.list_shapes(label);
+    const Cells_view cells = {f.cells.data(), lists.data()};
     const Cell_tables tables = {cells, {border.data(), nullptr, nullptr}, {nullptr, none.data(), cursor.data()}};
-    const Grow_cells<Backend> body = {f_.cloud,
-                                      {plane.data(), rounds.data(), is_restarted.data(), delta.data()},
-                                      {label.data(), state.data()},
-                                      {f_.tolerance, 8, 64, 7, 7, 0},
-                                      tables,
-                                      0};
-    if(std::all_of(f_.cells.begin(), f_.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))
-      backend_.template for_each_cell<Growth_scratch<small_cell>>(f_.cells.size(), body);
+    const Grow_cells<decltype(backend)> body = {f.cloud,
+                                                {plane.data(), rounds.data(), is_restarted.data(), delta.data()},
+                                                {label.data(), state.data()},
+                                                {f.tolerance, 8, 64, 7, 7, 0},
+                                                tables,
+                                                0};
+    if(std::all_of(f.cells.begin(), f.cells.end(), [](const Range& r) { return r.size() <= small_cell; }))
+      backend.template for_each_cell<Growth_scratch<small_cell>>(f.cells.size(), body);
     else
-      backend_.template for_each_cell<Growth_scratch<largest_cell>>(f_.cells.size(), body);
-    check_lists(label, expected, name_ + ": growth");
-    check_moments(delta, expected_delta, name_ + ": growth");
+      backend.template for_each_cell<Growth_scratch<largest_cell>>(f.cells.size(), body);
+    check_lists(label, expected, name);
+    check_moments(delta, expected_delta, name);
+  });
+}
+
+// Shapes with few or many ids out of use, and those that start in the pass. Each live one has some point before, and
+// every fifth one gets no other.
+struct Grown_shapes {
+  static constexpr std::uint32_t size = 60, ids = 101;
+
+  bool is_sparse;
+  std::vector<Shape> shape; // before the pass, as the planes; some of the room may not be used
+  std::vector<Plane> plane;
+  std::vector<Shared_moments> delta;
+  std::vector<std::uint32_t> label;
+  std::size_t new_points = 0;
+
+  Grown_shapes(const Fixture& f, bool is_sparse, std::uint32_t room)
+    : is_sparse(is_sparse), shape(room), plane(room, marked_plane(99999)), delta(ids), label(f.label)
+  {
+    for(std::uint32_t id = 0; id < size; ++id) {
+      shape[id].age = int(id % 11);
+      shape[id].is_active = id % 2 == 0;
+      shape[id].history.set_fitted(true);
+      shape[id].history.set_linked(true);
+      if(is_live(id))
+        shape[id].moments.add({std::int32_t(id), 1, 2, no_normal}, 1);
+      plane[id] = marked_plane(id);
+    }
+    for(std::uint32_t i = 0; i < label.size(); ++i) {
+      const std::uint32_t id = i % ids;
+      label[i] = is_live(id) || (id >= size && id % 4 == 2) ? id : f.label[i] >= first_mark ? f.label[i] : free_label;
+      if(label[i] == id && id % 5 != 0) {
+        add_point(delta[id], f.point[i], 1);
+        ++new_points;
+      } else if(label[i] == id && id >= size)
+        label[i] = locked_label;
+    }
   }
 
-  Backend& backend_;
-  const std::string name_;
-  const Fixture& f_;
+  static Plane marked_plane(std::uint32_t id) { return {0, 0, 0, id}; }
+
+  bool is_live(std::uint32_t id) const { return id < size && (id % 3 == 1) == is_sparse; }
+
+  // By new id: the id before.
+  std::vector<std::uint32_t> old_ids() const
+  {
+    std::vector<std::uint32_t> old;
+    for(std::uint32_t id = 0; id < ids; ++id)
+      if(id < size ? is_live(id) || !is_sparse : is_any(delta[id]))
+        old.push_back(id);
+    return old;
+  }
 };
 
-BOOST_AUTO_TEST_CASE(all_cases) { test_with_levels_on_all_backends<Growth_bodies>(); }
+template <class Backend>
+void check_shape(const Shape_table<Backend>& shapes, std::uint32_t id, const Grown_shapes& all, std::uint32_t old,
+                 const std::string& at)
+{
+  const bool is_new = old >= all.size, is_active = is_any(all.delta[old]);
+  Shape before = is_new ? Shape() : all.shape[old];
+  before.moments += all.delta[old].moments();
+  const Shape& s = shapes.table()[id];
+  CHECK_AT(are_equal(s.moments, before.moments), at + ": moments");
+  CHECK_AT(s.box.low[0] == all.delta[old].box.low[0] && s.box.high[2] == all.delta[old].box.high[2], at + ": box");
+  check_equal(shapes.plane[id].d, is_new ? Plane().d : all.marked_plane(old).d, at + ": plane");
+  check_equal(int(shapes.is_restarted[id]), 0, at + ": restart");
+  const bool is_out_of_use = !is_new && !all.is_live(old);
+  check_equal(s.age, before.age + !is_out_of_use, at + ": age");
+  check_equal(int(shapes.steps[id]),
+              is_out_of_use ? 0 : (std::min)(1 << (std::min)(s.age, 30), tuning::growth::maximum_steps),
+              at + ": steps");
+  if(!is_out_of_use)
+    CHECK_AT((s.is_active != 0) == is_active && s.history.is_fitted() == !is_active &&
+               s.history.is_linked() == !is_active,
+             at + ": changes");
+}
+
+// Without room the tables have to grow.
+BOOST_AUTO_TEST_CASE(passes)
+{
+  on_fixtures([](auto backend, const std::string& name, const Fixture& f) {
+    for(bool is_sparse : {false, true})
+      for(bool has_room : {false, true}) {
+        const Grown_shapes before(f, is_sparse, has_room ? 500 : Grown_shapes::size);
+        const std::size_t room = before.shape.size();
+        const std::string where = name + (before.is_sparse ? ": growth of few shapes" : ": growth of shapes") +
+                                  ", room " + std::to_string(room);
+        Labeled_cloud<decltype(backend)> points(backend);
+        take_cloud(f, points);
+        set_labels(points, before.label);
+        auto shapes = make_table(backend, before.shape);
+        shapes.size = before.size;
+        shapes.plane = to_buffer(backend, before.plane);
+        shapes.steps = filled_buffer(backend, room, std::uint16_t(999));
+        shapes.is_restarted = filled_buffer(backend, room, std::uint8_t(1));
+        shapes.delta = to_buffer(backend, before.delta);
+        check_equal(take_growth(points, shapes, before.ids), before.new_points, where + ": new points");
+        const std::vector<std::uint32_t> old = before.old_ids();
+        check_equal(shapes.size, old.size(), where + ": ids");
+        CHECK_AT((std::min)({shapes.table().size(), shapes.plane.size(), shapes.steps.size(),
+                             shapes.is_restarted.size()}) >= old.size(),
+                 where + ": room of the tables");
+        std::vector<std::uint32_t> new_id(before.ids, no_index);
+        for(std::uint32_t i = 0; i < old.size() && shapes.size == old.size(); ++i) {
+          new_id[old[i]] = i;
+          check_shape(shapes, i, before, old[i], where + ", shape " + std::to_string(old[i]));
+        }
+        std::vector<std::uint32_t> label = before.label;
+        for(std::uint32_t& l : label)
+          l = l < first_mark ? new_id[l] : l;
+        check_lists(to_vector(backend, points.label(), label.size()), label, where + ": labels");
+        CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": deltas that stay");
+      }
+  });
+}
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 //
 // Tables of the host: pages that are kept, tables that are shared, memory that is filled for tests.
 
-
 #include "testing/checks.h"
 
 #include <CGAL/Tandem/Shared_table.h>

@@ -14,9 +14,7 @@ BOOST_AUTO_TEST_SUITE(test_direction_fits)
 
 using namespace CGAL::Tandem::internal;
 
-namespace {
-
-BOOST_AUTO_TEST_CASE(test_angles)
+BOOST_AUTO_TEST_CASE(angles)
 {
   const double pi = 3.14159265358979323846;
   for(double d = -725; d <= 725; d += 0.37) {
@@ -32,7 +30,7 @@ BOOST_AUTO_TEST_CASE(test_angles)
   check_equal(cosine_deg(90), 0, "cosine of 90");
 }
 
-BOOST_AUTO_TEST_CASE(test_group_fit)
+BOOST_AUTO_TEST_CASE(group_fit)
 {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.03);
@@ -48,7 +46,7 @@ BOOST_AUTO_TEST_CASE(test_group_fit)
     sum = sum + shapes.back().scatter.matrix;
   }
   const Relations r = run(shapes, all_on(1e6));
-  check_equal(double(r.directions.size()), 1, "directions of the group");
+  check_equal(r.directions.size(), 1u, "directions of the group");
   const Vector n = r.directions[0];
   const Plane_basis b(n);
   for(double step : {1e-6, 1e-4, 1e-2})
@@ -58,7 +56,7 @@ BOOST_AUTO_TEST_CASE(test_group_fit)
     }
 }
 
-BOOST_AUTO_TEST_CASE(test_constrained_fits)
+BOOST_AUTO_TEST_CASE(constrained_fits)
 {
   const Vector x = unit({1, 2, 3});
   const Plane_basis b(x);
@@ -81,7 +79,5 @@ BOOST_AUTO_TEST_CASE(test_constrained_fits)
   const double exact = quadratic_form(s.scatter.matrix, fit_orthogonal(s.scatter.matrix, near, f)) - e.value[0];
   check_close(cost_of_right_angle(e, near) / exact, 1, 0.01, "cost of a right angle");
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

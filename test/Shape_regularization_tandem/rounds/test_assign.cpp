@@ -1,255 +1,299 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points go to the adjacent shape where they are worth most, against plain loops on several back ends: which label each
-// one chooses in a pass, what becomes of the shapes, and all passes, of which the later ones leave out most blocks.
+// Points go to the adjacent shape where they are worth most: labels, shapes and interior bits after all passes, of which
+// the later ones leave out most blocks, against plain loops over tables of all candidates of each point. And which of
+// equal shapes a point chooses, and when the passes end.
 
-#include "testing/Slow_assignment.h"
 #include "testing/body_fixture.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_assign)
 
 using namespace CGAL::Tandem::internal;
 
+using Labels = std::vector<std::uint32_t>;
+
 // Every second shape has the plane of the one before it.
 enum class Twins { none, of_two_planes, of_one_plane };
 
-template <class Backend>
-class Assignments {
+struct Call {
+  std::vector<Plane> plane;
+  Labels before, after;
+};
+
+// The definition. Each pass looks at all points.
+class Slow_assignment {
 public:
-  Assignments(Backend& backend, const std::string& name, const Fixture& f)
-    : backend_(backend), name_(name), f_(f), options_(Options())
-  {
-    options_.score = Score(60, f.cloud.k);
-    options_.growth.tolerance = f.tolerance;
-  }
+  const Fixture& f;
+  const std::uint32_t first; // position of the first point in the cloud of all ranks
+  Options options = Options();
+  std::vector<Plane> plane;
+  struct { // points, by what they do
+    std::size_t moves = 0, joins = 0, leaves = 0, waits = 0, stays_in_plane = 0;
+  } counts;
 
-  // As the only rank, and as one after others.
-  void run()
+  Slow_assignment(const Fixture& fixture, std::uint32_t first_position, Twins twins)
+    : f(fixture), first(first_position), plane(f.plane), is_of_one_plane_(twins != Twins::of_two_planes)
   {
-    for(std::uint32_t first : {0u, 0xfffffff1u})
-      for(Twins twins : {Twins::none, Twins::of_two_planes, Twins::of_one_plane}) {
-        first_ = first;
-        is_of_one_plane_ = twins != Twins::of_two_planes;
-        plane_ = f_.plane;
-        label_ = f_.label;
-        if(twins != Twins::none)
-          make_twins();
-        const Counts counts = test_choice();
-        test_passes();
-        if(f_.cloud.size >= 1000)
-          CHECK_AT((twins != Twins::of_two_planes || counts.moves > 20) && counts.joins > 20 && counts.leaves > 20 &&
-                     counts.waits > 20 &&
-                     (twins == Twins::none || (counts.stays_in_plane > 0) == (twins == Twins::of_one_plane)),
-                   name_ + ": a case is missing: " + std::to_string(counts.moves) + " moves, " +
-                     std::to_string(counts.joins) + " join, " + std::to_string(counts.leaves) + " leave, " +
-                     std::to_string(counts.stays_in_plane) + " of one plane");
-      }
-  }
-
-private:
-  // Which have one plane, and points of each other.
-  void make_twins()
-  {
-    for(std::size_t s = 1; s < plane_.size(); s += 2)
-      plane_[s] = plane_[s - 1];
-    for(std::size_t i = 0; i < label_.size(); i += 3)
-      if((label_[i] ^ 1) < plane_.size())
-        label_[i] ^= 1;
-  }
-
-  // The first passes, where all blocks are visited.
-  Counts test_choice()
-  {
-    const std::vector<Shape> shape = shapes_of(label_);
-    Slow_assignment slow(f_, shape, plane_, options_, first_);
-    const Labels before = slow.leave(label_);
-    Labels expected = before;
-    for(std::uint32_t passes = 1; passes <= 2; ++passes) {
-      expected = slow.choose(expected, passes - 1);
-      run_passes(shape, passes, before, expected);
-      check_take(before, expected);
-    }
-    return slow.counts;
-  }
-
-  void run_passes(const std::vector<Shape>& shape, std::uint32_t passes, const Labels& before, const Labels& expected)
-  {
-    const std::string where = name_ + ", " + std::to_string(passes) + " passes";
-    Labeled_cloud<Backend> points(backend_);
-    Shape_table<Backend> shapes = start(points, shape, label_);
-    typename Backend::template Buffer<Assigned_shape> assigned(shapes.size);
-    for_each_shape(backend_, shapes,
-                   Set_assigned{shapes.counted(), shapes.plane.data(), options_.score, assigned.data()});
-    const Block_rows<Backend> rows(backend_, points.cloud);
-    const std::size_t blocks = rows.row.size();
-    auto chosen = filled_buffer(backend_, before.size(), no_index);
-    auto next = filled_buffer(backend_, before.size(), no_index);
-    auto outside = filled_buffer(backend_, blocks, Block_points(0));
-    auto changed = filled_buffer(backend_, 2 * blocks, ~Block_points(0));
-    typename Backend::template Buffer<Block_points> recent(blocks);
-    auto border = filled_buffer(backend_, blocks, Block_points(0));
-    auto has_changes = filled_buffer(backend_, tuning::moves::assignment_passes, std::uint32_t(0));
-    backend_.for_each(before.size(),
-                      Start_assignment<Backend>{points.cloud.view(), points.label(), assigned.data(), chosen.data(),
-                                                next.data(), outside.data(), f_.tolerance});
-    check_lists(to_vector(backend_, chosen), before, where + ": labels that fit");
-    backend_.run_rounds(passes, blocks,
-                        Assignment_passes<Backend>{points.cloud.view(),
-                                                   assigned.data(),
-                                                   blocks,
-                                                   rows.row.data(),
-                                                   rows.of_point.data(),
-                                                   outside.data(),
-                                                   recent.data(),
-                                                   {changed.data(), changed.data() + blocks},
-                                                   border.data(),
-                                                   has_changes.data(),
-                                                   {chosen.data(), next.data()},
-                                                   options_.score,
-                                                   f_.tolerance});
-    check_lists(to_vector(backend_, passes % 2 == 0 ? chosen : next), expected, where + ": chosen labels");
-  }
-
-  // Labels that are chosen change labels and moments, once.
-  void check_take(const Labels& before, const Labels& after)
-  {
-    const std::vector<Shape> shape = shapes_of(before);
-    Labeled_cloud<Backend> points(backend_);
-    Shape_table<Backend> shapes = start(points, shape, before);
-    const auto chosen = to_buffer(backend_, after);
-    for(const char* when : {" taken", " taken again"}) {
-      take_chosen(points, shapes, chosen.data());
-      check_lists(to_vector(backend_, points.label(), after.size()), after, name_ + ", labels" + when);
-      check_shapes(shapes, shape, after, name_ + ", labels" + when);
-    }
-  }
-
-  // All passes, from the first labels; from few points, whose shapes spread from block to block; and from labels of
-  // which few change, in one of the halves, so that most blocks are not visited.
-  void test_passes()
-  {
-    const Labels settled = check_passes(label_, name_);
-    Labels label(label_.size(), free_label);
-    for(std::size_t i = 0; i < label.size(); i += 500)
-      label[i] = label_[i];
-    check_passes(label, name_ + ", shapes spread");
-    for(std::size_t first : {0u, 1u}) {
-      label = settled;
-      for(std::size_t i = first; i < label.size(); i += 301)
-        if((label[i] ^ 1) < plane_.size())
-          label[i] ^= 1;
-      check_passes(label, name_ + ", few change");
-    }
-  }
-
-  Labels check_passes(const Labels& before, const std::string& where)
-  {
-    const std::vector<Shape> shape = shapes_of(before);
-    const Labels expected = Slow_assignment(f_, shape, plane_, options_, first_).assign(before);
-    Labeled_cloud<Backend> points(backend_);
-    Shape_table<Backend> shapes = start(points, shape, before);
-    Assignment<Backend> assign(points);
-    assign(shapes, options_);
-    check_lists(to_vector(backend_, points.label(), expected.size()), expected, where + ": labels");
-    check_shapes(shapes, shape, expected, where);
-    const std::size_t missing = check_interior(points, expected, where);
-    CHECK_AT(before != label_ || 4 * missing <= expected.size(), where + ": interior points are missing");
-    // The same object again, from where it ended, then after others have changed labels and planes.
-    const Labels next = assign_again(assign, points, shapes, expected, where + ", second call");
-    Labels changed = next;
-    for(std::size_t i = 0; i < changed.size(); i += 97)
-      changed[i] = i % 2 == 0 ? free_label : before[i];
-    const std::vector<Plane> planes = plane_;
-    for(std::size_t s = 0; s < plane_.size(); s += 5)
-      plane_[s].d += f_.tolerance.distance / 3;
-    assign_again(assign, points, shapes, changed, where + ", third call");
-    plane_ = planes;
-    return expected;
-  }
-
-  Labels assign_again(Assignment<Backend>& assign, Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                      const Labels& before, const std::string& where)
-  {
-    const std::vector<Shape> shape = shapes_of(before);
-    const Labels expected = Slow_assignment(f_, shape, plane_, options_, first_).assign(before);
-    set_labels(points, before, f_.state);
-    shapes = make_table(backend_, shape);
-    shapes.plane = to_buffer(backend_, plane_);
-    assign(shapes, options_);
-    check_lists(to_vector(backend_, points.label(), expected.size()), expected, where + ": labels");
-    check_interior(points, expected, where);
-    return expected;
-  }
-
-  // No interior point has a neighbor in another shape. Returns how many others are not interior.
-  std::size_t check_interior(Labeled_cloud<Backend>& points, const Labels& label, const std::string& where)
-  {
-    const std::vector<std::uint8_t> state = to_vector(backend_, points.state(), label.size());
-    std::size_t missing = 0;
-    for(std::uint32_t i = 0; i < label.size(); ++i) {
-      bool has_other = false;
-      f_.for_each_neighbor(i, [&](std::uint32_t j) { has_other |= label[j] < first_mark && label[j] != label[i]; });
-      const bool is_interior = (state[i] & interior_bit) != 0;
-      CHECK_AT(!has_other || !is_interior, where + ": interior bit of point " + std::to_string(i));
-      missing += !has_other && !is_interior;
-    }
-    return missing;
+    options.score = Score(60, f.cloud.k);
+    options.growth.tolerance = f.tolerance;
+    for(std::size_t s = 1; twins != Twins::none && s < plane.size(); s += 2)
+      plane[s] = plane[s - 1];
   }
 
   std::vector<Shape> shapes_of(const Labels& label) const
   {
-    std::vector<Shape> shape(plane_.size());
-    for(std::size_t s = 0; s < shape.size(); ++s)
+    std::vector<Shape> shape(plane.size());
+    for(std::size_t s = 0; s < shape.size(); ++s) {
       shape[s].plane_number = !is_of_one_plane_ || s % 10 == 9 ? -1 : int(s / 2);
+      shape[s].history.set_fitted(true);
+    }
     for(std::uint32_t i = 0; i < label.size(); ++i)
       if(label[i] < first_mark) {
-        shape[label[i]].moments.add(f_.point[i], 1, f_.level_of(i));
-        shape[label[i]].box.add(f_.point[i]);
+        shape[label[i]].moments.add(f.point[i], 1, f.level_of(i));
+        shape[label[i]].box.add(f.point[i]);
       }
     return shape;
   }
 
-  Shape_table<Backend> start(Labeled_cloud<Backend>& points, const std::vector<Shape>& shape, const Labels& label)
+  Call assign(const Labels& before)
   {
-    take_cloud(f_, points);
-    points.cloud.first = first_;
-    set_labels(points, label, f_.state);
-    Shape_table<Backend> shapes = make_table(backend_, shape);
-    shapes.plane = to_buffer(backend_, plane_);
-    return shapes;
-  }
-
-  // The moments of the points of the labels. Boxes hold the points of before, too.
-  void check_shapes(const Shape_table<Backend>& shapes, const std::vector<Shape>& before, const Labels& label,
-                    const std::string& where)
-  {
-    const std::vector<Shape> expected = shapes_of(label);
-    for(std::size_t s = 0; s < before.size(); ++s) {
-      const Shape &got = shapes.table()[s], &e = expected[s];
-      const std::string at = where + ", shape " + std::to_string(s);
-      CHECK_AT(are_equal(got.moments, e.moments), at + ": moments");
-      for(int a = 0; a < 3 && got.is_live(); ++a)
-        CHECK_AT(got.box.low[a] <= e.box.low[a] && got.box.high[a] >= e.box.high[a], at + ": box");
-      CHECK_AT(!got.history.is_fitted() || are_equal(got.moments, before[s].moments), at + ": is not fitted any more");
+    shape_ = shapes_of(before);
+    Labels label = before;
+    for(std::uint32_t i = 0; i < label.size(); ++i)
+      if(label[i] < first_mark && !fits(label[i], i)) {
+        label[i] = free_label;
+        ++counts.leaves;
+      }
+    for(std::uint32_t pass = 0; pass < tuning::moves::assignment_passes; ++pass) {
+      Labels chosen;
+      for(std::uint32_t i = 0; i < label.size(); ++i)
+        chosen.push_back(choose(label, i, pass));
+      label.swap(chosen);
     }
-    CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": deltas that stay");
+    return {plane, before, label};
   }
 
-  Backend& backend_;
-  const std::string name_;
-  const Fixture& f_;
-  Options options_;
-  std::uint32_t first_ = 0; // position of the first point in the cloud of all ranks
-  std::vector<Plane> plane_;
-  Labels label_;
-  bool is_of_one_plane_ = false; // relations say so of twins
+private:
+  bool fits(std::uint32_t s, std::uint32_t i) const
+  {
+    return CGAL::Tandem::internal::fits(plane[s], f.point[i], f.tolerance_of(i));
+  }
+
+  // The weight of the point, half a point for all of its links, and the bonus for one point more than at the beginning.
+  std::int64_t worth(const Labels& label, std::uint32_t i, std::uint32_t s) const
+  {
+    std::int64_t links = 0;
+    f.for_each_neighbor(i, [&](std::uint32_t j) { links += label[j] == s; });
+    const std::int64_t distance = signed_distance(plane[s], f.point[i]), points = shape_[s].moments.count;
+    return Score::weight({1, f.tolerance_of(i).distance}, distance) + links * (Score::unit / 2) / f.cloud.k +
+           (points > 0 ? options.score.point_bonus(points) : 0);
+  }
+
+  std::uint32_t choose(const Labels& label, std::uint32_t i, std::uint32_t pass)
+  {
+    const std::uint32_t own = label[i];
+    const bool has_shape = own < first_mark;
+    const bool is_odd = (std::uint64_t(first + i) * 0x9e3779b97f4a7c15u) >= std::uint64_t(1) << 63;
+    if(has_shape && is_odd != (pass % 2 == 1)) {
+      ++counts.waits;
+      return own;
+    }
+    std::map<std::uint32_t, std::int64_t> candidate;
+    f.for_each_neighbor(i, [&](std::uint32_t j) {
+      const std::uint32_t t = label[j];
+      if(t >= first_mark || t == own || !fits(t, i))
+        return;
+      const bool is_same =
+        has_shape && shape_[own].plane_number >= 0 && shape_[own].plane_number == shape_[t].plane_number;
+      counts.stays_in_plane += is_same;
+      if(!is_same)
+        candidate[t] = worth(label, i, t);
+    });
+    if(has_shape)
+      candidate[own] = worth(label, i, own);
+    std::uint32_t best = own;
+    std::int64_t most = std::numeric_limits<std::int64_t>::min();
+    for(const auto& c : candidate) // by rising id
+      if(c.second > most) {
+        best = c.first;
+        most = c.second;
+      }
+    counts.moves += has_shape && best != own;
+    counts.joins += !has_shape && best < first_mark;
+    return best;
+  }
+
+  const bool is_of_one_plane_; // relations say so of twins
+  std::vector<Shape> shape_;   // before the first pass
 };
 
-BOOST_AUTO_TEST_CASE(all_cases) { test_with_levels_on_all_backends<Assignments>(); }
+// From these labels, again from where it ended, then after others have changed labels and planes.
+std::vector<Call> three_calls(Slow_assignment& slow, const Labels& before)
+{
+  std::vector<Call> calls = {slow.assign(before)};
+  calls.push_back(slow.assign(calls[0].after));
+  Labels changed = calls[1].after;
+  for(std::size_t i = 0; i < changed.size(); i += 97)
+    changed[i] = i % 2 == 0 ? free_label : before[i];
+  const std::vector<Plane> plane = slow.plane;
+  for(std::size_t s = 0; s < plane.size(); s += 5)
+    slow.plane[s].d += slow.f.tolerance.distance / 3;
+  calls.push_back(slow.assign(changed));
+  slow.plane = plane;
+  return calls;
+}
+
+// The moments of the points of the labels. Boxes hold the points of before, too.
+void check_shapes(const std::vector<Shape>& got, const std::vector<Shape>& before, const std::vector<Shape>& expected,
+                  const std::string& where)
+{
+  for(std::size_t s = 0; s < got.size(); ++s) {
+    const std::string at = where + ", shape " + std::to_string(s);
+    CHECK_AT(are_equal(got[s].moments, expected[s].moments), at + ": moments");
+    for(int a = 0; a < 3 && got[s].is_live(); ++a)
+      CHECK_AT(got[s].box.low[a] <= expected[s].box.low[a] && got[s].box.high[a] >= expected[s].box.high[a],
+               at + ": box");
+    CHECK_AT(!got[s].history.is_fitted() || are_equal(got[s].moments, before[s].moments), at + ": is fitted");
+  }
+}
+
+// No interior point has a neighbor in another shape. Returns how many others are not interior.
+std::size_t check_interior(const Fixture& f, const std::vector<std::uint8_t>& state, const Labels& label,
+                           const std::string& where)
+{
+  std::size_t missing = 0;
+  for(std::uint32_t i = 0; i < label.size(); ++i) {
+    bool has_other = false;
+    f.for_each_neighbor(i, [&](std::uint32_t j) { has_other |= label[j] < first_mark && label[j] != label[i]; });
+    const bool is_interior = (state[i] & interior_bit) != 0;
+    CHECK_AT(!has_other || !is_interior, where + ": interior bit of point " + std::to_string(i));
+    missing += !has_other && !is_interior;
+  }
+  return missing;
+}
+
+// By one object.
+template <class Backend>
+void check_calls(Backend& backend, const Slow_assignment& slow, const std::vector<Call>& calls, const std::string& name)
+{
+  Labeled_cloud<Backend> points(backend);
+  take_cloud(slow.f, points);
+  points.cloud.first = slow.first;
+  Assignment<Backend> assign(points);
+  for(std::size_t c = 0; c < calls.size(); ++c) {
+    const std::string where = name + ", call " + std::to_string(c);
+    const std::vector<Shape> before = slow.shapes_of(calls[c].before);
+    set_labels(points, calls[c].before, slow.f.state);
+    Shape_table<Backend> shapes = make_table(backend, before);
+    shapes.plane = to_buffer(backend, calls[c].plane);
+    assign(shapes, slow.options);
+    check_lists(to_vector(backend, points.label(), calls[c].after.size()), calls[c].after, where + ": labels");
+    check_shapes(to_vector(backend, shapes.table()), before, slow.shapes_of(calls[c].after), where);
+    CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": deltas that stay");
+    const auto state = to_vector(backend, points.state(), slow.f.state.size());
+    const std::size_t missing = check_interior(slow.f, state, calls[c].after, where);
+    CHECK_AT(calls[0].before != slow.f.label || c > 0 || 4 * missing <= state.size(), where + ": few interior points");
+  }
+}
+
+// All passes, from the first labels; from few points, whose shapes spread from block to block; and from labels of
+// which few change, in one of the halves, so that most blocks are not visited.
+void check_assignments(Slow_assignment& slow, const Labels& label, Twins twins)
+{
+  const auto flipped = [&](Labels labels, std::size_t from, std::size_t step) {
+    for(std::size_t i = from; i < labels.size(); i += step)
+      if((labels[i] ^ 1) < slow.plane.size())
+        labels[i] ^= 1;
+    return labels;
+  };
+  std::vector<std::vector<Call>> all = {
+    three_calls(slow, twins == Twins::none ? label : flipped(label, 0, 3))}; // points of each other
+  const auto& counts = slow.counts;
+  CHECK_AT(slow.f.cloud.size < 1000 ||
+             ((twins != Twins::of_two_planes || counts.moves > 20) && counts.joins > 20 && counts.leaves > 20 &&
+              counts.waits > 20 &&
+              (twins == Twins::none || (counts.stays_in_plane > 0) == (twins == Twins::of_one_plane))),
+           slow.f.name + ": a case is missing");
+  Labels few(label.size(), free_label);
+  for(std::size_t i = 0; i < label.size(); i += 500)
+    few[i] = all[0][0].before[i];
+  all.push_back(three_calls(slow, few));
+  for(std::size_t from : {0u, 1u})
+    all.push_back(three_calls(slow, flipped(all[0][0].after, from, 301)));
+  on_body_backends([&](auto backend, const std::string& name) {
+    for(std::size_t i = 0; i < all.size(); ++i)
+      check_calls(backend, slow, all[i], name + ", " + slow.f.name + ", labels " + std::to_string(i));
+  });
+}
+
+// As the only rank, and as one after others.
+BOOST_AUTO_TEST_CASE(assignments)
+{
+  for(const Fixture& f : fixtures())
+    for(const auto& [first, twins] :
+        {std::make_pair(0u, Twins::none), std::make_pair(0xfffffff1u, Twins::of_two_planes),
+         std::make_pair(5u, Twins::of_one_plane)}) {
+      Slow_assignment slow(f, first, twins);
+      check_assignments(slow, f.label, twins);
+    }
+}
+
+// A point with a neighbor in each of two shapes that have one plane and one bonus: the smaller id has it, whatever the
+// order of the neighbors and the own label are.
+BOOST_AUTO_TEST_CASE(ties)
+{
+  const std::vector<Grid_point> point(3, {0, 0, 10, encode_normal({0, 0, 1})});
+  const Tolerance tolerance = make_tolerance(100, cosine_deg(25));
+  const std::vector<Assigned_shape> shape(9, {make_plane({0, 0, 1}, {0, 0, 0}), 50, -1});
+  for(std::uint32_t own : {3u, 7u, free_label})
+    for(bool is_reversed : {false, true}) {
+      Labels label = {own, is_reversed ? 7u : 3u, is_reversed ? 3u : 7u}, next = label;
+      const Labels neighbor = {1, 2, no_index, no_index, no_index, no_index};
+      const Cloud_view cloud = {point.data(), neighbor.data(), 3, 2, {point.data(), nullptr, nullptr}};
+      const Block_row row = {1, {0}};
+      const std::vector<Block_entries> entries(3, 1);
+      const Block_points outside = 7;
+      Block_points border = 0, recent = 0, changed[2] = {0, 0};
+      Labels has_changes(tuning::moves::assignment_passes, 0);
+      using Passes = Assignment_passes<Sequential_backend>;
+      const Passes passes = {cloud,
+                             shape.data(),
+                             1,
+                             &row,
+                             entries.data(),
+                             &outside,
+                             &recent,
+                             {&changed[0], &changed[1]},
+                             &border,
+                             has_changes.data(),
+                             {label.data(), next.data()},
+                             Score(10, 2),
+                             tolerance};
+      for(int step : {Passes::begin, Passes::visit})
+        passes.run(step, 0, 0, 1);
+      BOOST_TEST(next[0] == 3u); // the hash of 0 is 0, so the first pass considers it
+      BOOST_TEST(changed[0] == Block_points(own != 3));
+      BOOST_TEST(has_changes[0] == std::uint32_t(own != 3));
+      BOOST_TEST(border == Block_points(1));
+    }
+}
+
+// Passes end when two have changed nothing.
+BOOST_AUTO_TEST_CASE(end)
+{
+  Labels has_changes = {1, 0, 1, 0, 0, 0};
+  const Assignment_passes<Sequential_backend> passes = {
+    {}, nullptr, 0, nullptr, nullptr, nullptr, nullptr, {}, nullptr, has_changes.data(), {}, Score(10, 2), {}};
+  for(std::size_t pass = 0; pass <= has_changes.size(); ++pass)
+    BOOST_TEST(passes.is_last(pass) == (pass >= 5));
+}
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unions in rounds of mutual choice: on all back ends what a slow definition gives, which fits every link anew in every
-// round, in any order of the links.
+// Unions in rounds of mutual choice: what a slow definition gives, which fits every link anew in every round, in any order
+// of the links. Of rows and of many groups of shapes, too: in few rounds, with the planes of all their points.
 
 #include "testing/fragments.h"
 #include "testing/verdict_of.h"
 
 #include <algorithm>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <tuple>
@@ -102,65 +103,105 @@ private:
   int rounds_ = 1;
 };
 
-template <class Backend>
-Outcome unite(Backend& backend, int unevenness, unsigned seed)
-{
-  Fragments<Backend> fragments = make_fragments(backend, unevenness);
-  const Shape_table<Backend>& shapes = fragments.shapes;
-  std::uint32_t rounds = 0;
-  const Shape_unions<Backend> unions = unite(backend, fragments, make_links(seed), &rounds);
-  Outcome outcome;
-  outcome.rounds = int(rounds);
-  for(std::uint32_t id = 0; id < shapes.size; ++id) {
-    const std::uint32_t root = root_of(unions.target.data(), id), place = unions.root[root].place;
-    outcome.root.push_back(root);
-    outcome.sample.push_back(fragments.samples.data()[root]);
-    outcome.plane.push_back(place == no_index ? shapes.table()[root].local : unions.whole[place].local);
-  }
-  return outcome;
-}
-
-template <class Backend>
-void check(Backend& backend, int unevenness, const Outcome& expected, const std::string& name)
-{
-  const Outcome outcome = unite(backend, unevenness, 7);
-  check_equal(outcome.rounds, expected.rounds, name + ": rounds");
-  CHECK_AT(outcome.root == expected.root, name);
-  CHECK_AT(are_same(outcome.plane, expected.plane), name + ": planes");
-  CHECK_AT(std::equal(outcome.sample.begin(), outcome.sample.end(), expected.sample.begin(),
-                      [](const Shape_sample& a, const Shape_sample& b) { return are_equal(a, b); }),
-           name + ": samples");
-}
-
-// What is to be found: more unions than `few` and fewer than `many`.
-struct Scene {
-  int unevenness;
-  std::size_t few, many;
-};
-
-void check_scene(const Scene& scene)
+// In other orders of the links. More unions than `few` and fewer than `many` are found.
+void check_scene(int unevenness, std::size_t few, std::size_t many)
 {
   Sequential_backend sequential;
-  const Outcome expected = Slow_unions(make_fragments(sequential, scene.unevenness), make_links(5)).outcome();
+  const Outcome expected = Slow_unions(make_fragments(sequential, unevenness), make_links(5)).outcome();
   const std::set<std::uint32_t> roots(expected.root.begin(), expected.root.end());
-  CHECK_AT(roots.size() > scene.few && roots.size() < scene.many, std::to_string(roots.size()));
-  check(sequential, scene.unevenness, expected, "sequential");
-  for(unsigned threads = 2; threads <= 8; threads *= 2) {
-    Thread_backend backend(threads);
-    check(backend, scene.unevenness, expected, std::to_string(threads) + " threads");
+  CHECK_AT(roots.size() > few && roots.size() < many, std::to_string(roots.size()));
+  const auto check = [&](auto backend, const std::string& name) {
+    auto fragments = make_fragments(backend, unevenness);
+    std::uint32_t rounds = 0;
+    const auto unions = unite(backend, fragments, make_links(7), &rounds);
+    check_equal(int(rounds), expected.rounds, name + ": rounds");
+    for(std::uint32_t id = 0; id < fragments.shapes.size; ++id) {
+      const std::uint32_t root = root_of(unions.target.data(), id), place = unions.root[root].place;
+      CHECK_AT(root == expected.root[id], name + ": roots");
+      CHECK_AT(are_equal(fragments.samples.data()[root], expected.sample[id]), name + ": samples");
+      CHECK_AT(is_same(place == no_index ? fragments.shapes.table()[root].local : unions.whole[place].local,
+                       expected.plane[id]),
+               name + ": planes");
+    }
+  };
+  check(Thread_backend(8), "8 threads");
+  on_body_backends(check);
+}
+
+constexpr std::size_t all = columns * rows;
+
+BOOST_AUTO_TEST_CASE(level_ground) { check_scene(level, 9, 11); }
+BOOST_AUTO_TEST_CASE(roofs) { check_scene(1, all / 30, all / 3); }
+BOOST_AUTO_TEST_CASE(uneven_roofs) { check_scene(4, all - 30, all); }
+
+// A square fragment, exactly level.
+void add_fragment(Fragments<Sequential_backend>& fragments, int x, int y, int z, int size)
+{
+  std::mt19937 random(unsigned(fragments.shapes.size));
+  Grid_points points;
+  for(int i = 0; i < size; ++i) {
+    const int u = int(random() % width), v = int(random() % width);
+    points.push_back({x + u, y + v, z, upright});
   }
-  for(unsigned seed = 1; seed <= 3; ++seed) {
-    Shuffled_backend backend(seed);
-    check(backend, scene.unevenness, expected, "shuffled " + std::to_string(seed));
+  fragments.add(points);
+}
+
+Link link(std::size_t a, std::size_t b) { return {std::uint64_t(a) << 32 | b, 1}; }
+
+// The plane of a union is that of the points of all its members.
+void check_planes(const Shape_table<Sequential_backend>& shapes, const Shape_unions<Sequential_backend>& unions)
+{
+  std::map<std::uint32_t, Fitted_moments> whole;
+  for(const std::uint32_t id : unions.member)
+    whole[root_of(unions.target.data(), id)].moments += shapes.table()[id].moments;
+  for(auto& w : whole) {
+    refit(w.second);
+    CHECK(is_same(unions.whole[unions.root[w.first].place].local, w.second.local));
   }
 }
 
-BOOST_AUTO_TEST_CASE(all_cases)
+// Equal shapes in a row: all gains are equal at first, and most unions of a size. A number of rounds like that of the shapes would be
+// quadratic in time.
+BOOST_AUTO_TEST_CASE(rows_of_shapes)
 {
-  constexpr std::size_t all = columns * rows;
-  for(const Scene& scene :
-      {Scene{level, 9, 11}, {0, 2, all / 3}, {1, all / 30, all / 3}, {2, all / 10, all / 3}, {4, all - 30, all}})
-    check_scene(scene);
+  constexpr int n = 2000;
+  Sequential_backend backend;
+  Fragments<Sequential_backend> fragments(backend, n);
+  Link_list links;
+  for(int i = 0; i < n; ++i) {
+    add_fragment(fragments, i * width, 0, 0, 50);
+    if(i > 0)
+      links.push_back(link(std::size_t(i) - 1, std::size_t(i)));
+  }
+  std::uint32_t rounds = 0;
+  const Shape_unions<Sequential_backend> unions = unite(backend, fragments, links, &rounds);
+  CHECK_AT(rounds < 300, std::to_string(rounds) + " rounds");
+  check_equal(unions.member.size(), std::size_t(n), "members of a row");
+  for(const std::uint32_t id : unions.member)
+    check_equal(root_of(unions.target.data(), id), root_of(unions.target.data(), 0), "root of a row");
+  check_planes(fragments.shapes, unions);
+}
+
+// In each of many groups, two shapes unite first, and their union joins one that was in no union before.
+BOOST_AUTO_TEST_CASE(groups_of_shapes)
+{
+  constexpr int n = 1000;
+  Sequential_backend backend;
+  Fragments<Sequential_backend> fragments(backend, 3 * n);
+  Link_list links;
+  for(int g = 0; g < n; ++g) {
+    add_fragment(fragments, 0, 3 * g * width, 30, 100);
+    add_fragment(fragments, width, 3 * g * width, 0, 30);
+    add_fragment(fragments, 2 * width, 3 * g * width, 0, 30);
+    const std::size_t first = 3 * std::size_t(g);
+    links.push_back(link(first, first + 1));
+    links.push_back(link(first + 1, first + 2));
+  }
+  const Shape_unions<Sequential_backend> unions = unite(backend, fragments, links);
+  check_equal(unions.member.size(), std::size_t(3 * n), "members of groups");
+  for(const std::uint32_t id : unions.member)
+    check_equal(root_of(unions.target.data(), id), id / 3 * 3, "root of a group");
+  check_planes(fragments.shapes, unions);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,17 +1,19 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Splits against plain loops, on all back ends of the host: which shapes split, which planes their parts have, and what
-// becomes of points, shapes and lists. test_split_scenes has shapes that have to split, and some that must not.
+// Splits against plain loops: which shapes split, which planes their parts have, and what becomes of points, shapes and
+// lists. Then shapes that have to split: two layers, a roof of a small angle, faces of different normals. And some that
+// must not: a noisy plane, and layers whose points interleave, since the links between them cost more. What a split
+// gains is compared with the score before and after.
 
 #include "testing/body_fixture.h"
-#include "testing/host_backends.h"
 #include "testing/same_bits.h"
 
 #include <CGAL/Tandem/internal/rounds/split_shapes.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -37,7 +39,7 @@ struct Slow_split {
 class Slow_splits {
 public:
   Slow_splits(const Fixture& f, const Labels& label, const Options& options, std::uint32_t first)
-    : f_(f), label_(label), options_(options), gain_(options), first_(first)
+    : f_(f), label_(label), gain_(options), first_(first)
   {}
 
   // Of all shapes that may split, by rising id.
@@ -93,166 +95,329 @@ private:
 
   const Fixture& f_;
   const Labels& label_;
-  Options options_;
   Split_gain gain_;
   std::uint32_t first_;
 };
 
-// Shapes that have the points of two or three faces of a scene, or of one.
-template <class Backend>
-class Splits {
-public:
-  Splits(Backend& backend, const std::string& name, const Fixture& f)
-    : backend_(backend), name_(name), f_(f), options_(Options())
-  {
-    options_.score = Score(30, f.cloud.k);
-    options_.minimum_region_size = 30;
-    options_.maximum_distance = double(f.tolerance.distance) / normal_scale;
-    options_.growth.tolerance = f.tolerance;
-  }
+std::vector<Shape> fitted_shapes(const Fixture& f, std::size_t n)
+{
+  std::vector<Shape> shape = f.shapes_of_labels(n);
+  for(Shape& s : shape)
+    if(s.is_live())
+      refit(s);
+  return shape;
+}
 
-  void run()
+template <class Found>
+void check_found(const Found& found, const std::vector<Slow_split>& expected, const std::string& where)
+{
+  std::vector<std::uint32_t> id, accepted;
+  for(std::size_t i = 0; i < expected.size(); ++i) {
+    id.push_back(expected[i].id);
+    if(expected[i].is_accepted)
+      accepted.push_back(std::uint32_t(i));
+  }
+  check_lists({found.id.begin(), found.id.end()}, id, where + ": shapes that may split");
+  check_lists({found.accepted.begin(), found.accepted.end()}, accepted, where + ": shapes that split");
+  for(std::size_t i = 0; i < expected.size() && i < found.id.size(); ++i) {
+    const Split &got = found.split[i * Split_gain::starts], &best = expected[i].best;
+    const std::string at = where + ", shape " + std::to_string(expected[i].id);
+    check_equal(got.gain, best.gain, at + ": gain");
+    CHECK_AT(best.gain == 0 || (is_same(got.first, best.first) && is_same(got.second, best.second)), at + ": planes");
+  }
+}
+
+std::set<std::uint32_t> listed(const Cell_shapes& list)
+{
+  return std::set<std::uint32_t>(list.shape, list.shape + (std::min)(list.size, Cell_shapes::capacity));
+}
+
+// What follows from labels, which are those of the fixture.
+template <class Backend>
+void check_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Fixture& f,
+                  const std::string& where)
+{
+  CHECK_AT(shapes.has_moments(), where + ": moments have to be made again");
+  require(points, shapes, tables::fits | tables::lists);
+  const std::vector<Shape> expected = fitted_shapes(f, shapes.size);
+  for(std::uint32_t id = 0; id < shapes.size; ++id) {
+    const Fitted_moments &got = shapes.fitted()[id], &e = expected[id];
+    CHECK_AT(are_equal(got.moments, e.moments), where + ": moments of shape " + std::to_string(id));
+    CHECK_AT(!expected[id].is_live() || CGAL::Tandem::internal::is_same(got.local, e.local),
+             where + ": fit of shape " + std::to_string(id));
+  }
+  CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": deltas that stay");
+  const std::vector<Cell_shapes> lists = f.list_shapes(f.label);
+  for(std::size_t c = 0; c < lists.size(); ++c) {
+    const bool is_listed = lists[c].size <= Cell_shapes::capacity;
+    CHECK_AT((points.lists()[c].size <= Cell_shapes::capacity) == is_listed &&
+               (!is_listed || listed(points.lists()[c]) == listed(lists[c])),
+             where + ": list of cell " + std::to_string(c));
+  }
+}
+
+// Shapes of the labels, on all back ends. There is no room for more of them. Returns how many split, and how many do not
+// although they would gain by their planes.
+std::array<int, 2> check_splits(const Fixture& f, std::uint32_t first)
+{
+  Options options = Options();
+  options.score = Score(30, f.cloud.k);
+  options.minimum_region_size = 30;
+  options.maximum_distance = double(f.tolerance.distance) / normal_scale;
+  options.growth.tolerance = f.tolerance;
+  const std::vector<Shape> shape = fitted_shapes(f, f.plane.size());
+  const std::vector<Slow_split> expected = Slow_splits(f, f.label, options, first).find(shape);
+  Fixture after = f;
+  std::array<int, 2> count = {0, 0};
+  for(const Slow_split& s : expected) {
+    count[s.is_accepted ? 0 : 1] += s.best.gain > 0;
+    if(!s.is_accepted)
+      continue;
+    for(std::uint32_t i = 0; i < after.label.size(); ++i)
+      if(after.label[i] == s.id && is_nearer(s.best.second, s.best.first, f.point[i]))
+        after.label[i] = std::uint32_t(after.plane.size());
+    after.plane[s.id] = s.best.first;
+    after.plane.push_back(s.best.second);
+  }
+  on_body_backends([&](auto backend, const std::string& name) {
+    const std::string where = name + ", " + f.name;
+    Labeled_cloud<decltype(backend)> points(backend);
+    take_cloud(f, points);
+    points.cloud.first = first;
+    set_labels(points, f.label, f.state);
+    auto shapes = make_table(backend, shape);
+    shapes.plane = to_buffer(backend, f.plane);
+    require(points, shapes, tables::fits | tables::lists);
+    check_found(find_splits(points, shapes, options), expected, where);
+    split_shapes(points, shapes, options);
+    check_equal(shapes.size, after.plane.size(), where + ": number of shapes");
+    if(shapes.size != after.plane.size())
+      return;
+    check_lists(to_vector(backend, points.label(), f.label.size()), after.label, where + ": labels");
+    for(std::size_t id = 0; id < shapes.size; ++id)
+      CHECK_AT(is_same(shapes.plane[id], after.plane[id]), where + ", shape " + std::to_string(id) + ": plane");
+    check_tables(points, shapes, after, where);
+  });
+  return count;
+}
+
+// Shapes that have the points of two or three faces of a scene, or of one.
+BOOST_AUTO_TEST_CASE(bodies)
+{
+  for(const Fixture& fixture : fixtures()) {
+    int accepted = 0, refused = 0;
+    for(std::uint32_t joined : {1u, 2u, 3u}) {
+      Fixture f = fixture;
+      for(std::uint32_t& s : f.label)
+        s = s < first_mark ? s - s % joined : s;
+      const auto count = check_splits(f, joined == 2 ? 0xfffffff1u : 0u);
+      accepted += count[0];
+      refused += count[1];
+    }
+    CHECK_AT(fixture.point.size() < 1000 || (accepted > 0 && refused > 0),
+             fixture.name + ": " + std::to_string(accepted) + " splits, " + std::to_string(refused) + " refused");
+  }
+}
+
+constexpr double epsilon = 60; // grid steps
+constexpr std::int64_t minimum_size = 100;
+
+Options split_options(int k)
+{
+  Options o = Options();
+  o.score = Score(std::uint64_t(minimum_size), k);
+  o.minimum_region_size = minimum_size;
+  o.maximum_distance = epsilon;
+  o.growth.tolerance = make_tolerance(epsilon, cosine_deg(25));
+  return o;
+}
+
+// A point, and the face that it belongs to; -1: either.
+struct Truth {
+  Grid_point point;
+  int face;
+};
+
+using Scene = std::vector<Truth>;
+
+class Generator {
+public:
+  double uniform() { return double(random_() >> 8) / (1 << 24); }
+  double gaussian() // of variance 1, about
   {
-    for(std::uint32_t first : {0u, 0xfffffff1u})
-      for(std::uint32_t joined : {1u, 2u, 3u}) {
-        label_ = f_.label;
-        for(std::uint32_t& s : label_)
-          s = s < first_mark ? s - s % joined : s;
-        test(first, name_ + ", " + std::to_string(joined) + " faces");
-      }
-    if(f_.point.size() >= 1000)
-      CHECK_AT(accepted_ > (f_.level.empty() ? 2 : 1) && refused_ > 0,
-               name_ + ": " + std::to_string(accepted_) + " splits, " + std::to_string(refused_) + " refused");
+    double sum = -6;
+    for(int i = 0; i < 12; ++i)
+      sum += uniform();
+    return sum;
   }
 
 private:
-  void test(std::uint32_t first, const std::string& where)
-  {
-    const std::vector<Shape> shape = make_shapes();
-    const std::vector<Slow_split> expected = Slow_splits(f_, label_, options_, first).find(shape);
-    Labeled_cloud<Backend> points(backend_);
-    take_cloud(f_, points);
-    points.cloud.first = first;
-    set_labels(points, label_, f_.state);
-    Shape_table<Backend> shapes = start(shape);
-    require(points, shapes, tables::fits | tables::lists);
-    check_found(find_splits(points, shapes, options_), expected, where);
-    split_shapes(points, shapes, options_);
-    check_result(points, shapes, expected, where);
-  }
-
-  std::vector<Shape> make_shapes() const
-  {
-    std::vector<Shape> shape(f_.plane.size());
-    for(std::uint32_t i = 0; i < label_.size(); ++i)
-      if(label_[i] < first_mark) {
-        shape[label_[i]].moments.add(f_.point[i], 1, f_.level_of(i));
-        shape[label_[i]].box.add(f_.point[i]);
-      }
-    for(Shape& s : shape)
-      if(s.is_live())
-        refit(s);
-    return shape;
-  }
-
-  // There is no room for more.
-  Shape_table<Backend> start(const std::vector<Shape>& shape)
-  {
-    Shape_table<Backend> shapes = make_table(backend_, shape);
-    shapes.plane = to_buffer(backend_, f_.plane);
-    return shapes;
-  }
-
-  void check_found(const Found_splits<Backend>& found, const std::vector<Slow_split>& expected,
-                   const std::string& where)
-  {
-    std::vector<std::uint32_t> id, accepted;
-    for(std::size_t i = 0; i < expected.size(); ++i) {
-      id.push_back(expected[i].id);
-      if(expected[i].is_accepted)
-        accepted.push_back(std::uint32_t(i));
-      (expected[i].is_accepted ? accepted_ : refused_) += expected[i].best.gain > 0;
-    }
-    check_lists(to_vector(backend_, found.id), id, where + ": shapes that may split");
-    check_lists(to_vector(backend_, found.accepted), accepted, where + ": shapes that split");
-    for(std::size_t i = 0; i < expected.size() && i < found.id.size(); ++i) {
-      const Split &got = found.split[i * Split_gain::starts], &best = expected[i].best;
-      const std::string at = where + ", shape " + std::to_string(expected[i].id);
-      check_equal(got.gain, best.gain, at + ": gain");
-      CHECK_AT(best.gain == 0 || (is_same(got.first, best.first) && is_same(got.second, best.second)), at + ": planes");
-    }
-  }
-
-  void check_result(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes,
-                    const std::vector<Slow_split>& expected, const std::string& where)
-  {
-    Labels label = label_;
-    std::size_t size = f_.plane.size();
-    for(const Slow_split& s : expected) {
-      if(!s.is_accepted)
-        continue;
-      for(std::uint32_t i = 0; i < label.size(); ++i)
-        if(label[i] == s.id && is_nearer(s.best.second, s.best.first, f_.point[i]))
-          label[i] = std::uint32_t(size);
-      ++size;
-    }
-    check_equal(shapes.size, size, where + ": number of shapes");
-    if(shapes.size != size)
-      return;
-    check_lists(to_vector(backend_, points.label(), label.size()), label, where + ": labels");
-    std::size_t half = f_.plane.size();
-    for(const Slow_split& s : expected)
-      if(s.is_accepted)
-        CHECK_AT(is_same(shapes.plane[s.id], s.best.first) && is_same(shapes.plane[half++], s.best.second),
-                 where + ", shape " + std::to_string(s.id) + ": planes of the parts");
-    check_tables(points, shapes, label, where);
-  }
-
-  // What follows from labels.
-  void check_tables(Labeled_cloud<Backend>& points, Shape_table<Backend>& shapes, const Labels& label,
-                    const std::string& where)
-  {
-    std::vector<Fitted_moments> sum(shapes.size);
-    for(std::uint32_t i = 0; i < label.size(); ++i)
-      if(label[i] < first_mark)
-        sum[label[i]].moments.add(f_.point[i], 1, f_.level_of(i));
-    CHECK_AT(shapes.has_moments(), where + ": moments have to be made again");
-    require(points, shapes, tables::fits | tables::lists);
-    for(std::uint32_t id = 0; id < shapes.size; ++id) {
-      CHECK_AT(are_equal(shapes.fitted()[id].moments, sum[id].moments),
-               where + ": moments of shape " + std::to_string(id));
-      refit(sum[id]);
-      CHECK_AT(sum[id].moments.count == 0 || CGAL::Tandem::internal::is_same(shapes.fitted()[id].local, sum[id].local),
-               where + ": fit of shape " + std::to_string(id));
-    }
-    CHECK_AT(std::none_of(shapes.delta.begin(), shapes.delta.end(), is_any), where + ": deltas that stay");
-    const std::vector<Cell_shapes> expected = f_.list_shapes(label);
-    for(std::size_t c = 0; c < expected.size(); ++c) {
-      const Cell_shapes &got = points.lists()[c], &e = expected[c];
-      const bool is_listed = e.size <= Cell_shapes::capacity;
-      check_equal(got.size <= Cell_shapes::capacity, is_listed,
-                  where + ": whether cell " + std::to_string(c) + " is listed");
-      CHECK_AT(!is_listed || shapes_of(got) == shapes_of(e), where + ": list of cell " + std::to_string(c));
-    }
-  }
-
-  static std::set<std::uint32_t> shapes_of(const Cell_shapes& list)
-  {
-    return std::set<std::uint32_t>(list.shape, list.shape + (std::min)(list.size, Cell_shapes::capacity));
-  }
-
-  Backend& backend_;
-  const std::string name_;
-  const Fixture& f_;
-  Options options_;
-  Labels label_;
-  int accepted_ = 0, refused_ = 0;
+  std::mt19937 random_{5};
 };
 
-BOOST_AUTO_TEST_CASE(all_cases)
+// n points of a square of the given side, z = height(x, face). The second face has two points of five.
+template <class F>
+Scene make_faces(int n, double side, F height)
 {
-  for(const Levels levels : {Levels::none, Levels::mixed})
-    on_host_backends([&](auto backend, const std::string&) { test_on<Splits>(std::move(backend), levels); });
+  Generator random;
+  Scene scene;
+  for(int i = 0; i < n; ++i) {
+    const double x = side * random.uniform(), y = side * random.uniform();
+    Truth t = {{std::int32_t(x), std::int32_t(y), 0, encode_normal({0, 0, 1})}, i % 5 < 2};
+    t.point.z = std::int32_t(std::lround(height(x, t.face) + epsilon / 8 * random.gaussian()));
+    scene.push_back(t);
+  }
+  return scene;
+}
+
+Scene make_layers(int n, double side, double gap)
+{
+  return make_faces(n, side, [gap](double, int face) { return face * gap * epsilon; });
+}
+
+Scene make_noisy(int n, double side, double noise)
+{
+  Generator random;
+  return make_faces(n, side, [&](double, int) { return noise * epsilon * random.gaussian(); });
+}
+
+// The heights of the ridge over the eaves in epsilons. Points near the ridge belong to either side.
+Scene make_roof(int n, double side, double height)
+{
+  Scene scene =
+    make_faces(n, side, [=](double x, int) { return height * epsilon * (1 - std::fabs(2 * x / side - 1)); });
+  for(Truth& t : scene) {
+    const double from_ridge = double(t.point.x) / side - .5;
+    t.face = std::fabs(from_ridge) < .15 ? -1 : from_ridge > 0;
+  }
+  return scene;
+}
+
+// The ridge is sharp, and normals are those of the faces.
+Scene make_edge(int n, double side)
+{
+  Scene scene = make_roof(n, side, 20);
+  const double slope = 40 * epsilon / side;
+  for(Truth& t : scene)
+    t.point.normal = encode_normal({2 * t.point.x > side ? slope : -slope, 0, 1});
+  return scene;
+}
+
+// The points of the scene along the curve, all with label 0.
+Fixture sorted(const Scene& scene, int k, std::vector<int>& face)
+{
+  std::vector<Grid_point> unsorted;
+  for(const Truth& t : scene)
+    unsorted.push_back(t.point);
+  Fixture f;
+  Sequential_backend backend;
+  const Code_frame frame = make_code_frame(unsorted.data(), unsorted.size());
+  auto order = sort_along_curve(backend, {unsorted.data(), unsorted.size()}, frame);
+  f.cells = split_cells(backend, order, frame, 512);
+  for(const Host_sort_table::Entry& o : order) {
+    f.point.push_back(unsorted[o.index]);
+    face.push_back(scene[o.index].face);
+  }
+  const std::uint32_t size = std::uint32_t(scene.size());
+  f.label.assign(size, 0);
+  f.neighbor.resize(size * std::size_t(k));
+  find_neighbors(backend, f.point.data(), size, k, f.neighbor.data());
+  f.cloud = {f.point.data(), f.neighbor.data(), size, k, {f.point.data(), nullptr, nullptr}};
+  return f;
+}
+
+// Whether the shape of all points splits; then each part has a face, and the larger one keeps the id.
+void check_scene(const std::string& name, const Scene& scene, bool splits)
+{
+  std::vector<int> face;
+  const Fixture f = sorted(scene, 12, face);
+  on_body_backends([&](auto backend, const std::string& of) {
+    const std::string where = name + ", " + of;
+    Labeled_cloud<decltype(backend)> points(backend);
+    take_cloud(f, points);
+    set_labels(points, f.label);
+    auto shapes = make_table(backend, f.shapes_of_labels(1));
+    shapes.plane = filled_buffer(backend, 1, Plane());
+    split_shapes(points, shapes, split_options(f.cloud.k));
+    const Labels label = to_vector(backend, points.label(), f.label.size());
+    std::size_t of_face[2][2] = {{0, 0}, {0, 0}};
+    for(std::size_t i = 0; i < label.size(); ++i) {
+      CHECK_AT(label[i] <= 1, where + ": another label");
+      if(label[i] <= 1 && face[i] >= 0)
+        ++of_face[label[i]][face[i]];
+    }
+    const bool is_straight = of_face[0][1] + of_face[1][0] == 0, is_crossed = of_face[0][0] + of_face[1][1] == 0;
+    check_equal(std::count(label.begin(), label.end(), 1u) > 0, splits, where + ": whether it splits");
+    CHECK_AT(!splits || is_straight || is_crossed, where + ": points in the part of the other face");
+    const std::size_t kept = of_face[0][0] + of_face[0][1], moved = of_face[1][0] + of_face[1][1];
+    CHECK_AT(10 * kept > 9 * moved, where + ": the smaller part keeps the id");
+  });
+}
+
+BOOST_AUTO_TEST_CASE(scenes_of_two_faces)
+{
+  check_scene("layers", make_layers(2000, 1000, 1.5), true);
+  check_scene("large layers", make_layers(20000, 3000, 1.5), true);
+  check_scene("a low roof", make_roof(2000, 4000, 3), true);
+  check_scene("faces of different normals", make_edge(2000, 4000), true);
+  check_scene("a plane", make_noisy(2000, 4000, 0), false);
+  check_scene("a noisy plane", make_noisy(2000, 4000, 1. / 3), false);
+  // Each gains by its planes; in a thin cloud, half of the neighbors are in the other layer.
+  check_scene("near layers", make_layers(2000, 500, 1), true);
+  check_scene("layers that interleave", make_layers(2000, 20000, 1), false);
+  check_scene("a small shape", make_layers(int(minimum_size) - 2, 300, 1.5), false);
+}
+
+// The definition of what a split gains, by all points of a small shape; without links. In units of the score.
+double slow_gain(const std::vector<Sampled_point>& sample, const Plane& before, const Split& split, const Options& o)
+{
+  const auto weight = [&](const Plane& plane, const Grid_point& p) {
+    const double d = double(signed_distance(plane, p)) / double(o.growth.tolerance.distance);
+    return fits(plane, p, o.growth.tolerance) ? 1 - d * d : 0;
+  };
+  const auto bonus = [](double n) { return Parameters().simplicity * n * std::log2(n / double(minimum_size)); };
+  double gain = 0, count[2] = {0, 0};
+  for(const Sampled_point& s : sample) {
+    const double first = std::fabs(double(signed_distance(split.first, s.point)));
+    const bool second = std::fabs(double(signed_distance(split.second, s.point))) < first;
+    const double w = weight(second ? split.second : split.first, s.point);
+    gain += w - weight(before, s.point);
+    count[second] += w > 0;
+  }
+  gain += bonus(count[0]) + bonus(count[1]) - bonus(double(sample.size())) - .3 * double(minimum_size);
+  return std::min(count[0], count[1]) < double(minimum_size) / 2 ? 0 : double(Score::unit) * gain;
+}
+
+void check_gain(const std::string& name, const Scene& scene, bool is_any)
+{
+  const Options options = split_options(12);
+  const Split_gain gain(options);
+  Shape shape;
+  std::vector<Sampled_point> sample;
+  for(const Truth& t : scene) {
+    shape.moments.add(t.point);
+    sample.push_back({std::uint32_t(sample.size()), 0, t.point});
+  }
+  refit(shape);
+  double most = 0;
+  for(int start = 0; start < Split_gain::starts; ++start) {
+    const Split split = gain.trial(shape, {sample.data(), std::uint32_t(sample.size())}, start);
+    if(split.gain == 0)
+      continue;
+    const double expected = slow_gain(sample, rounded(shape.local), split, options);
+    check_close(double(split.gain), expected, 1e-3 * double(Score::unit * minimum_size),
+                name + ": gain of start " + std::to_string(start));
+    most = (std::max)(most, double(split.gain));
+  }
+  check_equal(most > 0, is_any, name + ": whether a split gains");
+}
+
+BOOST_AUTO_TEST_CASE(gain)
+{
+  check_gain("layers", make_layers(250, 1000, 1.5), true);
+  check_gain("a low roof", make_roof(250, 4000, 3), true);
+  check_gain("a noisy plane", make_noisy(250, 4000, 1. / 3), false);
+  check_gain("too few points", make_layers(90, 1000, 1.5), false);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

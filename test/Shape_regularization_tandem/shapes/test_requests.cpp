@@ -1,18 +1,190 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
+// The state between rounds. Labels are live shapes or marks; counts, sums and boxes of shapes are those of the points,
+// which see the planes of the shapes. Where most ids are out of use, shapes get new ones and stay what they are.
 // Each stage asks for what it reads of what follows from labels: where all of it is out of date, it neither reads it,
 // which an assertion reports, nor has another result. scripts/check_requests.sh removes each request in turn, and
 // expects this test to fail.
 
-#include "testing/Open_engine.h"
-#include "testing/test_support.h"
+#include "testing/body_fixture.h"
 
+#include <CGAL/Shape_regularization_tandem/Planar_shape_detection_3.h>
+
+#include <algorithm>
 #include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_requests)
 
 using namespace CGAL::Tandem::internal;
+
+using State = Tandem_state<Sequential_backend>;
+
+// The state is private; an explicit instantiation may name it nevertheless.
+struct State_of_engine {
+  using type = State Engine<Sequential_backend>::*;
+  friend type reveal(State_of_engine);
+};
+
+template <class Tag, typename Tag::type Member>
+struct Reveal {
+  friend typename Tag::type reveal(Tag) { return Member; }
+};
+
+template struct Reveal<State_of_engine, &Engine<Sequential_backend>::state_>;
+
+class Open_engine {
+public:
+  Open_engine(const std::string& scene, const scenes::Options& options, const Parameters& parameters)
+    : cloud_(to_cloud(scenes::make_scene(scene, options))), in_(import(parameters)),
+      engine_(backend_, in_, parameters, progress_)
+  {}
+
+  bool iterate() { return engine_.iterate(); }
+  State& state() { return engine_.*reveal(State_of_engine()); }
+
+private:
+  Import import(const Parameters& parameters)
+  {
+    using Traits = CGAL::Tandem::Tandem_traits_3<Kernel, Cloud, First<Kernel>, Second<Kernel>, CGAL::Sequential_tag>;
+    Import in = read_points(backend_, cloud_, Item_reader<Traits>(Traits(), First<Kernel>(), Second<Kernel>()));
+    choose_grid(in, parameters);
+    return in;
+  }
+
+  Sequential_backend backend_;
+  Cloud cloud_;
+  Import in_;
+  Progress progress_;
+  Engine<Sequential_backend> engine_;
+};
+
+struct Sums {
+  Moments moments;
+  Box box;
+};
+
+std::map<std::uint32_t, Sums> sums_of_labels(const State& t)
+{
+  const Surfels_view surfels = t.points.cloud.surfels();
+  std::map<std::uint32_t, Sums> sums;
+  for(std::uint32_t i = 0; i < t.points.cloud.size(); ++i)
+    if(t.points.label()[i] < first_mark) {
+      Sums& s = sums[t.points.label()[i]];
+      const Range points = surfels.points(i);
+      for(std::uint32_t p = points.first; p < points.last; ++p) {
+        s.moments.add(surfels.point[p], 1);
+        s.box.add(surfels.point[p]);
+      }
+    }
+  return sums;
+}
+
+// Boxes only grow.
+bool contains(const Box& outer, const Box& inner)
+{
+  for(int a = 0; a < 3; ++a)
+    if(inner.low[a] < outer.low[a] || inner.high[a] > outer.high[a])
+      return false;
+  return true;
+}
+
+bool is_same_plane(const Plane& a, const Plane& b)
+{
+  return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.d == b.d;
+}
+
+void check_state(const State& t, const std::string& where)
+{
+  const std::map<std::uint32_t, Sums> sums = sums_of_labels(t);
+  const Shape_table<Sequential_backend>& shapes = t.shapes;
+  for(std::size_t size : {shapes.table().size(), shapes.plane.size(), shapes.steps.size(), shapes.is_restarted.size()})
+    CHECK_AT(size >= shapes.size, where + ": a table is too small");
+  std::size_t assigned = 0;
+  for(const auto& s : sums) {
+    const std::string shape = where + ", shape " + std::to_string(s.first);
+    if(s.first >= shapes.size || !shapes.table()[s.first].is_live()) {
+      CHECK_AT(false, shape + " has " + std::to_string(s.second.moments.count) + " points, but is not live");
+      continue;
+    }
+    CHECK_AT(are_equal(shapes.table()[s.first].moments, s.second.moments), shape + ": moments");
+    CHECK_AT(contains(shapes.table()[s.first].box, s.second.box), shape + ": box");
+    CHECK_AT(is_same_plane(shapes.plane[s.first], rounded(shapes.table()[s.first].plane)), shape + ": plane");
+    assigned += std::size_t(s.second.moments.count);
+  }
+  const Shape_counts counts = count_live(t.points.backend, shapes);
+  check_equal(counts.points, assigned, where + ": assigned points");
+  check_equal(counts.shapes, sums.size(), where + ": live shapes");
+  for(std::uint32_t id = 0; id < shapes.size; ++id)
+    CHECK_AT(sums.count(id) > 0 || are_equal(shapes.table()[id].moments, Moments()),
+             where + ", dead shape " + std::to_string(id));
+  for(const Shared_moments& delta : shapes.delta)
+    CHECK_AT(!is_any(delta) && are_equal(delta.moments(), Moments()), where + ": deltas that were not taken");
+}
+
+struct Live {
+  std::vector<Shape> shape;
+  std::vector<Plane> plane;
+};
+
+Live live_shapes(const Shape_table<Sequential_backend>& shapes)
+{
+  Live live;
+  for(std::size_t id = 0; id < shapes.size; ++id)
+    if(shapes.table()[id].is_live()) {
+      live.shape.push_back(shapes.table()[id]);
+      live.plane.push_back(shapes.plane[id]);
+    }
+  return live;
+}
+
+// Most shapes go out of use, between two passes of growth: the others get new ids in the same order, and stay what they
+// are, but for their ages.
+void check_new_ids(State& t, const std::string& where)
+{
+  Shape_table<Sequential_backend>& shapes = t.shapes;
+  const Shape* const first = shapes.table().data();
+  drop_shapes(t.points, shapes, [first](const Shape& shape) { return (&shape - first) % 4 != 0; });
+  check_state(t, where + ", most are dropped");
+  const Live before = live_shapes(shapes);
+  const std::size_t size = shapes.size;
+  check_equal(take_growth(t.points, shapes, shapes.size), 0u, where + ": new points");
+  check_state(t, where);
+  check_equal(shapes.size, 2 * before.shape.size() < size ? before.shape.size() : size, where + ": ids");
+  const Live after = live_shapes(shapes);
+  check_equal(after.shape.size(), before.shape.size(), where + ": live shapes");
+  for(std::size_t i = 0; i < before.shape.size() && i < after.shape.size(); ++i) {
+    const Shape &a = after.shape[i], &b = before.shape[i];
+    CHECK_AT(are_equal(a.moments, b.moments) && is_same_plane(after.plane[i], before.plane[i]) &&
+               a.plane_number == b.plane_number,
+             where + ": the order of the shapes");
+    CHECK_AT(a.age == b.age + 1 && !a.is_active, where + ": age");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(state_after_rounds)
+{
+  int rounds = 0;
+  for(const char* name : {"house", "village", "indoor", "staircase", "sphere", "chained"})
+    for(std::size_t cell_size : {std::size_t(64), std::size_t(8192)})
+      for(std::size_t minimum : {std::size_t(60), std::size_t(600)}) { // with 600, fragments are dissolved, too
+        Parameters parameters = make_parameters(cell_size == 64 ? .01 : .03, minimum);
+        parameters.cell_size = cell_size;
+        Open_engine engine(name, scene_options(6000, .002, .1), parameters);
+        State& state = engine.state();
+        const int failures_before = failures();
+        for(bool goes_on = true; goes_on && failures() == failures_before;) {
+          goes_on = engine.iterate();
+          check_state(state, std::string(name) + ", round " + std::to_string(state.round));
+        }
+        rounds += state.round;
+        check_new_ids(state, std::string(name) + ", new ids");
+      }
+  CHECK_AT(rounds > 80, std::to_string(rounds) + " rounds in all");
+}
 
 using Link_buffer = Sequential_backend::Buffer<Link>;
 using Stage = std::function<void(State&, Link_buffer&)>;
@@ -63,7 +235,7 @@ Outcome outcome(const Stage& stage, bool is_spoilt)
   return result;
 }
 
-void test(const std::string& name, const Stage& stage)
+void check_stage(const std::string& name, const Stage& stage)
 {
   static const Outcome before = outcome([](State&, Link_buffer&) {}, false);
   const Outcome expected = outcome(stage, false), got = outcome(stage, true);
@@ -73,23 +245,23 @@ void test(const std::string& name, const Stage& stage)
   CHECK_AT(got.link == expected.link, name + ": links");
 }
 
-BOOST_AUTO_TEST_CASE(test_rounds)
+BOOST_AUTO_TEST_CASE(requests_of_rounds)
 {
-  test("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options.growth); });
-  test("dropping", [](State& t, Link_buffer&) { drop_small(t.points, t.shapes, 200); });
-  test("a merge of shapes with those before them", [](State& t, Link_buffer&) {
+  check_stage("growth", [](State& t, Link_buffer&) { grow_shapes(t.points, t.shapes, t.seeds, t.options.growth); });
+  check_stage("dropping", [](State& t, Link_buffer&) { drop_small(t.points, t.shapes, 200); });
+  check_stage("a merge of shapes with those before them", [](State& t, Link_buffer&) {
     auto target = identity_targets(t.points.backend, t.shapes.size);
     for(std::size_t id = 0; id < target.size(); ++id)
       target[id] = std::uint32_t(id & ~std::size_t(1));
     merge_points(t.points, t.shapes, target);
   });
-  test("links of some shapes", [](State& t, Link_buffer& links) {
+  check_stage("links of some shapes", [](State& t, Link_buffer& links) {
     for(std::size_t id = 0; id < t.shapes.size; ++id)
       t.shapes.table()[id].history.set_linked(id % 4 != 0);
     links = collect_links(t.points, t.shapes, Links::changed, Phase::loop);
   });
-  test("unions", [](State& t, Link_buffer& links) { merge_by_gain(t.points, t.shapes, t.options, links); });
-  test("regularization", [](State& t, Link_buffer&) {
+  check_stage("unions", [](State& t, Link_buffer& links) { merge_by_gain(t.points, t.shapes, t.options, links); });
+  check_stage("regularization", [](State& t, Link_buffer&) {
     regularize_shapes(t.points, t.shapes, t.options, {true, t.options.minimum_related_size});
   });
 }
@@ -107,15 +279,15 @@ Shape_relations shifted_planes(const State& t)
   return r;
 }
 
-BOOST_AUTO_TEST_CASE(test_end_game)
+BOOST_AUTO_TEST_CASE(requests_of_end_game)
 {
-  test("misfits", [](State& t, Link_buffer&) {
+  check_stage("misfits", [](State& t, Link_buffer&) {
     for(Shape& s : t.shapes.table())
       s.plane.offset += t.options.maximum_distance;
     detach_misfits(t.points, t.shapes, t.options.growth.tolerance);
   });
-  test("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes); });
-  test("splits", [](State& t, Link_buffer&) {
+  check_stage("local planes", [](State& t, Link_buffer&) { fit_planes(t.points, t.shapes); });
+  check_stage("splits", [](State& t, Link_buffer&) {
     const Labels_view labels = t.points.change_labels(false);
     t.shapes.lose_moments();
     for(std::size_t i = 0; i < t.points.cloud.size(); ++i)
@@ -127,16 +299,17 @@ BOOST_AUTO_TEST_CASE(test_end_game)
     split_shapes(t.points, t.shapes, t.options);
     CHECK(t.shapes.size > size);
   });
-  test("assignment", [](State& t, Link_buffer&) { Assignment<Sequential_backend>(t.points)(t.shapes, t.options); });
-  test("a raised score", [](State& t, Link_buffer&) {
+  check_stage("assignment",
+              [](State& t, Link_buffer&) { Assignment<Sequential_backend>(t.points)(t.shapes, t.options); });
+  check_stage("a raised score", [](State& t, Link_buffer&) {
     Assignment<Sequential_backend> assign(t.points);
     raise_score(t.points, t.shapes, t.options, assign);
   });
-  test("final regularization", [](State& t, Link_buffer&) {
+  check_stage("final regularization", [](State& t, Link_buffer&) {
     Assignment<Sequential_backend> assign(t.points);
     regularize_finally(t.points, t.shapes, t.options, assign);
   });
-  test("centered planes", [](State& t, Link_buffer&) {
+  check_stage("centered planes", [](State& t, Link_buffer&) {
     Shape_relations relations = shifted_planes(t);
     center_shapes(t.points, t.shapes, t.options, relations);
   });

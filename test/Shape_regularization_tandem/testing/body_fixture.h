@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the tests of the bodies share: a sorted cloud with planes and labels, sums made
-// the naive way, and a loop over scenes and back ends, of which some shuffle all that
-// the concepts leave open.
+// What the tests of the bodies share: sorted clouds with planes and labels, sums made the naive way, and a loop over back
+// ends, of which one shuffles all that the concepts leave open.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_BODY_FIXTURE_H
@@ -25,6 +24,7 @@ namespace internal {
 
 // A sorted cloud, the true planes, and labels of which some are missing or wrong.
 struct Fixture {
+  std::string name;
   std::vector<Grid_point> point;
   std::vector<std::uint32_t> neighbor;
   std::vector<Range> cells;
@@ -51,15 +51,6 @@ struct Fixture {
     return result;
   }
 
-  // The planes, shifted by half of epsilon.
-  std::vector<Plane> moved_planes() const
-  {
-    std::vector<Plane> planes = plane;
-    for(Plane& p : planes)
-      p.d += tolerance.distance / 2;
-    return planes;
-  }
-
   // Of tolerances of points: most are those of the detection.
   std::vector<std::uint8_t> mixed_levels() const
   {
@@ -70,6 +61,7 @@ struct Fixture {
   }
   void set_levels()
   {
+    name += ", own tolerances";
     level = mixed_levels();
     cloud.level = cloud.surfels.level = level.data();
   }
@@ -112,6 +104,7 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
     unsorted.push_back({std::int32_t(p.x), std::int32_t(p.y), std::int32_t(p.z), encode_normal({n.x, n.y, n.z})});
   }
   Fixture f;
+  f.name = name;
   Sequential_backend backend;
   const Code_frame frame = make_code_frame(unsorted.data(), size);
   auto order = sort_along_curve(backend, {unsorted.data(), size}, frame);
@@ -217,55 +210,54 @@ inline void add_point(Shared_moments& target, const Grid_point& p, int sign, std
   atomic_add<Sequential_backend>(target, m, box);
 }
 
-// Whether points have tolerances of their own.
-enum class Levels { none, mixed };
-
-// Bodies<Backend>(backend, name, fixture).run() on some scenes.
-template <template <class> class Bodies, class Backend>
-void test_on(Backend backend, Levels levels = Levels::none)
+// Some scenes; two of them again, where points have tolerances of their own.
+inline const std::vector<Fixture>& fixtures()
 {
-  struct Case {
-    const char* scene;
-    std::size_t points;
-    int k;
-    std::size_t cell_size;
-  };
-  const Case cases[] = {{"house", 4000, 12, 8192}, // more shapes than a table of a cell has slots
-                        {"village", 9000, 8, 9000},
-                        {"indoor", 6000, 16, 300},
-                        {"cube", 12, 12, 64}}; // rows that end early
-  for(const Case& c : cases) {
-    Fixture fixture = make_fixture(c.scene, c.points, c.k, c.cell_size);
-    if(levels == Levels::mixed)
-      fixture.set_levels();
-    const std::string name =
-      std::string(Backend::name()) + ", " + c.scene + (levels == Levels::mixed ? ", own tolerances" : "");
-    Bodies<Backend>(backend, name, fixture).run();
-  }
+  static const std::vector<Fixture> all = [] {
+    std::vector<Fixture> made;
+    for(int levels : {0, 1}) {
+      made.push_back(make_fixture("house", 4000, 12, 8192)); // more shapes than a table of a cell has slots
+      made.push_back(make_fixture("indoor", 6000, 16, 300));
+      for(std::size_t i = 2; levels == 1 && i < made.size(); ++i)
+        made[i].set_levels();
+    }
+    made.push_back(make_fixture("village", 9000, 8, 9000));
+    made.push_back(make_fixture("cube", 12, 12, 64)); // rows that end early
+    return made;
+  }();
+  return all;
 }
 
-// f(backend, name) for those that run bodies in different ways: in order, on threads, and with shuffled lanes.
+// f(backend, name) for those that run bodies in different ways: on threads, and with shuffled lanes.
 template <class F>
 void on_body_backends(F f)
 {
-  f(Sequential_backend(), std::string("sequential"));
   f(Thread_backend(), std::string("threads"));
-  for(std::uint64_t seed : {1, 2, 3})
+  for(std::uint64_t seed : {1, 2})
     f(Shuffled_backend(seed), "shuffled " + std::to_string(seed));
+}
+
+// f(backend, name, fixture) for all of both.
+template <class F>
+void on_fixtures(F f)
+{
+  for(const Fixture& fixture : fixtures())
+    on_body_backends([&](auto backend, const std::string& name) { f(backend, name + ", " + fixture.name, fixture); });
+}
+
+// Bodies<Backend>(backend, name, fixture).run() where all points have one tolerance.
+template <template <class> class Bodies, class Backend>
+void test_on(Backend backend)
+{
+  for(const Fixture& f : fixtures())
+    if(f.level.empty())
+      Bodies<Backend>(backend, std::string(Backend::name()) + ", " + f.name, f).run();
 }
 
 template <template <class> class Bodies>
 void test_on_all_backends()
 {
   on_body_backends([](auto backend, const std::string&) { test_on<Bodies>(backend); });
-}
-
-// The same, and once more with tolerances of points.
-template <template <class> class Bodies>
-void test_with_levels_on_all_backends()
-{
-  test_on_all_backends<Bodies>();
-  on_body_backends([](auto backend, const std::string&) { test_on<Bodies>(backend, Levels::mixed); });
 }
 
 } // namespace internal

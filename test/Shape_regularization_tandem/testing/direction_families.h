@@ -6,8 +6,7 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_DIRECTION_FAMILIES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_DIRECTION_FAMILIES_H
 
-#include "checks.h"
-#include "scatters.h"
+#include "rectangles.h"
 
 #include <CGAL/Tandem/internal/regularity/Frames.h>
 

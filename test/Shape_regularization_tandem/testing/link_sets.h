@@ -35,8 +35,8 @@ public:
   // What is wrong.
   std::vector<std::string> run()
   {
-    for(std::size_t n : {0, 1, 100, 4095, 30000})
-      for(std::uint32_t ids : {2u, 50u, 8192u, 0xfffffff0u}) {
+    for(std::size_t n : {0, 100, 4095, 30000})
+      for(std::uint32_t ids : {2u, 8192u, 0xfffffff0u}) {
         const std::vector<Link> additions = random_additions(n, ids);
         for(std::size_t size : {1, 16, 1024, 65536})
           test_set(additions, size);

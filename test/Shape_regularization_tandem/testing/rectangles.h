@@ -8,7 +8,6 @@
 
 #include "checks.h"
 #include "same_bits.h"
-#include "scatters.h"
 
 #include <CGAL/Tandem/internal/regularity/regularize.h>
 
@@ -19,6 +18,12 @@
 namespace CGAL {
 namespace Tandem {
 namespace internal {
+
+// s v v^T
+inline Symmetric_matrix square(double s, const Vector& v)
+{
+  return {s * v.x * v.x, s * v.x * v.y, s * v.x * v.z, s * v.y * v.y, s * v.y * v.z, s * v.z * v.z};
+}
 
 const double epsilon = 1024;
 
