@@ -8,7 +8,8 @@ set(tandem_models_dir "${CMAKE_CURRENT_LIST_DIR}/../include/CGAL/Shape_regulariz
 
 # tandem_add_models(name [EXCLUDE_FROM_ALL])
 function(tandem_add_models name)
-  add_library(${name} ${ARGN} "${tandem_models_dir}/tandem_models.cpp")
+  add_library(${name} ${ARGN} "${tandem_models_dir}/tandem_models_outlines.cpp"
+              "${tandem_models_dir}/tandem_models_surface.cpp")
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(${name} PUBLIC Tandem::tandem)
   target_compile_definitions(${name} PUBLIC CGAL_TANDEM_USE_MODELS=1)

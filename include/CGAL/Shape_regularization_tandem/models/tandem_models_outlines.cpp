@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The library Tandem::tandem_models, which is compiled with CGAL_TANDEM_USE_MODELS.
+// A part of the library Tandem::tandem_models, which is compiled with CGAL_TANDEM_USE_MODELS.
 
 #include <CGAL/Shape_regularization_tandem/models/facts/facts_table.h>
 #include <CGAL/Shape_regularization_tandem/models/outlines/outline_table.h>
-#include <CGAL/Shape_regularization_tandem/models/surface/surface_table.h>
