@@ -156,9 +156,6 @@ void generate(const Row& row, const Experiment_options& options, Named_cloud& na
   scenes::Scene scene = scenes::make_scene(cell(row, "scene"), o);
   scenes::set_blended_normals(scene, number_or_zero(row, "normal_noise"), o.seed);
   named = cloud_of(named.name, std::move(scene), named.task);
-  named.origin = "generated: make_scene " + cell(row, "scene") + " --points " + std::to_string(o.points) + " --noise " +
-                 cell(row, "noise") + " --outliers " + cell(row, "outliers") + " --normal-noise " +
-                 cell(row, "normal_noise") + (o.varies_density ? " --varying-density" : "");
 }
 
 void complete_normals(Named_cloud& named)
@@ -187,7 +184,6 @@ Named_cloud load_cloud(const Row& row, const Experiment_options& options)
   if(scene.compare(0, twin.size(), twin) == 0) {
     named = twin_cloud(scene.substr(twin.size()), points_of(row, options));
     named.name = cell(row, "name");
-    named.origin = "generated: a twin of a real cloud";
     named.task.threads = options.threads;
     return named;
   }

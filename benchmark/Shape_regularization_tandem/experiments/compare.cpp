@@ -187,11 +187,10 @@ std::vector<Row> chosen_clouds(const Experiment_options& options)
       rows.push_back(row);
   for(const std::string& name : options.arguments) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const Row& r) { return cell(r, "name") == name; });
-    if(found == table.end())
-      throw std::invalid_argument("there is no cloud " + name + " in clouds.csv");
-    if(!is_available(*found, options))
-      throw std::invalid_argument("the cloud " + name + " is not part of --quick, or its file " + cell(*found, "file") +
-                                  " is not in the folder of clouds (--data, TANDEM_DATA)");
+    if(found == table.end() || !is_available(*found, options))
+      throw std::invalid_argument("the cloud " + name +
+                                  " is not in clouds.csv, not part of --quick, or its file is not in " +
+                                  "the folder of clouds (--data, TANDEM_DATA)");
     rows.push_back(*found);
   }
   return rows;

@@ -95,28 +95,17 @@ void run(const Command_line& line)
   throw std::invalid_argument("unknown subcommand " + line.experiment);
 }
 
-int fail(int code, const std::string& message)
-{
-  std::cerr << "tandem_benchmark: " << message << "\n";
-  return code;
-}
-
 } // namespace
 
 int main(int argc, char** argv)
-{
-  try {
-    const Command_line line = parse(argc, argv);
-    if(line.help.empty())
-      run(line);
-    else
-      std::cout << line.help;
-    return 0;
-  } catch(const po::error& e) {
-    return fail(2, std::string(e.what()) + " (tandem_benchmark --help lists the options)");
-  } catch(const std::invalid_argument& e) {
-    return fail(2, std::string(e.what()) + " (tandem_benchmark --help lists the options)");
-  } catch(const std::exception& e) {
-    return fail(1, e.what());
-  }
+try {
+  const Command_line line = parse(argc, argv);
+  if(line.help.empty())
+    run(line);
+  else
+    std::cout << line.help;
+  return 0;
+} catch(const std::exception& e) {
+  std::cerr << "tandem_benchmark: " << e.what() << " (tandem_benchmark --help lists the options)\n";
+  return 1;
 }
