@@ -97,13 +97,9 @@ std::string find_file(const std::string& name, const Experiment_options& options
 // Of a cell or an argument.
 double number(const std::string& what, const std::string& text, double smallest, double largest = 1e270)
 {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if(text.empty() || *end != 0 || !(value >= smallest && value <= largest)) {
-    std::ostringstream message;
-    message << what << " is '" << text << "', not a number in [" << smallest << ", " << largest << "]";
-    throw std::invalid_argument(message.str());
-  }
+  const double value = std::stod(text);
+  if(!(value >= smallest && value <= largest))
+    throw std::invalid_argument(what + " cannot be " + text);
   return value;
 }
 

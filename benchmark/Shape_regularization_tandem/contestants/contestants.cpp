@@ -21,13 +21,10 @@ std::vector<Contestant> contestants()
 
 Contestant contestant(const std::string& name)
 {
-  std::string names;
-  for(const Contestant& c : contestants()) {
+  for(const Contestant& c : contestants())
     if(c.name == name)
       return c;
-    names += " " + c.name;
-  }
-  throw std::invalid_argument("there is no contestant " + name + "; choose of" + names);
+  throw std::invalid_argument("there is no contestant " + name);
 }
 
 Run run_after(const Contestant& contestant, const Ply_cloud& cloud, const Task& task, const Run& base)

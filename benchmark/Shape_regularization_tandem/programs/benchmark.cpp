@@ -11,7 +11,6 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
-#include <sys/stat.h>
 
 namespace po = boost::program_options;
 using namespace CGAL::Tandem::benchmark;
@@ -75,9 +74,6 @@ Command_line parse(int argc, char** argv)
 
 void check(const Experiment_options& o)
 {
-  struct stat status;
-  if(stat(o.output.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-    throw std::invalid_argument("--output " + o.output + " is not a folder");
   if(o.repeats == 0)
     throw std::invalid_argument("--repeats must be at least 1");
   for(const std::string& name : o.contestants)
