@@ -82,14 +82,12 @@ Named_cloud house_scan(std::size_t points)
 
 namespace {
 
-bool is_there(const std::string& path) { return std::ifstream(path).good(); }
-
 // Empty if there is no such file. Samples that the script has fetched lie beside the results.
 std::string find_file(const std::string& name, const Experiment_options& options)
 {
   for(const std::string& folder : {options.data, options.output + "/clouds"})
     for(const char* ending : {"", ".xz"})
-      if(!folder.empty() && is_there(folder + "/" + name + ending))
+      if(!folder.empty() && std::ifstream(folder + "/" + name + ending))
         return folder + "/" + name + ending;
   return "";
 }
@@ -164,7 +162,7 @@ void complete_normals(Named_cloud& named)
 
 } // namespace
 
-std::vector<Row> cloud_table(const Experiment_options& options) { return read_csv(options.sources + "/clouds.csv"); }
+std::vector<Row> cloud_table() { return read_csv(TANDEM_BENCHMARK_SOURCES "/clouds.csv"); }
 
 bool is_available(const Row& row, const Experiment_options& options)
 {

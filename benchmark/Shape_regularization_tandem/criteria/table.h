@@ -99,8 +99,8 @@ inline std::vector<std::string> columns_of(const std::vector<Row>& rows)
 // Without what would end a cell.
 inline std::string csv_cell(std::string text)
 {
-  std::replace_if(
-    text.begin(), text.end(), [](char c) { return c == ',' || c == '\n'; }, ';');
+  std::replace(text.begin(), text.end(), ',', ';');
+  std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
 

@@ -180,7 +180,7 @@ std::string complaint(const std::vector<Row>& rows)
 // Rows of the table: those that are named, or all whose files are there.
 std::vector<Row> chosen_clouds(const Experiment_options& options)
 {
-  const std::vector<Row> table = cloud_table(options);
+  const std::vector<Row> table = cloud_table();
   std::vector<Row> rows;
   for(const Row& row : table)
     if(options.arguments.empty() && is_available(row, options))

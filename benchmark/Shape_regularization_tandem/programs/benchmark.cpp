@@ -43,8 +43,7 @@ po::options_description make_options(Command_line& line)
   visible.add_options()("help", "this text")("quick", po::bool_switch(&o.is_quick), "small clouds, few steps")(
     "output", po::value(&o.output)->default_value("."), "folder of what is written; it exists")(
     "data", po::value(&o.data), "folder of the clouds of clouds.csv that are files")(
-    "sources", po::value(&o.sources)->default_value(TANDEM_BENCHMARK_SOURCES),
-    "folder of clouds.csv")("repeats", po::value(&o.repeats)->default_value(3), "runs that are timed")(
+    "repeats", po::value(&o.repeats)->default_value(3), "runs that are timed")(
     "threads", po::value(&o.threads)->default_value(0), "of parallel contestants; 0: all processors")(
     "contestants", po::value(&line.contestants), "names, separated by commas; default: as the subcommand has them");
   return visible;

@@ -5,7 +5,7 @@
 // target has the same name. Without CMake, in the folder benchmark/Shape_regularization_tandem:
 //   g++ -std=c++17 -O2 -DNDEBUG -DCGAL_EIGEN3_ENABLED -I. -I../../include -I../../test/Shape_regularization_tandem
 //     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/contestants_tandem.cpp criteria/result_score.cpp
-//     clouds/{named_clouds,scene_normals}.cpp
+//     clouds/named_clouds.cpp -DTANDEM_BENCHMARK_SOURCES='"."'
 //     ../../test/Shape_regularization_tandem/scenes/*.cpp -lgmp -lmpfr -o labeled_frames
 //   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [PART...]
 // only clouds whose group or name contains one of the PARTs.
