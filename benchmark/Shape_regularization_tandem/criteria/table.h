@@ -146,9 +146,7 @@ inline std::vector<Row> read_csv(const std::string& path)
       columns = cells;
       continue;
     }
-    cells.resize((std::max)(cells.size(), columns.size())); // the last one may be empty
-    if(cells.size() != columns.size())
-      throw std::runtime_error(path + ": not as many cells as columns in: " + line);
+    cells.resize(columns.size()); // the last one may be empty
     Row row;
     for(std::size_t c = 0; c < columns.size(); ++c)
       row.emplace_back(columns[c], cells[c]);

@@ -91,9 +91,7 @@ private:
   Row row(const Entry& entry, std::size_t repeat, const Run& run, bool is_cleaned) const
   {
     Row row;
-    Task task = named_.task;
-    task.seed = entry.contestant.is_random ? unsigned(repeat) : 0;
-    task.threads = !entry.contestant.is_parallel ? 1 : task.threads > 0 ? task.threads : number_of_processors();
+    const Task& task = named_.task;
     append_task(row, named_.name, named_.cloud.points.size(), task);
     append_cell(row, "method", entry.contestant.name);
     append_cell(row, "description", entry.contestant.description + (is_cleaned ? ", cleaned" : ""));
