@@ -91,8 +91,7 @@ private:
   Row row(const Entry& entry, std::size_t repeat, const Run& run, bool is_cleaned) const
   {
     Row row;
-    const Task& task = named_.task;
-    append_task(row, named_.name, named_.cloud.points.size(), task);
+    append_task(row, named_.name, named_.cloud.points.size(), named_.task);
     append_cell(row, "method", entry.contestant.name);
     append_cell(row, "description", entry.contestant.description + (is_cleaned ? ", cleaned" : ""));
     append_cell(row, "cleaned", is_cleaned);
@@ -100,7 +99,7 @@ private:
     append_run(row, run);
     if(!run.finished)
       return row;
-    append_judgement(row, named_, task, graph_, run);
+    append_judgement(row, named_, named_.task, graph_, run);
     std::vector<Detection> detections; // over the repeats: for random contestants, over the seeds
     for(const Run& r : entry.runs)
       if(r.finished)
