@@ -82,14 +82,12 @@ Named_cloud house_scan(std::size_t points)
 
 namespace {
 
-bool is_there(const std::string& path) { return std::ifstream(path).good(); }
-
 // Empty if there is no such file. Samples that the script has fetched lie beside the results.
 std::string find_file(const std::string& name, const Experiment_options& options)
 {
   for(const std::string& folder : {options.data, options.output + "/clouds"})
     for(const char* ending : {"", ".xz"})
-      if(!folder.empty() && is_there(folder + "/" + name + ending))
+      if(!folder.empty() && std::ifstream(folder + "/" + name + ending))
         return folder + "/" + name + ending;
   return "";
 }
@@ -97,13 +95,9 @@ std::string find_file(const std::string& name, const Experiment_options& options
 // Of a cell or an argument.
 double number(const std::string& what, const std::string& text, double smallest, double largest = 1e270)
 {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if(text.empty() || *end != 0 || !(value >= smallest && value <= largest)) {
-    std::ostringstream message;
-    message << what << " is '" << text << "', not a number in [" << smallest << ", " << largest << "]";
-    throw std::invalid_argument(message.str());
-  }
+  const double value = std::stod(text);
+  if(!(value >= smallest && value <= largest))
+    throw std::invalid_argument(what + " cannot be " + text);
   return value;
 }
 
@@ -156,9 +150,6 @@ void generate(const Row& row, const Experiment_options& options, Named_cloud& na
   scenes::Scene scene = scenes::make_scene(cell(row, "scene"), o);
   scenes::set_blended_normals(scene, number_or_zero(row, "normal_noise"), o.seed);
   named = cloud_of(named.name, std::move(scene), named.task);
-  named.origin = "generated: make_scene " + cell(row, "scene") + " --points " + std::to_string(o.points) + " --noise " +
-                 cell(row, "noise") + " --outliers " + cell(row, "outliers") + " --normal-noise " +
-                 cell(row, "normal_noise") + (o.varies_density ? " --varying-density" : "");
 }
 
 void complete_normals(Named_cloud& named)
@@ -171,7 +162,7 @@ void complete_normals(Named_cloud& named)
 
 } // namespace
 
-std::vector<Row> cloud_table(const Experiment_options& options) { return read_csv(options.sources + "/clouds.csv"); }
+std::vector<Row> cloud_table() { return read_csv(TANDEM_BENCHMARK_SOURCES "/clouds.csv"); }
 
 bool is_available(const Row& row, const Experiment_options& options)
 {
@@ -187,7 +178,6 @@ Named_cloud load_cloud(const Row& row, const Experiment_options& options)
   if(scene.compare(0, twin.size(), twin) == 0) {
     named = twin_cloud(scene.substr(twin.size()), points_of(row, options));
     named.name = cell(row, "name");
-    named.origin = "generated: a twin of a real cloud";
     named.task.threads = options.threads;
     return named;
   }

@@ -21,7 +21,7 @@ struct Named_cloud {
 };
 
 // The rows of clouds.csv in the folder of the benchmark.
-std::vector<Row> cloud_table(const Experiment_options& options);
+std::vector<Row> cloud_table();
 
 // Whether the cloud of such a row is part of the run: its file is there, and it is for --quick, if that is asked for.
 bool is_available(const Row& row, const Experiment_options& options);

@@ -50,7 +50,7 @@ struct Run {
   bool finished = false;
   Detection detection;
   std::vector<Vec> normals; // those that were used, if the contestant estimated them; null: none
-  std::string hash;         // of labels and planes
+  std::string hash;         // of labels and planes, by Tandem
   std::string error;        // why it did not finish
 
   double wall() const { return normal_seconds + detection_seconds + regularization_seconds; }
@@ -92,16 +92,11 @@ inline bool estimates_normals(const Ply_cloud& cloud, const Task& task)
   return task.estimates_normals || !cloud.has_normals();
 }
 
-// FNV-1a of the labels and of the bits of the planes, as 16 digits.
-std::string hash_of(const Detection& detection);
-
 // The last lines of each step.
 inline Run finished(Run run, const Meter& meter)
 {
   run.user += meter.processor();
   run.peak_bytes = (std::max)(run.peak_bytes, meter.peak_bytes());
-  if(run.hash.empty())
-    run.hash = hash_of(run.detection);
   run.finished = true;
   return run;
 }

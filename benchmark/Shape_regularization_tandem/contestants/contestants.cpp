@@ -7,23 +7,6 @@
 
 namespace CGAL::Tandem::benchmark {
 
-std::string hash_of(const Detection& detection)
-{
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  auto add = [&](const void* data, std::size_t size) {
-    for(std::size_t i = 0; i < size; ++i)
-      hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001b3u;
-  };
-  add(detection.label.data(), detection.label.size() * sizeof(std::int32_t));
-  for(const Plane& p : detection.planes)
-    for(double c : {p.normal.x, p.normal.y, p.normal.z, p.offset})
-      add(&c, sizeof c);
-  std::string text;
-  for(int shift = 60; shift >= 0; shift -= 4)
-    text += "0123456789abcdef"[(hash >> shift) & 15];
-  return text;
-}
-
 std::vector<Contestant> contestants()
 {
   static const std::vector<Contestant> all = [] {
@@ -38,13 +21,10 @@ std::vector<Contestant> contestants()
 
 Contestant contestant(const std::string& name)
 {
-  std::string names;
-  for(const Contestant& c : contestants()) {
+  for(const Contestant& c : contestants())
     if(c.name == name)
       return c;
-    names += " " + c.name;
-  }
-  throw std::invalid_argument("there is no contestant " + name + "; choose of" + names);
+  throw std::invalid_argument("there is no contestant " + name);
 }
 
 Run run_after(const Contestant& contestant, const Ply_cloud& cloud, const Task& task, const Run& base)

@@ -270,7 +270,6 @@ template <bool uses_symmetry>
 Run regularize_step(const Ply_cloud& cloud, const Task& task, const Run& base)
 {
   Run run = base;
-  run.hash.clear();
   const Vec center = extent_of(cloud.points).center;
   move(run.detection.planes, -1.0 * center);
   std::vector<Kernel::Point_3> points;

@@ -19,9 +19,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Tandem {
-namespace benchmark {
+namespace CGAL::Tandem::benchmark {
 
 // A loop that CGAL gives up stays. Edges are joined whose offset is at most the given one.
 inline std::vector<Outline_kernel::Point_2>
@@ -84,8 +82,6 @@ inline internal::outlines::Polygon_table regularized_contours(const internal::ou
   return result;
 }
 
-} // namespace benchmark
-} // namespace Tandem
-} // namespace CGAL
+} // namespace CGAL::Tandem::benchmark
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_BENCHMARK_CONTOUR_REGULARIZATION_H

@@ -25,25 +25,18 @@ inline void append_task(Row& row, const std::string& cloud, std::size_t points, 
   append_cell(row, "alpha_deg", task.maximum_angle_deg);
   append_cell(row, "minimum", task.minimum_region_size);
   append_cell(row, "k", task.k_neighbors);
-  append_cell(row, "threads", task.threads);
-  append_cell(row, "seed", task.seed);
 }
 
 // Seconds and memory; empty where they are not known.
 inline void append_run(Row& row, const Run& run)
 {
-  auto append_if = [&](bool is_known, const std::string& name, double value) {
-    if(is_known && run.finished)
-      append_cell(row, name, value);
-    else
-      row.emplace_back(name, "");
-  };
   append_cell(row, "finished", run.finished);
   append_cell(row, "error", run.error);
-  append_if(true, "seconds", run.wall());
-  append_if(true, "user_seconds", run.user);
-  append_if(run.peak_bytes > 0, "peak_mib", double(run.peak_bytes) / 1048576);
-  append_if(run.peak_bytes > 0, "bytes_per_point", double(run.peak_bytes) / double(run.detection.label.size() + 1e-9));
+  append_cell_if(row, run.finished, "seconds", run.wall());
+  append_cell_if(row, run.finished, "user_seconds", run.user);
+  append_cell_if(row, run.finished && run.peak_bytes > 0, "peak_mib", double(run.peak_bytes) / 1048576);
+  append_cell_if(row, run.finished && run.peak_bytes > 0, "bytes_per_point",
+                 double(run.peak_bytes) / double(run.detection.label.size() + 1e-9));
   append_cell(row, "hash", run.hash);
 }
 

@@ -99,8 +99,8 @@ inline std::vector<std::string> columns_of(const std::vector<Row>& rows)
 // Without what would end a cell.
 inline std::string csv_cell(std::string text)
 {
-  std::replace_if(
-    text.begin(), text.end(), [](char c) { return c == ',' || c == '\n'; }, ';');
+  std::replace(text.begin(), text.end(), ',', ';');
+  std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
 
@@ -146,9 +146,7 @@ inline std::vector<Row> read_csv(const std::string& path)
       columns = cells;
       continue;
     }
-    cells.resize((std::max)(cells.size(), columns.size())); // the last one may be empty
-    if(cells.size() != columns.size())
-      throw std::runtime_error(path + ": not as many cells as columns in: " + line);
+    cells.resize(columns.size()); // the last one may be empty
     Row row;
     for(std::size_t c = 0; c < columns.size(); ++c)
       row.emplace_back(columns[c], cells[c]);

@@ -113,21 +113,16 @@ void run(const std::string& backend, const Job& job, int runs)
 #endif
 }
 
-[[noreturn]] void exit_with_usage(const std::string& what)
-{
-  std::cerr << "cuda_benchmark: " << what << R"(
+const char* const usage = R"(
 cuda_benchmark [cuda|parallel|sequential [RUNS [POINTS...]]]
-cuda_benchmark cuda|parallel|sequential RUNS CLOUD.ply EPSILON MINIMUM [own]
-)";
-  std::exit(2);
-}
+cuda_benchmark cuda|parallel|sequential RUNS CLOUD.ply EPSILON MINIMUM [own])";
 
 int main(int argc, char** argv)
 try {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::string backend = !arguments.empty() ? arguments[0] : "cuda";
   if(backend != "cuda" && backend != "parallel" && backend != "sequential")
-    exit_with_usage("unknown back end '" + backend + "'");
+    throw std::runtime_error("unknown back end " + backend + usage);
   if(backend == "cuda" && !CGAL::Tandem::cuda_available())
     throw std::runtime_error(CGAL::Tandem::cuda_device_report());
   const int runs = arguments.size() > 1 ? std::stoi(arguments[1]) : 3;
@@ -138,7 +133,7 @@ try {
   if(arguments.size() > 2 && arguments[2].find(".ply") != std::string::npos) {
     const bool is_own = arguments.size() == 6 && arguments[5] == "own";
     if(arguments.size() != 5 && !is_own)
-      exit_with_usage("a cloud needs EPSILON and MINIMUM");
+      throw std::runtime_error(std::string("a cloud needs EPSILON and MINIMUM") + usage);
     run(backend, job_of_file(arguments[2], std::stod(arguments[3]), std::stoul(arguments[4]), !is_own), runs);
     return EXIT_SUCCESS;
   }

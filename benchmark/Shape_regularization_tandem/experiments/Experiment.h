@@ -16,7 +16,6 @@ struct Experiment_options {
   bool is_quick = false;                // small clouds, few steps
   std::string output = ".";             // folder of the CSV files; it exists
   std::string data;                     // folder of clouds (TANDEM_DATA); empty: there is none
-  std::string sources;                  // folder of the benchmark's own files: clouds.csv
   unsigned repeats = 3;                 // runs that are timed
   unsigned threads = 0;                 // of parallel contestants; 0: all
   std::vector<std::string> contestants; // names; empty: as the experiment thinks fit

@@ -91,10 +91,7 @@ private:
   Row row(const Entry& entry, std::size_t repeat, const Run& run, bool is_cleaned) const
   {
     Row row;
-    Task task = named_.task;
-    task.seed = entry.contestant.is_random ? unsigned(repeat) : 0;
-    task.threads = !entry.contestant.is_parallel ? 1 : task.threads > 0 ? task.threads : number_of_processors();
-    append_task(row, named_.name, named_.cloud.points.size(), task);
+    append_task(row, named_.name, named_.cloud.points.size(), named_.task);
     append_cell(row, "method", entry.contestant.name);
     append_cell(row, "description", entry.contestant.description + (is_cleaned ? ", cleaned" : ""));
     append_cell(row, "cleaned", is_cleaned);
@@ -102,7 +99,7 @@ private:
     append_run(row, run);
     if(!run.finished)
       return row;
-    append_judgement(row, named_, task, graph_, run);
+    append_judgement(row, named_, named_.task, graph_, run);
     std::vector<Detection> detections; // over the repeats: for random contestants, over the seeds
     for(const Run& r : entry.runs)
       if(r.finished)
@@ -180,18 +177,17 @@ std::string complaint(const std::vector<Row>& rows)
 // Rows of the table: those that are named, or all whose files are there.
 std::vector<Row> chosen_clouds(const Experiment_options& options)
 {
-  const std::vector<Row> table = cloud_table(options);
+  const std::vector<Row> table = cloud_table();
   std::vector<Row> rows;
   for(const Row& row : table)
     if(options.arguments.empty() && is_available(row, options))
       rows.push_back(row);
   for(const std::string& name : options.arguments) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const Row& r) { return cell(r, "name") == name; });
-    if(found == table.end())
-      throw std::invalid_argument("there is no cloud " + name + " in clouds.csv");
-    if(!is_available(*found, options))
-      throw std::invalid_argument("the cloud " + name + " is not part of --quick, or its file " + cell(*found, "file") +
-                                  " is not in the folder of clouds (--data, TANDEM_DATA)");
+    if(found == table.end() || !is_available(*found, options))
+      throw std::invalid_argument("the cloud " + name +
+                                  " is not in clouds.csv, not part of --quick, or its file is not in " +
+                                  "the folder of clouds (--data, TANDEM_DATA)");
     rows.push_back(*found);
   }
   return rows;

@@ -162,16 +162,13 @@ inline void print_table(const std::vector<Summary>& all)
 
 inline void print_legend()
 {
-  std::printf(
-    "\n* better than Tandem. Seconds: wall clock without reading, median of the runs; CPU s: of all processors. "
-    "B/point:\n"
-    "peak memory beyond the input. cpx: complexity, smaller is more regular, with relations within 1e-6. S: the score\n"
-    "(score/Score.h), per point of the cloud. mean/e, max/e:\n"
-    "distance of the points to their planes, in epsilons. >eps, >alpha: points of shapes that violate the tolerances.\n"
-    "Cleaned: these points, then shapes that have become too small, are dropped. F1: of true faces found, at an\n"
-    "intersection over union of one half; prec.: of points. again%%: points in another shape when the method\n"
-    "runs once more (RANSAC: with another seed). Region growing (cached):\n"
-    "each neighborhood computed once. results.csv has more columns, as of the largest shapes and planes.\n");
+  std::printf("%s", R"(
+* better than Tandem. Seconds: wall clock without reading, median of the runs. B/point: peak memory beyond the input. cpx: complexity,
+smaller is more regular, with relations within 1e-6. S: the score per point of the cloud. mean/e, max/e: distance of the points to
+their planes, in epsilons. >eps, >alpha: points of shapes that violate the tolerances. Cleaned: these points, then shapes that have
+become too small, are dropped. F1: of true faces found, at an intersection over union of one half; prec.: of points. again%: points
+in another shape when the method runs once more (RANSAC: with another seed). results.csv has more columns.
+)");
 }
 
 } // namespace CGAL::Tandem::benchmark

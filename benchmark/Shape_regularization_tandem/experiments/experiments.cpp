@@ -200,7 +200,7 @@ const Category categories[] = {
 Named_cloud load(const Category& category, const Experiment_options& options)
 {
   if(!options.is_quick)
-    for(const Row& row : cloud_table(options))
+    for(const Row& row : cloud_table())
       if(cell(row, "name") == category.cloud && is_available(row, options))
         return load_cloud(row, options);
   Named_cloud c = twin_cloud(category.twin, options.is_quick ? 30000 : 500000);

@@ -5,7 +5,7 @@
 // target has the same name. Without CMake, in the folder benchmark/Shape_regularization_tandem:
 //   g++ -std=c++17 -O2 -DNDEBUG -DCGAL_EIGEN3_ENABLED -I. -I../../include -I../../test/Shape_regularization_tandem
 //     -I/usr/include/eigen3 programs/labeled_frames.cpp contestants/contestants_tandem.cpp criteria/result_score.cpp
-//     clouds/{named_clouds,scene_normals}.cpp
+//     clouds/named_clouds.cpp -DTANDEM_BENCHMARK_SOURCES='"."'
 //     ../../test/Shape_regularization_tandem/scenes/*.cpp -lgmp -lmpfr -o labeled_frames
 //   labeled_frames [--csv FILE] [--simplicity MU] [--regularity RHO] [PART...]
 // only clouds whose group or name contains one of the PARTs.
@@ -38,25 +38,16 @@ const char* const titles = "   F.75    mIoU    prec     rec    over   under  sha
 
 using Values = std::vector<double>;
 
-struct Sums {
-  Values sum = Values(columns.size(), 0);
-  int count = 0;
-
-  void add(const Values& values)
-  {
-    for(std::size_t i = 0; i < sum.size(); ++i)
-      sum[i] += values[i];
-    ++count;
+Values mean(const std::vector<Values>& all)
+{
+  Values result(columns.size(), 0);
+  for(std::size_t i = 0; i < result.size(); ++i) {
+    for(const Values& values : all)
+      result[i] += values[i];
+    result[i] /= double(all.size());
   }
-
-  Values mean() const
-  {
-    Values result = sum;
-    for(double& v : result)
-      v /= count;
-    return result;
-  }
-};
+  return result;
+}
 
 const char* const kinds[] = {"given", "own"}; // of normals
 
@@ -68,7 +59,7 @@ public:
   // Frames of a group follow each other.
   void judge(const std::string& title, const std::vector<scenes::Labeled_scene>& frames)
   {
-    std::map<std::string, Sums> sums[2];
+    std::map<std::string, std::vector<Values>> all[2];
     std::vector<std::string> groups;
     std::printf("\n%-30s%s\n", title.c_str(), titles);
     for(const scenes::Labeled_scene& frame : frames) {
@@ -85,11 +76,11 @@ public:
         for(const std::string& column : columns)
           values.push_back(std::strtod(cell(rows_.back(), column).c_str(), nullptr));
         print(frame.name, kinds[own], values);
-        sums[own][frame.group].add(values);
+        all[own][frame.group].push_back(values);
       }
     }
     if(!groups.empty())
-      print_means(title, groups, sums);
+      print_means(title, groups, all);
   }
 
   void judge_layers()
@@ -160,17 +151,16 @@ private:
 
   // Of each group, and of these.
   void print_means(const std::string& title, const std::vector<std::string>& groups,
-                   std::map<std::string, Sums> (&sums)[2])
+                   std::map<std::string, std::vector<Values>> (&all)[2])
   {
     std::printf("\n%-30s%s\n", (title + ", means").c_str(), titles);
     for(int own : {0, 1}) {
-      Sums all;
+      std::vector<Values> means;
       for(const std::string& group : groups) {
-        const Values mean = sums[own][group].mean();
-        print(group, kinds[own], mean);
-        all.add(mean);
+        means.push_back(mean(all[own][group]));
+        print(group, kinds[own], means.back());
       }
-      print("MEAN OF GROUPS", kinds[own], all.mean());
+      print("MEAN OF GROUPS", kinds[own], mean(means));
     }
   }
 
