@@ -13,6 +13,7 @@ from support import SOURCES, Program, table
 
 BUILD = os.environ.get("TANDEM_BUILD")
 pytestmark = [pytest.mark.package, pytest.mark.skipif(not BUILD, reason="TANDEM_BUILD is not set")]
+USES = os.environ.get("TANDEM_USES", "find_package add_subdirectory engine program").split()
 FACTS = {name: os.environ.get(f"TANDEM_{name}", "") for name in ("CXX", "WITH_TBB", "HELP2MAN")}
 CMAKE = ["cmake", f"-DCMAKE_CXX_COMPILER={FACTS['CXX'] or 'c++'}", f"-DTANDEM_WITH_TBB={FACTS['WITH_TBB'] or 'ON'}",
          "-DTANDEM_WITH_CUDA=OFF"]
@@ -71,6 +72,8 @@ def run(*command):
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
+    if "program" not in USES:
+        pytest.skip("the build does not have it")
     prefix = tmp_path_factory.mktemp("installed") / "usr"
     run("cmake", "--install", BUILD, "--prefix", prefix, "--component", "program")
     return prefix
@@ -96,15 +99,13 @@ def test_completion(installed, previous, word, found):
 
 # Engines take long to compile, so each user has one: that of several threads where the installation has to find oneTBB.
 # The rest of the headers is compiled by others than add_subdirectory.
-@table("use, components, library, tag, source", [
-    ("find_package", "", "Tandem::tandem", "CGAL::Parallel_if_available_tag", USER),
-    ("add_subdirectory", "", "Tandem::tandem", "", FEW_HEADERS),
-    ("engine", "COMPONENTS engine", "Tandem::tandem_engine", "CGAL::Parallel_if_available_tag", USER),
-    ("cuda", "COMPONENTS cuda", "Tandem::tandem_cuda", "CGAL::Tandem::Cuda_tag", USER)])
-def test_use(tmp_path, use, components, library, tag, source):
+@table("use, components, library", [
+    ("find_package", "", "Tandem::tandem"), ("add_subdirectory", "", "Tandem::tandem"),
+    ("engine", "COMPONENTS engine", "Tandem::tandem_engine"), ("cuda", "COMPONENTS cuda", "Tandem::tandem_cuda")])
+def test_use(tmp_path, use, components, library):
     """A project of the user is configured, built and run. The engine and cuda are libraries that the build has."""
     prefix, build, user = tmp_path / "prefix", tmp_path / "build", Program(tmp_path / "user")
-    if use not in os.environ.get("TANDEM_USES", "find_package add_subdirectory engine").split():
+    if use not in USES:
         pytest.skip("the build does not have it")
     if use == "find_package":
         run(*CMAKE, "-S", SOURCES, "-B", tmp_path / "tandem", "-DTANDEM_BUILD_EXAMPLES=OFF", "-DTANDEM_BUILD_ENGINE=OFF",
@@ -114,7 +115,8 @@ def test_use(tmp_path, use, components, library, tag, source):
         run("cmake", "--install", BUILD, "--prefix", prefix)
     get = (f'add_subdirectory("{SOURCES}" tandem)' if use == "add_subdirectory" else
            f"find_package(Tandem {VERSION} REQUIRED {components})")
-    user.write({"user.cpp": source.replace("TAG", tag),
+    tag = "CGAL::Tandem::Cuda_tag" if use == "cuda" else "CGAL::Parallel_if_available_tag"
+    user.write({"user.cpp": FEW_HEADERS if use == "add_subdirectory" else USER.replace("TAG", tag),
                 "CMakeLists.txt": f"cmake_minimum_required(VERSION 3.16)\nproject(user LANGUAGES CXX)\n{get}\n"
                                   f"add_executable(user user.cpp)\ntarget_link_libraries(user PRIVATE {library})\n"})
     run(*CMAKE, "-S", user.folder, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Debug",
