@@ -6,7 +6,7 @@ import pytest
 
 pytest.register_assert_rewrite("support", "clouds")
 
-from support import CLOUD, CUBE, Program, ply  # noqa: E402
+from support import CLOUD, CUBE, PROGRAM, Program, ply  # noqa: E402
 
 
 def pytest_configure(config):
@@ -17,6 +17,7 @@ def pytest_configure(config):
 @pytest.fixture(scope="module")
 def p(request, tmp_path_factory):
     """The program in a folder of its own with the cube, and with what prepare() of the module makes there."""
+    assert PROGRAM, "TANDEM_PROGRAM is not set"
     program = Program(tmp_path_factory.mktemp(request.module.__name__ + " of detect_planes"))
     program.write({"cube.ply": ply(CLOUD, CUBE)})
     program.path("a folder").mkdir()

@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 
 SOURCES = Path(__file__).resolve().parents[3]
-PROGRAM = os.environ.get("TANDEM_PROGRAM", "detect_planes")
-HELP = subprocess.run([PROGRAM, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
+PROGRAM = os.environ.get("TANDEM_PROGRAM", "")
+HELP = subprocess.run([PROGRAM, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout if PROGRAM else ""
 HAS_VIEW = "--view FILE" in HELP
 HAS_GZIP = ".gz" in HELP
 WARNS = "0 with warnings"
@@ -83,6 +83,12 @@ def table(names, rows):
     return pytest.mark.parametrize(names, rows)
 
 
+def words_of(arguments):
+    words = shlex.split(arguments) if isinstance(arguments, str) else arguments
+    tolerance = ["--maximum-distance", str(EPSILON)]
+    return [word for given in words for word in (tolerance if given == "E" else [given])]
+
+
 class Program:
     """Runs of the program in a folder, whose path has a blank."""
 
@@ -126,12 +132,15 @@ class Program:
     def has(self, *names):
         return any(os.path.lexists(self.path(name)) for name in names)
 
+    def run(self, command, environment):
+        run = subprocess.run(command, cwd=self.folder, env={**os.environ, **environment}, timeout=250,
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        out, err = (stream.decode(errors="surrogateescape") for stream in (run.stdout, run.stderr))
+        return run.returncode, out, err
+
     def __call__(self, code, pattern, arguments, **environment):
         """The exit code, and what the output matches; of an error one line, and of a success none but warnings."""
-        words = shlex.split(arguments) if isinstance(arguments, str) else arguments
-        tolerance = ["--maximum-distance", str(EPSILON)]
-        words = [word for given in words for word in (tolerance if given == "E" else [given])]
-        return self.check(code, pattern, [PROGRAM, *words], environment)
+        return self.check(code, pattern, [PROGRAM, *words_of(arguments)], environment)
 
     def shell(self, code, pattern, command, **environment):
         """The same by sh, where $P is the program and $E the tolerance."""
@@ -139,11 +148,9 @@ class Program:
         return self.check(code, pattern, ["sh", "-c", command], environment)
 
     def check(self, code, pattern, command, environment):
-        run = subprocess.run(command, cwd=self.folder, env={**os.environ, **environment}, timeout=250,
-                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        out, err = (stream.decode(errors="surrogateescape") for stream in (run.stdout, run.stderr))
-        what = f"{command[1:]}\nexit code {run.returncode}: {out}{err}"
-        assert run.returncode == (0 if code is WARNS else code), what
+        status, out, err = self.run(command, environment)
+        what = f"{command[1:]}\nexit code {status}: {out}{err}"
+        assert status == (0 if code is WARNS else code), what
         assert re.search(pattern, out + err, re.DOTALL), f"{what}\nno {pattern}"
         line = {0: "", WARNS: r"(detect_planes: warning: [^\n]+\n)+"}.get(code, r"detect_planes: [^\n]+\n")
         assert re.fullmatch(line, err), f"{what}\nother lines of errors"

@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 import pytest
-from support import HAS_VIEW, HELP, NOTHING, ROWS, WARNS, pcd, table
+from support import HAS_VIEW, HELP, ROWS, WARNS, pcd, table
 
 PLACES = {"inside": "5 6 7 1 0 0 0", "behind": "-1 0 -1e0 .7 0 .7 0", "default": "0 0 0 1 0 0 0",
           "turned": "0 0 0 0 1 0 0", "short": "5 6 7", "nan": "5 6 nan 1 0 0 0"}

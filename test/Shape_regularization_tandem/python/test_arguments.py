@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What detect_planes() accepts as arrays and parameters, and what it raises."""
 
-import unittest
 from fractions import Fraction
 
 import numpy as np
+import pytest
 
 import tandem
 from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
@@ -15,160 +15,170 @@ def hash_of(points, normals):
     return tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE).hash
 
 
-class Arrays(unittest.TestCase):
-    def test_other_layouts_have_the_same_result(self):
-        points, normals = room()
-        expected = shapes_of_room().hash
-        interleaved = np.concatenate([points, normals], axis=1)
-        self.assertEqual(hash_of(interleaved[:, :3], interleaved[:, 3:]), expected)
-        self.assertEqual(hash_of(np.asfortranarray(points), np.asfortranarray(normals)), expected)
-        self.assertEqual(hash_of(points.astype(">f8"), normals), expected)
-        every_other = np.repeat(points, 2, axis=0)[::2]
-        self.assertEqual(hash_of(every_other, normals.tolist()), expected)
-
-    def test_other_types_are_converted(self):
-        points, normals = room()
-        short = points.astype(np.float32), normals.astype(np.float32)
-        self.assertEqual(hash_of(*short), hash_of(short[0].astype(float), short[1].astype(float)))
-        whole = np.round(1000 * points).astype(np.int64)
-        shapes = tandem.detect_planes(whole, maximum_distance=1000 * MAXIMUM_DISTANCE)
-        self.assertEqual(shapes.hash, tandem.detect_planes(whole.astype(float), maximum_distance=30).hash)
-
-    def test_a_result_has_no_array_of_the_caller(self):
-        points, normals = (array.copy() for array in room())
-        for kind in (np.asarray, memoryview, np.ma.array, np.asfortranarray):
-            with self.subTest(kind=kind):
-                given = kind(normals)
-                shapes = tandem.detect_planes(points, given, maximum_distance=MAXIMUM_DISTANCE)
-                before = normals.copy()
-                normals[:] = points[:] = 0
-                self.assertTrue(np.array_equal(shapes.normals, before))
-                self.assertFalse(np.shares_memory(shapes.normals, normals))
-                points[:], normals[:] = room()
-                self.assertIsNone(tandem.find_violation(points, shapes))
-        self.assertTrue(normals.flags.writeable)
-
-    def test_a_cloud_in_place_of_its_points(self):
-        class Cloud:  # as that of Open3D
-            points = room()[0]
-
-        with self.assertRaisesRegex(ValueError, r"its type is object; of a cloud .* pass np.asarray\(cloud.points\)"):
-            tandem.detect_planes(Cloud())
-
-    def test_read_only_arrays(self):
-        points = room()[0].copy()
-        points.flags.writeable = False
-        self.assertEqual(hash_of(points, room()[1]), shapes_of_room().hash)
-
-    def test_masked_numbers_are_not_finite(self):
-        points, normals = (np.ma.array(array) for array in room())
-        self.assertEqual(hash_of(points, normals), shapes_of_room().hash)  # nothing is masked
-        points[5, 1] = normals[7] = np.ma.masked
-        points.mask[9, 2] = True
-        masked = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
-        plain = tandem.detect_planes(points.filled(np.nan), normals.filled(np.inf), maximum_distance=MAXIMUM_DISTANCE)
-        self.assertEqual(masked.hash, plain.hash)
-        self.assertEqual(masked.labels[[5, 7, 9]].tolist(), [-1, -1, -1])
-        self.assertEqual(masked.statistics["number_of_ignored_coordinates"], 2)
-        self.assertEqual(masked.statistics["number_of_ignored_normals"], 1)
-        self.assertIsNone(tandem.find_violation(points, masked))
-        whole = np.ma.array([[1, 2, 3], [4, 5, 6]], mask=[[0, 0, 1], [0, 0, 0]])
-        for rows in (whole, [whole[0], whole[1]]):
-            self.assertEqual(tandem.detect_planes(rows).statistics["number_of_ignored_coordinates"], 1)
-        with self.assertRaisesRegex(ValueError, "^symmetry_direction is"):
-            tandem.detect_planes(points, symmetry_direction=whole[0])
-
-    def test_wrong_arrays(self):
-        points, normals = room()
-        wrong_points = (points[:, :2], points[0], points[None], [], None, "text", points.astype(complex), points > 0,
-                        [[1, 2, 3], [4]])
-        wrong_normals = (normals[:-1], normals[:, :1], "xyz")
-        for name, values in [("points", p) for p in wrong_points] + [("normals", n) for n in wrong_normals]:
-            arguments = {"points": points, "normals": normals, name: values}
-            with self.subTest(name=name, values=type(values)), self.assertRaisesRegex(ValueError, f"^{name} must"):
-                tandem.detect_planes(**arguments)
-
-    def test_few_points(self):
-        for n in (0, 1, 2, 3):
-            shapes = tandem.detect_planes(np.zeros((n, 3)))
-            self.assertEqual((len(shapes), shapes.labels.shape, shapes.normals.shape), (0, (n,), (n, 3)))
-            self.assertEqual((shapes.planes.shape, shapes.orthogonal_pairs.shape), ((0, 4), (0, 2)))
-
-    def test_points_that_are_not_finite(self):
-        points, normals = (array.copy() for array in room())
-        points[5, 1] = np.nan
-        points[6, 2] = np.inf
-        normals[7] = 0
-        shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
-        self.assertEqual(shapes.labels[5:8].tolist(), [-1, -1, -1])
-        self.assertEqual(shapes.statistics["number_of_ignored_coordinates"], 2)
-        self.assertEqual(shapes.statistics["number_of_ignored_normals"], 1)
-        self.assertEqual(len(shapes), 6)
-        self.assertEqual(tandem.detect_planes(points[:100]).normals[5].tolist(), [0, 0, 0])
+def test_other_layouts_have_the_same_result():
+    points, normals = room()
+    expected = shapes_of_room().hash
+    interleaved = np.concatenate([points, normals], axis=1)
+    assert hash_of(interleaved[:, :3], interleaved[:, 3:]) == expected
+    assert hash_of(np.asfortranarray(points), np.asfortranarray(normals)) == expected
+    assert hash_of(points.astype(">f8"), normals) == expected
+    every_other = np.repeat(points, 2, axis=0)[::2]
+    assert hash_of(every_other, normals.tolist()) == expected
 
 
-class Parameters(unittest.TestCase):
-    def test_out_of_range(self):
-        for name, value in (
-            ("maximum_distance", 0), ("maximum_distance", -1), ("maximum_distance", np.nan), ("maximum_angle", 90),
-            ("angle_tolerance", 45), ("maximum_offset", -1), ("minimum_region_size", 2), ("minimum_region_size", -3),
-            ("minimum_region_size", 10**30), ("k_neighbors", 0), ("k_neighbors", 65), ("cell_size", 1), ("threads", 0),
-            ("simplicity", -1), ("simplicity", np.nan), ("simplicity", 1e9), ("regularity", -1), ("regularity", np.nan),
-            ("regularity", 1e9), ("surfel_size", -1), ("surfel_size", 1), ("threads", -1), ("backend", "fast"), ("backend", None)):
-            with self.subTest(name=name, value=value), self.assertRaisesRegex(ValueError, f"^{name} is"):
-                tandem.detect_planes(np.zeros((1, 3)), **{name: value})
+def test_other_types_are_converted():
+    points, normals = room()
+    short = points.astype(np.float32), normals.astype(np.float32)
+    assert hash_of(*short) == hash_of(short[0].astype(float), short[1].astype(float))
+    whole = np.round(1000 * points).astype(np.int64)
+    shapes = tandem.detect_planes(whole, maximum_distance=1000 * MAXIMUM_DISTANCE)
+    assert shapes.hash == tandem.detect_planes(whole.astype(float), maximum_distance=30).hash
 
-    def test_huge_numbers(self):
-        for name in ("maximum_distance", "maximum_angle", "angle_tolerance", "maximum_offset", "minimum_region_size",
-                     "simplicity", "regularity", "surfel_size", "k_neighbors", "cell_size", "threads"):
-            for value in (10**400, -10**400, 10**5000, Fraction(10**400), 2**63, -2**63 - 1, 10**30):
-                fits = isinstance(value, int) and abs(value) < 10**31 and name in ("maximum_distance", "maximum_offset")
-                is_count = name in ("minimum_region_size", "k_neighbors", "cell_size", "threads")
-                wrong = TypeError if is_count and isinstance(value, Fraction) else ValueError
-                if not fits or value < 0:
-                    with self.subTest(name=name), self.assertRaisesRegex(wrong, f"^{name} (is|must be) "):
-                        tandem.detect_planes(np.zeros((1, 3)), **{name: value})
-        for name in ("maximum_distance", "maximum_angle", "maximum_offset", "regularity"):
-            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name} is"):
-                tandem.regularize_planes(np.zeros((1, 3)), [0], [[0, 0, 1, 0]], **{name: 10**400})
-        for index in (10**30, -10**30, 2**63, 10**5000):
-            self.assertRaises(IndexError, shapes_of_room().points_of, index)
-        self.assertRaises(TypeError, shapes_of_room().points_of, 1.5)
 
-    def test_wrong_types(self):
-        for name, value in (("maximum_distance", "1"), ("maximum_angle", [1]), ("minimum_region_size", 100.0),
-                            ("threads", "2"), ("progress", 3)):
-            with self.subTest(name=name, value=value), self.assertRaisesRegex(TypeError, f"^{name} must be"):
-                tandem.detect_planes(np.zeros((1, 3)), **{name: value})
+def test_a_result_has_no_array_of_the_caller():
+    points, normals = (array.copy() for array in room())
+    for kind in (np.asarray, memoryview, np.ma.array, np.asfortranarray):
+        given = kind(normals)
+        shapes = tandem.detect_planes(points, given, maximum_distance=MAXIMUM_DISTANCE)
+        before = normals.copy()
+        normals[:] = points[:] = 0
+        assert np.array_equal(shapes.normals, before)
+        assert not np.shares_memory(shapes.normals, normals)
+        points[:], normals[:] = room()
+        assert tandem.find_violation(points, shapes) is None
+    assert normals.flags.writeable
 
-    def test_arrays_in_place_of_values(self):
-        for name in ("regularize_parallelism", "regularize_orthogonality", "regularize_coplanarity", "backend"):
-            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name} (is|must be) "):
-                tandem.detect_planes(np.zeros((1, 3)), **{name: np.array([1, 2])})
 
-    def test_they_are_used(self):
-        given = {"maximum_distance": np.float32(0.05), "maximum_angle": 20, "angle_tolerance": 5, "maximum_offset": 0,
-                 "minimum_region_size": np.int64(200), "simplicity": 0.05, "regularity": 1, "surfel_size": 0.25,
-                 "k_neighbors": 15, "cell_size": 4096,
-                 "regularize_parallelism": False, "regularize_orthogonality": False, "regularize_coplanarity": False,
-                 "fixed_directions": [(0, 1, 0)], "symmetry_direction": (0, 0, 2)}
-        shapes = tandem.detect_planes(*room(), **given)
-        self.assertEqual(shapes.parameters, given)
-        self.assertEqual(shapes.minimum_region_size, 200)
-        self.assertEqual(len(set(shapes.parallel_groups.tolist())), len(shapes))
-
-    def test_estimates_are_those_of_a_detection(self):
+def test_a_cloud_in_place_of_its_points():
+    class Cloud:  # as that of Open3D
         points = room()[0]
-        shapes = tandem.detect_planes(points)
-        estimate = tandem.estimate_parameters(points)
-        self.assertEqual(estimate.maximum_distance, shapes.maximum_distance)
-        self.assertEqual(estimate.maximum_offset, shapes.parameters["maximum_offset"])
-        self.assertEqual(estimate.minimum_region_size, shapes.minimum_region_size)
 
-    def test_too_large_an_extent(self):
-        with self.assertRaisesRegex(ValueError, "extent"):
-            tandem.detect_planes(np.diag([1e9, 1e9, 1e9]).repeat(20, axis=0), maximum_distance=1e-3)
+    with pytest.raises(ValueError, match=r"its type is object; of a cloud .* pass np.asarray\(cloud.points\)"):
+        tandem.detect_planes(Cloud())
 
 
-if __name__ == "__main__":
-    unittest.main()
+def test_read_only_arrays():
+    points = room()[0].copy()
+    points.flags.writeable = False
+    assert hash_of(points, room()[1]) == shapes_of_room().hash
+
+
+def test_masked_numbers_are_not_finite():
+    points, normals = (np.ma.array(array) for array in room())
+    assert hash_of(points, normals) == shapes_of_room().hash  # nothing is masked
+    points[5, 1] = normals[7] = np.ma.masked
+    points.mask[9, 2] = True
+    masked = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
+    plain = tandem.detect_planes(points.filled(np.nan), normals.filled(np.inf), maximum_distance=MAXIMUM_DISTANCE)
+    assert masked.hash == plain.hash
+    assert masked.labels[[5, 7, 9]].tolist() == [-1, -1, -1]
+    assert masked.statistics["number_of_ignored_coordinates"] == 2
+    assert masked.statistics["number_of_ignored_normals"] == 1
+    assert tandem.find_violation(points, masked) is None
+    whole = np.ma.array([[1, 2, 3], [4, 5, 6]], mask=[[0, 0, 1], [0, 0, 0]])
+    for rows in (whole, [whole[0], whole[1]]):
+        assert tandem.detect_planes(rows).statistics["number_of_ignored_coordinates"] == 1
+    with pytest.raises(ValueError, match="^symmetry_direction is"):
+        tandem.detect_planes(points, symmetry_direction=whole[0])
+
+
+def test_wrong_arrays():
+    points, normals = room()
+    wrong_points = (points[:, :2], points[0], points[None], [], None, "text", points.astype(complex), points > 0,
+                    [[1, 2, 3], [4]])
+    wrong_normals = (normals[:-1], normals[:, :1], "xyz")
+    for name, values in [("points", p) for p in wrong_points] + [("normals", n) for n in wrong_normals]:
+        arguments = {"points": points, "normals": normals, name: values}
+        with pytest.raises(ValueError, match=f"^{name} must"):
+            tandem.detect_planes(**arguments)
+
+
+def test_few_points():
+    for n in (0, 1, 2, 3):
+        shapes = tandem.detect_planes(np.zeros((n, 3)))
+        assert (len(shapes), shapes.labels.shape, shapes.normals.shape) == (0, (n,), (n, 3))
+        assert (shapes.planes.shape, shapes.orthogonal_pairs.shape) == ((0, 4), (0, 2))
+
+
+def test_points_that_are_not_finite():
+    points, normals = (array.copy() for array in room())
+    points[5, 1] = np.nan
+    points[6, 2] = np.inf
+    normals[7] = 0
+    shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
+    assert shapes.labels[5:8].tolist() == [-1, -1, -1]
+    assert shapes.statistics["number_of_ignored_coordinates"] == 2
+    assert shapes.statistics["number_of_ignored_normals"] == 1
+    assert len(shapes) == 6
+    assert tandem.detect_planes(points[:100]).normals[5].tolist() == [0, 0, 0]
+
+
+def test_out_of_range():
+    for name, value in (
+        ("maximum_distance", 0), ("maximum_distance", -1), ("maximum_distance", np.nan), ("maximum_angle", 90),
+        ("angle_tolerance", 45), ("maximum_offset", -1), ("minimum_region_size", 2), ("minimum_region_size", -3),
+        ("minimum_region_size", 10**30), ("k_neighbors", 0), ("k_neighbors", 65), ("cell_size", 1), ("threads", 0),
+        ("simplicity", -1), ("simplicity", np.nan), ("simplicity", 1e9), ("regularity", -1), ("regularity", np.nan),
+        ("regularity", 1e9), ("surfel_size", -1), ("surfel_size", 1), ("threads", -1), ("backend", "fast"), ("backend", None)):
+        with pytest.raises(ValueError, match=f"^{name} is"):
+            tandem.detect_planes(np.zeros((1, 3)), **{name: value})
+
+
+def test_huge_numbers():
+    for name in ("maximum_distance", "maximum_angle", "angle_tolerance", "maximum_offset", "minimum_region_size",
+                 "simplicity", "regularity", "surfel_size", "k_neighbors", "cell_size", "threads"):
+        for value in (10**400, -10**400, 10**5000, Fraction(10**400), 2**63, -2**63 - 1, 10**30):
+            fits = isinstance(value, int) and abs(value) < 10**31 and name in ("maximum_distance", "maximum_offset")
+            is_count = name in ("minimum_region_size", "k_neighbors", "cell_size", "threads")
+            wrong = TypeError if is_count and isinstance(value, Fraction) else ValueError
+            if not fits or value < 0:
+                with pytest.raises(wrong, match=f"^{name} (is|must be) "):
+                    tandem.detect_planes(np.zeros((1, 3)), **{name: value})
+    for name in ("maximum_distance", "maximum_angle", "maximum_offset", "regularity"):
+        with pytest.raises(ValueError, match=f"^{name} is"):
+            tandem.regularize_planes(np.zeros((1, 3)), [0], [[0, 0, 1, 0]], **{name: 10**400})
+    for index in (10**30, -10**30, 2**63, 10**5000):
+        with pytest.raises(IndexError):
+            shapes_of_room().points_of(index)
+    with pytest.raises(TypeError):
+        shapes_of_room().points_of(1.5)
+
+
+def test_wrong_types():
+    for name, value in (("maximum_distance", "1"), ("maximum_angle", [1]), ("minimum_region_size", 100.0),
+                        ("threads", "2"), ("progress", 3)):
+        with pytest.raises(TypeError, match=f"^{name} must be"):
+            tandem.detect_planes(np.zeros((1, 3)), **{name: value})
+
+
+def test_arrays_in_place_of_values():
+    for name in ("regularize_parallelism", "regularize_orthogonality", "regularize_coplanarity", "backend"):
+        with pytest.raises(ValueError, match=f"^{name} (is|must be) "):
+            tandem.detect_planes(np.zeros((1, 3)), **{name: np.array([1, 2])})
+
+
+def test_they_are_used():
+    given = {"maximum_distance": np.float32(0.05), "maximum_angle": 20, "angle_tolerance": 5, "maximum_offset": 0,
+             "minimum_region_size": np.int64(200), "simplicity": 0.05, "regularity": 1, "surfel_size": 0.25,
+             "k_neighbors": 15, "cell_size": 4096,
+             "regularize_parallelism": False, "regularize_orthogonality": False, "regularize_coplanarity": False,
+             "fixed_directions": [(0, 1, 0)], "symmetry_direction": (0, 0, 2)}
+    shapes = tandem.detect_planes(*room(), **given)
+    assert shapes.parameters == given
+    assert shapes.minimum_region_size == 200
+    assert len(set(shapes.parallel_groups.tolist())) == len(shapes)
+
+
+def test_estimates_are_those_of_a_detection():
+    points = room()[0]
+    shapes = tandem.detect_planes(points)
+    estimate = tandem.estimate_parameters(points)
+    assert estimate.maximum_distance == shapes.maximum_distance
+    assert estimate.maximum_offset == shapes.parameters["maximum_offset"]
+    assert estimate.minimum_region_size == shapes.minimum_region_size
+
+
+def test_too_large_an_extent():
+    with pytest.raises(ValueError, match="extent"):
+        tandem.detect_planes(np.diag([1e9, 1e9, 1e9]).repeat(20, axis=0), maximum_distance=1e-3)
+

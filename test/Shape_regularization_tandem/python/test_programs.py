@@ -7,10 +7,9 @@ import os
 import re
 import subprocess
 import sys
-import tempfile
-import unittest
 
 import numpy as np
+import pytest
 
 from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
 
@@ -28,66 +27,62 @@ def read_vertices(path):
     return np.frombuffer(data, dtype=[(name, types[word]) for word, name in fields])
 
 
-class Programs(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def test_example(self):
-        cloud, colored = self.path("cloud.npy"), self.path("colored.ply")
-        np.save(cloud, np.concatenate(room(), axis=1))
-        text = self.run_python(EXAMPLE, colored, cloud)
-        self.assertEqual(text.count("shape "), 6)
-        self.assertEqual(text.count("are orthogonal"), 3)
-        vertices = read_vertices(colored)
-        np.testing.assert_array_equal(np.stack([vertices[c] for c in "xyz"], axis=1), room()[0])
-        colors = {(v["shape"], v["red"], v["green"], v["blue"]) for v in vertices}
-        self.assertEqual(len(colors), 7)  # one for each shape, and gray
-        self.assertIn((-1, 128, 128, 128), colors)
-
-    def test_example_without_a_cloud(self):
-        text = self.run_python(EXAMPLE, self.path("corner.ply"))
-        self.assertEqual(text.count("shape "), 3)
-        wrong = subprocess.run([sys.executable, EXAMPLE], stderr=subprocess.PIPE, text=True)
-        self.assertEqual((wrong.returncode, "OUTPUT.ply" in wrong.stderr), (1, True))
-
-    def test_example_of_the_readme(self):
-        with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
-            code = re.search("```python\n(.*?)```", file.read(), re.DOTALL).group(1)
-        np.save(self.path("points.npy"), room()[0])
-        text = self.run_python("-c", code)
-        self.assertEqual(text.count("= 0 has"), 6)
-        self.assertIn("orthogonal directions: [[0, 1], [0, 2], [1, 2]]", text)
-
-    def run_python(self, *arguments):
-        result = subprocess.run([sys.executable, *arguments], stdout=subprocess.PIPE, check=True, text=True,
-                                cwd=self.folder)
-        return result.stdout
-
-    @unittest.skipUnless(PROGRAM, "the program detect_planes is not built")
-    def test_same_result_as_the_program(self):
-        rows = np.concatenate(room(), axis=1)
-        header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}"]
-        header += [f"property double {name}" for name in ("x", "y", "z", "nx", "ny", "nz")] + ["end_header", ""]
-        with open(self.path("room.ply"), "wb") as file:
-            file.write("\n".join(header).encode() + rows.astype("<f8").tobytes())
-        subprocess.run([PROGRAM, self.path("room.ply"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
-                        "--labels", self.path("labels"), "--planes", self.path("planes"),
-                        "--report", self.path("report"), "--shapes", self.path("shapes.csv")], check=True)
-        shapes = shapes_of_room()
-        np.testing.assert_array_equal(np.fromfile(self.path("labels"), "<i4"), shapes.labels)
-        np.testing.assert_array_equal(np.loadtxt(self.path("planes")), shapes.planes)
-        with open(self.path("report")) as file:
-            self.assertEqual(json.load(file)["hash"], f"{shapes.hash:016x}")
-        written, table = np.genfromtxt(self.path("shapes.csv"), delimiter=",", names=True), shapes.table()
-        self.assertEqual(written.dtype.names, tuple(table))
-        for name, column in table.items():
-            np.testing.assert_allclose(written[name], column, rtol=1e-12, atol=1e-12, err_msg=name)
+@pytest.fixture
+def path(tmp_path):
+    """Where a file of this name is, in a folder of the test"""
+    return lambda name: str(tmp_path / name)
 
 
-if __name__ == "__main__":
-    unittest.main()
+def test_example(path):
+    cloud, colored = path("cloud.npy"), path("colored.ply")
+    np.save(cloud, np.concatenate(room(), axis=1))
+    text = run_python(EXAMPLE, colored, cloud)
+    assert text.count("shape ") == 6
+    assert text.count("are orthogonal") == 3
+    vertices = read_vertices(colored)
+    np.testing.assert_array_equal(np.stack([vertices[c] for c in "xyz"], axis=1), room()[0])
+    colors = {(v["shape"], v["red"], v["green"], v["blue"]) for v in vertices}
+    assert len(colors) == 7  # one for each shape, and gray
+    assert (-1, 128, 128, 128) in colors
+
+
+def test_example_without_a_cloud(path):
+    text = run_python(EXAMPLE, path("corner.ply"))
+    assert text.count("shape ") == 3
+    wrong = subprocess.run([sys.executable, EXAMPLE], stderr=subprocess.PIPE, text=True)
+    assert (wrong.returncode, "OUTPUT.ply" in wrong.stderr) == (1, True)
+
+
+def test_example_of_the_readme(path, tmp_path):
+    with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+        code = re.search("```python\n(.*?)```", file.read(), re.DOTALL).group(1)
+    np.save(path("points.npy"), room()[0])
+    text = run_python("-c", code, folder=tmp_path)
+    assert text.count("= 0 has") == 6
+    assert "orthogonal directions: [[0, 1], [0, 2], [1, 2]]" in text
+
+
+def run_python(*arguments, folder=None):
+    return subprocess.run([sys.executable, *arguments], stdout=subprocess.PIPE, check=True, text=True, cwd=folder).stdout
+
+
+@pytest.mark.skipif(not PROGRAM, reason="the program detect_planes is not built")
+def test_same_result_as_the_program(path):
+    rows = np.concatenate(room(), axis=1)
+    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}"]
+    header += [f"property double {name}" for name in ("x", "y", "z", "nx", "ny", "nz")] + ["end_header", ""]
+    with open(path("room.ply"), "wb") as file:
+        file.write("\n".join(header).encode() + rows.astype("<f8").tobytes())
+    subprocess.run([PROGRAM, path("room.ply"), "--maximum-distance", str(MAXIMUM_DISTANCE), "--quiet",
+                    "--labels", path("labels"), "--planes", path("planes"),
+                    "--report", path("report"), "--shapes", path("shapes.csv")], check=True)
+    shapes = shapes_of_room()
+    np.testing.assert_array_equal(np.fromfile(path("labels"), "<i4"), shapes.labels)
+    np.testing.assert_array_equal(np.loadtxt(path("planes")), shapes.planes)
+    with open(path("report")) as file:
+        assert json.load(file)["hash"] == f"{shapes.hash:016x}"
+    written, table = np.genfromtxt(path("shapes.csv"), delimiter=",", names=True), shapes.table()
+    assert written.dtype.names == tuple(table)
+    for name, column in table.items():
+        np.testing.assert_allclose(written[name], column, rtol=1e-12, atol=1e-12, err_msg=name)
+

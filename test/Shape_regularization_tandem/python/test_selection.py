@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Parts of a result, and labels of further points by its planes."""
 
-import unittest
 
 import numpy as np
+import pytest
 
 import tandem
 from clouds import MAXIMUM_DISTANCE, room, shapes_of_room
@@ -14,128 +14,130 @@ def shapes_with(is_kept):
     return [s for s in range(len(shapes_of_room())) if is_kept(s)]
 
 
-class Selection(unittest.TestCase):
-    def check(self, selected, indices):
-        """The selection has these shapes of the room, in this order."""
-        shapes, (points, _) = shapes_of_room(), room()
-        self.assertEqual(selected.planes.tolist(), shapes.planes[indices].tolist())
-        number = np.full(len(shapes) + 1, -1)
-        number[indices] = np.arange(len(indices))
-        self.assertEqual(selected.labels.tolist(), number[shapes.labels].tolist())
-        for i, s in enumerate(indices):
-            self.assertEqual(selected.points_of(i).tolist(), shapes.points_of(s).tolist())
-        statistics = selected.statistics
-        self.assertEqual(statistics["number_of_shapes"], len(indices))
-        self.assertEqual(statistics["free_points"]["total"], np.count_nonzero(selected.labels < 0))
-        self.assertIsNone(tandem.find_violation(points, selected))
-
-    def test_indices(self):
-        shapes = shapes_of_room()
-        for indices in ([4, 0, 2], [5], [], list(range(6))):
-            self.check(tandem.select_shapes(shapes, indices), indices)
-        self.check(tandem.select_shapes(shapes, np.array([1, 3], np.uint8)), [1, 3])
-        is_first = shapes.parallel_groups == 0
-        self.check(tandem.select_shapes(shapes, is_first), np.flatnonzero(is_first).tolist())
-        self.assertEqual(tandem.select_shapes(shapes, range(6)).hash, shapes.hash)
-        self.assertEqual(len(shapes), 6)
-
-    def test_criteria(self):
-        shapes = shapes_of_room()
-        upright = np.abs(shapes.planes[:, 2])
-        sizes = [len(shapes.points_of(s)) for s in range(6)]
-        self.check(tandem.select_shapes(shapes, near_direction=(0, 0, 2)), shapes_with(lambda s: upright[s] > .9))
-        self.check(tandem.select_shapes(shapes, orthogonal_direction=(0, 0, -1)), shapes_with(lambda s: upright[s] < .1))
-        self.check(tandem.select_shapes(shapes, near_direction=(1, 0, 1), near_angle=46),
-                   shapes_with(lambda s: abs(shapes.planes[s, 1]) < .1))
-        self.check(tandem.select_shapes(shapes, near_direction=(1, 0, 0), orthogonal_direction=(0, 1, 0)),
-                   shapes_with(lambda s: abs(shapes.planes[s, 0]) > .9))
-        self.check(tandem.select_shapes(shapes, largest=2), sorted(sorted(range(6), key=lambda s: -sizes[s])[:2]))
-        # Faces are 4 by 3, 4 by 2.5 and 3 by 2.5 meters.
-        self.check(tandem.select_shapes(shapes, minimum_area=11), shapes_with(lambda s: upright[s] > .9))
-        self.check(tandem.select_shapes(shapes, minimum_extent=3.5),
-                   shapes_with(lambda s: abs(shapes.planes[s, 0]) < .1))
-        self.check(tandem.select_shapes(shapes), list(range(6)))
-        self.check(tandem.select_shapes(shapes, minimum_area=99), [])
-
-    def test_selection_of_a_selection(self):
-        shapes = shapes_of_room()
-        part = tandem.select_shapes(tandem.select_shapes(shapes, [5, 2, 1]), [2, 0])
-        self.check(part, [1, 5])
-
-    def test_errors(self):
-        shapes = shapes_of_room()
-        for wrong, word in (([6], "no shape 6"), ([-1], "no shape -1"), ([1, 1], "twice"), ([True] * 5, "truth value"),
-                            ([[1]], "list"), ([.5], "integers"), (2, "list")):
-            with self.assertRaisesRegex(ValueError, word):
-                tandem.select_shapes(shapes, wrong)
-        for arguments, word in (({"largest": 0}, "largest"), ({"largest": -1}, "largest"), ({"near_angle": 91}, "near_angle"),
-                                ({"minimum_area": -1}, "minimum_area"), ({"minimum_extent": np.nan}, "minimum_extent"),
-                                ({"near_direction": (0, 0, 0)}, "near_direction"),
-                                ({"orthogonal_direction": (0, 1)}, "orthogonal_direction"),
-                                ({"indices": [0], "largest": 1}, "together")):
-            with self.assertRaisesRegex(ValueError, word):
-                tandem.select_shapes(shapes, **arguments)
-        with self.assertRaisesRegex(TypeError, "shapes"):
-            tandem.select_shapes(shapes.labels, [0])
-        with self.assertRaisesRegex(TypeError, "largest"):
-            tandem.select_shapes(shapes, largest=1.5)
+def check(selected, indices):
+    """The selection has these shapes of the room, in this order."""
+    shapes, (points, _) = shapes_of_room(), room()
+    assert selected.planes.tolist() == shapes.planes[indices].tolist()
+    number = np.full(len(shapes) + 1, -1)
+    number[indices] = np.arange(len(indices))
+    assert selected.labels.tolist() == number[shapes.labels].tolist()
+    for i, s in enumerate(indices):
+        assert selected.points_of(i).tolist() == shapes.points_of(s).tolist()
+    statistics = selected.statistics
+    assert statistics["number_of_shapes"] == len(indices)
+    assert statistics["free_points"]["total"] == np.count_nonzero(selected.labels < 0)
+    assert tandem.find_violation(points, selected) is None
 
 
-class Labels(unittest.TestCase):
-    def test_thinned_cloud(self):
-        points, normals = room()
-        part = tandem.detect_planes(points[::5], normals[::5], maximum_distance=MAXIMUM_DISTANCE)
-        labels = tandem.label_points(part, points, normals)
-        self.assertEqual((labels.dtype, labels.shape), (np.int32, (len(points),)))
-        self.assertTrue((labels[::5][part.labels >= 0] >= 0).all())
-        has_shape = labels >= 0
-        self.assertGreater(has_shape.mean(), 0.9)
-        planes = part.planes[labels[has_shape]]
-        distances = np.abs((planes[:, :3] * points[has_shape]).sum(axis=1) + planes[:, 3])
-        self.assertLessEqual(distances.max(), part.maximum_distance * (1 + 1e-12))
-
-    def test_nearest_plane(self):
-        points, _ = room()
-        shapes = shapes_of_room()
-        distances = np.abs(points @ shapes.planes[:, :3].T + shapes.planes[:, 3])
-        expected = np.where(distances.min(axis=1) <= .01, distances.argmin(axis=1), -1)
-        self.assertEqual(tandem.label_points(shapes, points, maximum_distance=.01, reach=np.inf).tolist(), expected.tolist())
-        tolerances = np.linspace(0, .02, len(points))
-        expected = np.where((distances.min(axis=1) <= tolerances) & (tolerances > 0), distances.argmin(axis=1), -1)
-        self.assertEqual(tandem.label_points(shapes, points, maximum_distance_map=tolerances,
-                                             reach=np.inf).tolist(), expected.tolist())
-
-    def test_reach(self):
-        points, _ = room()
-        shapes = shapes_of_room()
-        a, b, c, d = shapes.planes[0]
-        far = points[shapes.points_of(0)[0]] + 100 * np.cross((a, b, c), (b, c, a))
-        far -= (far @ (a, b, c) + d) * np.array((a, b, c))
-        self.assertEqual(tandem.label_points(shapes, [far, (np.nan, 0, 0)], reach=np.inf).tolist(), [0, -1])
-        self.assertEqual(tandem.label_points(shapes, [far]).tolist(), [-1])
-        self.assertEqual(tandem.label_points(shapes, [far], reach=1e4).tolist(), [0])
-        self.assertEqual(tandem.label_points(shapes, np.empty((0, 3))).tolist(), [])
-
-    def test_errors(self):
-        points, _ = room()
-        shapes = shapes_of_room()
-        for arguments, word in (({"maximum_distance": 0}, "maximum_distance"), ({"maximum_angle": 90}, "maximum_angle"),
-                                ({"normals": points[1:]}, "normals"), ({"reach": 0}, "reach"), ({"reach": np.nan}, "reach"),
-                                ({"reach": -np.inf}, "reach"),
-                                ({"maximum_distance_map": [1]}, "maximum_distance_map")):
-            with self.assertRaisesRegex(ValueError, word):
-                tandem.label_points(shapes, points, **arguments)
-        with self.assertRaisesRegex(TypeError, "shapes"):
-            tandem.label_points(None, points)
-
-    def test_changed_points(self):
-        points, normals = (np.array(array) for array in room())
-        shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
-        points[shapes.points_of(0)[0]] += 1
-        with self.assertRaisesRegex(ValueError, "is not on the plane of its shape 0"):
-            tandem.label_points(shapes, points)
-        self.assertEqual(tandem.label_points(shapes, points, reach=np.inf).shape, (len(points),))
+def test_indices():
+    shapes = shapes_of_room()
+    for indices in ([4, 0, 2], [5], [], list(range(6))):
+        check(tandem.select_shapes(shapes, indices), indices)
+    check(tandem.select_shapes(shapes, np.array([1, 3], np.uint8)), [1, 3])
+    is_first = shapes.parallel_groups == 0
+    check(tandem.select_shapes(shapes, is_first), np.flatnonzero(is_first).tolist())
+    assert tandem.select_shapes(shapes, range(6)).hash == shapes.hash
+    assert len(shapes) == 6
 
 
-if __name__ == "__main__":
-    unittest.main()
+def test_criteria():
+    shapes = shapes_of_room()
+    upright = np.abs(shapes.planes[:, 2])
+    sizes = [len(shapes.points_of(s)) for s in range(6)]
+    check(tandem.select_shapes(shapes, near_direction=(0, 0, 2)), shapes_with(lambda s: upright[s] > .9))
+    check(tandem.select_shapes(shapes, orthogonal_direction=(0, 0, -1)), shapes_with(lambda s: upright[s] < .1))
+    check(tandem.select_shapes(shapes, near_direction=(1, 0, 1), near_angle=46),
+               shapes_with(lambda s: abs(shapes.planes[s, 1]) < .1))
+    check(tandem.select_shapes(shapes, near_direction=(1, 0, 0), orthogonal_direction=(0, 1, 0)),
+               shapes_with(lambda s: abs(shapes.planes[s, 0]) > .9))
+    check(tandem.select_shapes(shapes, largest=2), sorted(sorted(range(6), key=lambda s: -sizes[s])[:2]))
+    # Faces are 4 by 3, 4 by 2.5 and 3 by 2.5 meters.
+    check(tandem.select_shapes(shapes, minimum_area=11), shapes_with(lambda s: upright[s] > .9))
+    check(tandem.select_shapes(shapes, minimum_extent=3.5),
+               shapes_with(lambda s: abs(shapes.planes[s, 0]) < .1))
+    check(tandem.select_shapes(shapes), list(range(6)))
+    check(tandem.select_shapes(shapes, minimum_area=99), [])
+
+
+def test_selection_of_a_selection():
+    shapes = shapes_of_room()
+    part = tandem.select_shapes(tandem.select_shapes(shapes, [5, 2, 1]), [2, 0])
+    check(part, [1, 5])
+
+
+def test_errors():
+    shapes = shapes_of_room()
+    for wrong, word in (([6], "no shape 6"), ([-1], "no shape -1"), ([1, 1], "twice"), ([True] * 5, "truth value"),
+                        ([[1]], "list"), ([.5], "integers"), (2, "list")):
+        with pytest.raises(ValueError, match=word):
+            tandem.select_shapes(shapes, wrong)
+    for arguments, word in (({"largest": 0}, "largest"), ({"largest": -1}, "largest"), ({"near_angle": 91}, "near_angle"),
+                            ({"minimum_area": -1}, "minimum_area"), ({"minimum_extent": np.nan}, "minimum_extent"),
+                            ({"near_direction": (0, 0, 0)}, "near_direction"),
+                            ({"orthogonal_direction": (0, 1)}, "orthogonal_direction"),
+                            ({"indices": [0], "largest": 1}, "together")):
+        with pytest.raises(ValueError, match=word):
+            tandem.select_shapes(shapes, **arguments)
+    with pytest.raises(TypeError, match="shapes"):
+        tandem.select_shapes(shapes.labels, [0])
+    with pytest.raises(TypeError, match="largest"):
+        tandem.select_shapes(shapes, largest=1.5)
+
+
+def test_thinned_cloud():
+    points, normals = room()
+    part = tandem.detect_planes(points[::5], normals[::5], maximum_distance=MAXIMUM_DISTANCE)
+    labels = tandem.label_points(part, points, normals)
+    assert (labels.dtype, labels.shape) == (np.int32, (len(points),))
+    assert (labels[::5][part.labels >= 0] >= 0).all()
+    has_shape = labels >= 0
+    assert has_shape.mean() > 0.9
+    planes = part.planes[labels[has_shape]]
+    distances = np.abs((planes[:, :3] * points[has_shape]).sum(axis=1) + planes[:, 3])
+    assert distances.max() <= part.maximum_distance * (1 + 1e-12)
+
+
+def test_nearest_plane():
+    points, _ = room()
+    shapes = shapes_of_room()
+    distances = np.abs(points @ shapes.planes[:, :3].T + shapes.planes[:, 3])
+    expected = np.where(distances.min(axis=1) <= .01, distances.argmin(axis=1), -1)
+    assert tandem.label_points(shapes, points, maximum_distance=.01, reach=np.inf).tolist() == expected.tolist()
+    tolerances = np.linspace(0, .02, len(points))
+    expected = np.where((distances.min(axis=1) <= tolerances) & (tolerances > 0), distances.argmin(axis=1), -1)
+    assert tandem.label_points(shapes, points, maximum_distance_map=tolerances, reach=np.inf).tolist() == expected.tolist()
+
+
+def test_reach():
+    points, _ = room()
+    shapes = shapes_of_room()
+    a, b, c, d = shapes.planes[0]
+    far = points[shapes.points_of(0)[0]] + 100 * np.cross((a, b, c), (b, c, a))
+    far -= (far @ (a, b, c) + d) * np.array((a, b, c))
+    assert tandem.label_points(shapes, [far, (np.nan, 0, 0)], reach=np.inf).tolist() == [0, -1]
+    assert tandem.label_points(shapes, [far]).tolist() == [-1]
+    assert tandem.label_points(shapes, [far], reach=1e4).tolist() == [0]
+    assert tandem.label_points(shapes, np.empty((0, 3))).tolist() == []
+
+
+def test_errors_of_labels():
+    points, _ = room()
+    shapes = shapes_of_room()
+    for arguments, word in (({"maximum_distance": 0}, "maximum_distance"), ({"maximum_angle": 90}, "maximum_angle"),
+                            ({"normals": points[1:]}, "normals"), ({"reach": 0}, "reach"), ({"reach": np.nan}, "reach"),
+                            ({"reach": -np.inf}, "reach"),
+                            ({"maximum_distance_map": [1]}, "maximum_distance_map")):
+        with pytest.raises(ValueError, match=word):
+            tandem.label_points(shapes, points, **arguments)
+    with pytest.raises(TypeError, match="shapes"):
+        tandem.label_points(None, points)
+
+
+def test_changed_points():
+    points, normals = (np.array(array) for array in room())
+    shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
+    points[shapes.points_of(0)[0]] += 1
+    with pytest.raises(ValueError, match="is not on the plane of its shape 0"):
+        tandem.label_points(shapes, points)
+    assert tandem.label_points(shapes, points, reach=np.inf).shape == (len(points),)
+

@@ -1,0 +1,187 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""detect_planes by several processes: they write the bytes of one, and leave no file that looks complete if one of them
+fails or is killed. TANDEM_MPIEXEC starts them."""
+
+import os
+import re
+import shutil
+
+import pytest
+from support import HELP, NOTHING, PROGRAM, WARNS, pcd, ply, properties, table, words_of
+from tiles import OPTIONS, OUTPUTS, TILES, check_same_results, write_tiles
+
+MPIEXEC = os.environ.get("TANDEM_MPIEXEC")
+pytestmark = [pytest.mark.mpi,
+              pytest.mark.skipif(not MPIEXEC or "mpirun" not in HELP, reason="the program was built without MPI")]
+ALL = " ".join(TILES)
+# Open MPI asks who wants it as root, or with more processes than processors.
+ENVIRONMENT = {**{f"OMPI_{name}": "1" for name in (
+    "ALLOW_RUN_AS_ROOT", "ALLOW_RUN_AS_ROOT_CONFIRM", "MCA_rmaps_base_oversubscribe", "MCA_mpi_yield_when_idle")},
+    "OMPI_MCA_hwloc_base_binding_policy": "none"}
+CLASSES = "class_corner.ply class_last.ply"
+SIGNALS = """rm -f rank* messages
+"$MPIEXEC" -n 3 sh -c 'echo $$ > rank${OMPI_COMM_WORLD_RANK:-$PMI_RANK}
+  exec "$P" slow0.xyz slow1.xyz slow2.xyz --quiet --maximum-distance .5 --output-directory never --planes never.planes' \\
+  > messages 2>&1 &
+started=$!
+while [ $(find . -name '*.part*' | wc -l) -lt 1 ] && kill -0 $started; do sleep .01; done
+kill -$1 $(cat rank$2)
+code=0
+wait $started || code=$?
+cat messages >&2
+exit $code
+"""
+
+
+def prepare(p):
+    write_tiles(p)
+    tiles = {name: p.read(name) for name in ("corner.pts", "last.xyz")}
+    p.write({"class_none.ply": with_classes(""), "class_corner.ply": with_classes(tiles["corner.pts"]),
+             "class_last.ply": with_classes(tiles["last.xyz"]),
+             # Tiles of one shape are in several processes, which have viewpoints of their own.
+             "corner.pcd": seen_from("4 1.5 2", tiles["corner.pts"]), "last.pcd": seen_from("4 -9 9", tiles["last.xyz"]),
+             "zeros.xyz": tiles["corner.pts"] + 5 * "0 0 0\n", "signals.sh": SIGNALS,
+             **{f"slow{t}.xyz": "".join(f"{t * 60 + i % 59} {i % 997} {i % 3}\n" for i in range(60000)) for t in range(3)}})
+    p.path("taken/seam.csv").mkdir(parents=True)
+
+
+def with_classes(rows):
+    return ply(f"element vertex {rows.count(chr(10))}\n" + properties("xyz", "float") + "property uchar classification\n",
+               rows.replace("\n", " 6\n"))
+
+
+def seen_from(place, rows):
+    return pcd(rows, more=f"VIEWPOINT {place} 1 0 0 0\n", count=rows.count("\n"))
+
+
+def ranks(p, n, code, pattern, arguments):
+    """What mpirun says of a failure comes with the one line of the program."""
+    return check(code, pattern, p.run([MPIEXEC, "-n", str(n), PROGRAM, *words_of(arguments)], ENVIRONMENT))
+
+
+def check(code, pattern, run):
+    status, out, err = run
+    assert status == code and re.search(pattern, out + err, re.DOTALL), f"{status}, no {pattern}: {out}{err}"
+    lines = re.findall("detect_planes: (?!warning: )[^\n]+\n", err)
+    assert code == 0 or len(lines) == 1, f"not one line of error: {err}"
+
+
+def outputs(folder):
+    return f"--output-directory {folder} --planes {folder}/planes --report {folder}/report"
+
+
+def test_a_tile_without_points(p):
+    """It changes nothing, also where a process has no other."""
+    p(0, "hash", f"{CLASSES} {OPTIONS} --output-directory class_full")
+    for n in (1, 3):
+        ranks(p, n, 0, "warning: class_none.ply: has no points", f"{CLASSES} class_none.ply {OPTIONS} --output-directory "
+              f"class_{n}")
+        for file in CLASSES.split():
+            assert p.is_same(f"class_full/{file}", f"class_{n}/{file}")
+    assert p.is_same("class_1/class_none.ply", "class_3/class_none.ply")
+    assert re.search("property [a-z]+ classification", p.read("class_3/class_none.ply"))
+    ranks(p, 2, 1, "none of the inputs has points", "class_none.ply class_1/class_none.ply --planes none.txt")
+    assert not p.has("none.txt")
+    ranks(p, 2, 1, "--viewpoint is for estimated normals, but the input has normals",
+          f"class_1/class_corner.ply class_1/class_last.ply {OPTIONS} --viewpoint 4,1.5,2")
+
+
+@table("inputs", [f"{ALL} --viewpoint 4,1.5,2", "corner.pcd folder/Middle.XYZ folder/sub/seam.csv last.pcd"])
+@table("oriented", ["", "--oriented"])
+def test_the_same_sides(p, inputs, oriented):
+    for n in (1, 3):
+        ranks(p, n, 0, "normals estimated, towards the viewpoint\n.*hash",
+              f"{inputs} {OPTIONS} {oriented} --output-directory sides_{n} --planes sides_{n}/planes")
+    names = sorted(os.listdir(p.path("sides_1")))
+    assert names == sorted(os.listdir(p.path("sides_3"))) and len(names) == 5
+    assert all(p.is_same(f"sides_1/{name}", f"sides_3/{name}") for name in names)
+    for n in (1, 3):
+        shutil.rmtree(p.path(f"sides_{n}"))
+
+
+@pytest.fixture(scope="module")
+def written(p):
+    """Outputs of one process, which have normals but for LAS"""
+    p(0, "normals estimated.*hash", f"{ALL} {OPTIONS} {outputs('one_estimated')}")
+    tiles = " ".join(f"one_estimated/{name}" for name in OUTPUTS[:-1])
+    p(0, "normals given.*hash", f"{tiles} {OPTIONS} {outputs('one_given')}")
+    return tiles
+
+
+@table("n", [1, 2, 3, 6])
+@table("normals", ["estimated", "given"])
+def test_the_same_bytes(p, written, n, normals):
+    tiles, names = (ALL, OUTPUTS) if normals == "estimated" else (written, OUTPUTS[:-1])
+    processes = "1 thread," if n == 1 else f"{n} processes of 1 thread,"
+    ranks(p, n, 0, f"normals {normals}.*execution +[a-z]+, {processes}.*hash",
+          f"{tiles} {OPTIONS} --threads 1 {outputs(f'{n}_{normals}')}")
+    check_same_results(p, f"one_{normals}", f"{n}_{normals}", names)
+
+
+@table("pattern, inputs, more, names", [
+    # Inputs that do not have the same
+    ("left out +normals, intensity, classification: not", "{} last.las", "", OUTPUTS),
+    # A part of the shapes, and of the points
+    ("selection +[12] of [0-9]+ shapes.*hash", "{}", "--near-direction 0,0,1 --largest 2", OUTPUTS[:-1])])
+def test_the_same_of_other_inputs(p, written, pattern, inputs, more, names):
+    run = f"{inputs.format(written)} {OPTIONS} {more} "
+    p(0, pattern, run + outputs("some"))
+    ranks(p, 3, 0, pattern, run + outputs("some_3"))
+    check_same_results(p, "some", "some_3", names)
+
+
+@table("n, code, pattern, arguments", [
+    (2, 0, "execution +sequential, 2 processes of 1 thread", f"{ALL} {OPTIONS} --backend sequential"),
+    (2, 0, NOTHING, f"{ALL} {OPTIONS} --quiet"), (2, 0, r"\Adetect_planes .Tandem. [0-9.]+\n\Z", "--version"),
+    # One message, and no file
+    (3, 1, "nothere.ply: no such file", f"{ALL} nothere.ply --output-directory none --planes none/planes"),
+    (2, 2, "--threads is 0", f"{ALL} --threads 0 --output-directory none"),
+    *((2, 2, f"--{option} needs all points in one process: ", f"{ALL} --{option} out.{ending}")
+      for option, ending in (("output", "ply"), ("labels", "ply"), ("vg", "ply"), ("polygons", "ply"), ("shapes", "csv"),
+                             ("mesh", "ply"), ("view", "html"))),
+    (2, 2, "--by-plane needs all points in one process: ", f"{ALL} --by-plane"),
+    *([] if os.environ.get("TANDEM_WITH_MPI_CUDA") == "1" else [
+        (2, 2, "--backend is 'cuda', which is for one process", f"{ALL} --backend cuda")]),
+    (2, 2, "--estimate-normals with a number needs all points", f"{ALL} --estimate-normals 12"),
+    *((2, 2, f"--{option} needs all points in one process", f"{ALL} --{option} 1")
+      for option in ("planes-from", "minimum-area", "minimum-extent")),
+    (3, 1, "taken/seam.csv: is a directory", f"{ALL} --output-directory taken --planes taken/planes"),
+    *5 * [(3, 1, "/dev/full: cannot be written completely .No space",  # the folders that they make, too
+           f"{ALL} {OPTIONS} --output-directory made/one/two --planes /dev/full")]])
+def test_messages(p, n, code, pattern, arguments):
+    ranks(p, n, code, pattern, arguments)
+    assert not p.has("none", "made", "out.ply", "out.html", "out.csv", "taken/corner.ply", "taken/Middle.XYZ",
+                     "taken/planes")
+
+
+def test_the_same_warnings(p):
+    run = "corner.pts folder/Middle.XYZ last.las --maximum-distance 1 --quiet --report "
+    p(WARNS, "", run + "warned")
+    ranks(p, 3, 0, r"\Adetect_planes: warning: the maximum distance 1 is more than a tenth of the extent of the points, "
+          r"7.9: [^\n]*\n\Z", run + "warned_3")
+    assert p.json("warned")["warnings"] == p.json("warned_3")["warnings"] != []
+
+
+@table("option", ["--noise '0.01 + 0.001*r' --viewpoint 4,1.5,2", "--maximum-distance auto-local"])
+def test_the_same_tolerances(p, option):
+    """Of the report and of the planes. Points at 0 0 0 are in one tile."""
+    for n in (1, 3):
+        ranks(p, n, 0, "; ignored: 5 at 0 0 0.*tolerances .* by (noise|auto-local)", f"zeros.xyz folder/Middle.XYZ last.xyz "
+              f"{option} --ignore-zeros --planes tolerances_{n}.planes --report tolerances_{n}.json")
+    assert p.is_same("tolerances_1.planes", "tolerances_3.planes")
+    first, second = (p.json(f"tolerances_{n}.json") for n in (1, 3))
+    assert first["tolerance"] == second["tolerance"] and first["tolerance"]
+    assert first["counts"]["ignored_zeros"] == second["counts"]["ignored_zeros"] == 5
+
+
+@table("signal", ["KILL", "INT", "TERM"])
+@table("rank", ["1", "2"])
+def test_signals(p, signal, rank):
+    """A rank that gets a signal, once all tiles were read"""
+    run = p.run(["sh", "signals.sh", signal, rank], {**ENVIRONMENT, "MPIEXEC": MPIEXEC, "P": PROGRAM})
+    if signal == "KILL":
+        assert run[0] != 0 and run[2]
+    else:
+        check(1, "detect_planes: interrupted, nothing was written", run)
+    assert not list(p.folder.glob("never*/*")) and not p.has("never.planes")

@@ -1,0 +1,94 @@
+# Copyright (c) 2026 The Tandem authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page of detect_planes --view: it is one file, and has all of the result."""
+
+import json
+import re
+import subprocess
+
+import pytest
+from support import CLOUD, CUBE, HAS_VIEW, N, NOTHING, SOURCES, cube, ply, properties, table
+
+needs_page = pytest.mark.skipif(not HAS_VIEW, reason="the program was built without three.js")
+HOSTS = "www.w3.org|graphics.stanford.edu|github.com|mrdoob.com|alteredqualia.com|erichaines.com"
+
+
+def prepare(p):
+    p.write({"colored.ply": ply(CLOUD + properties(["red", "green", "blue"], "uchar"), CUBE.replace("\n", " 10 20 30\n")),
+             "<script>.ply": ply(CLOUD, cube(4500000))})
+    p.path("a folder.html").mkdir()
+    if HAS_VIEW:
+        p(0, NOTHING, "cube.ply E --quiet --view page.html")
+
+
+def test_without_three_js(p):
+    """The script that makes the page a part of the program; and the program itself"""
+    script = SOURCES / "examples/detect_planes/view/embed_page.cmake"
+    subprocess.run(["cmake", f"-DOUTPUT={p.path('page_parts.cpp')}", "-P", script], check=True)
+    assert p.read("page_parts.cpp").count("_data[] = {\n  nullptr") == 2
+    if not HAS_VIEW:
+        p(2, "built without three.js; install libjs-three and build again", "no_such.ply --view page.html")
+        assert not p.has("page.html")
+
+
+@needs_page
+def test_one_file(p):
+    page = p.read("page.html")
+    for pattern in (r"<(script|link|img|iframe)[^>]* (src|href) *=", "@import", r"url\(", r"@[a-z]+(\.js|\.css)?@"):
+        assert not re.search(pattern, page)
+    assert not [host for host in set(re.findall("https?://([A-Za-z0-9.-]+)", page)) if not re.fullmatch(HOSTS, host)]
+    assert page.startswith("<!DOCTYPE html>") and page.endswith("</html>\n")
+    # The licence of three.js, which asks for its text in all copies
+    for text in ("Copyright (c) 2010-2019 three.js authors", "Permission is hereby granted, free of charge",
+                 "The above copyright notice and this permission notice shall be included in"):
+        assert text in page
+
+
+def scene_of(page):
+    scene, points = re.search(r'id="scene">({[^<]*)</script>\n<script type="text/plain" id="points">\n([^<]*)\n</script>',
+                              page).groups()
+    scene = json.loads(scene)
+    assert len(points) == 4 * ((24 + 7 * N) // 3)  # a block without padding
+    expected = {"points": N, "shown": N, "stride": 1, "directions": 3, "planes": 3, "ignored": 0}
+    assert {name: scene[name] for name in expected} == expected
+    assert sum(scene["shapes"]["shown"]) == N and len(scene["orthogonal"]) == 3
+    return scene
+
+
+def element(page, name, pattern="[A-Za-z0-9+/=]+\n"):
+    return re.search(f'<script type="text/plain" id="{name}">\n({pattern})</script>\n', page).group(1)
+
+
+@needs_page
+def test_data(p):
+    page = p.read("page.html")
+    shapes = scene_of(page)["shapes"]
+    for i in range(3):  # squares of 0.161, or a spacing wider where the planes of others bound them
+        assert 0.025 <= shapes["area"][i] < 0.029
+        assert all(abs(shapes[name][i]) < 1e-5 for name in ("turned_deg", "shifted", "mean_distance"))  # they are planar
+        assert abs(shapes["outward"][i]) == 1  # the normals are given
+    # The faces meet in seven corners of 12 bytes; for each face, an outline is of the number of its loops, that of its
+    # corners and at least four of these, and triangles are their number and at least two; no colors.
+    for name, least in (("corners", 7 * 12), ("loops", 3 * 4 * 6), ("triangles", 3 * 4 * 7)):
+        assert (len(element(page, name)) - 1) // 4 * 3 >= least
+    assert element(page, "input-colors", "") == ""
+
+
+@needs_page
+def test_colors_and_names(p):
+    """Colors where the input has any; large coordinates, and a name that is markup"""
+    p(0, NOTHING, "colored.ply E --quiet --view colored.html")
+    assert len(element(p.read("colored.html"), "input-colors", "(?:ChQe)+\n")) == 4 * N + 1  # 10 20 30
+    p(0, NOTHING, "<script>.ply E --quiet --view far.html".split())
+    assert scene_of(p.read("far.html"))["name"] == "<script>.ply"
+
+
+@needs_page
+@table("code, pattern, arguments", [
+    (1, "no/page.html: cannot be written", "--view no/page.html"),
+    (1, "a folder.html: is a directory", "--view 'a folder.html'"),
+    (2, "must end in .html or .htm", "--view cube.ply"), (2, "named twice", "--view same.html --labels same.html"),
+    (1, "labels: cannot be written", "--view never.html --labels no/labels")])
+def test_bad_names(p, code, pattern, arguments):
+    p(code, pattern, f"cube.ply E {arguments}")
+    assert not p.has("never.html", "same.html")
