@@ -5,14 +5,14 @@
 # Makes the Debian package of a build folder and looks at what is in it. As root, where mmdebstrap is installed, apt also
 # installs it in a clean root, where the program finds the planes of a cube, and removes it without a trace; this loads
 # some 100 MB.
-#   check_package.sh BUILD FOLDER   FOLDER: is made anew
+#   test_package.sh BUILD FOLDER   FOLDER: is made anew
 
 set -eu
 
-[ $# -eq 2 ] || { echo "usage: check_package.sh BUILD FOLDER" >&2; exit 1; }
+[ $# -eq 2 ] || { echo "usage: test_package.sh BUILD FOLDER" >&2; exit 1; }
 build=$1
 
-fail() { echo "check_package.sh: $*" >&2; exit 1; }
+fail() { echo "test_package.sh: $*" >&2; exit 1; }
 
 # logged WHAT COMMAND...: fails with its output and WHAT
 logged() { what=$1; shift; "$@" > "$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "$what"; }; }
