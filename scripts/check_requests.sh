@@ -6,6 +6,7 @@
 # is a table that a call of require() names, or a call of states_of(). The test is compiled once, with a copy of the
 # headers in which an environment variable drops a request.
 #   CXX  the compiler (default: g++)
+#   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
 set -eu
 
@@ -15,6 +16,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 tests=$root/test/Shape_regularization_tandem
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" g++ libcgal-dev python3
 cp -r "$root/include" "$folder"
 cd "$folder"
 
