@@ -6,6 +6,7 @@
 # is a table that a call of require() names, or a call of states_of(). The test is compiled once, with a copy of the
 # headers in which an environment variable drops a request.
 #   CXX  the compiler (default: g++)
+#   TANDEM_SKIP_INSTALL=1  trusts that everything is installed
 
 set -eu
 
@@ -15,6 +16,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 tests=$root/test/Shape_regularization_tandem
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+[ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" g++ libcgal-dev python3
 cp -r "$root/include" "$folder"
 cd "$folder"
 
@@ -27,27 +29,21 @@ inline unsigned request(int number, unsigned table)
   return dropped != nullptr && std::atoi(dropped) == number ? 0 : table;
 }
 END
-grep -rlE 'require\(points|states_of\(points' include/CGAL/Tandem/internal | sort > files
-# shellcheck disable=SC2016
-xargs awk '
-  function note(what) { print ++number, FILENAME ":" FNR, what > "requests" }
-  {
-    line = ""
-    while(match($0, /tables::[a-z]+/) && $0 line ~ /require\(points/) {
-      note(substr($0, RSTART, RLENGTH))
-      line = line substr($0, 1, RSTART - 1) "::request(" number ", " substr($0, RSTART, RLENGTH) ")"
-      $0 = substr($0, RSTART + RLENGTH)
-    }
-    if(match($0, /states_of\(points, [^()]*\)/)) {
-      note("states_of")
-      call = substr($0, RSTART, RLENGTH)
-      sub(/states_of\(points, [^()]*\)/, "(::request(" number ", 1) != 0 ? " call " : points.state())")
-    }
-    print line $0 > (FILENAME ".new")
-  }' < files
-while read -r file; do
-  mv "$file.new" "$file"
-done < files
+python3 - << 'END'
+import itertools, pathlib, re
+numbers, requests = itertools.count(1), open("requests", "w")
+for path in sorted(pathlib.Path("include/CGAL/Tandem/internal").rglob("*.*")):
+    lines = path.read_text().split("\n")
+    for i, line in enumerate(lines):
+        def dropped(call):
+            number = next(numbers)
+            print(number, f"{path}:{i + 1}: {call[0]}", file=requests)
+            return (f"::request({number}, {call[0]})" if call[0].startswith("tables::") else
+                    f"(::request({number}, 1) != 0 ? {call[0]} : points.state())")
+        tables = r"tables::[a-z]+|" if "require(points" in line else ""
+        lines[i] = re.sub(tables + r"states_of\(points, [^()]*\)", dropped, line)
+    path.write_text("\n".join(lines))
+END
 
 ${CXX:-g++} -std=c++17 -O1 -include request.h -Iinclude "-I$tests" -I/usr/include/eigen3 \
   "$tests/shapes/test_requests.cpp" "$tests"/scenes/*.cpp -lgmp -lmpfr -lpthread -o test_requests ||

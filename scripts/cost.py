@@ -72,7 +72,7 @@ def compare(old, now):
         if count > 1.03 * present and count > 0.01 * total:
             print(f"{cloud}, {stage}: {count:.1f} million instructions, but {present:.1f} are recorded")
             failed = True
-    for cloud, stage in old.keys() - now.keys():
+    for cloud, stage in sorted(old.keys() - now.keys()):
         print(f"{cloud}, {stage} is gone")
         failed |= not stage.endswith("()")
     print(f"geometric mean of the clouds: {math.exp(sum(rises) / len(rises)):.3f} of the first instructions")

@@ -18,23 +18,11 @@ export TANDEM_DOC_DIR
 
 fail() { echo "doc.sh: $*" >&2; exit 1; }
 
-# The folder of CGAL's tag files, or nothing.
-tag_folder()
-{
-  if [ -n "${TANDEM_CGAL_TAGS+set}" ]; then
-    [ -z "$TANDEM_CGAL_TAGS" ] || (cd "$TANDEM_CGAL_TAGS" && pwd)
-  else
-    find -L /usr/share/doc/*[cC][gG][aA][lL]* /usr/local/share/doc/*[cC][gG][aA][lL]* -maxdepth 3 -name Kernel_23.tag \
-      2> /dev/null | sed -n '1s|/[^/]*$||p'
-  fi
-}
-
 # Settings of Doxygen for the tag files of folder $1, of the packages that the manual depends on.
 tag_settings()
 {
   while read -r package; do
-    tags=$1/$package.tag
-    [ ! -r "$tags" ] || echo "TAGFILES += \"$tags=https://doc.cgal.org/latest/$package\""
+    [ ! -r "$1/$package.tag" ] || echo "TAGFILES += \"$1/$package.tag=https://doc.cgal.org/latest/$package\""
   done < "$doc/dependencies"
   # Where this name is not known, Doxygen would take it for the function of this package.
   # shellcheck disable=SC2016
@@ -46,10 +34,12 @@ tag_settings()
 mkdir -p "$TANDEM_DOC_DIR/numbers"
 python3 "$doc/tuning.py" page > "$TANDEM_DOC_DIR/numbers/Numbers.txt"
 settings=$(python3 "$doc/tuning.py" aliases)
-folder=$(tag_folder) || fail "TANDEM_CGAL_TAGS is no folder"
-if [ -n "$folder" ]; then
-  links=$(tag_settings "$folder")
-  [ -n "$links" ] || fail "$folder has no tag file of a package that the manual depends on"
+tags=${TANDEM_CGAL_TAGS-$(find -L /usr/share/doc/*[cC][gG][aA][lL]* /usr/local/share/doc/*[cC][gG][aA][lL]* -maxdepth 3 \
+  -name Kernel_23.tag 2> /dev/null | sed -n '1s|/[^/]*$||p')}
+if [ -n "$tags" ]; then
+  tags=$(cd "$tags" && pwd) || fail "TANDEM_CGAL_TAGS is no folder"
+  links=$(tag_settings "$tags")
+  [ -n "$links" ] || fail "$tags has no tag file of a package that the manual depends on"
 fi
 cd "$root"
 { cat "$doc/Doxyfile" && printf '%s\n' "$settings" "${links:-}"; } | doxygen - > "$TANDEM_DOC_DIR/doxygen.log" 2>&1 ||

@@ -23,14 +23,10 @@ done
 [ -n "$missing" ] || exit 0
 
 as_root=
-if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo > /dev/null || fail "missing:$missing; run as root or install sudo"
-  as_root=sudo
-fi
+[ "$(id -u)" -eq 0 ] || as_root=sudo
+[ -z "$as_root" ] || command -v sudo > /dev/null || fail "missing:$missing; run as root or install sudo"
 echo "Installing$missing"
-# The lists of packages may be absent or too old, so a failed first try is no error.
 # shellcheck disable=SC2086
-$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing > /dev/null 2>&1 || {
-  $as_root apt-get update
-  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
-} || fail "apt-get could not install$missing"
+install() { $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing; }
+# The lists of packages may be absent or too old, so a failed first try is no error.
+install > /dev/null 2>&1 || { $as_root apt-get update && install; } || fail "apt-get could not install$missing"

@@ -8,15 +8,11 @@
 
 set -eu
 
-version=1.65.1
-
 fail() { echo "install_playwright.sh: $*" >&2; exit 1; }
 
 [ $# -eq 1 ] || fail "needs a folder"
 [ ! -r "$1/node_modules/playwright-core/package.json" ] || exit 0
 command -v npm > /dev/null || fail "there is no npm (Debian: npm)"
 mkdir -p "$1"
-npm install --no-save --no-audit --no-fund --ignore-scripts --prefix "$1" "playwright-core@$version" > "$1/npm.log" 2>&1 || {
-  cat "$1/npm.log" >&2
-  fail "npm cannot install playwright-core"
-}
+npm install --no-save --no-audit --no-fund --ignore-scripts --prefix "$1" playwright-core@1.65.1 > "$1/npm.log" 2>&1 ||
+  { cat "$1/npm.log" >&2; fail "npm cannot install playwright-core"; }

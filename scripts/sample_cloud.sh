@@ -14,26 +14,17 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 fail() { echo "sample_cloud.sh: $*" >&2; exit 1; }
 
 [ $# -eq 1 ] || [ $# -eq 2 ] || fail "usage: sample_cloud.sh CLOUD.ply [NAME]"
-cloud=$1
 name=${2:-building.ply}
-[ ! -s "$cloud" ] || exit 0
-folder=$(dirname "$cloud")
-
-# Minimal containers drop /usr/share/doc when a package is installed: then the
-# package itself is fetched and opened.
-find_data()
-{
-  data=/usr/share/doc/libcgal-dev/data.tar.gz
-  [ -f "$data" ] && return
-  [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libcgal-demo
-  [ -f "$data" ] && return
+[ ! -s "$1" ] || exit 0
+folder=$(dirname "$1")
+mkdir -p "$folder"
+data=/usr/share/doc/libcgal-dev/data.tar.gz
+[ -f $data ] || [ "${TANDEM_SKIP_INSTALL:-0}" = 1 ] || "$root/scripts/install_dependencies.sh" libcgal-demo
+# Minimal containers drop /usr/share/doc when a package is installed: then the package itself is fetched and opened.
+[ -f $data ] || {
   (cd "$folder" && apt-get download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb package) ||
     fail "cannot get the package libcgal-demo, which has the sample cloud"
-  data=$folder/package/usr/share/doc/libcgal-dev/data.tar.gz
-  [ -f "$data" ] || fail "the package libcgal-demo has no data.tar.gz"
+  data=$folder/package$data
 }
-
-mkdir -p "$folder"
-find_data
-tar -xzOf "$data" data/points_3/"$name" > "$cloud.part" || fail "no $name in $data"
-mv "$cloud.part" "$cloud"
+tar -xzOf "$data" data/points_3/"$name" > "$1.part" || fail "no $name in $data"
+mv "$1.part" "$1"

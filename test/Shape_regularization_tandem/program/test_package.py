@@ -109,7 +109,8 @@ def test_use(tmp_path, use, components, library):
         pytest.skip("the build does not have it")
     if use == "find_package":
         run(*CMAKE, "-S", SOURCES, "-B", tmp_path / "tandem", "-DTANDEM_BUILD_EXAMPLES=OFF", "-DTANDEM_BUILD_ENGINE=OFF",
-            "-DTANDEM_WITH_MPI=OFF", "-DTANDEM_BUILD_TESTS=OFF", f"-DCMAKE_INSTALL_PREFIX={prefix}")
+            "-DTANDEM_BUILD_MODELS=OFF", "-DTANDEM_WITH_MPI=OFF", "-DTANDEM_BUILD_TESTS=OFF",
+            f"-DCMAKE_INSTALL_PREFIX={prefix}")
         run("cmake", "--build", tmp_path / "tandem", "--target", "install")
     elif use != "add_subdirectory":
         run("cmake", "--install", BUILD, "--prefix", prefix)

@@ -5,37 +5,35 @@
 # Makes the Debian package of a build folder and looks at what is in it. As root, where mmdebstrap is installed, apt also
 # installs it in a clean root, where the program finds the planes of a cube, and removes it without a trace; this loads
 # some 100 MB.
-#   check_package.sh BUILD FOLDER   FOLDER: is made anew
+#   test_package.sh BUILD FOLDER   FOLDER: is made anew
 
 set -eu
 
-[ $# -eq 2 ] || { echo "usage: check_package.sh BUILD FOLDER" >&2; exit 1; }
-build=$1; folder=$2
+[ $# -eq 2 ] || { echo "usage: test_package.sh BUILD FOLDER" >&2; exit 1; }
+build=$1
 
-fail() { echo "check_package.sh: $*" >&2; exit 1; }
+fail() { echo "test_package.sh: $*" >&2; exit 1; }
 
-# has PATTERN: the package has such a file
-has() { grep -Eq "$1" "$folder/files" || fail "the package has no $1"; }
+# logged WHAT COMMAND...: fails with its output and WHAT
+logged() { what=$1; shift; "$@" > "$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "$what"; }; }
 
-rm -rf "$folder"
-mkdir -p "$folder"
-folder=$(cd "$folder" && pwd)
-(cd "$build" && cpack -G DEB -B "$folder/cpack") > "$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "cpack failed"; }
+rm -rf "$2"
+mkdir -p "$2"
+folder=$(cd "$2" && pwd)
+logged "cpack failed" env -C "$build" cpack -G DEB -B "$folder/cpack"
 mv "$folder"/cpack/tandem_*.deb "$folder/tandem.deb" || fail "there is no package"
 dpkg-deb --contents "$folder/tandem.deb" | sed 's/.* \.\//\//' > "$folder/files"
 dpkg-deb --extract "$folder/tandem.deb" "$folder/extracted"
 
-has '^/usr/bin/detect_planes$'
-has '^/usr/include/CGAL/Shape_regularization_tandem\.h$'
-has '^/usr/lib/.*cmake/Tandem/TandemConfig\.cmake$'
-has '^/usr/lib/.*libtandem_engine\.'
-has '^/usr/lib/.*libtandem_models\.'
-has '^/usr/share/bash-completion/completions/detect_planes$'
+for file in bin/detect_planes include/CGAL/Shape_regularization_tandem.h 'lib/.*cmake/Tandem/TandemConfig.cmake' \
+  'lib/.*libtandem_engine\.[a-z.0-9]*' 'lib/.*libtandem_models\.[a-z.0-9]*' share/bash-completion/completions/detect_planes; do
+  grep -q "^/usr/$file\$" "$folder/files" || fail "the package has no $file"
+done
 ! grep -Ev '^/usr/(bin|include|lib|share)/|^/(usr/)?((bin|include|lib|share)/)?$' "$folder/files" || fail "files are elsewhere"
 ! grep -i python "$folder/files" || fail "it has a part of the Python module"
-copyright=$folder/extracted/usr/share/doc/tandem/copyright
-grep -q 'three.js authors' "$copyright" || fail "the license of three.js is missing"
-grep -q 'common-licenses/GPL-3' "$copyright" || fail "the license is missing"
+for text in 'three.js authors' 'common-licenses/GPL-3'; do
+  grep -q "$text" "$folder/extracted/usr/share/doc/tandem/copyright" || fail "the license has no $text"
+done
 dpkg-deb --field "$folder/tandem.deb" Depends | grep -q 'libc6' || fail "the libraries of the program are not named"
 
 mkdir "$folder/project"
@@ -47,8 +45,8 @@ if(NOT TARGET Tandem::tandem_engine OR NOT TARGET Tandem::tandem_models OR NOT T
   message(FATAL_ERROR "Tandem_DIR is ${Tandem_DIR}")
 endif()
 END
-cmake -S "$folder/project" -B "$folder/project/build" "-DCMAKE_PREFIX_PATH=$folder/extracted/usr" > "$folder/log" 2>&1 ||
-  { cat "$folder/log" >&2; fail "CMake does not find the library of the package"; }
+logged "CMake does not find the library of the package" \
+  cmake -S "$folder/project" -B "$folder/project/build" "-DCMAKE_PREFIX_PATH=$folder/extracted/usr"
 
 if [ "$(id -u)" -ne 0 ] || ! command -v mmdebstrap > /dev/null; then
   echo "not installed in a clean root, which needs mmdebstrap and root"
