@@ -7,7 +7,7 @@
 
 #include "testing/body_fixture.h"
 
-#include <CGAL/Tandem/internal/finish/slabs.h>
+#include <CGAL/Tandem/internal/result/explain_free_points.h>
 #include <CGAL/Tandem/internal/rounds/regularize_shapes.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>

@@ -7,8 +7,8 @@
 
 #include "testing/body_fixture.h"
 
-#include <CGAL/Tandem/internal/finish/explain_free_points.h>
-#include <CGAL/Tandem/internal/finish/measure_planes.h>
+#include <CGAL/Tandem/internal/result/explain_free_points.h>
+#include <CGAL/Tandem/internal/result/measure_planes.h>
 
 #include <array>
 #include <cmath>
