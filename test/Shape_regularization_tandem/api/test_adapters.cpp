@@ -12,20 +12,27 @@
 #include <CGAL/Shape_regularization/regularize_planes.h>
 #include <CGAL/structure_point_set.h>
 
-#include <iterator>
+namespace adapters {
 
-BOOST_AUTO_TEST_SUITE(test_adapters)
-
-namespace np = CGAL::Tandem::parameters;
 using Shapes = CGAL::Tandem::Planar_shapes_3<Epick>;
 using Plane = Epick::Plane_3;
 
-void test_index_maps(const Shapes& shapes)
+struct Box {
+  Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
+  Shapes shapes = CGAL::Tandem::detect_planes(
+    points, CGAL::Tandem::parameters::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006));
+  std::vector<Plane> planes = CGAL::Tandem::distinct_planes(shapes);
+};
+
+} // namespace adapters
+
+BOOST_FIXTURE_TEST_SUITE(test_adapters, adapters::Box)
+
+BOOST_AUTO_TEST_CASE(test_index_maps)
 {
   const auto shape_map = CGAL::Tandem::shape_index_map(shapes);
   const auto plane_map = CGAL::Tandem::plane_index_map(shapes);
-  const std::vector<Plane> planes = CGAL::Tandem::distinct_planes(shapes);
-  CHECK(planes.size() == shapes.number_of_coplanar_groups());
+  CHECK(shapes.number_of_shapes() == 6 && planes.size() == shapes.number_of_coplanar_groups());
   for(std::size_t i = 0; i < shapes.number_of_points(); ++i) {
     const int s = shapes.shape_index(i);
     CHECK_AT(get(shape_map, i) == s, std::to_string(i));
@@ -35,24 +42,24 @@ void test_index_maps(const Shapes& shapes)
   }
 }
 
-void test_structure_point_set(const Pairs<Epick>& points, const Shapes& shapes)
+BOOST_AUTO_TEST_CASE(test_structure_point_set)
 {
   Pairs<Epick> structured;
-  CGAL::structure_point_set(points, CGAL::Tandem::distinct_planes(shapes), std::back_inserter(structured), .02,
+  CGAL::structure_point_set(points, planes, std::back_inserter(structured), .02,
                             CGAL::parameters::point_map(First<Epick>())
                               .normal_map(Second<Epick>())
-                              .plane_map(CGAL::Identity_property_map<Plane>())
+                              .plane_map(CGAL::Identity_property_map<adapters::Plane>())
                               .plane_index_map(CGAL::Tandem::plane_index_map(shapes)));
   CHECK(structured.size() > 100 && structured.size() < points.size());
 }
 
 // CGAL's regularization finds nothing left to do but for the last bits.
-void test_regularize_planes(const Pairs<Epick>& points, const Shapes& shapes)
+BOOST_AUTO_TEST_CASE(test_cgal_regularize_planes)
 {
-  std::vector<Plane> planes = shapes.planes();
+  planes = shapes.planes();
   CGAL::Shape_regularization::Planes::regularize_planes(
     planes, points,
-    CGAL::parameters::plane_map(CGAL::Identity_property_map<Plane>())
+    CGAL::parameters::plane_map(CGAL::Identity_property_map<adapters::Plane>())
       .point_map(First<Epick>())
       .plane_index_map(CGAL::Tandem::shape_index_map(shapes))
       .regularize_axis_symmetry(false)
@@ -66,48 +73,39 @@ void test_regularize_planes(const Pairs<Epick>& points, const Shapes& shapes)
 }
 
 // With a hole in the indices: an item is not its position.
-void test_point_set(const Pairs<Epick>& pairs)
+BOOST_AUTO_TEST_CASE(test_point_set)
 {
-  CGAL::Point_set_3<Epick::Point_3> points;
-  points.add_normal_map();
-  for(const auto& p : pairs)
-    points.insert(p.first, p.second);
-  points.remove(points.begin());
-  const Shapes shapes = CGAL::Tandem::detect_planes(points, np::maximum_distance(.006));
-  const auto map = CGAL::Tandem::add_shape_property(points, shapes);
-  CHECK(points.has_property_map<int>("shape"));
-  CHECK(shapes.number_of_shapes() == 6);
-  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
-    for(std::size_t i : shapes.points(s)) {
-      const auto item = *(points.begin() + std::ptrdiff_t(i));
+  CGAL::Point_set_3<Epick::Point_3> set;
+  set.add_normal_map();
+  for(const auto& p : points)
+    set.insert(p.first, p.second);
+  set.remove(set.begin());
+  const auto of_set = CGAL::Tandem::detect_planes(set, CGAL::Tandem::parameters::maximum_distance(.006));
+  const auto map = CGAL::Tandem::add_shape_property(set, of_set);
+  CHECK(set.has_property_map<int>("shape") && of_set.number_of_shapes() == 6);
+  for(std::size_t s = 0; s < of_set.number_of_shapes(); ++s)
+    for(std::size_t i : of_set.points(s)) {
+      const auto item = *(set.begin() + std::ptrdiff_t(i));
       CHECK_AT(map[item] == int(s), std::to_string(s));
-      CHECK_AT(CGAL::squared_distance(points.point(item), shapes.plane(s)) <= .006 * .006 * 1.000001,
-               std::to_string(s));
+      CHECK_AT(CGAL::squared_distance(set.point(item), of_set.plane(s)) <= .006 * .006 * 1.000001, std::to_string(s));
     }
 }
 
-// A fit to them is the plane again. An example shows that the surface of such points keeps the right angles.
-void test_projected_points(const Pairs<Epick>& points, const Shapes& shapes)
+// A fit to them is the plane again, with normals on the side of the points. An example shows that the surface of such
+// points keeps the right angles.
+BOOST_AUTO_TEST_CASE(test_projected_points)
 {
-  using Item = CGAL::Tandem::Point_with_plane<Epick>;
-  const std::vector<Item> items = CGAL::Tandem::projected_points(points, shapes, np::point_map(First<Epick>()));
+  const auto items =
+    CGAL::Tandem::projected_points(points, shapes, CGAL::Tandem::parameters::point_map(First<Epick>()));
   CHECK(items.size() == shapes.statistics().number_of_assigned_points);
-  const std::vector<Plane> planes = CGAL::Tandem::distinct_planes(shapes);
-  for(const Item& item : items)
-    CHECK(CGAL::squared_distance(std::get<0>(item), planes[std::size_t(std::get<2>(item))]) < 1e-28);
-}
-
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
-  const Shapes shapes = CGAL::Tandem::detect_planes(
-    points, np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006));
-  CHECK(shapes.number_of_shapes() == 6);
-  test_index_maps(shapes);
-  test_structure_point_set(points, shapes);
-  test_regularize_planes(points, shapes);
-  test_point_set(points);
-  test_projected_points(points, shapes);
+  auto item = items.begin();
+  for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s)
+    for(std::size_t i : shapes.points(s)) {
+      const auto& [point, normal, plane] = *item++;
+      CHECK(CGAL::squared_distance(point, planes[std::size_t(plane)]) < 1e-28);
+      CHECK(CGAL::squared_distance(point, points[i].first) <= .006 * .006 * 1.000001);
+      CHECK(normal == shapes.oriented_plane(s).orthogonal_vector());
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

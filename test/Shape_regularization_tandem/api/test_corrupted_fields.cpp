@@ -110,7 +110,7 @@ bool may_be_accepted(const std::string& field, const Data& data, const Data& ori
          (starts_with(field, "normal[") && field != "normal[0]");
 }
 
-void test_each_field(Normals normals)
+void check_each_field(Normals normals)
 {
   const Case c = make_case(normals);
   const Shapes shapes = c.detect(make_parameters());
@@ -136,7 +136,7 @@ void test_each_field(Normals normals)
 }
 
 // Fields that agree with each other, but not with the planes.
-void test_agreeing_fields()
+BOOST_AUTO_TEST_CASE(test_agreeing_fields)
 {
   const Case c = make_case(Normals::given);
   const Data original = c.detect(make_parameters()).data();
@@ -160,7 +160,7 @@ void test_agreeing_fields()
   check("flipped", [](Data& d) { d.is_flipped[0] = !d.is_flipped[0]; });
 }
 
-void test_parameters()
+BOOST_AUTO_TEST_CASE(test_parameters)
 {
   const Case c = make_case(Normals::given);
   const Data original = c.detect(make_parameters()).data();
@@ -188,7 +188,7 @@ void test_parameters()
   check("symmetry_direction", [](Parameters& p) { p.symmetry_direction = {0, NAN, 0}; });
 }
 
-void test_results_of_nothing()
+BOOST_AUTO_TEST_CASE(test_results_of_nothing)
 {
   Case c = make_case(Normals::estimated);
   CHECK(starts_with(c.reason(Data()), "maximum_distance is 0"));
@@ -198,13 +198,10 @@ void test_results_of_nothing()
   CHECK_AT(why.empty(), why);
 }
 
-BOOST_AUTO_TEST_CASE(all_cases)
+BOOST_AUTO_TEST_CASE(test_each_field)
 {
-  test_each_field(Normals::given);
-  test_each_field(Normals::estimated);
-  test_agreeing_fields();
-  test_parameters();
-  test_results_of_nothing();
+  check_each_field(Normals::given);
+  check_each_field(Normals::estimated);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

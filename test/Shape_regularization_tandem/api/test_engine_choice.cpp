@@ -6,11 +6,7 @@
 
 #include "testing/test_support.h"
 
-#include <algorithm>
 #include <functional>
-#include <memory>
-#include <stdexcept>
-#include <vector>
 
 namespace CGAL {
 namespace Tandem {
@@ -75,7 +71,7 @@ using CGAL::Tandem::Test_device_tag;
 const Cloud cloud = to_cloud(scenes::make_scene("cube", scene_options(3000)));
 const Parameters parameters = make_parameters(.02, 40);
 
-void test_device_is_used()
+BOOST_AUTO_TEST_CASE(test_device_is_used)
 {
   test_device = [](Import& in, const Parameters& p, Progress& progress) {
     return std::make_unique<Device_engine>(in, p, progress);
@@ -87,7 +83,7 @@ void test_device_is_used()
 }
 
 template <class Failure>
-void test_failure(const std::string& name)
+void check_failure(const std::string& name)
 {
   test_device = [&](Import& in, const Parameters&, Progress&) -> std::unique_ptr<Detection_engine> {
     in.uploaded = std::make_shared<Kept_coordinates>(in);
@@ -100,7 +96,7 @@ void test_failure(const std::string& name)
 
 // Of the callback, of one of the types that mean a failure of the device elsewhere; or of none of these types.
 template <class Exception>
-void test_passes(bool is_of_callback)
+void check_passes(bool is_of_callback)
 {
   test_device = [&](Import& in, const Parameters& p, Progress& progress) -> std::unique_ptr<Detection_engine> {
     if(!is_of_callback)
@@ -122,14 +118,13 @@ void test_passes(bool is_of_callback)
   CHECK_AT(calls == (is_of_callback ? 2 : 1), std::to_string(calls) + " calls");
 }
 
-BOOST_AUTO_TEST_CASE(all_cases)
+BOOST_AUTO_TEST_CASE(test_failures)
 {
-  test_device_is_used();
-  test_failure<std::runtime_error>("no device");
-  test_failure<std::length_error>("too little memory");
-  test_passes<std::runtime_error>(true);
-  test_passes<std::length_error>(true);
-  test_passes<std::logic_error>(false);
+  check_failure<std::runtime_error>("no device");
+  check_failure<std::length_error>("too little memory");
+  check_passes<std::runtime_error>(true);
+  check_passes<std::length_error>(true);
+  check_passes<std::logic_error>(false);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Four kernels, five kinds of range, both lists of named parameters, the class
-// and the function, all tags: the same cloud gives the same result, and the range is left alone.
+// and the function, all tags: the same cloud gives the same result, and the range is left alone. Progress rises from 0 to
+// 1; a cancelled detection leaves a valid result; what the callback throws ends it at once.
 
 #include "testing/box_cloud.h"
 #include "testing/measured_violation.h"
@@ -16,41 +17,26 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 
-#include <memory>
-
 BOOST_AUTO_TEST_SUITE(test_kernels_and_ranges)
 
 namespace np = CGAL::Tandem::parameters;
 using CGAL::Tandem::detect_planes;
 
-// A range of indices into arrays, and how often each was read.
+// Of a range of indices into arrays, and how often each was read.
+template <class Value, std::array<float, 3> Box_point::*member>
 struct Counting_map {
   using key_type = int;
-  using value_type = Epick::Point_3;
-  using reference = value_type;
+  using value_type = Value;
+  using reference = Value;
   using category = boost::readable_property_map_tag;
   const std::vector<Box_point>* cloud;
-  std::shared_ptr<std::vector<int>> reads;
+  std::vector<int>* reads;
 
-  friend value_type get(const Counting_map& map, int i)
+  friend Value get(const Counting_map& map, int i)
   {
     ++(*map.reads)[std::size_t(i)];
-    const auto& p = (*map.cloud)[std::size_t(i)].position;
-    return value_type(p[0], p[1], p[2]);
-  }
-};
-
-struct Normal_of_index {
-  using key_type = int;
-  using value_type = Epick::Vector_3;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-  const std::vector<Box_point>* cloud;
-
-  friend value_type get(const Normal_of_index& map, int i)
-  {
-    const auto& n = (*map.cloud)[std::size_t(i)].normal;
-    return value_type(n[0], n[1], n[2]);
+    const auto& v = (*map.cloud)[std::size_t(i)].*member;
+    return Value(v[0], v[1], v[2]);
   }
 };
 
@@ -79,8 +65,7 @@ std::uint64_t test_pairs(const std::vector<Box_point>& cloud, const std::string&
   const auto shapes = detect_planes<CGAL::Sequential_tag>(points, list);
   check_box(shapes, name);
   CHECK_AT(points == copy, name);
-  std::string why;
-  CHECK_AT((why = violation_of(points, shapes, list)).empty(), name + ": " + why);
+  check_equal(violation_of(points, shapes, list), "", name);
   CHECK_AT(shapes.hash() == detect_planes<CGAL::Parallel_if_available_tag>(points, list).hash(), name);
   CHECK_AT(shapes.hash() == detect_planes<CGAL::Tandem::Cuda_if_available_tag>(points, list).hash(), name);
   for(std::size_t s = 0; s < shapes.number_of_shapes(); ++s) { // the normals point out of the box
@@ -102,8 +87,7 @@ std::uint64_t test_point_set(const std::vector<Box_point>& cloud, const std::str
     points.insert(p.first, p.second);
   const auto shapes = detect_planes(points, np::maximum_distance(.006));
   check_box(shapes, name);
-  std::string why;
-  CHECK_AT((why = violation_of(points, shapes, np::default_values())).empty(), name + ": " + why);
+  check_equal(violation_of(points, shapes, np::default_values()), "", name);
   CHECK_AT(!shapes.has_estimated_normals(), name);
 
   // Without its normals, by request or because there are none.
@@ -124,8 +108,7 @@ std::uint64_t test_points(const std::vector<Box_point>& cloud, const std::string
     points.push_back(p.first);
   const auto shapes = detect_planes(points, np::maximum_distance(.006));
   check_box(shapes, name);
-  std::string why;
-  CHECK_AT((why = violation_of(points, shapes, np::default_values())).empty(), name + ": " + why);
+  check_equal(violation_of(points, shapes, np::default_values()), "", name);
   for(std::size_t i = 0; i < points.size(); ++i)
     if(shapes.shape_index(i) >= 0)
       CHECK_AT(std::fabs(CGAL::to_double(shapes.estimated_normal(i).squared_length()) - 1) < 1e-6, name);
@@ -136,13 +119,14 @@ std::uint64_t test_indices(const std::vector<Box_point>& cloud)
 {
   using Index = boost::counting_iterator<int>; // holds its item itself
   const CGAL::Iterator_range<Index> indices(Index(0), Index(int(cloud.size())));
-  const Counting_map point_map = {&cloud, std::make_shared<std::vector<int>>(cloud.size(), 0)};
-  const auto shapes =
-    detect_planes(indices, np::combine(CGAL::parameters::point_map(point_map).normal_map(Normal_of_index{&cloud}),
-                                       np::maximum_distance(.006)));
+  std::vector<int> points(cloud.size(), 0), normals = points;
+  const Counting_map<Epick::Point_3, &Box_point::position> point_map = {&cloud, &points};
+  const Counting_map<Epick::Vector_3, &Box_point::normal> normal_map = {&cloud, &normals};
+  const auto shapes = detect_planes(
+    indices, np::combine(CGAL::parameters::point_map(point_map).normal_map(normal_map), np::maximum_distance(.006)));
   check_box(shapes, "indices");
-  for(std::size_t i = 0; i < cloud.size(); ++i)
-    CHECK_AT((*point_map.reads)[i] == 1, "reads of point " + std::to_string(i));
+  detect_planes(indices, np::point_map(point_map).maximum_distance(.006));
+  CHECK(points == std::vector<int>(cloud.size(), 2) && normals == std::vector<int>(cloud.size(), 1));
   return shapes.hash();
 }
 
@@ -165,7 +149,7 @@ std::uint64_t test_class(const std::vector<Box_point>& cloud)
   return detection.shapes().hash();
 }
 
-BOOST_AUTO_TEST_CASE(all_cases)
+BOOST_AUTO_TEST_CASE(test_all_agree)
 {
   const std::vector<Box_point> cloud = make_box_cloud();
   const std::uint64_t hash = test_pairs<Epick>(cloud, "epick");
@@ -181,6 +165,60 @@ BOOST_AUTO_TEST_CASE(all_cases)
   CHECK((test_points<CGAL::Simple_cartesian<float>>(cloud, "points of float") == estimated));
   CHECK((test_points<CGAL::Simple_cartesian<double>>(cloud, "points of double") == estimated));
   CHECK((test_points<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, "points of epeck") == estimated));
+}
+
+// Whether what the callback throws in its n-th call reaches the caller, without another call.
+template <class Range, class List>
+bool throws_at(std::size_t n, const Range& points, const List& list)
+{
+  struct Stop {};
+  std::size_t count = 0;
+  const CGAL::Tandem::Callback stop = [&](double) -> bool {
+    if(++count == n)
+      throw Stop();
+    return true;
+  };
+  try {
+    detect_planes(points, list.callback(stop));
+  } catch(const Stop&) {
+    return count == n;
+  }
+  return false;
+}
+
+BOOST_AUTO_TEST_CASE(test_callback)
+{
+  const Pairs<Epick> points = make_pairs<Epick>(make_box_cloud());
+  const auto list = np::point_map(First<Epick>()).normal_map(Second<Epick>()).maximum_distance(.006);
+  const auto silent = detect_planes(points, list);
+  CHECK(!silent.is_cancelled());
+
+  std::vector<double> progress;
+  const CGAL::Tandem::Callback record = [&](double p) {
+    progress.push_back(p);
+    return true;
+  };
+  CHECK(detect_planes(points, list.callback(record)).hash() == silent.hash());
+  CHECK(progress.size() >= 3 && progress.front() == 0 && progress.back() == 1);
+  for(std::size_t i = 1; i < progress.size(); ++i)
+    CHECK_AT(progress[i - 1] <= progress[i] && progress[i] <= 1, std::to_string(i));
+
+  using Stage = CGAL::Tandem::Detection_stage;
+  for(Stage stage : {Stage::sort, Stage::neighbors, Stage::seeds, Stage::rounds, Stage::end_game, Stage::done})
+    CHECK_AT(
+      std::any_of(progress.begin(), progress.end(), [&](double p) { return CGAL::Tandem::stage_at(p) == stage; }),
+      "stage " + std::to_string(int(stage)));
+
+  for(std::size_t calls = 1; calls < progress.size(); ++calls) {
+    std::size_t count = 0;
+    const CGAL::Tandem::Callback cancel = [&](double) { return ++count < calls; };
+    const auto shapes = detect_planes(points, list.callback(cancel));
+    CHECK_AT(shapes.is_cancelled() && count == calls, std::to_string(calls));
+    CHECK_AT(calls > 1 || shapes.number_of_shapes() == 0, std::to_string(calls));
+    CHECK_AT(shapes.number_of_points() == points.size(), std::to_string(calls));
+    check_equal(violation_of(points, shapes, list), "", std::to_string(calls));
+    CHECK_AT(throws_at(calls, points, list), std::to_string(calls));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

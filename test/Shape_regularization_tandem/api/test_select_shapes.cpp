@@ -7,23 +7,17 @@
 #include "testing/measured_violation.h"
 #include "testing/same_result.h"
 
-#include <CGAL/Shape_regularization_tandem/is_valid_result.h>
 #include <CGAL/Shape_regularization_tandem/join_coplanar_shapes.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 #include <CGAL/Shape_regularization_tandem/select_shapes.h>
 #include <CGAL/Shape_regularization_tandem/shape_facts.h>
 
-#include <cmath>
 #include <numeric>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_select_shapes)
 
 using CGAL::Tandem::join_coplanar_shapes;
 using CGAL::Tandem::select_shapes;
-using CGAL::Tandem::shape_facts;
 using CGAL::Tandem::to_text;
 using Indices = std::vector<std::size_t>;
 
@@ -108,64 +102,53 @@ void check_twice(const Case& c)
 void check_refusals(const Case& c)
 {
   const int n = int(c.shapes.number_of_shapes());
+  const auto refuse = [&](const std::vector<int>& indices, const std::string& what, const std::string& why) {
+    check_throws<std::invalid_argument>([&] { select_shapes(c.shapes, indices); }, {what.c_str(), why.c_str()},
+                                        __LINE__);
+  };
   for(int wrong : {n, -1})
-    check_throws<std::invalid_argument>(
-      [&] {
-        select_shapes(c.shapes, std::vector<int>{0, wrong});
-      },
-      {"no shape", std::to_string(wrong).c_str(), std::to_string(n).c_str()}, __LINE__);
-  check_throws<std::invalid_argument>(
-    [&] {
-      select_shapes(c.shapes, Indices{1, 0, 1});
-    },
-    {"Shape 1", "twice"}, __LINE__);
+    refuse({0, wrong}, "no shape", std::to_string(wrong));
+  refuse({n}, "no shape", std::to_string(n));
+  refuse({1, 0, 1}, "Shape 1", "twice");
   Shapes::Data data = select_shapes(c.shapes, Indices{0}).data();
   --data.statistics.free_points.unselected;
   const std::string why = violation_of(c.cloud, Shapes(data), maps.normal_map(Second<Kernel>()));
   CHECK_AT(why.find("free_points") != std::string::npos, why);
 }
 
-// The shapes with is_kept(s), in their order, by the labels of a selection.
-template <class Is_kept>
-void check_criteria(const Case& c, const Shapes& selected, Is_kept is_kept, const std::string& what)
+// Of the shapes with is_kept(s), in their order.
+template <class List, class Is_kept>
+void check_criteria(const Case& c, const List& list, Is_kept is_kept, const std::string& what)
 {
   Indices expected;
   for(std::size_t s = 0; s < c.shapes.number_of_shapes(); ++s)
     if(is_kept(s))
       expected.push_back(s);
   CHECK_AT(!expected.empty() && expected.size() < c.shapes.number_of_shapes(), what + ": " + to_text(expected.size()));
-  CHECK_AT(shape_bits(selected) == shape_bits(select_shapes(c.shapes, expected)), what);
+  CHECK_AT(shape_bits(select_shapes(c.shapes, c.cloud, list)) == shape_bits(select_shapes(c.shapes, expected)), what);
 }
 
-void check_directions(const Case& c)
+void check_all_criteria(const Case& c)
 {
   const auto cosine = [&](std::size_t s) { return std::fabs(c.shapes.coefficients(s)[2]); };
-  const double sine_of_10_deg = std::sin(CGAL_PI / 18), sine_of_40_deg = std::sin(CGAL_PI / 4.5);
+  const auto sine_of = [](double degrees) { return std::sin(degrees * CGAL_PI / 180); };
   const Kernel::Vector_3 upward(0, 0, -7);
+  const auto walls = maps.orthogonal_direction(upward);
   check_criteria(
-    c, select_shapes(c.shapes, c.cloud, maps.near_direction(upward)),
-    [&](std::size_t s) { return cosine(s) >= std::sqrt(1 - sine_of_10_deg * sine_of_10_deg); }, "level");
+    c, maps.near_direction(upward), [&](std::size_t s) { return cosine(s) >= sine_of(80); }, "level");
   check_criteria(
-    c, select_shapes(c.shapes, c.cloud, maps.orthogonal_direction(upward)),
-    [&](std::size_t s) { return cosine(s) <= sine_of_10_deg; }, "walls");
+    c, walls, [&](std::size_t s) { return cosine(s) <= sine_of(10); }, "walls");
   check_criteria(
-    c, select_shapes(c.shapes, c.cloud, maps.orthogonal_direction(upward).near_angle(40)),
-    [&](std::size_t s) { return cosine(s) <= sine_of_40_deg; }, "nearly walls");
-}
-
-void check_measures(const Case& c)
-{
-  const std::vector<CGAL::Tandem::Shape_facts> facts = shape_facts(c.shapes, c.cloud, maps);
+    c, walls.near_angle(40), [&](std::size_t s) { return cosine(s) <= sine_of(40); }, "nearly walls");
+  const std::vector<CGAL::Tandem::Shape_facts> facts = CGAL::Tandem::shape_facts(c.shapes, c.cloud, maps);
   const double area = facts[2].area, length = facts[1].length;
+  const auto is_large = [&](std::size_t s) { return facts[s].area >= area; };
+  const auto is_long = [&](std::size_t s) { return facts[s].length >= length; };
+  check_criteria(c, maps.minimum_area(area), is_large, "area");
+  check_criteria(c, maps.minimum_extent(length), is_long, "extent");
   check_criteria(
-    c, select_shapes(c.shapes, c.cloud, maps.minimum_area(area)), [&](std::size_t s) { return facts[s].area >= area; },
-    "area");
-  check_criteria(
-    c, select_shapes(c.shapes, c.cloud, maps.minimum_extent(length)),
-    [&](std::size_t s) { return facts[s].length >= length; }, "extent");
-  check_criteria(
-    c, select_shapes(c.shapes, c.cloud, maps.minimum_extent(length).minimum_area(area)),
-    [&](std::size_t s) { return facts[s].length >= length && facts[s].area >= area; }, "both");
+    c, maps.minimum_extent(length).minimum_area(area), [&](std::size_t s) { return is_long(s) && is_large(s); },
+    "both");
 }
 
 // The largest of those that fit the others; shapes are sorted by their size.
@@ -234,8 +217,7 @@ void check_joined(const Case& c)
     const double noise = noise_of(c, joined, s);
     check_close(joined.uncertainty(s).noise, noise, 1e-9 * noise, c.name + ": noise");
   }
-  std::string why;
-  CHECK(!is_valid_result(c.cloud, joined, maps.normal_map(Second<Kernel>()), &why));
+  const std::string why = violation_of(c.cloud, joined, maps.normal_map(Second<Kernel>()));
   CHECK_AT(why.find("not connected") != std::string::npos, why);
 }
 
@@ -247,7 +229,7 @@ void check_joined_alone(const Case& c)
   check_throws<std::invalid_argument>([&] { join_coplanar_shapes(alone, Cloud(), maps); }, {"0 points"}, __LINE__);
 }
 
-BOOST_AUTO_TEST_CASE(all_cases)
+BOOST_AUTO_TEST_CASE(test_scenes)
 {
   for(const char* name : {"village", "indoor"})
     for(Given given : {Given::normals, Given::nothing}) {
@@ -258,8 +240,7 @@ BOOST_AUTO_TEST_CASE(all_cases)
       check_twice(c);
       if(given == Given::normals) {
         check_refusals(c);
-        check_directions(c);
-        check_measures(c);
+        check_all_criteria(c);
         check_largest(c);
         check_wrong_criteria(c);
         check_joined_alone(c);

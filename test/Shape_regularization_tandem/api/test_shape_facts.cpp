@@ -11,13 +11,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_shape_facts)
 
@@ -26,9 +20,7 @@ using CGAL::Tandem::Shape_facts;
 using Place = std::array<double, 3>;
 using Coefficients = CGAL::Tandem::Coefficients;
 
-constexpr double pi = 3.14159265358979323846;
-
-double radians(double degrees) { return degrees * pi / 180; }
+double radians(double degrees) { return degrees * CGAL_PI / 180; }
 
 // The normal of a plane that falls in the direction `azimuth`.
 Place normal_of(double dip, double azimuth)
@@ -115,7 +107,7 @@ void check_rectangle(const Shape_facts& f, const Place& center, double size, dou
   CHECK_AT(f.turned_deg <= 60 * tolerance, std::to_string(f.turned_deg));
 }
 
-BOOST_AUTO_TEST_CASE(check_known_rectangle)
+BOOST_AUTO_TEST_CASE(test_known_rectangle)
 {
   const Place n = normal_of(30, 120), center = {3, -2, 5}, far = {600000, 5400000, 300};
   check_rectangle(facts_of(rectangle(n, center, .1), .01), center, 1, 1e-12);
@@ -127,7 +119,7 @@ BOOST_AUTO_TEST_CASE(check_known_rectangle)
   }
 }
 
-BOOST_AUTO_TEST_CASE(check_slopes)
+BOOST_AUTO_TEST_CASE(test_slopes)
 {
   const Place center = {0, 0, 0};
   for(const double azimuth : {0., 90., 180., 270., 359.}) {
@@ -153,7 +145,7 @@ BOOST_AUTO_TEST_CASE(check_slopes)
 }
 
 // The axis y is upward: north is -z.
-BOOST_AUTO_TEST_CASE(check_upward)
+BOOST_AUTO_TEST_CASE(test_upward)
 {
   const Cloud cloud = rectangle({0, std::cos(radians(10)), -std::sin(radians(10))}, {0, 7, 0}, .1);
   auto shapes = shape_of<Epick>(cloud, .01);
@@ -169,7 +161,7 @@ BOOST_AUTO_TEST_CASE(check_upward)
 }
 
 // A plane that regularization has turned by a degree about the centroid, and shifted.
-BOOST_AUTO_TEST_CASE(check_moved)
+BOOST_AUTO_TEST_CASE(test_moved)
 {
   Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1, .004);
   const Shape_facts before = facts_of(cloud, .2);
@@ -184,14 +176,7 @@ BOOST_AUTO_TEST_CASE(check_moved)
   CHECK(after.rms_distance > after.mean_distance && after.mean_distance > .04);
 }
 
-void check_is_finite(const Shape_facts& f)
-{
-  for(const double x : {f.centroid[0], f.centroid[1], f.centroid[2], f.area, f.length, f.width, f.lowest, f.highest,
-                        f.tilt_deg, f.dip_deg, f.azimuth_deg, f.rms_distance, f.mean_distance, f.turned_deg, f.shifted})
-    CHECK(std::isfinite(x));
-}
-
-BOOST_AUTO_TEST_CASE(check_few_points)
+BOOST_AUTO_TEST_CASE(test_few_points)
 {
   const Cloud triangle = {{{1, 1, 0}, {2, 1, 0}, {1, 3, 0}}, {0, 0, 1, 0}};
   const Shape_facts three = facts_of(triangle, .01);
@@ -207,11 +192,13 @@ BOOST_AUTO_TEST_CASE(check_few_points)
   CHECK(one.length == 0 && one.width == 0 && one.area == 0 && one.centroid == (Place{4, 5, 6}));
   CHECK(one.turned_deg == 0 && one.shifted == 0 && one.lowest == 6 && one.highest == 6);
   for(const Shape_facts& f : {three, thin, one})
-    check_is_finite(f);
+    for(const double x : {f.centroid[0], f.area, f.length, f.width, f.lowest, f.highest, f.tilt_deg, f.dip_deg,
+                          f.azimuth_deg, f.rms_distance, f.mean_distance, f.turned_deg, f.shifted})
+      CHECK(std::isfinite(x));
 }
 
 // A known plane that no point is on.
-BOOST_AUTO_TEST_CASE(check_no_points)
+BOOST_AUTO_TEST_CASE(test_no_points)
 {
   const Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1);
   auto data = shape_of<Epick>(cloud, .01).data();
@@ -223,7 +210,7 @@ BOOST_AUTO_TEST_CASE(check_no_points)
 }
 
 // Copies of points change nothing but what counts points.
-BOOST_AUTO_TEST_CASE(check_copies)
+BOOST_AUTO_TEST_CASE(test_copies)
 {
   Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1);
   const Shape_facts before = facts_of(cloud, .01);
@@ -235,7 +222,7 @@ BOOST_AUTO_TEST_CASE(check_copies)
   CHECK_AT(std::fabs(after.area - before.area) < 1e-12, std::to_string(after.area));
 }
 
-BOOST_AUTO_TEST_CASE(check_arguments)
+BOOST_AUTO_TEST_CASE(test_arguments)
 {
   const Cloud cloud = rectangle(normal_of(30, 120), {3, -2, 5}, .1);
   const auto shapes = shape_of<Epick>(cloud, .01);

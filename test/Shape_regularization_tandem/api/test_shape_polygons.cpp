@@ -11,11 +11,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_shape_polygons)
 
@@ -39,7 +35,7 @@ Result<Kernel> result_of(const Pairs<Kernel>& cloud, bool is_by_plane = false)
 }
 
 // The cloud is the same in every kernel, and so are the polygons.
-BOOST_AUTO_TEST_CASE(check_kernels)
+BOOST_AUTO_TEST_CASE(test_kernels)
 {
   const auto box = make_box_cloud(400);
   const auto a = result_of<Epick>(make_pairs<Epick>(box));
@@ -61,7 +57,7 @@ double area_of(const Polygon& polygon)
   return result;
 }
 
-BOOST_AUTO_TEST_CASE(check_frames)
+BOOST_AUTO_TEST_CASE(test_frames)
 {
   const auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
   for(std::size_t i = 0; i < r.areas.number_of_entries(); ++i) {
@@ -90,7 +86,7 @@ BOOST_AUTO_TEST_CASE(check_frames)
 }
 
 // Outer boundaries and triangles are counterclockwise about the normals of plane(), whatever the normals of the points are.
-BOOST_AUTO_TEST_CASE(check_orientation)
+BOOST_AUTO_TEST_CASE(test_orientation)
 {
   for(const double side : {1, -1}) {
     auto cloud = make_pairs<Epick>(make_box_cloud(400));
@@ -115,7 +111,7 @@ BOOST_AUTO_TEST_CASE(check_orientation)
 }
 
 // Two squares of one plane, as one entry or as two.
-BOOST_AUTO_TEST_CASE(check_planes)
+BOOST_AUTO_TEST_CASE(test_planes)
 {
   Pairs<Epick> cloud;
   std::mt19937 random(3);
@@ -130,7 +126,7 @@ BOOST_AUTO_TEST_CASE(check_planes)
 }
 
 // Entries are counted that have no polygon: one of eight points.
-BOOST_AUTO_TEST_CASE(check_empty)
+BOOST_AUTO_TEST_CASE(test_empty)
 {
   const auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
   CHECK(r.areas.number_of_empty_entries() == 0 && !r.areas.is_empty(0));
@@ -169,24 +165,18 @@ void check_points_of()
   CHECK(areas.number_of_entries() == 6 && areas.number_of_empty_entries() == 0);
 }
 
-void check_points()
+BOOST_AUTO_TEST_CASE(test_refused)
 {
-  check_points_of<Epick>();
-  check_points_of<CGAL::Simple_cartesian<float>>();
-}
-
-BOOST_AUTO_TEST_CASE(check_refused)
-{
-  auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
-  r.cloud.pop_back();
-  CHECK(
-    throws<std::invalid_argument>([&] { CGAL::Tandem::polygons(r.shapes, r.cloud, np::point_map(First<Epick>())); }));
-  r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
+  const auto r = result_of<Epick>(make_pairs<Epick>(make_box_cloud(400)));
+  const auto map = np::point_map(First<Epick>());
+  const Pairs<Epick> fewer(r.cloud.begin(), r.cloud.end() - 1);
+  CHECK(throws<std::invalid_argument>([&] { CGAL::Tandem::polygons(r.shapes, fewer, map); }));
   auto data = r.shapes.data();
   ++data.size[0]; // a point of another process
   const CGAL::Tandem::Planar_shapes_3<Epick> part(data);
-  CHECK(throws<std::logic_error>([&] { CGAL::Tandem::polygons(part, r.cloud, np::point_map(First<Epick>())); }));
-  check_points();
+  CHECK(throws<std::logic_error>([&] { CGAL::Tandem::polygons(part, r.cloud, map); }));
+  check_points_of<Epick>();
+  check_points_of<CGAL::Simple_cartesian<float>>();
   const std::vector<Epick::Point_3> none;
   CHECK(CGAL::Tandem::polygons(CGAL::Tandem::Planar_shapes_3<Epick>(), none).number_of_entries() == 0);
 }

@@ -9,7 +9,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-BOOST_AUTO_TEST_SUITE(comparison_table)
+BOOST_AUTO_TEST_SUITE(test_comparison_table)
 
 using namespace CGAL::Tandem::benchmark;
 

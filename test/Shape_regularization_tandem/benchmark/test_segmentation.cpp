@@ -10,7 +10,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-BOOST_AUTO_TEST_SUITE(segmentation)
+BOOST_AUTO_TEST_SUITE(test_segmentation)
 
 using namespace CGAL::Tandem::benchmark;
 

@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(test_far_points)
     CHECK_AT(shapes.shape_index(i) == -1, "far point " + std::to_string(i));
 }
 
-// n x n copies of a scene, side by side, have n x n times the shapes of one, however the octree cuts them.
+// Copies side by side, which the octree cuts in other ways than one.
 Cloud tiled(const Cloud& one, int n, double pitch)
 {
   Cloud all;
@@ -147,24 +147,6 @@ Cloud tiled(const Cloud& one, int n, double pitch)
       for(const auto& item : one)
         all.emplace_back(item.first + Kernel::Vector_3(pitch * x, pitch * y, 0), item.second);
   return all;
-}
-
-// The copies lie along the axes, so many of their faces share a plane.
-BOOST_AUTO_TEST_CASE(test_tiles)
-{
-  const auto check = [](const std::string& name, const scenes::Options& options, double epsilon, std::size_t directions,
-                        int n) {
-    const scenes::Scene scene = scenes::make_scene(name, options);
-    const Cloud one = to_cloud(scene);
-    const std::size_t shapes_of_one = detect_valid(name, one, make_parameters(epsilon, 60)).number_of_shapes();
-    CHECK_AT(shapes_of_one >= 6, name);
-    const std::string full = name + ", " + std::to_string(n) + " x " + std::to_string(n);
-    const Shapes shapes = detect_valid(full, tiled(one, n, 1.5 * scene.diagonal), make_parameters(epsilon, 60));
-    check_equal(shapes.number_of_shapes(), shapes_of_one * std::size_t(n * n), full + ": number of shapes");
-    check_equal(shapes.number_of_parallel_groups(), directions, full + ": number of directions");
-  };
-  check("staircase", scene_options(6000, .0003), .006, 2, 2);
-  check("cube", scene_options(3000), .005, 3, 3);
 }
 
 // A cube that is turned about the vertical: top and bottom of all copies are two planes.

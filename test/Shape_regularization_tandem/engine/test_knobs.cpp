@@ -48,18 +48,6 @@ Parameters with(double epsilon, std::size_t minimum_size, double simplicity, dou
   return p;
 }
 
-BOOST_AUTO_TEST_CASE(test_defaults)
-{
-  const Cloud cloud = make_leaning_walls();
-  const auto given =
-    np::maximum_distance(.03).minimum_region_size(100).point_map(First<Kernel>()).normal_map(Second<Kernel>());
-  const Shapes left = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(cloud, given),
-               named = CGAL::Tandem::detect_planes<CGAL::Sequential_tag>(cloud, given.simplicity(.04).regularity(.1));
-  check_same(left, named, "defaults that are named");
-  CHECK(left.parameters().simplicity == .04 && left.parameters().regularity == .1);
-  CHECK(left.statistics().score.total() == named.statistics().score.total());
-}
-
 // A floor that sags by 1.5 epsilon is one shape where size is worth much, and is cut where it is worth nothing.
 BOOST_AUTO_TEST_CASE(test_bent_floor)
 {
@@ -78,18 +66,6 @@ BOOST_AUTO_TEST_CASE(test_bent_floor)
     CHECK_AT(i == 0 || number[i] <= number[i - 1], std::to_string(i) + ": " + std::to_string(number[i]) + " shapes");
   CHECK_AT(number[0] > 1 && number[2] == 1,
            std::to_string(number[0]) + " and " + std::to_string(number[2]) + " shapes");
-}
-
-// Two layers are two shapes by default.
-BOOST_AUTO_TEST_CASE(test_layers)
-{
-  constexpr double epsilon = .01;
-  Cloud cloud;
-  for(const double height : {0., 1.2 * epsilon})
-    Face{{0, 0, height}, {4, 0, 0}, {0, 4, 0}}.add_to(cloud, 10000, epsilon / 10);
-  for(const double simplicity : {0., .04})
-    check_counts("layers with a simplicity of " + std::to_string(simplicity),
-                 detect_valid("layers", cloud, with(epsilon, 200, simplicity, 0)), 2, 2, 2);
 }
 
 // Without a worth no walls are parallel, and none is at a right angle to the floor.

@@ -12,7 +12,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-BOOST_AUTO_TEST_SUITE(criteria)
+BOOST_AUTO_TEST_SUITE(test_criteria)
 
 namespace scenes = CGAL::Tandem::scenes;
 using namespace CGAL::Tandem::benchmark;

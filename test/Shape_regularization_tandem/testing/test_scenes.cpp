@@ -18,7 +18,7 @@
 #include <tuple>
 
 // Not `scenes`, which is a namespace here.
-BOOST_AUTO_TEST_SUITE(generated_scenes)
+BOOST_AUTO_TEST_SUITE(test_scenes)
 
 namespace scenes = CGAL::Tandem::scenes;
 using CGAL::Tandem::benchmark::Plane;
