@@ -303,34 +303,15 @@ Scene make_edge(int n, double side)
   return scene;
 }
 
-// The points of the scene along the curve, all with label 0.
-Fixture sorted(const Scene& scene, int k, std::vector<int>& face)
+// Whether the shape of all points splits; then each part has a face, and the larger one keeps the id.
+void check_scene(const std::string& name, const Scene& scene, bool splits)
 {
   std::vector<Grid_point> unsorted;
   for(const Truth& t : scene)
     unsorted.push_back(t.point);
   Fixture f;
-  Sequential_backend backend;
-  const Code_frame frame = make_code_frame(unsorted.data(), unsorted.size());
-  auto order = sort_along_curve(backend, {unsorted.data(), unsorted.size()}, frame);
-  f.cells = split_cells(backend, order, frame, 512);
-  for(const Host_sort_table::Entry& o : order) {
-    f.point.push_back(unsorted[o.index]);
-    face.push_back(scene[o.index].face);
-  }
-  const std::uint32_t size = std::uint32_t(scene.size());
-  f.label.assign(size, 0);
-  f.neighbor.resize(size * std::size_t(k));
-  find_neighbors(backend, f.point.data(), size, k, f.neighbor.data());
-  f.cloud = {f.point.data(), f.neighbor.data(), size, k, {f.point.data(), nullptr, nullptr}};
-  return f;
-}
-
-// Whether the shape of all points splits; then each part has a face, and the larger one keeps the id.
-void check_scene(const std::string& name, const Scene& scene, bool splits)
-{
-  std::vector<int> face;
-  const Fixture f = sorted(scene, 12, face);
+  const std::vector<std::size_t> order = set_points(f, unsorted, 12, 512);
+  f.label.assign(scene.size(), 0);
   on_body_backends([&](auto backend, const std::string& of) {
     const std::string where = name + ", " + of;
     Labeled_cloud<decltype(backend)> points(backend);
@@ -343,8 +324,9 @@ void check_scene(const std::string& name, const Scene& scene, bool splits)
     std::size_t of_face[2][2] = {{0, 0}, {0, 0}};
     for(std::size_t i = 0; i < label.size(); ++i) {
       CHECK_AT(label[i] <= 1, where + ": another label");
-      if(label[i] <= 1 && face[i] >= 0)
-        ++of_face[label[i]][face[i]];
+      const int face = scene[order[i]].face;
+      if(label[i] <= 1 && face >= 0)
+        ++of_face[label[i]][face];
     }
     const bool is_straight = of_face[0][1] + of_face[1][0] == 0, is_crossed = of_face[0][0] + of_face[1][1] == 0;
     check_equal(std::count(label.begin(), label.end(), 1u) > 0, splits, where + ": whether it splits");
