@@ -219,7 +219,7 @@ Edge_score score(const Edge& edge, const Shapes& shapes)
 // sigma.
 void check_edge(double degrees, double possible)
 {
-  const Edge edge = make_edge(degrees, 30000);
+  const Edge edge = make_edge(degrees, 60000);
   const std::string name = "edge of " + std::to_string(int(degrees)) + " degrees";
   const Edge_score s = score(edge, detect_valid(name, edge.cloud, points_only(epsilon, 200), Given::nothing));
   CHECK_AT(s.share() > possible - .03, name + ": share on the right side " + std::to_string(s.share()));
@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(blunt_edge) { check_edge(135, .856); }
 // A point beyond the edge has the normal of its face, so it stays there.
 BOOST_AUTO_TEST_CASE(given_normals)
 {
-  const Edge edge = make_edge(90, 30000);
+  const Edge edge = make_edge(90, 60000);
   const Edge_score s = score(edge, detect_valid("given normals", edge.cloud, make_parameters(epsilon, 200)));
   CHECK_AT(s.wrong == 0, "given normals: points on the wrong side: " + std::to_string(s.wrong));
   CHECK_AT(double(s.right) > .95 * edge.cloud.size() * 3 * sigma / width, "given normals: points are left out");

@@ -333,7 +333,6 @@ BOOST_AUTO_TEST_CASE(work)
 {
   check_growth("cells and directions", 40, count_of_pairs);
   check_growth("stars", 10, [](const Directions& d) { return count_of_stars(d, .14, .14); });
-  check_growth("narrow stars", 10, [](const Directions& d) { return count_of_stars(d, 1e-3, 1e-3); });
   check_growth("stars that bear little", 10, [](const Directions& d) { return count_of_stars(d, .14, 1e-3); });
   check_growth("partners", 10, count_of_partners);
   check_growth("unions", 10, count_of_unions);

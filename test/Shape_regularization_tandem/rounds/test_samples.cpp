@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Samples of shapes have the points of least hash, on several back ends; and merged samples are that of the union, in any
-// order, also where many shapes join one in the same round.
+// Samples of shapes have the points of least hash, on several back ends; and the sample of a union is that of all points,
+// also where many shapes join one in the same round. test_mutual_unions has unions of few.
 
 #include "testing/fragments.h"
 
@@ -45,46 +45,6 @@ BOOST_AUTO_TEST_CASE(samples)
   });
 }
 
-Grid_points random_points(int n, int low, std::mt19937& random)
-{
-  Grid_points points;
-  for(int i = 0; i < n; ++i)
-    points.push_back({low + int(random() % 1000), int(random() % 1000), int(random() % 20), upright});
-  return points;
-}
-
-void check_merge(const std::vector<int>& sizes)
-{
-  std::mt19937 random(5);
-  Grid_points all;
-  std::vector<Shape_sample> part;
-  for(int n : sizes) {
-    const Grid_points points = random_points(n, 0, random);
-    part.push_back(sample_of(points, std::uint32_t(all.size())));
-    all.insert(all.end(), points.begin(), points.end());
-  }
-  const Shape_sample expected = sample_of(all);
-  for(int repetition = 0; repetition < 20; ++repetition) {
-    std::shuffle(part.begin(), part.end(), random);
-    std::vector<Shape_sample> merged = part; // by pairs of neighbors, or all with the first one
-    for(std::size_t step = 1; step < merged.size(); step *= 2)
-      for(std::size_t i = 0; i + step < merged.size(); i += 2 * step)
-        merge_sample(merged[i], merged[i + step]);
-    CHECK_AT(are_equal(merged.front(), expected), "samples merged by pairs");
-    merged = part;
-    for(std::size_t i = 1; i < merged.size(); ++i)
-      merge_sample(merged.front(), merged[i]);
-    CHECK_AT(are_equal(merged.front(), expected), "samples merged one by one");
-  }
-}
-
-BOOST_AUTO_TEST_CASE(merged_samples)
-{
-  for(const std::vector<int>& sizes :
-      {std::vector<int>{0, 0}, {0, 5, 0, 1}, {1, 63, 64}, {64, 65, 300, 2, 1, 1, 40, 0, 7}, std::vector<int>(200, 3)})
-    check_merge(sizes);
-}
-
 // Many small fragments beside a large one, all exactly level. They join it in one round, and the second round finds no
 // pair.
 BOOST_AUTO_TEST_CASE(union_of_many)
@@ -96,9 +56,9 @@ BOOST_AUTO_TEST_CASE(union_of_many)
     Grid_points all;
     Link_list links;
     for(int i = 0; i <= many; ++i) {
-      Grid_points points = random_points(i == 0 ? 2000 : 5 + i, 1000 * i, random);
-      for(Grid_point& p : points)
-        p.z = 0;
+      Grid_points points;
+      for(int j = i == 0 ? 2000 : 5 + i; j > 0; --j)
+        points.push_back({1000 * i + int(random() % 1000), int(random() % 1000), 0, upright});
       fragments.add(points);
       all.insert(all.end(), points.begin(), points.end());
       if(i > 0)

@@ -226,38 +226,4 @@ BOOST_AUTO_TEST_CASE(surfaces)
   }
 }
 
-// Few points above a square. The price is saved, but the square would lose more than the few points are worth, although
-// all of them fit.
-BOOST_AUTO_TEST_CASE(dissolved)
-{
-  Points square, few;
-  for(int i = 0; i < 40; ++i)
-    square.point.push_back({i % 8 * 100, i / 8 * 175, 0, upright});
-  for(int i = 0; i < 20; ++i)
-    few.point.push_back({i % 5 * 175, i / 5 * 233, 75, upright});
-  square.finish(0);
-  few.finish(40);
-  const Options options = union_options(200);
-  const Slow_gain slow(options);
-  bool is_close = false;
-  const Verdict expected = slow.verdict(square, few, 0, is_close);
-  CHECK(expected.gain > 2 && !expected.is_accepted && !is_close);
-  CHECK(!verdict_of(Union_gain(options), {square.fitted, square.sample}, {few.fitted, few.sample}, 0).is_accepted);
-}
-
-// The rules for two shapes hold on every back end.
-BOOST_AUTO_TEST_CASE(unions)
-{
-  const auto one = areas(1000, .3, [](int, int) { return 0.; });
-  const auto layers = areas(
-    1000, 1 / 3., [](int, int) { return 1.1; }, true);
-  on_body_backends([&](auto backend, const std::string& name) {
-    Fragments<decltype(backend)> fragments(backend, 4);
-    for(const Points* s : {&one.first, &one.second, &layers.first, &layers.second})
-      fragments.add(s->point);
-    const auto result = unite(backend, fragments, {{1, 20}, {std::uint64_t(2) << 32 | 3, 20}});
-    CHECK_AT(to_vector(backend, result.member) == std::vector<std::uint32_t>({0, 1}), name);
-  });
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -94,6 +94,26 @@ struct Fixture {
   }
 };
 
+// Gives it these points along the curve, and their neighbors. Returns their order.
+inline std::vector<std::size_t> set_points(Fixture& f, const std::vector<Grid_point>& unsorted, int k,
+                                           std::size_t cell_size)
+{
+  Sequential_backend backend;
+  const Code_frame frame = make_code_frame(unsorted.data(), unsorted.size());
+  auto sorted = sort_along_curve(backend, {unsorted.data(), unsorted.size()}, frame);
+  f.cells = split_cells(backend, sorted, frame, cell_size);
+  std::vector<std::size_t> order;
+  for(const Host_sort_table::Entry& o : sorted) {
+    order.push_back(o.index);
+    f.point.push_back(unsorted[o.index]);
+  }
+  const std::uint32_t size = std::uint32_t(unsorted.size());
+  f.neighbor.resize(size * std::size_t(k));
+  find_neighbors(backend, f.point.data(), size, k, f.neighbor.data());
+  f.cloud = {f.point.data(), f.neighbor.data(), size, k, {f.point.data(), nullptr, nullptr}};
+  return order;
+}
+
 inline Fixture make_fixture(const std::string& name, std::size_t size, int k, std::size_t cell_size)
 {
   const scenes::Scene scene = scenes::make_scene(name, scene_options(size, .001, .1));
@@ -105,26 +125,18 @@ inline Fixture make_fixture(const std::string& name, std::size_t size, int k, st
   }
   Fixture f;
   f.name = name;
-  Sequential_backend backend;
-  const Code_frame frame = make_code_frame(unsorted.data(), size);
-  auto order = sort_along_curve(backend, {unsorted.data(), size}, frame);
-  f.cells = split_cells(backend, order, frame, cell_size);
   scenes::Random random(9);
   for(const scenes::Truth_face& face : scene.faces)
     f.plane.push_back(rounded({{face.normal.x, face.normal.y, face.normal.z}, -face.offset / step}));
-  for(const Host_sort_table::Entry& o : order) {
-    f.point.push_back(unsorted[o.index]);
+  for(const std::size_t i : set_points(f, unsorted, k, cell_size)) {
     const std::uint64_t dice = random.bits() % 100;
-    const std::int32_t truth = scene.label[o.index];
+    const std::int32_t truth = scene.label[i];
     f.label.push_back(dice < 5    ? std::uint32_t(random.bits() % f.plane.size())
                       : dice < 30 ? (dice < 8 ? locked_label : free_label)
                       : truth < 0 ? free_label
                                   : std::uint32_t(truth));
     f.state.push_back(std::uint8_t(random.bits() % 8));
   }
-  f.neighbor.resize(size * std::size_t(k));
-  find_neighbors(backend, f.point.data(), std::uint32_t(size), k, f.neighbor.data());
-  f.cloud = {f.point.data(), f.neighbor.data(), std::uint32_t(size), k, {f.point.data(), nullptr, nullptr}};
   f.lists = f.list_shapes(f.label);
   f.tolerance = make_tolerance(2500, cosine_deg(25));
   return f;

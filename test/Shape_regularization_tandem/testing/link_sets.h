@@ -38,7 +38,7 @@ public:
     for(std::size_t n : {0, 100, 4095, 30000})
       for(std::uint32_t ids : {2u, 8192u, 0xfffffff0u}) {
         const std::vector<Link> additions = random_additions(n, ids);
-        for(std::size_t size : {1, 16, 1024, 65536})
+        for(std::size_t size : {1, 1024, 65536})
           test_set(additions, size);
       }
     return wrong_;
@@ -109,7 +109,7 @@ private:
   void test_take(const Buffer<Link>& table, const Buffer<std::uint32_t>& lost, const Counts& expected, bool is_any_lost,
                  const std::string& where)
   {
-    for(std::uint32_t minimum : {1u, 2u, 700u, 0xffffffffu}) {
+    for(std::uint32_t minimum : {1u, 2u, 700u}) {
       const Buffer<Link> links =
         backend_.template collect<Link>(table.size(), Take_links{table.data(), lost.data(), minimum});
       if(is_any_lost) {

@@ -8,20 +8,16 @@
 
 #include <CGAL/Tandem/internal/base/types.h>
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
 #include <cstdlib>
 
 // The axis and sign of the largest component.
 inline int naive_side(const CGAL::Tandem::internal::Grid_point& p)
 {
-  const CGAL::Tandem::internal::Int_vector n = CGAL::Tandem::internal::decode_normal(p.normal);
-  const std::array<int, 3> v = {n.x, n.y, n.z};
-  int largest = 0;
-  for(int c = 1; c < 3; ++c)
-    if(std::abs(v[std::size_t(c)]) > std::abs(v[std::size_t(largest)]))
-      largest = c;
-  return 2 * largest + (v[std::size_t(largest)] < 0);
+  const auto n = CGAL::Tandem::internal::decode_normal(p.normal);
+  const int v[] = {n.x, n.y, n.z};
+  const int* const largest = std::max_element(v, v + 3, [](int a, int b) { return std::abs(a) < std::abs(b); });
+  return 2 * int(largest - v) + (*largest < 0);
 }
 
 #endif // CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_NAIVE_SIDE_H
