@@ -45,8 +45,9 @@ for path in sorted(pathlib.Path("include/CGAL/Tandem/internal").rglob("*.*")):
     path.write_text("\n".join(lines))
 END
 
-${CXX:-g++} -std=c++17 -O1 -include request.h -Iinclude "-I$tests" -I/usr/include/eigen3 \
-  "$tests/shapes/test_requests.cpp" "$tests"/scenes/*.cpp -lgmp -lmpfr -lpthread -o test_requests ||
+${CXX:-g++} -std=c++17 -O1 -DBOOST_TEST_DYN_LINK -include request.h -Iinclude "-I$tests" -I/usr/include/eigen3 \
+  "$tests/testing/main.cpp" "$tests/shapes/test_requests.cpp" "$tests"/scenes/*.cpp -lboost_unit_test_framework -lgmp \
+  -lmpfr -lpthread -o test_requests ||
   fail "the test does not compile"
 ./test_requests || fail "the test fails with all requests"
 superfluous=0
