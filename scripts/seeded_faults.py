@@ -71,18 +71,16 @@ def make_copy(folder, faults):
         path.chmod(0o755 if content.startswith(b"#!") else 0o644)
 
 
-def build(folder, generator):
-    """As the release build of test.sh, without benchmarks."""
+def build(folder):
+    """The preset dev."""
     cloud = folder / "build/examples/Shape_regularization_tandem/building.ply"
     subprocess.run([folder / "scripts/sample_cloud.sh", cloud])  # without it, examples of the building are not run
-    subprocess.run(["cmake", "-S", folder, "-B", folder / "build", *generator, "-DCMAKE_BUILD_TYPE=Release",
-                    "-DTANDEM_BUILD_TESTS=ON", "-DTANDEM_BUILD_EXAMPLES=ON", "-DTANDEM_BUILD_PYTHON=ON",
-                    "-DTANDEM_WITH_CUDA=OFF", "-DPython3_EXECUTABLE=/usr/bin/python3"], check=True)
+    subprocess.run(["cmake", "--preset", "dev", "-B", folder / "build"], cwd=folder, check=True)
     subprocess.run(["cmake", "--build", folder / "build", "-j", JOBS], check=True)
 
 
 def failed_tests(folder, number, *options):
-    run = subprocess.run(["ctest", "-j", JOBS, "-LE", "package|browser", "--timeout", str(LONGEST), *options],
+    run = subprocess.run(["ctest", "-j", JOBS, "-L", "quick", "--timeout", str(LONGEST), *options],
                          cwd=folder / "build", env={**os.environ, "TANDEM_FAULT": str(number)},
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     return re.findall(r"Test +#\d+: (\S+) .*\*\*\*(?!Skipped|Not Run)", run.stdout), run
@@ -95,13 +93,12 @@ def main():
     arguments.add_argument("--all", action="store_true", help="goes on where a test has noticed")
     arguments.add_argument("--exclude", default="^$", metavar="REGEX", help="tests that are not run")
     arguments.add_argument("--step", choices=["copy", "build", "run"], help="only this one of the three")
-    arguments.add_argument("-G", dest="generator", help="as for cmake")
     a = arguments.parse_args()
     folder, faults = pathlib.Path(a.folder).resolve(), list(read_faults())
     if a.step in (None, "copy"):
         make_copy(folder, faults)
     if a.step in (None, "build"):
-        build(folder, ["-G", a.generator] if a.generator else [])
+        build(folder)
     if a.step not in (None, "run"):
         return
     for file in (folder / "build").rglob("CTestTestfile.cmake"):  # a limit of a test itself is stronger than --timeout

@@ -4,6 +4,8 @@
 // The concepts of the back ends are complete and strict: the engine compiles with the archetypes, which have nothing
 // but what concepts.h lists, the back ends of the host are models, and what lacks one operation is none.
 
+#include "testing/checks.h"
+
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>
 #include <CGAL/Tandem/internal/backend/Serial_block.h>
 #include <CGAL/Tandem/internal/backend/archetypes.h>

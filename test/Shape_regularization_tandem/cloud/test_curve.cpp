@@ -4,6 +4,8 @@
 // The Hilbert curve: a bijection, octants are contiguous ranges at every level,
 // and consecutive codes belong to positions that share a face.
 
+#include "testing/checks.h"
+
 #include <CGAL/Tandem/internal/cloud/sort_along_curve.h>
 
 #include <cstdio>

@@ -3,6 +3,7 @@
 //
 // find_neighbors() against brute force, and between the back ends of the host.
 
+#include "testing/checks.h"
 #include "testing/neighbor_clouds.h"
 
 #include <CGAL/Tandem/internal/backend/Sequential_backend.h>

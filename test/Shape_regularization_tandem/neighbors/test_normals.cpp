@@ -10,6 +10,7 @@
 #include <CGAL/Tandem/internal/neighbors/estimate_normals.h>
 #include <CGAL/Tandem/internal/neighbors/find_neighbors.h>
 
+#include "testing/checks.h"
 #include "testing/turned_box.h"
 
 #include <algorithm>
