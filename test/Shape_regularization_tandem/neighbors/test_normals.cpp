@@ -191,7 +191,7 @@ void test_flat()
 // thickness() and plane_normal() against Jacobi, from round to flat to thin.
 void test_solver()
 {
-  Random random = {5};
+  Random random(5);
   for(int i = 0; i < 20000; ++i) {
     const int bits[3] = {int(random.below(20)), int(random.below(20)), int(random.below(20))};
     Neighborhood_sum sum;

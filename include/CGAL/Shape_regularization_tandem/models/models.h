@@ -46,7 +46,7 @@ struct Surface_table {
 
 // Of at most this number of planes that have points.
 CGAL_TANDEM_MODELS_INLINE Surface_table surface_table(const std::vector<Position>& points, const Shapes_data& data,
-                                                      std::size_t most_planes, const Vector& up);
+                                                      std::size_t most_planes, const internal::Vector& up);
 
 } // namespace surface
 
