@@ -12,6 +12,11 @@
 #include <CGAL/Shape_regularization_tandem/models/outlines/Outline_draft.h>
 #include <CGAL/Shape_regularization_tandem/polygons.h>
 
+#include <CGAL/Polygon_2_algorithms.h>
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+
 #include <cmath>
 #include <string>
 
@@ -34,26 +39,18 @@ double signed_area(const std::vector<Flat>& loop)
   return area / 2;
 }
 
-// Segments meet at the common corners of consecutive ones only.
+// Loops are simple, and have no point in common.
 void check_apart(const std::vector<std::vector<Flat>>& loops, const std::string& where)
 {
-  struct Edge {
-    outlines::Kernel::Segment_2 segment;
-    std::size_t loop, position;
-  };
-  std::vector<Edge> edges;
-  for(std::size_t l = 0; l < loops.size(); ++l)
-    for(std::size_t i = 0; i < loops[l].size(); ++i)
-      edges.push_back({{loops[l][i], loops[l][(i + 1) % loops[l].size()]}, l, i});
-  for(std::size_t a = 0; a < edges.size(); ++a)
-    for(std::size_t b = 0; b < a; ++b) {
-      const std::size_t n = loops[edges[a].loop].size(), apart = edges[a].position - edges[b].position;
-      if(edges[a].loop == edges[b].loop && (apart == 1 || apart == n - 1)) {
-        CHECK_AT(n > 2, where);
-        continue;
-      }
-      CHECK_AT(!CGAL::do_intersect(edges[a].segment, edges[b].segment), where);
-    }
+  using Segment = outlines::Kernel::Segment_2;
+  const auto edge = [](const std::vector<Flat>& l, std::size_t i) { return Segment(l[i], l[(i + 1) % l.size()]); };
+  for(std::size_t a = 0; a < loops.size(); ++a) {
+    CHECK_AT(CGAL::is_simple_2(loops[a].begin(), loops[a].end(), outlines::Kernel()), where);
+    for(std::size_t b = 0; b < a; ++b)
+      for(std::size_t i = 0; i < loops[a].size(); ++i)
+        for(std::size_t j = 0; j < loops[b].size(); ++j)
+          CHECK_AT(!CGAL::do_intersect(edge(loops[a], i), edge(loops[b], j)), where);
+  }
 }
 
 // Returns the area.
@@ -128,7 +125,7 @@ struct Generator {
   }
 };
 
-void check_points()
+BOOST_AUTO_TEST_CASE(points_in_a_plane)
 {
   Generator g{std::mt19937(5)};
   std::vector<Flat> step, apart, line, equal(50, Flat(1, 2)), crossed;
@@ -150,7 +147,7 @@ void check_points()
 }
 
 // Clusters of all densities, lines, lattices and equal points.
-void check_random_points(int run)
+BOOST_DATA_TEST_CASE(random_points, boost::unit_test::data::xrange(60), run)
 {
   Generator g{std::mt19937(unsigned(run))};
   std::vector<Flat> points;
@@ -216,7 +213,7 @@ double longest_common_edge(const Shapes& shapes, const Areas& areas, std::size_t
   return longest;
 }
 
-void check_scene()
+BOOST_AUTO_TEST_CASE(areas_of_a_scene)
 {
   const Cloud points = make_scene();
   const Shapes shapes = detect(points, make_parameters(.02, 300));
@@ -237,7 +234,7 @@ void check_scene()
 // --- Many shapes
 
 // Where ten times as many shapes are, the work is ten times as much.
-void check_growth()
+BOOST_AUTO_TEST_CASE(work_grows_with_the_shapes)
 {
   const auto work = [](const Many_shapes& scene) {
     const outlines::Border_finder finder(scene.shapes, outlines::Unit(scene.points, scene.shapes), scene.all);
@@ -255,15 +252,6 @@ void check_growth()
     const double few = work(Many_shapes(number, has_floor)), many = work(Many_shapes(10 * number, has_floor));
     CHECK_AT(many < 11 * few, std::to_string(few) + ' ' + std::to_string(many));
   }
-}
-
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  check_growth();
-  check_points();
-  for(int run = 0; run < 60; ++run)
-    check_random_points(run);
-  check_scene();
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -148,39 +148,22 @@ private:
         }
   }
 
-  // Edges meet at the common corners of consecutive ones only.
   void check_apart(const std::vector<Flat_ring>& rings)
   {
-    struct Edge {
-      Flat p, q;
-      std::size_t ring, position;
-    };
-    std::vector<Edge> edges;
-    for(std::size_t r = 0; r < rings.size(); ++r)
-      for(std::size_t i = 0; i < rings[r].size(); ++i)
-        edges.push_back({rings[r][i], rings[r][(i + 1) % rings[r].size()], r, i});
-    for(std::size_t a = 0; a < edges.size(); ++a) {
-      const Edge& e = edges[a];
-      expect(e.p != e.q, "equal corners");
-      for(std::size_t b = 0; b < a && e.p != e.q; ++b) {
-        const Edge& f = edges[b];
-        const std::size_t n = rings[e.ring].size();
-        if(!CGAL::do_overlap(e.p.bbox() + e.q.bbox(), f.p.bbox() + f.q.bbox()) || f.p == f.q)
-          continue;
-        const bool is_next = e.ring == f.ring && (f.position + 1) % n == e.position;
-        const bool is_previous = e.ring == f.ring && (e.position + 1) % n == f.position;
-        if(is_next || is_previous)
-          expect(!is_spike(is_next ? f.p : e.p, is_next ? e.p : f.p, is_next ? e.q : f.q), "spike");
-        else
-          expect(!CGAL::do_intersect(program::Kernel::Segment_2(e.p, e.q), program::Kernel::Segment_2(f.p, f.q)),
-                 "rings touch or cross");
-      }
+    for(std::size_t a = 0; a < rings.size(); ++a) {
+      expect(CGAL::is_simple_2(rings[a].begin(), rings[a].end(), program::Kernel()),
+             "a ring touches or crosses itself");
+      for(std::size_t b = 0; b < a; ++b)
+        for(std::size_t i = 0; i < rings[a].size(); ++i)
+          for(std::size_t j = 0; j < rings[b].size(); ++j)
+            expect(!do_meet(edge(rings[a], i), edge(rings[b], j)), "rings touch or cross");
     }
   }
-
-  static bool is_spike(const Flat& p, const Flat& q, const Flat& r)
+  using Segment = program::Kernel::Segment_2;
+  static Segment edge(const Flat_ring& ring, std::size_t i) { return {ring[i], ring[(i + 1) % ring.size()]}; }
+  static bool do_meet(const Segment& e, const Segment& f)
   {
-    return CGAL::collinear(p, q, r) && !CGAL::collinear_are_strictly_ordered_along_line(p, q, r);
+    return CGAL::do_overlap(e.bbox(), f.bbox()) && CGAL::do_intersect(e, f);
   }
 
   // Holes are inside of their polygon and outside of each other, polygons outside of others or in their holes.

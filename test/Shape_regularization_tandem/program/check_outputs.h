@@ -66,28 +66,22 @@ inline void check_points(const Output_case& c, std::size_t s, const Written_shap
 
 inline Written_shapes check_polygons(const Output_case& c, Totals& totals)
 {
-  using Seen_from = Polygon_checker::Seen_from;
   const Written_shapes shapes = read_geojson(text_of_polygons(c, "a.geojson", Faces_of_file::polygons));
   CHECK_AT(shapes.size() == c.shapes.number_of_shapes(), c.name);
   for(std::size_t s = 0; s < shapes.size(); ++s) {
     check_none(Polygon_checker(c.shapes, s).violations(shapes[s]), c, "shape " + std::to_string(s));
     check_points(c, s, shapes[s], totals);
   }
+  const auto check_faces = [&](const std::string& path, Faces_of_file kind, Polygon_checker::Seen_from side) {
+    const std::string text = text_of_polygons(c, path, kind);
+    const Written_shapes faces = path == "a.obj" ? read_obj(text) : read_geojson(text);
+    CHECK_AT(faces.size() == shapes.size(), c.name + ' ' + path);
+    for(std::size_t s = 0; s < faces.size(); ++s)
+      check_none(Polygon_checker(c.shapes, s, side).violations_of_faces(faces[s], shapes[s].area), c, path);
+  };
+  check_faces("a.geojson", Faces_of_file::triangles, Polygon_checker::Seen_from::above);
   for(Faces_of_file kind : {Faces_of_file::polygons, Faces_of_file::triangles})
-    for(const std::string path : {"a.geojson", "a.ply", "a.obj", "a.off"}) {
-      if(path == "a.geojson" && kind == Faces_of_file::polygons)
-        continue;
-      const std::string text = text_of_polygons(c, path, kind);
-      const Written_shapes faces = path == "a.ply"   ? read_ply(text, shapes.size())
-                                   : path == "a.obj" ? read_obj(text)
-                                   : path == "a.off" ? read_off(text, shapes.size())
-                                                     : read_geojson(text);
-      CHECK_AT(faces.size() == shapes.size(), c.name + ' ' + path);
-      for(std::size_t s = 0; s < faces.size(); ++s)
-        check_none(Polygon_checker(c.shapes, s, path == "a.geojson" ? Seen_from::above : Seen_from::outside)
-                     .violations_of_faces(faces[s], shapes[s].area),
-                   c, path);
-    }
+    check_faces("a.obj", kind, Polygon_checker::Seen_from::outside);
   return shapes;
 }
 
@@ -110,13 +104,6 @@ inline void check_view(const Output_case& c, const Written_shapes& polygons)
   for(const char* name : {"coefficients", "centroid", "mean_distance", "turned_deg", "shifted"})
     for(const Json& number : scene.at("shapes").at(name))
       CHECK_AT(number.is_number(), c.name + ' ' + name);
-}
-
-inline void check_report(const Output_case& c)
-{
-  std::ostringstream out;
-  program::write_report(out, c.shapes, program::Run());
-  CHECK_AT(Json::parse(out.str()).at("counts").at("shapes") == c.shapes.number_of_shapes(), c.name);
 }
 
 // Numbers or words after a key, and each point in one group at most.
@@ -156,7 +143,9 @@ inline void check_outputs(const Output_case& c, Totals& totals)
   totals.shapes += c.shapes.number_of_shapes();
   try {
     check_view(c, check_polygons(c, totals));
-    check_report(c);
+    std::ostringstream report;
+    program::write_report(report, c.shapes, program::Run());
+    CHECK_AT(Json::parse(report.str()).at("counts").at("shapes") == c.shapes.number_of_shapes(), c.name);
     check_vg(c);
     check_vg({c.name + ", by plane", c.points, program::joined_shapes(c.points, c.shapes)});
   } catch(const std::exception& e) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What files of polygons have in them, read as other programs read it.
+// What files of polygons have in them, read as other programs read it. PLY and OFF have the mesh of OBJ: test_scene.py.
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_WRITTEN_POLYGONS_H
@@ -13,8 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -97,90 +95,9 @@ inline Written_shapes read_obj(const std::string& text)
       Ring ring;
       for(std::size_t corner; in >> corner;)
         ring.push_back(vertices.at(corner - 1));
-      result.at(result.size() - 1).polygons.push_back({{ring}});
+      result.back().polygons.push_back({{ring}});
     }
   }
-  return result;
-}
-
-// The colors are those of the shapes.
-inline Written_shapes read_off(const std::string& text, std::size_t number_of_shapes)
-{
-  Written_shapes result(number_of_shapes);
-  std::map<program::Color, std::size_t> shape_of;
-  for(std::size_t s = number_of_shapes; s > 0; --s)
-    shape_of[program::color_of_shape(int(s) - 1)] = s - 1;
-  std::istringstream in(text);
-  std::string word;
-  std::getline(in, word);
-  std::getline(in, word);
-  std::size_t number_of_vertices, number_of_faces, edges;
-  in >> number_of_vertices >> number_of_faces >> edges;
-  std::vector<Position> vertices(number_of_vertices);
-  for(Position& p : vertices)
-    for(double& x : p) {
-      in >> word;
-      x = number_of(word);
-    }
-  for(; number_of_faces > 0; --number_of_faces) {
-    std::size_t count, corner;
-    Ring ring;
-    for(in >> count; count > 0 && in >> corner; --count)
-      ring.push_back(vertices.at(corner));
-    int r, g, b;
-    in >> r >> g >> b;
-    const program::Color color = {std::uint8_t(r), std::uint8_t(g), std::uint8_t(b)};
-    result.at(shape_of.at(color)).polygons.push_back({{ring}});
-  }
-  if(!in || in >> word)
-    throw std::runtime_error("not as many numbers as the header says");
-  return result;
-}
-
-class Ply_bytes {
-public:
-  explicit Ply_bytes(const std::string& text) : text_(text), position_(text.find("end_header\n") + 11) {}
-
-  template <class T>
-  T next()
-  {
-    T value;
-    std::memcpy(&value, text_.substr(position_, sizeof value).data(), sizeof value);
-    position_ += sizeof value;
-    return value;
-  }
-
-  std::size_t count_of(const std::string& element) const
-  {
-    return std::size_t(std::atol(text_.c_str() + text_.find("element " + element + ' ') + 9 + element.size()));
-  }
-  bool has(const std::string& line) const { return text_.find(line) < position_; }
-  bool is_at_end() const { return position_ == text_.size(); }
-
-private:
-  const std::string& text_;
-  std::size_t position_;
-};
-
-inline Written_shapes read_ply(const std::string& text, std::size_t number_of_shapes)
-{
-  Written_shapes result(number_of_shapes);
-  Ply_bytes bytes(text);
-  std::vector<Position> vertices(bytes.count_of("vertex"));
-  for(Position& p : vertices)
-    for(double& x : p)
-      x = bytes.next<double>();
-  const bool is_small = bytes.has("property list uchar int");
-  for(std::size_t f = bytes.count_of("face"); f > 0; --f) {
-    Ring ring;
-    for(int n = is_small ? int(bytes.next<std::uint8_t>()) : bytes.next<std::int32_t>(); n > 0; --n)
-      ring.push_back(vertices.at(std::size_t(bytes.next<std::int32_t>())));
-    for(int channel = 0; channel < 3; ++channel)
-      bytes.next<std::uint8_t>();
-    result.at(std::size_t(bytes.next<std::int32_t>())).polygons.push_back({{ring}});
-  }
-  if(!bytes.is_at_end())
-    throw std::runtime_error("more bytes than the header says");
   return result;
 }
 

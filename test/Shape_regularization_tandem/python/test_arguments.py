@@ -23,6 +23,7 @@ def test_other_layouts_have_the_same_result():
     assert hash_of(np.asfortranarray(points), np.asfortranarray(normals)) == expected
     assert hash_of(points.astype(">f8"), normals) == expected
     every_other = np.repeat(points, 2, axis=0)[::2]
+    every_other.flags.writeable = False
     assert hash_of(every_other, normals.tolist()) == expected
 
 
@@ -57,12 +58,6 @@ def test_a_cloud_in_place_of_its_points():
         tandem.detect_planes(Cloud())
 
 
-def test_read_only_arrays():
-    points = room()[0].copy()
-    points.flags.writeable = False
-    assert hash_of(points, room()[1]) == shapes_of_room().hash
-
-
 def test_masked_numbers_are_not_finite():
     points, normals = (np.ma.array(array) for array in room())
     assert hash_of(points, normals) == shapes_of_room().hash  # nothing is masked
@@ -71,10 +66,11 @@ def test_masked_numbers_are_not_finite():
     masked = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
     plain = tandem.detect_planes(points.filled(np.nan), normals.filled(np.inf), maximum_distance=MAXIMUM_DISTANCE)
     assert masked.hash == plain.hash
-    assert masked.labels[[5, 7, 9]].tolist() == [-1, -1, -1]
+    assert len(masked) == 6 and masked.labels[[5, 7, 9]].tolist() == [-1, -1, -1]
     assert masked.statistics["number_of_ignored_coordinates"] == 2
     assert masked.statistics["number_of_ignored_normals"] == 1
     assert tandem.find_violation(points, masked) is None
+    assert tandem.detect_planes(points[:100]).normals[5].tolist() == [0, 0, 0]
     whole = np.ma.array([[1, 2, 3], [4, 5, 6]], mask=[[0, 0, 1], [0, 0, 0]])
     for rows in (whole, [whole[0], whole[1]]):
         assert tandem.detect_planes(rows).statistics["number_of_ignored_coordinates"] == 1
@@ -98,19 +94,6 @@ def test_few_points():
         shapes = tandem.detect_planes(np.zeros((n, 3)))
         assert (len(shapes), shapes.labels.shape, shapes.normals.shape) == (0, (n,), (n, 3))
         assert (shapes.planes.shape, shapes.orthogonal_pairs.shape) == ((0, 4), (0, 2))
-
-
-def test_points_that_are_not_finite():
-    points, normals = (array.copy() for array in room())
-    points[5, 1] = np.nan
-    points[6, 2] = np.inf
-    normals[7] = 0
-    shapes = tandem.detect_planes(points, normals, maximum_distance=MAXIMUM_DISTANCE)
-    assert shapes.labels[5:8].tolist() == [-1, -1, -1]
-    assert shapes.statistics["number_of_ignored_coordinates"] == 2
-    assert shapes.statistics["number_of_ignored_normals"] == 1
-    assert len(shapes) == 6
-    assert tandem.detect_planes(points[:100]).normals[5].tolist() == [0, 0, 0]
 
 
 def test_out_of_range():

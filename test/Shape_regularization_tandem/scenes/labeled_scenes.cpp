@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "labeled_scenes.h"
-#include "frame_models.h"
 #include "sensor.h"
 
 namespace CGAL::Tandem::scenes {
@@ -37,6 +36,8 @@ struct Noise {
 };
 constexpr Noise noises[] = {{0, 0.015, 0.02, cosine_9}, {5, 0.02, 0.025, cosine_9}, {10, 0.035, 0.045, cosine_8}};
 
+std::string in_name(const Noise& noise) { return "-" + std::to_string(noise.millimetres) + "mm"; }
+
 struct Room {
   std::string name;
   Model (*make)();
@@ -51,13 +52,8 @@ Labeled_scene scanned_room(const std::string& group, const Room& room, unsigned 
     sensor.noise = 1e-3 * noise.millimetres;
     return scan(model, sensor);
   };
-  const std::size_t minimum = columns == 100 ? 40 : 150;
-  return {group,
-          room.name + "-" + std::to_string(columns) + "-" + std::to_string(noise.millimetres) + "mm",
-          make,
-          noise.scanner_epsilon,
-          noise.alpha_deg,
-          minimum};
+  const std::string name = room.name + "-" + std::to_string(columns) + in_name(noise);
+  return {group, name, make, noise.scanner_epsilon, noise.alpha_deg, columns == 100 ? 40u : 150u};
 }
 
 struct View {
@@ -75,12 +71,7 @@ Labeled_scene depth_image(const View& view, const Noise& noise)
     sensor.noise = 1e-3 * noise.millimetres;
     return scan(make_office(), sensor);
   };
-  return {"camera",
-          "camera-" + view.name + "-" + std::to_string(noise.millimetres) + "mm",
-          make,
-          noise.camera_epsilon,
-          noise.alpha_deg,
-          150};
+  return {"camera", "camera-" + view.name + in_name(noise), make, noise.camera_epsilon, noise.alpha_deg, 150};
 }
 
 // About 28, 9 and 3 points a square metre.
@@ -90,22 +81,15 @@ Labeled_scene roof(const std::string& kind, unsigned points)
     Frame pose = Frame().turned({0, 0, 1}, 0.17).at({-2, -5, 30});
     const double width = 18, depth = 17;
     const double pixels = std::sqrt(points * width * depth / 108.);
-    Sensor sensor = {Sensor_kind::aerial,
-                     pose,
-                     unsigned(pixels * std::sqrt(width / depth)),
-                     unsigned(pixels * std::sqrt(depth / width)),
-                     width,
-                     depth};
+    const unsigned columns = unsigned(pixels * std::sqrt(width / depth)),
+                   rows = unsigned(pixels * std::sqrt(depth / width));
+    Sensor sensor = {Sensor_kind::aerial, pose, columns, rows, width, depth};
     sensor.noise = 0.03;
     return scan(make_roof(kind), sensor);
   };
   const std::size_t minimum = points >= 3000 ? 30 : points >= 1000 ? 15 : 10;
-  return {points < 1000 ? "sparse roofs" : "roofs",
-          "roof-" + kind + "-" + std::to_string(points),
-          make,
-          0.15,
-          cosine_9,
-          minimum};
+  const std::string group = points < 1000 ? "sparse roofs" : "roofs";
+  return {group, "roof-" + kind + "-" + std::to_string(points), make, 0.15, cosine_9, minimum};
 }
 
 struct Scene_kind {
@@ -127,14 +111,8 @@ Labeled_scene scene(const Scene_kind& kind, std::size_t points, std::uint64_t se
     o.seed = seed;
     return make_scene(kind.model, o);
   };
-  return {kind.name,
-          kind.name + "-" + std::to_string(seed),
-          make,
-          kind.epsilon,
-          kind.alpha_deg,
-          points / 1000,
-          kind.normal_noise_deg,
-          seed};
+  const std::string name = kind.name + "-" + std::to_string(seed);
+  return {kind.name, name, make, kind.epsilon, kind.alpha_deg, points / 1000, kind.normal_noise_deg, seed};
 }
 
 struct Layers {

@@ -7,7 +7,6 @@
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_TWINS_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENE_TWINS_H
 
-#include "scene_outdoors.h"
 #include "scenes.h"
 
 namespace CGAL::Tandem::scenes {

@@ -169,67 +169,55 @@ Scene make_scene(const Model& model, const Options& options)
 
 namespace {
 
-// Uniform noise in the unit cube, without any surface.
-Scene make_noise(const Options& options)
-{
-  Options all = options;
-  all.outliers = 2;
-  Scene scene = make_scene(make_cube(), all);
-  scene.faces.clear();
-  return scene;
-}
+struct Named_model {
+  std::string name;
+  Model (*make)();
+};
+const Named_model models[] = {{"house", make_house},
+                              {"village", make_village},
+                              {"indoor", make_indoor},
+                              {"part", make_part},
+                              {"cube", [] { return make_cube(); }},
+                              {"tilted_cube", [] { return make_tilted_cube(); }},
+                              {"staircase", [] { return make_staircase(); }},
+                              {"squares_gap", [] { return make_squares(.5); }},
+                              {"squares_touching", [] { return make_squares(0); }},
+                              {"slope", [] { return make_slope(); }},
+                              {"chained", [] { return make_chained(); }},
+                              {"two_followers", make_two_followers},
+                              {"offset_pair", [] { return make_offset_pair(.05); }},
+                              {"sphere", make_sphere},
+                              {"noise", [] { return make_cube(); }}, // where it is
+                              {"bent_hall", make_bent_hall},
+                              {"bent_road", make_bent_road}};
 
 } // namespace
 
-const std::vector<std::string>& scene_names()
+std::vector<std::string> scene_names()
 {
-  static const std::vector<std::string> names = {
-    "house",       "village",          "indoor",   "part",    "cube",          "tilted_cube", "staircase",
-    "squares_gap", "squares_touching", "slope",    "chained", "two_followers", "offset_pair", "sphere",
-    "noise",       "bent_hall",        "bent_road"};
+  std::vector<std::string> names;
+  for(const Named_model& model : models)
+    names.push_back(model.name);
   return names;
 }
 
 Model make_model(const std::string& name)
 {
-  if(name == "house")
-    return make_house();
-  if(name == "village")
-    return make_village();
-  if(name == "indoor")
-    return make_indoor();
-  if(name == "part")
-    return make_part();
-  if(name == "cube")
-    return make_cube();
-  if(name == "tilted_cube")
-    return make_tilted_cube();
-  if(name == "staircase")
-    return make_staircase();
-  if(name == "squares_gap")
-    return make_squares(0.5);
-  if(name == "squares_touching")
-    return make_squares(0);
-  if(name == "slope")
-    return make_slope();
-  if(name == "chained")
-    return make_chained();
-  if(name == "two_followers")
-    return make_two_followers();
-  if(name == "offset_pair")
-    return make_offset_pair(0.05);
-  if(name == "sphere")
-    return make_sphere();
-  if(name == "bent_hall")
-    return make_bent_hall();
-  if(name == "bent_road")
-    return make_bent_road();
+  for(const Named_model& model : models)
+    if(model.name == name)
+      return model.make();
   throw std::invalid_argument("unknown scene: " + name);
 }
 
 Scene make_scene(const std::string& name, const Options& options)
 {
-  return name == "noise" ? make_noise(options) : make_scene(make_model(name), options);
+  if(name != "noise")
+    return make_scene(make_model(name), options);
+  Options all = options; // uniform noise in the unit cube, without any surface
+  all.outliers = 2;
+  Scene scene = make_scene(make_cube(), all);
+  scene.faces.clear();
+  return scene;
 }
 
 } // namespace CGAL::Tandem::scenes

@@ -1,17 +1,14 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Point clouds with ground truth, sampled from the models of scene_buildings.h,
-// scene_analytic.h and scene_bent.h: with noise, outliers, the density of a scanner, and
+// Point clouds with ground truth, sampled from the models of scene_models.h: with noise, outliers, the density of a scanner, and
 // normals that are exact, perturbed, or absent. The same options give the same
 // bits on every machine. (Normals as a neighborhood fit blends them at edges: scene_normals.h.)
 
 #ifndef CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENES_H
 #define CGAL_SHAPE_REGULARIZATION_TANDEM_TEST_SCENES_H
 
-#include "scene_analytic.h"
-#include "scene_bent.h"
-#include "scene_buildings.h"
+#include "scene_models.h"
 
 #include <stdexcept>
 #include <string>
@@ -93,7 +90,7 @@ Vec perturbed(const Vec& normal, double degrees, Random& random);
 
 Scene make_scene(const Model& model, const Options& options);
 
-const std::vector<std::string>& scene_names();
+std::vector<std::string> scene_names();
 
 Model make_model(const std::string& name);
 

@@ -7,6 +7,9 @@
 
 #include <CGAL/Shape_regularization_tandem/models/surface/Cell_cutter.h>
 
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+
 #include <random>
 #include <set>
 
@@ -59,7 +62,7 @@ void cut_all(Cell_cutter& cutter, const Coefficients& plane)
 }
 
 // Of planes in general position, the number of cells is known.
-void check_random(unsigned seed)
+BOOST_DATA_TEST_CASE(planes_in_general_position, boost::unit_test::data::xrange(1u, 6u), seed)
 {
   std::mt19937 random(seed);
   const auto uniform = [&] { return double(random() >> 8) / double(1 << 24); };
@@ -74,7 +77,7 @@ void check_random(unsigned seed)
 }
 
 // Many planes through common lines and points, which only exact numbers see.
-void check_degenerate()
+BOOST_AUTO_TEST_CASE(degenerate_planes)
 {
   Cell_cutter cutter(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1));
   const double third = 1. / 3;
@@ -99,7 +102,7 @@ void check_degenerate()
 }
 
 // A cut through one cell only: its neighbors get vertices on their edges.
-void check_one_cell()
+BOOST_AUTO_TEST_CASE(one_cell)
 {
   Cell_cutter cutter(CGAL::Bbox_3(0, 0, 0, 1, 1, 1));
   cutter.split(0, cutter.add_plane({1, 0, 0, -.5}));
@@ -109,14 +112,6 @@ void check_one_cell()
   CHECK(cells.facets_of(0).size() == 7); // two in the plane of the cut
   check_cells(cells, 1, "one cell");
   CHECK(cutter.section(1, cutter.add_plane({0, 0, 1, -.5})).size() == 8); // each edge in both of its facets
-}
-
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  for(unsigned seed = 1; seed <= 5; ++seed)
-    check_random(seed);
-  check_degenerate();
-  check_one_cell();
 }
 
 BOOST_AUTO_TEST_SUITE_END()

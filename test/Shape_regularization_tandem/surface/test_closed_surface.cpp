@@ -10,7 +10,7 @@
 BOOST_AUTO_TEST_SUITE(test_closed_surface)
 
 // Copies of points change nothing.
-void check_copies()
+BOOST_AUTO_TEST_CASE(copies_of_points)
 {
   std::vector<Epick::Point_3> points;
   for(const Box_point& item : make_box_cloud(400))
@@ -23,7 +23,7 @@ void check_copies()
 }
 
 // Six faces in every kernel and in every unit.
-void check_box()
+BOOST_AUTO_TEST_CASE(six_faces)
 {
   const Surface box = surface_of_box<Epick>(1, np::point_map(First<Epick>()));
   CHECK(box.points.size() == 8 && box.faces.size() == 6 && box.number_of_planes == 6);
@@ -49,7 +49,7 @@ void check_throws(Function f, const std::string& what)
   }
 }
 
-void check_refusals()
+BOOST_AUTO_TEST_CASE(refusals)
 {
   const Pairs<Epick> cloud = make_pairs<Epick>(make_box_cloud(100));
   const auto list = np::point_map(First<Epick>());
@@ -67,12 +67,6 @@ void check_refusals()
   CHECK(CGAL::Tandem::closed_surface(Found_shapes(), std::vector<Epick::Point_3>()).is_empty());
 }
 
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  check_box();
-  check_refusals();
-  check_copies();
-  check_random_scenes(20, np::maximum_number_of_planes(40));
-}
+BOOST_AUTO_TEST_CASE(random_scenes) { check_random_scenes(20, np::maximum_number_of_planes(40)); }
 
 BOOST_AUTO_TEST_SUITE_END()

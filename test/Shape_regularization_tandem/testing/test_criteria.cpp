@@ -33,15 +33,25 @@ std::size_t degrees_of_freedom(const std::vector<Vec>& normals)
   return Plane_relations(planes_with_normals(normals), relaxed_relations(1, {0, 0, 0})).degrees_of_freedom();
 }
 
-BOOST_AUTO_TEST_CASE(cube_has_complexity_9_of_18)
+scenes::Scene sample(const std::string& name, std::size_t points = 6000)
 {
   scenes::Options options;
-  options.points = 6000;
-  scenes::Scene scene = scenes::make_scene("cube", options);
-  Detection perfect{scene.label, {}};
+  options.points = points;
+  return scenes::make_scene(name, options);
+}
+
+Detection perfect(const scenes::Scene& scene)
+{
+  Detection detection{scene.label, {}};
   for(const scenes::Truth_face& f : scene.faces)
-    perfect.planes.push_back({f.normal, f.offset});
-  Criteria c = evaluate(scene.points, scene.normals, perfect, {0.01, 25});
+    detection.planes.push_back({f.normal, f.offset});
+  return detection;
+}
+
+BOOST_AUTO_TEST_CASE(cube_has_complexity_9_of_18)
+{
+  const scenes::Scene scene = sample("cube");
+  Criteria c = evaluate(scene.points, scene.normals, perfect(scene), {0.01, 25});
   BOOST_TEST(c.shapes == 6u);
   BOOST_TEST(c.relations.directions == 3u);
   BOOST_TEST(c.relations.planes == 6u);
@@ -246,31 +256,19 @@ BOOST_AUTO_TEST_CASE(planes_are_distinct_by_their_points)
 const std::vector<Plane> two_planes = {{{0, 0, 1}, 0}, {{1, 0, 0}, -1}};
 const Detection first{{0, 0, 0, 0, 1, 1, 1, 1, -1, -1}, two_planes};
 
-BOOST_AUTO_TEST_CASE(equal_runs_have_no_spread)
+// Of the partition, and of the bits of the planes.
+BOOST_AUTO_TEST_CASE(what_runs_have_in_common)
 {
-  Spread spread = evaluate_spread({first, first, first});
-  BOOST_TEST(spread.is_same);
-  BOOST_TEST(spread.relabeled == 0.0);
-  BOOST_TEST(evaluate_spread({}).is_same);
-  BOOST_TEST(evaluate_spread({first}).relabeled == 0.0);
-}
-
-BOOST_AUTO_TEST_CASE(renumbered_shapes_are_other_bits_but_the_same_partition)
-{
-  Detection renumbered{{1, 1, 1, 1, 0, 0, 0, 0, -1, -1}, {two_planes[1], two_planes[0]}};
-  Spread spread = evaluate_spread({first, renumbered});
-  BOOST_TEST(!spread.is_same);
-  BOOST_TEST(spread.relabeled == 0.0);
-}
-
-BOOST_AUTO_TEST_CASE(the_last_bit_of_a_plane_counts)
-{
-  Detection moved = first;
+  Detection moved = first, tilted = first;
   moved.planes[1].offset = std::nextafter(-1.0, 0.0);
-  BOOST_TEST(!evaluate_spread({first, moved}).is_same);
-  moved = first;
-  moved.planes[0].normal.y = 1e-300;
-  BOOST_TEST(!evaluate_spread({first, moved}).is_same);
+  tilted.planes[0].normal.y = 1e-300;
+  const Detection renumbered{{1, 1, 1, 1, 0, 0, 0, 0, -1, -1}, {two_planes[1], two_planes[0]}};
+  for(const auto& runs : std::vector<std::vector<Detection>>{
+        {}, {first}, {first, first, first}, {first, moved}, {first, tilted}, {first, renumbered}}) {
+    const Spread spread = evaluate_spread(runs);
+    BOOST_TEST(spread.is_same == (runs.size() != 2));
+    BOOST_TEST(spread.relabeled == 0.0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(moved_lost_and_gained_points_are_counted)
@@ -304,30 +302,10 @@ BOOST_AUTO_TEST_CASE(runs_that_do_not_fit_are_refused)
 }
 
 // What needs the truth.
-scenes::Scene sample(const std::string& name, std::size_t points = 6000)
-{
-  scenes::Options options;
-  options.points = points;
-  return scenes::make_scene(name, options);
-}
-
-Truth truth_of(const scenes::Scene& scene)
-{
-  Truth truth{scene.label, {}};
-  for(const scenes::Truth_face& f : scene.faces)
-    truth.faces.push_back({f.normal, f.offset});
-  return truth;
-}
-
-Detection perfect(const scenes::Scene& scene)
-{
-  Truth truth = truth_of(scene);
-  return {truth.label, truth.faces};
-}
-
 Truth_criteria compare(const scenes::Scene& scene, const Detection& detection)
 {
-  return evaluate_truth(truth_of(scene), detection, extent_of(scene.points), 100);
+  const Detection truth = perfect(scene);
+  return evaluate_truth({truth.label, truth.planes}, detection, extent_of(scene.points), 100);
 }
 
 BOOST_AUTO_TEST_CASE(perfect_detection_scores_one)
