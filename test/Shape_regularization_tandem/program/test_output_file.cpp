@@ -20,8 +20,6 @@
 #include <string>
 #include <string_view>
 
-BOOST_AUTO_TEST_SUITE(test_output_file)
-
 constexpr int no_limit = std::numeric_limits<int>::max();
 int allocations_left = no_limit;
 
@@ -37,6 +35,8 @@ void* operator new(std::size_t size)
 
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+BOOST_AUTO_TEST_SUITE(test_output_file)
 
 // Whether the file could be opened with this number of allocations.
 bool opens(const std::string& path, int allocations)
