@@ -20,10 +20,11 @@
 #include <string>
 #include <string_view>
 
+// Of all tests of the folder; only these here set a limit.
 constexpr int no_limit = std::numeric_limits<int>::max();
-int allocations_left = no_limit;
+static int allocations_left = no_limit;
 
-void* operator new(std::size_t size)
+BOOST_NOINLINE void* operator new(std::size_t size)
 {
   void* memory = allocations_left > 0 ? std::malloc(size) : nullptr;
   if(memory == nullptr)
@@ -33,8 +34,8 @@ void* operator new(std::size_t size)
   return memory;
 }
 
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+BOOST_NOINLINE void operator delete(void* memory) noexcept { std::free(memory); }
+BOOST_NOINLINE void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 BOOST_AUTO_TEST_SUITE(test_output_file)
 
@@ -52,7 +53,16 @@ bool opens(const std::string& path, int allocations)
   return is_open;
 }
 
-void test_constructor(const std::filesystem::path& folder)
+// Of the test.
+struct Folder {
+  std::filesystem::path folder =
+    std::filesystem::temp_directory_path() / ("test_output_file_" + std::to_string(std::random_device()()));
+
+  Folder() { std::filesystem::create_directory(folder); }
+  ~Folder() { std::filesystem::remove_all(folder); }
+};
+
+BOOST_FIXTURE_TEST_CASE(no_memory, Folder)
 {
   const std::string path = (folder / "a name that is too long to be stored within a string.ply").string();
   int n = 0;
@@ -64,7 +74,7 @@ void test_constructor(const std::filesystem::path& folder)
   CHECK(std::filesystem::is_empty(folder)); // not committed
 }
 
-void test_commit(const std::filesystem::path& folder)
+BOOST_FIXTURE_TEST_CASE(complete_files, Folder)
 {
   {
     program::Output_file file((folder / "complete").string());
@@ -74,12 +84,11 @@ void test_commit(const std::filesystem::path& folder)
     file.commit();
   }
   CHECK(std::filesystem::file_size(folder / "complete") == 4);
-  std::filesystem::remove(folder / "complete");
-  CHECK(std::filesystem::is_empty(folder));
+  CHECK(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
 }
 
 // Folders that were made go again, in whatever way they are named, unless they are kept or something is in them.
-void test_folders(const std::filesystem::path& folder)
+BOOST_FIXTURE_TEST_CASE(made_folders, Folder)
 {
   namespace fs = std::filesystem;
   fs::create_directory(folder / "old");
@@ -101,12 +110,10 @@ void test_folders(const std::filesystem::path& folder)
     file.commit();
   }
   CHECK(fs::exists(folder / "new/kept/file/text") && !fs::exists(folder / "new/kept/file/none"));
-  fs::remove_all(folder / "new");
-  fs::remove(folder / "old");
 }
 
 // A file that is replaced keeps its mode, also as long as it is written.
-void test_mode(const std::filesystem::path& folder)
+BOOST_FIXTURE_TEST_CASE(modes, Folder)
 {
   namespace fs = std::filesystem;
   const fs::path path = folder / "private";
@@ -122,7 +129,6 @@ void test_mode(const std::filesystem::path& folder)
     file.commit();
     CHECK_AT(fs::status(path).permissions() == fs::perms(mode), std::to_string(mode));
   }
-  fs::remove(path);
 }
 
 // Shows what was written without memory.
@@ -135,7 +141,7 @@ private:
   std::array<char, 256> text_;
 };
 
-void test_fail()
+BOOST_AUTO_TEST_CASE(message_without_memory)
 {
   Fixed_buffer buffer;
   std::streambuf* previous = std::cerr.rdbuf(&buffer);
@@ -162,7 +168,7 @@ std::string visible(std::string_view text)
   return out.str();
 }
 
-void test_visible_text()
+BOOST_AUTO_TEST_CASE(visible_text)
 {
   using namespace std::string_literals;
   for(const char* text :
@@ -177,20 +183,6 @@ void test_visible_text()
     const std::string shown = visible("a" + text + "b");
     CHECK_AT(shown.size() == 4 * text.size() + 2 && shown.front() == 'a' && shown.back() == 'b', shown);
   }
-}
-
-BOOST_AUTO_TEST_CASE(all_cases)
-{
-  const std::filesystem::path folder =
-    std::filesystem::temp_directory_path() / ("test_output_file_" + std::to_string(std::random_device()()));
-  std::filesystem::create_directory(folder);
-  test_constructor(folder);
-  test_commit(folder);
-  test_folders(folder);
-  test_mode(folder);
-  std::filesystem::remove_all(folder);
-  test_fail();
-  test_visible_text();
 }
 
 BOOST_AUTO_TEST_SUITE_END()
