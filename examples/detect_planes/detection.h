@@ -6,10 +6,11 @@
 #ifndef DETECT_PLANES_DETECTION_H
 #define DETECT_PLANES_DETECTION_H
 
+#include "errors.h"
 #include "Options.h"
 #include "input/point_set.h"
 #include "output/write_results.h"
-#include "progress.h"
+#include "messages.h"
 #include "signals.h"
 #include "tolerance/Tolerances.h"
 
@@ -120,8 +121,7 @@ Shapes detect(const Point_set& points, const Options& o, Progress_line& progress
 {
   namespace np = CGAL::Tandem::parameters;
   const std::function<bool(double)> callback = [&](double share) {
-    if(is_interrupted())
-      throw Interrupted();
+    check_signals();
     progress.show(share);
     return true;
   };

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "errors.h"
 #include "input/las_header.h"
 
 #include <laszip_api.h>
@@ -44,8 +45,7 @@ private:
   {
     laszip_CHAR* error = nullptr;
     laszip_get_error(laszip, &error);
-    throw std::runtime_error("cannot be " + what + " by LASzip" +
-                             (error != nullptr ? " (" + std::string(error) + ")" : ""));
+    throw_error("cannot be ", what, " by LASzip", (error != nullptr ? " (" + std::string(error) + ")" : ""));
   }
 
   laszip_POINTER laszip = nullptr;

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "errors.h"
 #include "input/readers.h"
 
-#include "input/Cloud_builder.h"
-#include "input/Table_rows.h"
-#include "input/table_values.h"
+#include "input/Input_buffer.h"
 
 #include <array>
 #include <cmath>
@@ -119,8 +118,7 @@ private:
   void read_point(const Ptx_header& header, std::uint64_t i)
   {
     if(!rows.next())
-      throw std::runtime_error("is truncated: " + std::to_string(i) + " of the " + std::to_string(header.count) +
-                               " points of a scan");
+      throw_error("is truncated: ", i, " of the ", header.count, " points of a scan");
     const std::vector<double> numbers = numbers_of(rows.row());
     if(!builder)
       begin(numbers.size());

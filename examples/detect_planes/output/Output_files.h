@@ -11,9 +11,7 @@
 #include "output/Output_file.h"
 #include "output/report.h"
 #include "output/writers.h"
-#include "mesh/write_mesh.h"
 #include "output/write_results.h"
-#include "output/write_vg.h"
 
 #include <deque>
 #include <optional>

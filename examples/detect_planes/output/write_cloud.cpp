@@ -3,8 +3,7 @@
 
 #include "output/writers.h"
 
-#include "Built_with.h"
-#include "output/Output_points.h"
+#include "Options.h"
 
 namespace program {
 

@@ -1,17 +1,23 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "input/point_set.h"
+#include "output/Described_shapes.h"
+#include "output/write_results.h"
 #include "output/writers.h"
-#include "view/Thinned_points.h"
-#include "view/write_layers.h"
 #include "view/write_points.h"
 
+#include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
+
 #include <CGAL/Bbox_3.h>
+
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -23,6 +29,74 @@ extern const char* const page_before_data[];
 extern const char* const page_after_data[];
 
 namespace {
+
+// --- Outlines and triangles of the shapes, and colors of the input
+
+using Polygon = CGAL::Tandem::Indexed_polygon;
+
+void write_loop(Base64_lines& lines, const Polygon::Loop& loop)
+{
+  lines.write(std::uint32_t(loop.size()));
+  for(std::uint32_t corner : loop)
+    lines.write(corner);
+}
+
+void write_loops(std::ostream& out, const Shape_areas& areas)
+{
+  Base64_lines lines(out, "loops");
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
+    std::size_t size = 0;
+    for(const Polygon& polygon : areas.polygons(s))
+      size += 1 + polygon.holes.size();
+    lines.write(std::uint32_t(size));
+    for(const Polygon& polygon : areas.polygons(s)) {
+      write_loop(lines, polygon.outer);
+      for(const Polygon::Loop& hole : polygon.holes)
+        write_loop(lines, hole);
+    }
+  }
+}
+
+void write_triangles(std::ostream& out, const Shape_areas& areas)
+{
+  Base64_lines lines(out, "triangles");
+  for(std::size_t s = 0; s < areas.number_of_entries(); ++s) {
+    const auto triangles = areas.triangles(s);
+    lines.write(std::uint32_t(triangles.size()));
+    for(const auto& triangle : triangles)
+      for(std::uint32_t corner : triangle)
+        lines.write(corner);
+  }
+}
+
+// Three elements, which layers.js reads: the corners, three floats each, relative to the center of the page; then for
+// each shape the number of its loops, and for each loop its number of corners and these; then for each shape the number
+// of its triangles, and their corners. Corners are positions in the first element, of 32 bits.
+void write_areas(std::ostream& out, const Shape_areas& areas, const Kernel::Point_3& center)
+{
+  {
+    Base64_lines lines(out, "corners");
+    for(const Kernel::Point_3& p : areas.points())
+      for(int k = 0; k < 3; ++k)
+        lines.write(float(p[k] - center[k]));
+  }
+  write_loops(out, areas);
+  write_triangles(out, areas);
+}
+
+// Three bytes for each of the positions, if the input has colors; else the element is empty.
+void write_input_colors(std::ostream& out, const Point_set& points, const std::vector<std::uint32_t>& positions)
+{
+  Base64_lines lines(out, "input-colors");
+  const auto colors = points.property_map<Input_color>(color_name);
+  if(!colors.second)
+    return;
+  for(std::uint32_t position : positions)
+    for(std::uint16_t channel : colors.first[*(points.begin() + std::ptrdiff_t(position))])
+      lines.write(std::uint8_t(channel >> 8));
+}
+
+// --- The scene and its points
 
 constexpr std::size_t largest_number_of_points = 3000000; // that a browser draws well
 
