@@ -16,8 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -55,17 +53,7 @@ struct Built_with {
 };
 
 // Of this program.
-inline Built_with built_with()
-{
-  Built_with built;
-  built.tbb = has_tbb;
-  built.cuda = has_cuda;
-  built.mpi = has_mpi;
-  built.gzip = has_gzip;
-  built.laszip = has_laszip;
-  built.view = has_view;
-  return built;
-}
+inline Built_with built_with() { return {has_tbb, has_cuda, has_mpi, has_gzip, has_laszip, has_view}; }
 
 // --- The noise of a sensor by the range: the value of --noise.
 

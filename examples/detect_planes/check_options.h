@@ -7,7 +7,6 @@
 #ifndef DETECT_PLANES_CHECK_OPTIONS_H
 #define DETECT_PLANES_CHECK_OPTIONS_H
 
-#include "errors.h"
 #include "Options.h"
 #include "file_names.h"
 #include "input/Input_buffer.h"
@@ -15,20 +14,11 @@
 
 #include <CGAL/Tandem/check_parameters.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
 #include <istream>
 #include <locale>
 #include <map>
-#include <optional>
 #include <set>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+#include <tuple>
 
 namespace program {
 
@@ -331,16 +321,17 @@ inline void check(const Options& o, const Built_with& built)
   check_count("sample", o.sample, 0, 1000000000);
   if(o.estimate_normals && *o.estimate_normals != by_library)
     check_count("estimate-normals", o.estimate_normals, 3, 1000);
-  if(o.has_group_for_each_plane && o.vg.empty())
-    throw Usage_error("--vg-by-plane needs --vg");
-  if(o.has_triangles_only && o.polygons.empty())
-    throw Usage_error("--triangulate needs --polygons");
-  if(!o.crs.empty() && !is_geojson(o.polygons))
-    throw Usage_error("--crs needs --polygons with a name that ends in .geojson or .json");
-  if(o.is_oriented && o.planes.empty() && o.shapes.empty() && o.view.empty() && o.polygons.empty())
-    throw Usage_error("--oriented needs --planes, --shapes, --view or --polygons");
-  if(o.mesh_planes && o.mesh.empty())
-    throw Usage_error("--mesh-planes needs --mesh");
+  const bool has_no_polygons = o.polygons.empty();
+  const std::pair<bool, const char*> alone[] = {
+    {o.has_group_for_each_plane && o.vg.empty(), "--vg-by-plane needs --vg"},
+    {o.has_triangles_only && has_no_polygons, "--triangulate needs --polygons"},
+    {!o.crs.empty() && !is_geojson(o.polygons), "--crs needs --polygons with a name that ends in .geojson or .json"},
+    {o.is_oriented && o.planes.empty() && o.shapes.empty() && o.view.empty() && has_no_polygons,
+     "--oriented needs --planes, --shapes, --view or --polygons"},
+    {o.mesh_planes && o.mesh.empty(), "--mesh-planes needs --mesh"}};
+  for(const auto& [is_alone, message] : alone)
+    if(is_alone)
+      throw Usage_error(message);
   check_count("mesh-planes", o.mesh_planes, fewest_mesh_planes, most_mesh_planes);
   check_count("largest", o.largest, 1, CGAL::Tandem::maximum_number_of_points);
   if(!o.planes_from.empty() && o.estimate_normals && *o.estimate_normals == by_library)
@@ -360,23 +351,24 @@ inline void check(const Options& o, const Built_with& built)
 // Finds options that need all points in one process, where there are several.
 inline void check_ranks(const Options& o)
 {
-  const std::pair<const char*, std::string> outputs[] = {
-    {"output", o.output}, {"labels", o.labels}, {"vg", o.vg},    {"polygons", o.polygons},
-    {"shapes", o.shapes}, {"mesh", o.mesh},     {"view", o.view}};
-  for(const auto& [name, path] : outputs)
-    if(!path.empty())
-      throw_error<Usage_error>(
-        "--", name, " needs all points in one process: ",
-        (std::string(name) == "output" ? "several write them with --output-directory" : "run it without mpirun"));
-  if(o.is_by_plane)
-    throw Usage_error("--by-plane needs all points in one process: run it without mpirun");
-  if(o.estimate_normals && *o.estimate_normals != by_library)
-    throw Usage_error("--estimate-normals with a number needs all points in one process");
-  if(!o.planes_from.empty())
-    throw Usage_error("--planes-from needs all points in one process: run it without mpirun");
-  if(o.minimum_area || o.minimum_extent)
-    throw_error<Usage_error>(o.minimum_area ? "--minimum-area" : "--minimum-extent",
-                             " needs all points in one process: run it without mpirun");
+  const bool has_pca = o.estimate_normals && *o.estimate_normals != by_library;
+  const std::string alone = ": run it without mpirun";
+  const std::tuple<bool, const char*, std::string> needs[] = {
+    {!o.output.empty(), "output", ": several write them with --output-directory"},
+    {!o.labels.empty(), "labels", alone},
+    {!o.vg.empty(), "vg", alone},
+    {!o.polygons.empty(), "polygons", alone},
+    {!o.shapes.empty(), "shapes", alone},
+    {!o.mesh.empty(), "mesh", alone},
+    {!o.view.empty(), "view", alone},
+    {o.is_by_plane, "by-plane", alone},
+    {has_pca, "estimate-normals with a number", ""},
+    {!o.planes_from.empty(), "planes-from", alone},
+    {bool(o.minimum_area), "minimum-area", alone},
+    {bool(o.minimum_extent), "minimum-extent", alone}};
+  for(const auto& [is_given, name, advice] : needs)
+    if(is_given)
+      throw_error<Usage_error>("--", name, " needs all points in one process", advice);
   if(o.backend == "cuda" && !has_mpi_cuda)
     throw Usage_error("--backend is 'cuda', which is for one process: this program was built without "
                       "Tandem::tandem_mpi_cuda");

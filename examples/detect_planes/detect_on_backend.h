@@ -6,39 +6,17 @@
 #ifndef DETECT_PLANES_DETECT_ON_BACKEND_H
 #define DETECT_PLANES_DETECT_ON_BACKEND_H
 
-#include "errors.h"
-#include "Options.h"
 #include "check_options.h"
 #include "detection.h"
-#include "input/Input_buffer.h"
-#include "input/point_set.h"
 #include "output/Output_file.h"
-#include "output/report.h"
 #include "output/writers.h"
-#include "ranks/Ranks.h"
 #include "warnings.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/shapes_of_planes.h>
-#include <CGAL/Tandem/Coefficients.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/pca_estimate_normals.h>
-
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -130,15 +108,6 @@ private:
 using Cells = std::vector<std::string_view>;
 using Plane_columns = std::array<std::size_t, 4>; // of a, b, c, d
 
-inline Cells cells_of(std::string_view row)
-{
-  Cells cells;
-  Table_values values(row);
-  for(std::string_view value; values.next(value);)
-    cells.push_back(value);
-  return cells;
-}
-
 inline bool are_numbers(const Cells& cells)
 {
   return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return parse_number(cell).has_value(); });
@@ -182,7 +151,7 @@ inline std::vector<CGAL::Tandem::Coefficients> read_planes(Text_lines& lines)
   std::size_t values = 0; // of each row
   while(lines.next_filled()) {
     const Text_row& row = lines.row();
-    const Cells cells = cells_of(row.text);
+    const Cells cells = values_of(row.text);
     if(is_comment(row.text))
       continue;
     if(values == 0 && !are_numbers(cells)) {

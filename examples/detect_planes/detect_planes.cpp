@@ -4,38 +4,14 @@
 // Detects the planes of a point cloud file. detect_planes --help explains the options.
 // Exit code 0: success; 1: the data or the machine; 2: the command line.
 
-#include "errors.h"
-#include "Options.h"
 #include "detect_on_backend.h"
-#include "input/read_cloud.h"
-#include "messages.h"
-#include "output/Output_file.h"
 #include "output/Output_files.h"
-#include "output/report.h"
-#include "output/writers.h"
 #include "program_options.h"
-#include "ranks/Ranks.h"
 #include "ranks/read_inputs.h"
 #include "shapes_of_outputs.h"
-#include "signals.h"
-#include "warnings.h"
 
 #include <CGAL/Shape_regularization_tandem/cuda.h>
 #include <CGAL/Shape_regularization_tandem/version.h>
-
-#include <CGAL/Real_timer.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <cstddef>
-#include <cstdint>
-#include <iostream>
-#include <memory>
-#include <new>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace program {
 

@@ -6,26 +6,12 @@
 #ifndef DETECT_PLANES_DETECTION_H
 #define DETECT_PLANES_DETECTION_H
 
-#include "errors.h"
-#include "Options.h"
-#include "input/point_set.h"
-#include "output/write_results.h"
-#include "messages.h"
 #include "signals.h"
 #include "tolerance/Tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/detect_planes.h>
 #include <CGAL/Shape_regularization_tandem/estimate_local_distances.h>
 #include <CGAL/Shape_regularization_tandem/estimate_parameters.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace program {
 

@@ -6,29 +6,13 @@
 #ifndef DETECT_PLANES_SHAPES_OF_OUTPUTS_H
 #define DETECT_PLANES_SHAPES_OF_OUTPUTS_H
 
-#include "errors.h"
-#include "Options.h"
-#include "input/point_set.h"
 #include "input/read_cloud.h"
-#include "messages.h"
 #include "output/Described_shapes.h"
-#include "output/report.h"
-#include "output/write_results.h"
 #include "ranks/Ranks.h"
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace program {
 
-// --- The shapes that the outputs have: all, or one for each plane, and of those the ones that fit the options of the selection.
+// --- The selection: all shapes, or one for each plane, and of those the ones that fit its options.
 
 // The options that say which shapes the outputs have.
 inline std::string selection_of(const Options& o)

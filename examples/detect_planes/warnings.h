@@ -6,26 +6,11 @@
 #ifndef DETECT_PLANES_WARNINGS_H
 #define DETECT_PLANES_WARNINGS_H
 
-#include "errors.h"
-#include "input/input_settings.h"
-#include "input/point_set.h"
-#include "messages.h"
-#include "output/report.h"
-#include "output/write_results.h"
-#include "ranks/Ranks.h"
 #include "tolerance/Tolerances.h"
 
 #include <CGAL/Shape_regularization_tandem/estimate_noise.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <new>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace program {
 

@@ -18,9 +18,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <streambuf>
-#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -214,6 +212,15 @@ private:
   std::string_view rest;
   char separator_;
 };
+
+inline std::vector<std::string_view> values_of(std::string_view row)
+{
+  std::vector<std::string_view> values;
+  Table_values rest(row);
+  for(std::string_view value; rest.next(value);)
+    values.push_back(value);
+  return values;
+}
 
 // Nothing if the text is no number, or too large for one. An empty value is NaN.
 inline std::optional<double> parse_number(std::string_view text)

@@ -14,9 +14,6 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -7,10 +7,6 @@
 #define DETECT_PLANES_LAS_HEADER_H
 
 #include "input/readers.h"
-#include "input/Input_buffer.h"
-#include "input/input_settings.h"
-
-#include <cstring>
 
 namespace program {
 

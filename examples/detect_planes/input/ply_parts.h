@@ -6,20 +6,12 @@
 #ifndef DETECT_PLANES_INPUT_PLY_PARTS_H
 #define DETECT_PLANES_INPUT_PLY_PARTS_H
 
-#include "errors.h"
 #include "input/Input_buffer.h"
 
-#include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cstddef>
-#include <cstdint>
 #include <istream>
 #include <map>
 #include <set>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace program {

@@ -1,19 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
 #include "Options.h"
 #include "file_names.h"
-#include "input/Input_buffer.h"
 #include "input/read_cloud.h"
 #include "input/readers.h"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <stdexcept>
-#include <utility>
 
 namespace program {
 

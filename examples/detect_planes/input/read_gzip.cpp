@@ -3,8 +3,6 @@
 
 #include "input/Input_buffer.h"
 
-#include <memory>
-#include <stdexcept>
 #include <vector>
 #include <zlib.h>
 

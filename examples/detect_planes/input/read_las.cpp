@@ -1,17 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
 #include "Options.h"
 #include "file_names.h"
-#include "input/input_settings.h"
 #include "input/las_header.h"
-#include "input/readers.h"
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <utility>
 
 namespace program {
 

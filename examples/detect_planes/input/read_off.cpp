@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
-#include "input/Input_buffer.h"
 #include "input/readers.h"
 #include "messages.h"
 
@@ -10,11 +8,6 @@
 
 #include <istream>
 #include <new>
-#include <optional>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace program {
 

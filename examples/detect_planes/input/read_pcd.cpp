@@ -1,21 +1,9 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
-#include "input/Input_buffer.h"
-#include "input/input_settings.h"
 #include "input/readers.h"
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <map>
-#include <optional>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace program {
 

@@ -1,24 +1,10 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
-#include "input/Input_buffer.h"
-#include "input/input_settings.h"
 #include "input/ply_parts.h"
 #include "input/readers.h"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 #include <locale>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace program {
 

@@ -1,17 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
 #include "input/readers.h"
-
-#include "input/Input_buffer.h"
-
-#include <array>
-#include <cmath>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace program {
 
@@ -26,9 +16,8 @@ struct Ptx_header {
 
 std::vector<double> numbers_of(const Text_row& row)
 {
-  Table_values rest(row.text);
   std::vector<double> numbers;
-  for(std::string_view text; rest.next(text);) {
+  for(std::string_view text : values_of(row.text)) {
     const std::optional<double> number = parse_number(text);
     if(!number)
       fail_at_row(row.number, "has '" + std::string(text.substr(0, 40)) + "' where a number is expected");

@@ -1,20 +1,8 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
-#include "input/Input_buffer.h"
-#include "input/input_settings.h"
 #include "input/readers.h"
 #include "input/table_head.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace program {
 

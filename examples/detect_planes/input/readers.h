@@ -6,19 +6,9 @@
 #ifndef DETECT_PLANES_READERS_H
 #define DETECT_PLANES_READERS_H
 
-#include "errors.h"
 #include "input/Input_buffer.h"
 #include "input/input_settings.h"
 #include "input/point_set.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace program {
 

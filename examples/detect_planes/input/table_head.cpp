@@ -1,16 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
-#include "input/Input_buffer.h"
-#include "input/input_settings.h"
 #include "input/table_head.h"
-
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
 
 namespace program {
 
@@ -106,11 +97,8 @@ bool are_normals(const Sample& rows, std::size_t first)
 std::vector<std::string> names_of_header(std::string_view line)
 {
   line.remove_prefix((std::min)(line.find_first_not_of(" \t#/"), line.size()));
-  Table_values rest(line);
-  std::vector<std::string> names;
-  for(std::string_view name; rest.next(name);)
-    names.emplace_back(name);
-  return names;
+  const std::vector<std::string_view> names = values_of(line);
+  return {names.begin(), names.end()};
 }
 
 // Of a table whose first column does not count the rows.
@@ -178,15 +166,6 @@ std::vector<Column> recognize_columns(const Sample& rows, const std::string& ext
 }
 
 // --- What stands before the points
-
-std::vector<std::string_view> values_of(std::string_view row)
-{
-  std::vector<std::string_view> values;
-  Table_values rest(row);
-  for(std::string_view value; rest.next(value);)
-    values.push_back(value);
-  return values;
-}
 
 std::size_t parse_count(const Text_row& row, std::string_view text)
 {

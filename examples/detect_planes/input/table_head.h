@@ -9,15 +9,6 @@
 #include "input/Input_buffer.h"
 #include "input/input_settings.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace program {
 
 // --- Commas separate values. Where they are parts of numbers instead, the values are others than those of the file.

@@ -1,21 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
 #include "output/writers.h"
-#include "file_names.h"
 #include "signals.h"
 
 #include "../Shape_regularization_tandem/convex_polygons.h"
 
 #include <CGAL/Shape_regularization_tandem/closed_surface.h>
-
-#include <algorithm>
-#include <array>
-#include <iomanip>
-#include <ostream>
-#include <stdexcept>
-#include <string>
 
 namespace program {
 

@@ -9,12 +9,6 @@
 #include <CGAL/Shape_regularization_tandem/shape_facts.h>
 #include <CGAL/Tandem/shape_columns.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace program {
 
 Shape_areas areas_of_shapes(const Point_set& points, const Shapes& shapes)

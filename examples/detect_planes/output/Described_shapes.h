@@ -6,17 +6,10 @@
 #ifndef DETECT_PLANES_DESCRIBED_SHAPES_H
 #define DETECT_PLANES_DESCRIBED_SHAPES_H
 
-#include "errors.h"
 #include "Options.h"
-#include "messages.h"
 #include "output/report.h"
-#include "output/write_results.h"
 
 #include <CGAL/Shape_regularization_tandem/Shape_polygons_3.h>
-
-#include <optional>
-#include <ostream>
-#include <string>
 
 namespace program {
 

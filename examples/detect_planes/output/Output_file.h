@@ -10,19 +10,12 @@
 #include "file_names.h"
 #include "signals.h"
 
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <ostream>
 #include <random>
-#include <stdexcept>
 #include <streambuf>
-#include <string>
-#include <system_error>
 #include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)

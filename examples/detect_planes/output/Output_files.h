@@ -4,20 +4,11 @@
 #ifndef DETECT_PLANES_OUTPUT_FILES_H
 #define DETECT_PLANES_OUTPUT_FILES_H
 
-#include "Options.h"
-#include "file_names.h"
-#include "signals.h"
 #include "input/read_cloud.h"
 #include "output/Output_file.h"
-#include "output/report.h"
 #include "output/writers.h"
-#include "output/write_results.h"
 
 #include <deque>
-#include <optional>
-#include <ostream>
-#include <string>
-#include <vector>
 
 namespace program {
 

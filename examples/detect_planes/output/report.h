@@ -13,15 +13,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <iomanip>
-#include <ostream>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #ifdef __unix__

@@ -3,8 +3,6 @@
 
 #include "output/writers.h"
 
-#include "Options.h"
-
 namespace program {
 
 namespace {

@@ -5,8 +5,6 @@
 
 #include "input/las_header.h"
 
-#include <limits>
-
 namespace program {
 
 namespace {

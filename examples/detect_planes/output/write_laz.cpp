@@ -1,15 +1,11 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
 #include "output/writers.h"
 
 #include "output/Output_file.h"
 
-#include <cerrno>
-#include <fstream>
 #include <laszip_api.h>
-#include <stdexcept>
 
 namespace program {
 

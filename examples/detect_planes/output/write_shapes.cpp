@@ -3,16 +3,7 @@
 //
 // The shapes as polygons and as vertex groups.
 
-#include "output/write_results.h"
 #include "output/writers.h"
-
-#include <algorithm>
-#include <iomanip>
-#include <limits>
-#include <ostream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace program {
 

@@ -6,17 +6,10 @@
 #ifndef DETECT_PLANES_WRITERS_H
 #define DETECT_PLANES_WRITERS_H
 
-#include "Options.h"
 #include "input/input_settings.h"
 #include "output/Described_shapes.h"
-#include "output/report.h"
-#include "output/write_results.h"
 
-#include <cstddef>
 #include <iosfwd>
-#include <optional>
-#include <ostream>
-#include <string>
 
 namespace program {
 

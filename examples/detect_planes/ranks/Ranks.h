@@ -4,25 +4,17 @@
 #ifndef DETECT_PLANES_RANKS_H
 #define DETECT_PLANES_RANKS_H
 
-#include "errors.h"
 #include "Options.h"
 #include "input/input_settings.h"
-#include "input/point_set.h"
 #include "messages.h"
 #include "output/write_results.h"
 
 #include <CGAL/Tandem/Distance_estimate.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace program {
 

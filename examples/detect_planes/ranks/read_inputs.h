@@ -6,25 +6,12 @@
 #ifndef DETECT_PLANES_READ_INPUTS_H
 #define DETECT_PLANES_READ_INPUTS_H
 
-#include "Options.h"
 #include "check_options.h"
-#include "input/point_set.h"
 #include "input/read_cloud.h"
-#include "messages.h"
 #include "output/report.h"
 #include "ranks/Ranks.h"
 
 #include <CGAL/Real_timer.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <system_error>
-#include <vector>
 
 namespace program {
 

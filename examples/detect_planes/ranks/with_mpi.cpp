@@ -1,11 +1,7 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "errors.h"
-#include "ranks/Ranks.h"
-
 #include "detection.h"
-#include "signals.h"
 
 #include <CGAL/Shape_regularization_tandem/mpi.h>
 
@@ -17,11 +13,6 @@
 #ifdef __linux__
 #include <sched.h>
 #endif
-
-#include <algorithm>
-#include <functional>
-#include <string>
-#include <thread>
 
 namespace boost {
 namespace serialization {

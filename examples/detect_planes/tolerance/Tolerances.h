@@ -6,25 +6,11 @@
 #ifndef DETECT_PLANES_TOLERANCES_H
 #define DETECT_PLANES_TOLERANCES_H
 
-#include "errors.h"
-#include "Options.h"
 #include "input/read_cloud.h"
 #include "ranks/Ranks.h"
 #include "output/report.h"
 
 #include <CGAL/Shape_regularization_tandem/distance_of_noise.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace program {
 

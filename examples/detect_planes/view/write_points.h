@@ -13,11 +13,7 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <ostream>
 #include <sstream>
-#include <string>
 #include <vector>
 
 namespace program {

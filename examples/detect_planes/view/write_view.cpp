@@ -1,25 +1,12 @@
 // Copyright (c) 2026 The Tandem authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/point_set.h"
-#include "output/Described_shapes.h"
-#include "output/write_results.h"
 #include "output/writers.h"
 #include "view/write_points.h"
 
 #include <CGAL/Shape_regularization_tandem/Indexed_polygon.h>
 
-#include <CGAL/Bbox_3.h>
-
 #include <boost/algorithm/string/replace.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
-#include <iosfwd>
-#include <string>
-#include <vector>
 
 namespace program {
 
@@ -152,9 +139,8 @@ std::vector<int> outward_sides(const Shapes& shapes, const Run& run)
 }
 
 // But for the shapes.
-Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run, const Thinned_points& thinned)
+Json json_of_scene(const Shapes& shapes, const Run& run, const Thinned_points& thinned, const CGAL::Bbox_3& box)
 {
-  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   const Kernel::Point_3 center = center_of(box);
   const CGAL::Tandem::Statistics& s = shapes.statistics();
   return {{"name", utf8(std::filesystem::path(run.input).filename().string())},
@@ -176,9 +162,8 @@ Json json_of_scene(const Point_set& points, const Shapes& shapes, const Run& run
 // Points without a shape may be so far away that the steps of their block are larger than the cloud. So they are written
 // from the inside to the outside, with the blocks of each reach apart. Gives the positions as they were written.
 std::vector<std::uint32_t> write_points(std::ostream& out, const Point_set& points, const Shapes& shapes,
-                                        const Thinned_points& thinned)
+                                        const Thinned_points& thinned, const CGAL::Bbox_3& box)
 {
-  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   const Kernel::Point_3 center = center_of(box);
   const Point_block_writer writer(points, shapes, center);
   std::vector<std::uint32_t> positions = thinned.positions;
@@ -203,10 +188,11 @@ void write_view(std::ostream& out, const Described_shapes& described, const Run&
   const Point_set& points = described.points;
   const Shapes& shapes = described.shapes;
   const Thinned_points thinned(points, shapes, largest_number_of_points);
+  const CGAL::Bbox_3 box = box_of_shapes(points, shapes);
   write_pieces(out, page_before_data);
   out << "<script type=\"application/json\" id=\"scene\">";
-  Json scene = json_of_scene(points, shapes, run, thinned);
-  const Kernel::Point_3 center = center_of(box_of_shapes(points, shapes));
+  Json scene = json_of_scene(shapes, run, thinned, box);
+  const Kernel::Point_3 center = center_of(box);
   const Json& table = described.table();
   scene["shapes"] = json_of_shapes(shapes, table, center);
   for(const auto& column : table.items())
@@ -215,7 +201,7 @@ void write_view(std::ostream& out, const Described_shapes& described, const Run&
   scene["shapes"]["shown"] = thinned.shown;                     // one more: points without a shape
   out << boost::replace_all_copy(ascii(scene), "<", "\\u003c"); // no </script>
   out << "</script>\n<script type=\"text/plain\" id=\"points\">\n";
-  const std::vector<std::uint32_t> positions = write_points(out, points, shapes, thinned);
+  const std::vector<std::uint32_t> positions = write_points(out, points, shapes, thinned, box);
   out << "</script>\n";
   write_areas(out, described.areas(), center);
   write_input_colors(out, points, positions);

@@ -11,7 +11,6 @@
 #include "program/Polygon_checker.h"
 
 #include "output/writers.h"
-#include "output/write_shapes.cpp"
 
 #include <map>
 #include <sstream>

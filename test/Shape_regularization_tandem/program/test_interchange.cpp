@@ -9,7 +9,6 @@
 
 #include "output/writers.h"
 #include "output/write_results.h"
-#include "output/write_shapes.cpp"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/PLY.h>
